@@ -1,0 +1,266 @@
+#include "base/child.h"
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define UNDER_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define UNDER_SANITIZER 1
+#endif
+#endif
+
+#define MEGABYTE     UINT64_C(1000000)
+#define LEAST_MEMORY (2000 * MEGABYTE)
+
+/* What travels through the pipe, in order: chunks, then the end with the
+ * child's status and error. */
+typedef enum kind { CHUNK = 0x6d75726b, END = 0x656e6421 } kind;
+
+typedef struct head {
+    uint32_t kind, status;
+    uint64_t size;
+} head;
+
+struct murk_child {
+    int fd;
+};
+
+static bool write_all(int fd, const void *bytes, size_t size)
+{
+    const char *at = bytes;
+    while (size > 0) {
+        const ssize_t n = write(fd, at, size);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return false;
+        }
+        at += n;
+        size -= (size_t)n;
+    }
+    return true;
+}
+
+murk_status murk_child_send(murk_child *child, const void *bytes, size_t size)
+{
+    const head h = {CHUNK, MURK_OK, size};
+    return write_all(child->fd, &h, sizeof h) &&
+                   write_all(child->fd, bytes, size)
+               ? MURK_OK
+               : MURK_RUN_FAILED;
+}
+
+murk_child_limits murk_child_limits_for(uint64_t file_bytes)
+{
+    const uint64_t eightfold =
+        file_bytes > UINT64_MAX / 8 ? UINT64_MAX : file_bytes * 8;
+    const uint64_t memory =
+        eightfold > LEAST_MEMORY ? eightfold : LEAST_MEMORY;
+    return (murk_child_limits){
+        .memory_bytes = memory,
+        .handed_bytes = memory,
+        .seconds = 8 + (unsigned)(file_bytes / (4 * MEGABYTE) % 100000)};
+}
+
+static void set_limit(int what, uint64_t value)
+{
+    const struct rlimit limit = {(rlim_t)value, (rlim_t)value};
+    (void)setrlimit(what, &limit);
+}
+
+static _Noreturn void be_child(int fd, murk_child_work work, void *context,
+                               const murk_child_limits *limits)
+{
+    const int sink = open("/dev/null", O_WRONLY);
+    if (sink >= 0) {
+        dup2(sink, STDOUT_FILENO);
+        dup2(sink, STDERR_FILENO);
+    }
+    signal(SIGINT, SIG_IGN); /* the parent decides, and kills */
+    signal(SIGPIPE, SIG_DFL);
+    set_limit(RLIMIT_CORE, 0);
+    set_limit(RLIMIT_CPU, limits->seconds);
+#ifndef UNDER_SANITIZER
+    set_limit(RLIMIT_AS, limits->memory_bytes);
+#endif
+    murk_child child = {fd};
+    murk_error err = {0};
+    const murk_status status = work(&child, context, &err);
+    const head h = {END, (uint32_t)status, sizeof err};
+    const bool sent = write_all(fd, &h, sizeof h) &&
+                      write_all(fd, &err, sizeof err);
+    _exit(sent ? 0 : 1); /* no atexit handlers: the file may have hurt them */
+}
+
+typedef struct inbox {
+    unsigned char *bytes;
+    size_t size, room;
+} inbox;
+
+typedef enum verdict { RECEIVED, CUT_SHORT, TOO_LONG, TOO_MUCH, STOPPED } verdict;
+
+/* Reads exactly size bytes or says why not. */
+static verdict read_all(int fd, void *bytes, size_t size, double deadline_s)
+{
+    char *at = bytes;
+    while (size > 0) {
+        struct pollfd ready = {.fd = fd, .events = POLLIN};
+        const int n_ready = poll(&ready, 1, 100);
+        if (murk_interrupted()) {
+            return STOPPED;
+        }
+        if (murk_clock_s() > deadline_s) {
+            return TOO_LONG;
+        }
+        if (n_ready <= 0) {
+            continue;
+        }
+        const ssize_t n = read(fd, at, size);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return CUT_SHORT;
+        }
+        at += n;
+        size -= (size_t)n;
+    }
+    return RECEIVED;
+}
+
+static verdict make_room(inbox *in, uint64_t more, uint64_t most)
+{
+    if (more > most || in->size > most - more) {
+        return TOO_MUCH;
+    }
+    const size_t need = in->size + (size_t)more;
+    if (need <= in->room) {
+        return RECEIVED;
+    }
+    const size_t room = need + need / 2 + 64;
+    unsigned char *grown = realloc(in->bytes, room);
+    if (!grown) {
+        return TOO_MUCH;
+    }
+    in->bytes = grown;
+    in->room = room;
+    return RECEIVED;
+}
+
+static verdict receive(int fd, inbox *in, const murk_child_limits *limits,
+                       murk_error *err)
+{
+    const double deadline_s = murk_clock_s() + 2.0 * limits->seconds;
+    for (;;) {
+        head h;
+        verdict v = read_all(fd, &h, sizeof h, deadline_s);
+        if (v != RECEIVED) {
+            return v;
+        }
+        if (h.kind == END && h.size == sizeof *err) {
+            return read_all(fd, err, sizeof *err, deadline_s);
+        }
+        if (h.kind != CHUNK) {
+            return CUT_SHORT;
+        }
+        v = make_room(in, h.size, limits->handed_bytes);
+        if (v == RECEIVED) {
+            v = read_all(fd, in->bytes + in->size, (size_t)h.size, deadline_s);
+        }
+        if (v != RECEIVED) {
+            return v;
+        }
+        in->size += (size_t)h.size;
+    }
+}
+
+/* One line for each way in which a child can end badly. */
+static murk_status explain(verdict v, int ended,
+                           const murk_child_limits *limits, const char *where,
+                           murk_error *err)
+{
+    const double memory_gb = (double)limits->memory_bytes / 1e9;
+    if (v == STOPPED) {
+        return murk_fail(err, MURK_INTERRUPTED, where, "interrupted");
+    }
+    if (v == TOO_LONG || (WIFSIGNALED(ended) && (WTERMSIG(ended) == SIGXCPU ||
+                                                 WTERMSIG(ended) == SIGKILL))) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "reading it takes more than %u s or %.3g GB: "
+                         "malformed, or too large",
+                         limits->seconds, memory_gb);
+    }
+    if (v == TOO_MUCH) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "holds more than %.3g GB, malformed or too large",
+                         (double)limits->handed_bytes / 1e9);
+    }
+    if (WIFSIGNALED(ended)) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "malformed: its reader crashed (%s)",
+                         strsignal(WTERMSIG(ended)));
+    }
+    return murk_fail(err, MURK_BAD_FILE, where,
+                     "malformed: its reader gave up (more than %.3g GB?)",
+                     memory_gb);
+}
+
+murk_status murk_child_run(unsigned char **out, size_t *size,
+                           murk_child_work work, void *context,
+                           const murk_child_limits *limits, const char *where,
+                           murk_error *err)
+{
+    int ends[2];
+    if (pipe(ends) != 0) {
+        return murk_fail(err, MURK_RUN_FAILED, where, "cannot open a pipe: %s",
+                         strerror(errno));
+    }
+    const pid_t pid = fork();
+    if (pid < 0) {
+        close(ends[0]);
+        close(ends[1]);
+        return murk_fail(err, MURK_RUN_FAILED, where,
+                         "cannot start a reader: %s", strerror(errno));
+    }
+    if (pid == 0) {
+        close(ends[0]);
+        be_child(ends[1], work, context, limits);
+    }
+    close(ends[1]);
+
+    inbox in = {0};
+    murk_error told = {0};
+    const verdict v = receive(ends[0], &in, limits, &told);
+    close(ends[0]);
+    if (v != RECEIVED && v != CUT_SHORT) {
+        kill(pid, SIGKILL);
+    }
+    int ended = 0;
+    while (waitpid(pid, &ended, 0) < 0 && errno == EINTR) {
+    }
+    if (v != RECEIVED) {
+        free(in.bytes);
+        return explain(v, ended, limits, where, err);
+    }
+    if (told.status) {
+        free(in.bytes);
+        return murk_fail(err, told.status, told.where, "%s", told.text);
+    }
+    *out = in.bytes;
+    *size = in.size;
+    return MURK_OK;
+}

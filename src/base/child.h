@@ -1,0 +1,40 @@
+/* Untrusted files are parsed in a child process with limits on memory and
+ * processor time, and handed over as plain bytes: whatever a broken file does
+ * to the parser, the parent sees bytes or a clear error.
+ *
+ * Call it before any thread or ray device exists (fork). */
+#ifndef MURK_BASE_CHILD_H
+#define MURK_BASE_CHILD_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Runs in the child: parse, then hand bytes over with murk_child_send(). A
+ * failure's err reaches the parent's err as it is. */
+typedef struct murk_child murk_child;
+typedef murk_status (*murk_child_work)(murk_child *child, void *context,
+                                       murk_error *err);
+murk_status murk_child_send(murk_child *child, const void *bytes, size_t size);
+
+typedef struct murk_child_limits {
+    uint64_t memory_bytes; /* address space; ignored under sanitizers */
+    uint64_t handed_bytes; /* most that the child may send */
+    unsigned seconds;      /* processor time; wall time is twice that */
+} murk_child_limits;
+
+/* The default for a file of that size: the larger of 2 GB and 8 times the
+ * file, 8 s of processor time and 1 s more for every 4 MB. */
+murk_child_limits murk_child_limits_for(uint64_t file_bytes);
+
+/* *out (malloc'ed, the caller's; 16-byte aligned) and *size hold all that the
+ * child sent. Fails with the child's own error, or with MURK_BAD_FILE at
+ * `where` when the child died or ran into a limit. What the child prints is
+ * thrown away: warnings travel as data. */
+murk_status murk_child_run(unsigned char **out, size_t *size,
+                           murk_child_work work, void *context,
+                           const murk_child_limits *limits, const char *where,
+                           murk_error *err);
+
+#endif

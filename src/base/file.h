@@ -1,0 +1,46 @@
+/* Files that appear whole or not at all, and reading with a limit. */
+#ifndef MURK_BASE_FILE_H
+#define MURK_BASE_FILE_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct murk_file murk_file;
+
+/* Opens a temporary file beside `path`; write to murk_file_stream(). Nothing
+ * is seen under `path` until murk_file_commit() has flushed it to the disk and
+ * renamed it; what stood there before stays until then. murk_file_discard()
+ * (NULL is fine) removes the temporary file, also after a failed commit. */
+murk_status murk_file_create(murk_file **out, const char *path,
+                             murk_error *err);
+FILE *murk_file_stream(murk_file *file);
+murk_status murk_file_commit(murk_file **file, murk_error *err);
+void murk_file_discard(murk_file *file);
+
+/* create, write, commit. */
+murk_status murk_file_write(const char *path, const void *bytes, size_t size,
+                            murk_error *err);
+
+/* The whole file, which must be a regular one of at most `most` bytes, with a
+ * '\0' behind it (not counted). *out is the caller's to free(). */
+murk_status murk_file_read(char **out, size_t *size, const char *path,
+                           size_t most, murk_error *err);
+
+/* Makes a folder and its parents; an existing one that can be written is
+ * fine. */
+murk_status murk_folder_make(const char *path, murk_error *err);
+
+/* `path` as seen from the folder of the file `beside` (or `path` itself when
+ * it is absolute). The caller frees it; NULL when out of memory. */
+char *murk_path_beside(const char *beside, const char *path);
+
+/* SHA-256 as 64 lower-case hex digits and '\0'. */
+void murk_sha256_hex(const void *bytes, size_t size, char out[65]);
+
+/* A fast 128-bit checksum (XXH3), against accidents, not against malice. */
+void murk_checksum(const void *bytes, size_t size, uint64_t out[2]);
+
+#endif

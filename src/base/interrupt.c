@@ -1,0 +1,32 @@
+#include "base/interrupt.h"
+
+#include <signal.h>
+#include <stdatomic.h>
+#include <stddef.h>
+
+static atomic_int requested; /* lock-free, so a signal handler may set it */
+
+static void on_signal(int number)
+{
+    (void)number;
+    atomic_store(&requested, 1);
+}
+
+void murk_interrupt_install(void)
+{
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND; /* the second one kills */
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+bool murk_interrupted(void)
+{
+    return atomic_load_explicit(&requested, memory_order_relaxed) != 0;
+}
+
+void murk_interrupt_request(void)
+{
+    atomic_store(&requested, 1);
+}

@@ -1,0 +1,29 @@
+#include "base/log.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+static murk_warn_sink current = murk_warn_to_stderr;
+
+void murk_warn(const char *where, const char *format, ...)
+{
+    if (!current) {
+        return;
+    }
+    char text[640];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    current(where ? where : "", text);
+}
+
+void murk_warn_to(murk_warn_sink sink)
+{
+    current = sink;
+}
+
+void murk_warn_to_stderr(const char *where, const char *text)
+{
+    fprintf(stderr, "murk: warning: %s%s%s\n", where, *where ? ": " : "", text);
+}

@@ -1,0 +1,15 @@
+/* Warnings: things the user should know that stop nothing. */
+#ifndef MURK_BASE_LOG_H
+#define MURK_BASE_LOG_H
+
+/* One line: "murk: warning: WHERE: TEXT" on standard error by default. */
+void murk_warn(const char *where, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Sends warnings elsewhere; NULL silences them. Set it before any thread
+ * starts. */
+typedef void (*murk_warn_sink)(const char *where, const char *text);
+void murk_warn_to(murk_warn_sink sink);
+void murk_warn_to_stderr(const char *where, const char *text);
+
+#endif

@@ -1,0 +1,49 @@
+/* Random numbers addressed by name instead of drawn from a moving state.
+ *
+ * A number is a pure function of (seed, purpose, photon, event, slot), so the
+ * result of a run cannot depend on which thread traced a photon, and any
+ * single photon can be replayed alone.
+ *
+ * Source: Salmon et al., "Parallel random numbers: as easy as 1, 2, 3",
+ * SC'11, doi:10.1145/2063384.2063405 (Philox4x32-10). */
+#ifndef MURK_BASE_RNG_H
+#define MURK_BASE_RNG_H
+
+#include <stdint.h>
+
+/* One purpose per independent use; append only, never renumber. The first
+ * four are the tracer's; they are shifted by MURK_STREAM * stream, so that a
+ * held-out map (stream 1) is independent of the map that chose (stream 0). */
+typedef enum murk_purpose {
+    MURK_EMIT = 1,
+    MURK_FLIGHT,
+    MURK_SCATTER,
+    MURK_SURFACE,
+    MURK_SPOQ_START = 16, /* photon: restart; event: draw */
+    MURK_SPOQ_ORDER,      /* photon: restart; event: sweep; slot: position */
+    MURK_SPOQ_TIE,        /* photon: restart; event: step */
+    MURK_TEST = 31        /* for tests */
+} murk_purpose;
+
+#define MURK_STREAM 32u
+
+typedef struct murk_random4 {
+    double u[4];
+} murk_random4;
+
+/* Four numbers, uniform in the open interval (0, 1), so log(u) is finite.
+ * Resolution 2^-32. purpose is a murk_purpose, shifted for other streams. */
+murk_random4 murk_random(uint32_t seed, uint32_t purpose, uint64_t photon,
+                         uint32_t event, uint32_t slot);
+
+/* The four words behind murk_random(). */
+void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
+                       uint32_t event, uint32_t slot, uint32_t word[4]);
+
+/* A whole number in [0, n), n > 0, from one word: unbiased to n / 2^32. */
+static inline uint32_t murk_random_below(uint32_t word, uint32_t n)
+{
+    return (uint32_t)(((uint64_t)word * n) >> 32);
+}
+
+#endif

@@ -1,0 +1,31 @@
+/* Means, standard errors and limits for checks on random results. */
+#ifndef MURK_BASE_STATS_H
+#define MURK_BASE_STATS_H
+
+#include <stddef.h>
+
+/* A value with the standard deviation of its estimate. */
+typedef struct murk_estimate {
+    double value, standard_error;
+} murk_estimate;
+
+/* sum X / sum Y with its error by independent units (emitted photons): x[n]
+ * and y[n] hold a unit's sums, units that brought nothing may be left out if
+ * `units` counts them. se^2 = N/(N-1) sum (x - C y)^2 / (sum y)^2, the ratio
+ * estimator (Cochran, Sampling Techniques, 1977, ch. 6). value is NaN where
+ * sum y is 0. */
+murk_estimate murk_ratio_estimate(const double *x, const double *y, size_t n,
+                                  double units);
+
+/* Mean of n numbers with its standard error (NaN for n < 2). */
+murk_estimate murk_mean_estimate(const double *x, size_t n);
+
+/* The two-sided limit in standard deviations at which `checks` independent
+ * z-tests together raise a false alarm with probability `budget` (Sidak,
+ * J. Am. Stat. Assoc. 62 (1967) 626, doi:10.2307/2283989). */
+double murk_sidak_limit(double budget, double checks);
+
+/* Standard normal: the upper quantile z with P(Z > z) = p, 0 < p < 1. */
+double murk_normal_upper(double p);
+
+#endif

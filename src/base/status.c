@@ -1,0 +1,48 @@
+#include "base/status.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+murk_status murk_fail(murk_error *err, murk_status status, const char *where,
+                      const char *format, ...)
+{
+    if (err && err->status == MURK_OK) {
+        err->status = status;
+        snprintf(err->where, sizeof err->where, "%s", where ? where : "");
+        va_list args;
+        va_start(args, format);
+        vsnprintf(err->text, sizeof err->text, format, args);
+        va_end(args);
+    }
+    return status;
+}
+
+const char *murk_status_text(murk_status status)
+{
+    switch (status) {
+#define X(name, text) \
+    case name:        \
+        return text;
+        MURK_STATUSES(X)
+#undef X
+    }
+    return "unknown status";
+}
+
+int murk_status_exit_code(murk_status status)
+{
+    switch (status) {
+    case MURK_OK:
+        return 0;
+    case MURK_BAD_VALUE:
+    case MURK_BAD_FILE:
+    case MURK_UNSUPPORTED:
+        return 2;
+    case MURK_INTERRUPTED:
+        return 130;
+    case MURK_NO_MEMORY:
+    case MURK_RUN_FAILED:
+        break;
+    }
+    return 1;
+}

@@ -1,0 +1,153 @@
+/* Vectors, boxes and affine placements in double precision.
+ *
+ * z is up, x east, y north by default; lengths in metres. Directions are unit
+ * vectors along the direction of travel. */
+#ifndef MURK_BASE_VECTOR_H
+#define MURK_BASE_VECTOR_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#define MURK_PI 3.14159265358979323846
+
+typedef struct murk_vec3 {
+    double x, y, z;
+} murk_vec3;
+
+static inline murk_vec3 murk_vec(double x, double y, double z)
+{
+    return (murk_vec3){x, y, z};
+}
+
+static inline murk_vec3 murk_add(murk_vec3 a, murk_vec3 b)
+{
+    return (murk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline murk_vec3 murk_sub(murk_vec3 a, murk_vec3 b)
+{
+    return (murk_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline murk_vec3 murk_scale(double s, murk_vec3 a)
+{
+    return (murk_vec3){s * a.x, s * a.y, s * a.z};
+}
+
+/* a + s b: the point at distance s along b from a. */
+static inline murk_vec3 murk_along(murk_vec3 a, double s, murk_vec3 b)
+{
+    return (murk_vec3){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
+
+static inline double murk_dot(murk_vec3 a, murk_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline murk_vec3 murk_cross(murk_vec3 a, murk_vec3 b)
+{
+    return (murk_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                       a.x * b.y - a.y * b.x};
+}
+
+static inline double murk_length(murk_vec3 a)
+{
+    return sqrt(murk_dot(a, a));
+}
+
+/* a / |a|; the zero vector gives NaN. */
+static inline murk_vec3 murk_unit(murk_vec3 a)
+{
+    return murk_scale(1 / murk_length(a), a);
+}
+
+static inline bool murk_is_finite(murk_vec3 a)
+{
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
+
+/* Two unit vectors that form a right-handed orthonormal frame with unit n:
+ * *t x *b = n. Continuous but for the sign of n.z (Duff et al., J. Comput.
+ * Graph. Tech. 6 (2017) 1). */
+static inline void murk_frame(murk_vec3 n, murk_vec3 *t, murk_vec3 *b)
+{
+    const double sign = copysign(1.0, n.z);
+    const double p = -1 / (sign + n.z);
+    const double q = n.x * n.y * p;
+    *t = (murk_vec3){1 + sign * n.x * n.x * p, sign * q, -sign * n.x};
+    *b = (murk_vec3){q, sign + n.y * n.y * p, -n.y};
+}
+
+/* The unit vector at polar cosine mu and azimuth phi [rad] about unit n. */
+static inline murk_vec3 murk_about(murk_vec3 n, double mu, double phi)
+{
+    murk_vec3 t, b;
+    murk_frame(n, &t, &b);
+    const double s = sqrt(fmax(0, 1 - mu * mu));
+    const murk_vec3 side =
+        murk_along(murk_scale(s * cos(phi), t), s * sin(phi), b);
+    return murk_unit(murk_along(side, mu, n));
+}
+
+typedef struct murk_box {
+    murk_vec3 min, max;
+} murk_box;
+
+static inline murk_box murk_box_empty(void)
+{
+    return (murk_box){{INFINITY, INFINITY, INFINITY},
+                      {-INFINITY, -INFINITY, -INFINITY}};
+}
+
+static inline murk_box murk_box_with(murk_box box, murk_vec3 p)
+{
+    return (murk_box){
+        {fmin(box.min.x, p.x), fmin(box.min.y, p.y), fmin(box.min.z, p.z)},
+        {fmax(box.max.x, p.x), fmax(box.max.y, p.y), fmax(box.max.z, p.z)}};
+}
+
+/* Closed: points on the faces are inside. */
+static inline bool murk_box_contains(const murk_box *box, murk_vec3 p)
+{
+    return p.x >= box->min.x && p.x <= box->max.x && p.y >= box->min.y &&
+           p.y <= box->max.y && p.z >= box->min.z && p.z <= box->max.z;
+}
+
+/* The part of the line origin + t direction inside the box, cut to
+ * [*t0, *t1] as given; false when nothing is left. direction components may
+ * be 0. */
+bool murk_box_clip(const murk_box *box, murk_vec3 origin, murk_vec3 direction,
+                   double *t0, double *t1);
+
+/* The world's box (contract: domain). Open sides let photons escape; periodic
+ * ones wrap in x and y. */
+typedef struct murk_domain {
+    murk_box box;
+    bool is_periodic;
+} murk_domain;
+
+/* x -> matrix x + shift; matrix[row][column]. */
+typedef struct murk_affine {
+    double matrix[3][3];
+    murk_vec3 shift;
+} murk_affine;
+
+murk_affine murk_affine_identity(void);
+
+/* The contract's order: rotate about x, then y, then z [degrees, right
+ * handed], then scale, then translate [m]. */
+murk_affine murk_affine_place(murk_vec3 rotate_deg, double scale,
+                              murk_vec3 translate_m);
+
+/* outer after inner. */
+murk_affine murk_affine_compose(const murk_affine *outer,
+                                const murk_affine *inner);
+
+/* False (and *out untouched) when the matrix is singular or not finite. */
+bool murk_affine_invert(const murk_affine *a, murk_affine *out);
+
+murk_vec3 murk_affine_point(const murk_affine *a, murk_vec3 p);
+murk_vec3 murk_affine_direction(const murk_affine *a, murk_vec3 d);
+
+#endif

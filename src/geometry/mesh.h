@@ -1,0 +1,42 @@
+/* Triangle meshes from files of any format that Assimp reads (OBJ, PLY, STL,
+ * glTF, Collada, FBX, IFC, ...).
+ *
+ * The file is parsed in a child process with limits (base/child.h), checked
+ * (finite coordinates, indices in range), and handed over as plain arrays in
+ * metres with z up. Call before any thread or ray device exists. */
+#ifndef MURK_GEOMETRY_MESH_H
+#define MURK_GEOMETRY_MESH_H
+
+#include "base/status.h"
+#include "base/vector.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define MURK_NAME_SIZE 64 /* of materials, media, sensors, with the '\0' */
+
+typedef struct murk_mesh {
+    size_t vertices, triangles, materials;
+    float *vertex_m;        /* 3 * vertices: x y z x y z ... */
+    uint32_t *corner;       /* 3 * triangles: indices of vertices */
+    uint32_t *material;     /* triangles: index into material_name */
+    char (*material_name)[MURK_NAME_SIZE]; /* as the file calls them */
+    size_t degenerate;      /* triangles of no area: counted, left out */
+    murk_box bounds_m;
+} murk_mesh;
+
+typedef struct murk_mesh_import {
+    double unit_m;  /* length of the file's unit; 0: what the file says (Collada,
+                       glTF), else 1 */
+    char up;        /* 'x', 'y', 'z': the file's up axis; 0: what the file says,
+                       else z */
+} murk_mesh_import;
+
+/* *out is the caller's: murk_mesh_destroy(). Fails with MURK_BAD_FILE (missing,
+ * malformed, no triangles, not finite, an index out of range) at `where`. */
+murk_status murk_mesh_read(murk_mesh **out, const char *path,
+                           const murk_mesh_import *import, const char *where,
+                           murk_error *err);
+void murk_mesh_destroy(murk_mesh *mesh); /* NULL is fine */
+
+#endif

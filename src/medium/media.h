@@ -1,0 +1,96 @@
+/* Participating media in their places: what a photon meets between surfaces.
+ *
+ * sigma_t(x) = density(x) * extinction_per_m. Media of overlapping regions add
+ * (extinctions sum, the partner of a collision is drawn in proportion to its
+ * extinction), except that a region that replaces takes the place of those
+ * listed before it.
+ *
+ * Free flight and optical depth march exactly, region by region and, in
+ * grids, voxel by voxel through the tree (nearest-voxel values), so that
+ * T(ac) = T(ab) T(bc). Immutable after creation: any number of threads. */
+#ifndef MURK_MEDIUM_MEDIA_H
+#define MURK_MEDIUM_MEDIA_H
+
+#include "base/bands.h"
+#include "base/status.h"
+#include "base/vector.h"
+#include "medium/grid.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define MURK_MEDIA_MAX   256
+#define MURK_REGIONS_MAX 64
+
+typedef struct murk_medium {
+    murk_spectrum extinction_per_m; /* >= 0; times density in a grid */
+    murk_spectrum albedo;           /* scattered / extinguished, 0..1 */
+    murk_spectrum mean_cosine; /* Henyey-Greenstein g, -1 < g < 1; 0 isotropic */
+    const murk_grid *grid;     /* NULL: density 1; borrowed for the lifetime */
+    const char *where;
+} murk_medium;
+
+typedef enum murk_region_shape {
+    MURK_REGION_EVERYWHERE, /* homogeneous media only */
+    MURK_REGION_BOX,
+    MURK_REGION_SPHERE,
+    MURK_REGION_GRID /* where the medium's grid lies by its own transform */
+} murk_region_shape;
+
+typedef struct murk_region {
+    size_t medium;
+    murk_region_shape shape;
+    murk_box box;     /* box */
+    murk_vec3 center; /* sphere */
+    double radius_m;
+    murk_affine to_world; /* moves shape (and grid) as a whole */
+    bool replaces;
+    const char *where;
+} murk_region;
+
+typedef struct murk_media murk_media;
+
+/* n_regions may be 0: clear air. `domain` bounds what is everywhere. *out is
+ * the caller's: murk_media_destroy(). */
+murk_status murk_media_create(murk_media **out, const murk_medium *media,
+                              size_t n_media, const murk_region *regions,
+                              size_t n_regions, const murk_box *domain,
+                              murk_error *err);
+void murk_media_destroy(murk_media *media); /* NULL is fine */
+
+/* False when no ray can ever meet a medium in any band (no regions, or
+ * extinction 0 everywhere). */
+bool murk_media_any(const murk_media *media);
+
+/* Optical depth from origin along unit direction over length_m. */
+double murk_media_optical_depth(const murk_media *media, int band,
+                                murk_vec3 origin, murk_vec3 direction,
+                                double length_m);
+
+/* exp(-optical depth) between two points. */
+double murk_media_transmittance(const murk_media *media, int band,
+                                murk_vec3 from, murk_vec3 to);
+
+typedef struct murk_collision {
+    double distance_m;
+    size_t medium;          /* the partner */
+    double albedo;          /* the partner's, in this band */
+    double mean_cosine;     /* likewise */
+    double scattering_per_m; /* of all media together at the place */
+} murk_collision;
+
+/* Flies until the optical depth reaches tau or the length is used up. True
+ * and *collision filled when it collides; u in (0, 1) draws the partner. */
+bool murk_media_fly(const murk_media *media, int band, murk_vec3 origin,
+                    murk_vec3 direction, double length_m, double tau, double u,
+                    murk_collision *collision);
+
+/* Sums over media at a point [1/m]. */
+double murk_media_extinction(const murk_media *media, int band, murk_vec3 p);
+double murk_media_scattering(const murk_media *media, int band, murk_vec3 p);
+
+/* Box of all bounded regions; empty when there are none. */
+murk_box murk_media_bounds(const murk_media *media);
+
+#endif

@@ -1,0 +1,51 @@
+/* A photon map: stored photons in a balanced kd-tree with bucket leaves.
+ *
+ * The records are kept in tree order, so a leaf and any subtree is a run of
+ * consecutive records, and an index into the map is an index into
+ * murk_photon_map_photons(). The order depends on the records alone, not on
+ * threads. Immutable after creation: any number of threads may query.
+ *
+ * Source: Bentley, Commun. ACM 18 (1975) 509, doi:10.1145/361002.361007;
+ * Jensen, Realistic Image Synthesis Using Photon Mapping, 2001. */
+#ifndef MURK_PHOTONMAP_MAP_H
+#define MURK_PHOTONMAP_MAP_H
+
+#include "base/status.h"
+#include "base/vector.h"
+#include "photonmap/photon.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct murk_photon_map murk_photon_map;
+
+/* Takes over photons[n] (from malloc; also on failure) and orders them. n may
+ * be 0, with NULL. At most 2^32 - 1. */
+murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
+                                   size_t n, unsigned threads, murk_error *err);
+void murk_photon_map_destroy(murk_photon_map *map); /* NULL is fine */
+
+size_t murk_photon_map_count(const murk_photon_map *map);
+const murk_photon *murk_photon_map_photons(const murk_photon_map *map);
+size_t murk_photon_map_memory_bytes(const murk_photon_map *map);
+
+/* Bytes that a map of n photons will take, tree and all. */
+double murk_photon_map_memory_for(double n);
+
+/* Writes the indices of the photons with |position - center| <= radius_m
+ * (compared in single precision, as stored) to found[], which has room for
+ * all, in increasing order. Returns how many. */
+size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
+                              double radius_m, uint32_t *found);
+
+/* As above, only counts. */
+size_t murk_photon_map_count_within(const murk_photon_map *map,
+                                    murk_vec3 center, double radius_m);
+
+/* The k nearest (fewer when the map has fewer), nearest first, ties by index:
+ * found[k] and squared distances distance2_m2[k]. Returns how many. */
+size_t murk_photon_map_nearest(const murk_photon_map *map, murk_vec3 center,
+                               size_t k, uint32_t *found,
+                               double *distance2_m2);
+
+#endif

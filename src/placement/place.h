@@ -1,0 +1,74 @@
+/* Which candidates: SPOQ, greedy, the best of many, and a bound on how far
+ * from the best any plan can be.
+ *
+ * `spoq` is the paper's algorithm to the letter: random start; sweeps over the
+ * sensors in fresh random order, each moved to the candidate that adds most to
+ * the others, ties at random; until a sweep brings no gain. `best` takes
+ * greedy and SPOQ starts, then certified relocation: a sensor stays on ties,
+ * and sweeps go on until one moves nothing, so no single relocation helps and
+ * the plan is worth at least n / (2n - 1) of the optimum.
+ *
+ * Source: SPOQ, shared paper of 2013; Nemhauser, Wolsey, Fisher, Math.
+ * Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
+ * Nemhauser, Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789 (greedy
+ * and Lagrangian bound for facility location). */
+#ifndef MURK_PLACEMENT_PLACE_H
+#define MURK_PLACEMENT_PLACE_H
+
+#include "placement/problem.h"
+
+typedef enum murk_place_method {
+    MURK_PLACE_BEST,
+    MURK_PLACE_SPOQ,
+    MURK_PLACE_GREEDY
+} murk_place_method;
+
+typedef struct murk_place_desc {
+    murk_place_method method;
+    size_t count;    /* sensors wanted, 1 .. candidates */
+    size_t restarts; /* SPOQ starts at most, >= 1; `spoq` makes exactly one */
+    uint32_t seed;
+    bool with_curve; /* also the best found for 1 .. count - 1 sensors */
+} murk_place_desc;
+
+murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1, true */
+
+typedef struct murk_curve_point {
+    size_t count;
+    uint64_t value;  /* best found */
+    uint64_t upper;  /* no plan of that count is worth more */
+} murk_curve_point;
+
+typedef struct murk_place_result {
+    size_t count;
+    size_t *sensor;      /* [count] candidates, increasing */
+    uint64_t value;      /* sum_i weight_i max_j clarity_ij */
+    uint64_t upper;      /* >= value of every plan of that count */
+    bool proven_optimal; /* value == upper, or the plan is otherwise proven */
+    const char *guarantee; /* static text */
+    uint64_t ceiling;      /* all candidates chosen */
+    uint64_t whole;        /* sum_i weight_i * MURK_CLEAR: everything */
+    size_t after_presolve; /* candidates left after dominance */
+    size_t restarts;       /* SPOQ starts made */
+    uint64_t evaluations;  /* candidates weighed against a present plan */
+    uint64_t looks;        /* calls of look (unknown: each a query) */
+    murk_curve_point *curve; /* [curve_points], by count; NULL without */
+    size_t curve_points;
+} murk_place_result;
+
+/* Known environment: from the matrix. `problem` gives weights and threads. */
+murk_status murk_place_known(murk_place_result *result,
+                             const murk_problem *problem,
+                             const murk_matrix *matrix,
+                             const murk_place_desc *desc, murk_error *err);
+
+/* Unknown environment: looks again at each evaluation, O(photons) memory. The
+ * same plan as known, decision for decision (presolve, which needs the matrix,
+ * must not change it). */
+murk_status murk_place_unknown(murk_place_result *result,
+                               const murk_problem *problem,
+                               const murk_place_desc *desc, murk_error *err);
+
+void murk_place_release(murk_place_result *result);
+
+#endif

@@ -1,0 +1,52 @@
+/* Which photons each candidate sees, and how clearly: all that placement
+ * knows. No physics here, only sets and weights.
+ *
+ * Weights and clarities are whole numbers, so every coverage is an exact
+ * integer sum, ties are true ties, and nothing depends on the order of adding.
+ * A plan is worth sum_i weight_i max_j clarity_ij (facility location). */
+#ifndef MURK_PLACEMENT_PROBLEM_H
+#define MURK_PLACEMENT_PROBLEM_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Clarity of an unattenuated sightline. A stored clarity is off by at most
+ * half a unit: 7.7e-6 of full. */
+#define MURK_CLEAR 65535
+
+/* What one candidate sees: photon[] increasing, clarity[] in 1..MURK_CLEAR;
+ * clarity NULL means all are MURK_CLEAR. */
+typedef struct murk_look {
+    size_t seen;
+    const uint32_t *photon;
+    const uint16_t *clarity;
+} murk_look;
+
+typedef struct murk_problem {
+    size_t photons, candidates;
+    const uint32_t *weight; /* [photons]; their sum is below 2^47 */
+    /* Fills *look, valid until the same worker's next call. Pure: the same
+     * answer each time. Called from any thread, worker in [0, threads). */
+    void (*look)(void *context, unsigned worker, size_t candidate,
+                 murk_look *look);
+    void *context;
+    unsigned threads;
+} murk_problem;
+
+/* Every look of a problem, made once and kept: the known environment. Bits
+ * where more than 1/32 of the photons are seen and all clearly, lists
+ * elsewhere. */
+typedef struct murk_matrix murk_matrix;
+
+/* Fails with MURK_RUN_FAILED, naming the figures, when it would take more than
+ * most_bytes. Looks once at every candidate, with progress. */
+murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
+                               uint64_t most_bytes, murk_error *err);
+void murk_matrix_destroy(murk_matrix *matrix); /* NULL is fine */
+uint64_t murk_matrix_pairs(const murk_matrix *matrix); /* seen pairs */
+size_t murk_matrix_memory_bytes(const murk_matrix *matrix);
+
+#endif

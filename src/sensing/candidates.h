@@ -1,0 +1,47 @@
+/* Where sensors may stand: a grid of points, less those out of free space.
+ *
+ * A point is usable when it is reached from a lamp (from the domain's open
+ * sides for distant light) by unblocked steps between neighbouring grid points
+ * and is at least clearance_m from any surface. So the inside of a crate is
+ * dropped, also in open and badly wound meshes. */
+#ifndef MURK_SENSING_CANDIDATES_H
+#define MURK_SENSING_CANDIDATES_H
+
+#include "base/status.h"
+#include "base/vector.h"
+#include "geometry/surfaces.h"
+
+#include <stddef.h>
+
+typedef struct murk_candidate_grid {
+    murk_vec3 min, max; /* first and last point along each axis */
+    size_t size[3];     /* points along each axis, >= 1; 1: in the middle */
+    double clearance_m;
+} murk_candidate_grid;
+
+/* Where free space is entered from. */
+typedef struct murk_reach {
+    const murk_vec3 *lamps; /* [n_lamps] points from which light starts */
+    size_t n_lamps;
+    bool from_sides;   /* distant light: from the domain's open sides, too */
+    murk_domain domain;
+} murk_reach;
+
+typedef struct murk_candidates {
+    size_t asked;
+    size_t usable;
+    size_t doubtful; /* dropped, though a diagonal step would have reached them,
+                        or kept, though within rounding of a surface */
+    size_t too_close; /* dropped for clearance */
+    size_t unreached; /* dropped for reach */
+    murk_vec3 *position; /* [usable], in grid order: x fastest, then y, z */
+} murk_candidates;
+
+murk_status murk_candidates_create(murk_candidates **out,
+                                   const murk_candidate_grid *grid,
+                                   const murk_surfaces *surfaces,
+                                   const murk_reach *reach, unsigned threads,
+                                   const char *where, murk_error *err);
+void murk_candidates_destroy(murk_candidates *candidates); /* NULL is fine */
+
+#endif

@@ -1,0 +1,119 @@
+/* The photon tracer: Russian roulette at surfaces and in media, an exact
+ * energy ledger, and one callback an event.
+ *
+ * A photon is a packet of MURK_PACKET quanta. At a surface one number u
+ * decides (SPOQ paper, 3.1; Arvo and Kirk, SIGGRAPH 1990,
+ * doi:10.1145/97879.97886): [0, d] reflected diffusely, (d, d+s] mirrored,
+ * (d+s, d+s+t] transmitted, else absorbed. At a collision in a medium it is
+ * scattered with probability albedo, else absorbed. Nothing here can fail:
+ * what cannot be followed is counted as lost, by cause. */
+#ifndef MURK_TRANSPORT_TRACE_H
+#define MURK_TRANSPORT_TRACE_H
+
+#include "base/status.h"
+#include "base/tally.h"
+#include "geometry/surfaces.h"
+#include "light/lights.h"
+#include "medium/media.h"
+
+/* Everything that a photon can meet; borrowed, immutable. */
+typedef struct murk_world {
+    const murk_surfaces *surfaces;
+    const murk_media *media;
+    const murk_lights *lights;
+    murk_domain domain;
+    int bands;
+} murk_world;
+
+typedef enum murk_event_kind {
+    MURK_EVENT_EMITTED,
+    MURK_EVENT_SURFACE, /* met a material; `outcome` says what came of it */
+    MURK_EVENT_MEDIUM,  /* a real collision */
+    MURK_EVENT_WRAPPED, /* left one side of a periodic domain, entered another */
+    MURK_EVENT_ESCAPED,
+    MURK_EVENT_LOST
+} murk_event_kind;
+
+typedef enum murk_outcome {
+    MURK_ABSORBED,
+    MURK_DIFFUSE,     /* surfaces: reflected by cosine law */
+    MURK_MIRRORED,    /* surfaces: specular, Fresnel and total reflection */
+    MURK_TRANSMITTED, /* surfaces: through a sheet, or refracted */
+    MURK_SCATTERED    /* media */
+} murk_outcome;
+
+/* What lay between lamp and event: the paper's and Jensen's classes. */
+typedef enum murk_event_class {
+    MURK_CLASS_FIRST,    /* first event since the lamp */
+    MURK_CLASS_SPECULAR, /* only mirrors and transmissions before */
+    MURK_CLASS_LATER
+} murk_event_class;
+
+typedef enum murk_loss {
+    MURK_LOSS_EVENTS,    /* more than events_max events */
+    MURK_LOSS_WRAPS,     /* more than wraps_max wraps without another event */
+    MURK_LOSS_NUMERICAL, /* not a finite position, or none inside the domain */
+    MURK_LOSSES
+} murk_loss;
+
+typedef struct murk_event {
+    murk_event_kind kind;
+    murk_outcome outcome;
+    murk_event_class event_class;
+    uint64_t photon;
+    uint32_t number; /* 0 is the emission */
+    uint16_t light;
+    uint8_t band;
+    uint8_t material_or_medium;
+    murk_vec3 position;
+    murk_vec3 direction_in;  /* unit, of travel, arriving */
+    murk_vec3 direction_out; /* unit, leaving; zero when absorbed */
+    murk_vec3 normal;        /* surfaces: unit, faces where it came from */
+    double reflectance; /* surfaces: diffuse share; media: albedo */
+    double path_m;      /* since the event before */
+    double scattering_per_m; /* media: of all media at the place */
+    murk_loss loss;
+} murk_event;
+
+/* Called in order along a photon; photons of one batch come in order, on one
+ * thread; batches on any. */
+typedef void (*murk_event_sink)(void *context, uint64_t batch,
+                                const murk_event *event);
+
+#define MURK_BATCH_PHOTONS 1024 /* fixed, so that no result knows of threads */
+
+typedef struct murk_trace {
+    const murk_world *world;
+    uint32_t seed;
+    uint32_t stream;      /* 0: the map that chooses; 1: held out; 2: confirms */
+    uint64_t first, last; /* photons [first, last); first a multiple of
+                             MURK_BATCH_PHOTONS; batch 0 starts at first */
+    unsigned threads;
+    uint32_t events_max, wraps_max;
+    murk_event_sink sink; /* may be NULL */
+    void *context;
+} murk_trace;
+
+murk_trace murk_trace_defaults(void); /* threads 1; caps 1e5 events, 1e4 wraps */
+
+/* Energy by channel (light * bands + band), in quanta. */
+typedef struct murk_ledger {
+    size_t channels;
+    murk_tally *emitted, *absorbed_surfaces, *absorbed_media, *escaped,
+        *lost;                     /* [channels] each */
+    murk_tally lost_photons[MURK_LOSSES];
+    murk_tally photons, collisions; /* plain counts; collisions: real ones */
+} murk_ledger;
+
+murk_status murk_ledger_create(murk_ledger **out, size_t channels,
+                               murk_error *err);
+void murk_ledger_destroy(murk_ledger *ledger); /* NULL is fine */
+
+/* Sum over channels of |emitted - absorbed - escaped - lost|: 0 always. */
+int64_t murk_ledger_imbalance(const murk_ledger *ledger);
+
+/* Traces and adds to the ledger. Ends early when interrupted: ask
+ * murk_interrupted(). */
+void murk_trace_run(const murk_trace *trace, murk_ledger *ledger);
+
+#endif
