@@ -1,0 +1,218 @@
+#include "light/lights.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/rng.h"
+#include "light/deal.h"
+#include "light/source.h"
+
+struct murk_lights {
+    murk_domain domain;
+    size_t n, bands;
+    murk_source *sources; /* [n] */
+    double *power_w;      /* [n * bands] */
+    double all_power_w;
+    size_t n_lit;    /* channels that have power */
+    size_t *lit;     /* [n_lit] their channels */
+    uint64_t *limit; /* [n_lit] for light/deal.h */
+};
+
+static murk_status check_set(size_t n_lights, const murk_domain *domain,
+                             murk_error *err)
+{
+    const murk_vec3 a = domain->box.min, b = domain->box.max;
+    if (!(n_lights >= 1 && n_lights <= MURK_LIGHTS_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, "lights",
+                         "%zu lights, must be 1..%d", n_lights,
+                         MURK_LIGHTS_MAX);
+    }
+    if (!(murk_is_finite(a) && murk_is_finite(b) && a.x < b.x && a.y < b.y &&
+          a.z < b.z)) {
+        return murk_fail(err, MURK_BAD_VALUE, "domain",
+                         "[%g, %g, %g] .. [%g, %g, %g] m, min must be below "
+                         "max on each axis",
+                         a.x, a.y, a.z, b.x, b.y, b.z);
+    }
+    return MURK_OK;
+}
+
+/* Fills one source and its channels' power from one light. */
+static murk_status add(murk_lights *lights, size_t i, const murk_light *light,
+                       murk_error *err)
+{
+    murk_source *s = &lights->sources[i];
+    const char *where = light->where ? light->where : "lights";
+    char *copy = malloc(strlen(where) + 1);
+    if (!copy) {
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a light");
+    }
+    s->light = *light;
+    s->light.where = strcpy(copy, where);
+    lights->n = i + 1;
+
+    double scale;
+    const murk_status status =
+        murk_source_prepare(s, lights->bands, &lights->domain, &scale, err);
+    if (status) {
+        return status;
+    }
+    for (size_t b = 0; b < lights->bands; ++b) {
+        const double power = scale * light->power_w.band[b];
+        lights->power_w[i * lights->bands + b] = power;
+        lights->all_power_w += power;
+    }
+    return MURK_OK;
+}
+
+static murk_status deal_out(murk_lights *lights, murk_error *err)
+{
+    const size_t channels = lights->n * lights->bands;
+    if (!(lights->all_power_w > 0 && isfinite(lights->all_power_w))) {
+        return murk_fail(err, MURK_BAD_VALUE, "lights",
+                         "power of all lights is %g W, must be above 0 W and "
+                         "finite",
+                         lights->all_power_w);
+    }
+    double *weight = calloc(channels, sizeof *weight);
+    if (!weight) {
+        return murk_fail(err, MURK_NO_MEMORY, "lights",
+                         "no memory for %zu channels", channels);
+    }
+    for (size_t c = 0; c < channels; ++c) {
+        if (lights->power_w[c] > 0) {
+            weight[lights->n_lit] = lights->power_w[c];
+            lights->lit[lights->n_lit++] = c;
+        }
+    }
+    murk_deal_limits(weight, lights->n_lit, lights->limit);
+    free(weight);
+    return MURK_OK;
+}
+
+murk_status murk_lights_create(murk_lights **out, const murk_light *lights,
+                               size_t n_lights, int bands,
+                               const murk_domain *domain, murk_error *err)
+{
+    assert(out && domain && bands >= 1 && bands <= MURK_BANDS_MAX);
+    murk_lights *made = NULL;
+    murk_status status = check_set(n_lights, domain, err);
+    if (status) {
+        goto done;
+    }
+    made = calloc(1, sizeof *made);
+    if (made) {
+        const size_t channels = n_lights * (size_t)bands;
+        made->domain = *domain;
+        made->bands = (size_t)bands;
+        made->sources = calloc(n_lights, sizeof *made->sources);
+        made->power_w = calloc(channels, sizeof *made->power_w);
+        made->lit = calloc(channels, sizeof *made->lit);
+        made->limit = calloc(channels, sizeof *made->limit);
+    }
+    if (!made || !made->sources || !made->power_w || !made->lit ||
+        !made->limit) {
+        status = murk_fail(err, MURK_NO_MEMORY, "lights",
+                           "no memory for %zu lights", n_lights);
+        goto done;
+    }
+    for (size_t i = 0; i < n_lights; ++i) {
+        status = add(made, i, &lights[i], err);
+        if (status) {
+            goto done;
+        }
+    }
+    status = deal_out(made, err);
+    if (status) {
+        goto done;
+    }
+    *out = made;
+    made = NULL;
+done:
+    murk_lights_destroy(made);
+    return status;
+}
+
+void murk_lights_destroy(murk_lights *lights)
+{
+    if (lights) {
+        for (size_t i = 0; i < lights->n; ++i) {
+            free((char *)(uintptr_t)lights->sources[i].light.where);
+        }
+        free(lights->sources);
+        free(lights->power_w);
+        free(lights->lit);
+        free(lights->limit);
+        free(lights);
+    }
+}
+
+size_t murk_lights_channels(const murk_lights *lights)
+{
+    return lights->n * lights->bands;
+}
+
+double murk_lights_channel_power_w(const murk_lights *lights, size_t channel)
+{
+    assert(channel < murk_lights_channels(lights));
+    return lights->power_w[channel];
+}
+
+double murk_lights_power_w(const murk_lights *lights)
+{
+    return lights->all_power_w;
+}
+
+size_t murk_lights_channel_of(const murk_lights *lights, uint64_t photon)
+{
+    return lights->lit[murk_deal_one(lights->limit, lights->n_lit, photon)];
+}
+
+void murk_lights_deal(const murk_lights *lights, uint64_t n, uint64_t *count)
+{
+    /* Counts of the lit channels land at the front; the lit ones ascend, so
+     * going down from the last moves each to its channel without a copy. */
+    murk_deal_count(lights->limit, lights->n_lit, n, count);
+    size_t k = lights->n_lit;
+    for (size_t c = murk_lights_channels(lights); c-- > 0;) {
+        count[c] = k > 0 && lights->lit[k - 1] == c ? count[--k] : 0;
+    }
+}
+
+murk_ray murk_lights_emit(const murk_lights *lights, uint32_t seed,
+                          uint32_t stream, uint64_t photon)
+{
+    const size_t channel = murk_lights_channel_of(lights, photon);
+    const murk_random4 random =
+        murk_random(seed, MURK_EMIT + MURK_STREAM * stream, photon, 0, 0);
+    const murk_box *box = &lights->domain.box;
+    return murk_source_emit(&lights->sources[channel / lights->bands], box,
+                            random.u);
+}
+
+bool murk_lights_place(const murk_lights *lights, size_t light, murk_vec3 *out)
+{
+    assert(light < lights->n);
+    const murk_light *l = &lights->sources[light].light;
+    if (l->type == MURK_LIGHT_DIRECTIONAL) {
+        return false;
+    }
+    *out = l->position;
+    if (l->type == MURK_LIGHT_RECT) {
+        *out = murk_along(*out, 0.5, l->edge1);
+        *out = murk_along(*out, 0.5, l->edge2);
+    }
+    return true;
+}
+
+size_t murk_lights_count(const murk_lights *lights)
+{
+    return lights->n;
+}
+
+const murk_light *murk_lights_get(const murk_lights *lights, size_t light)
+{
+    assert(light < lights->n);
+    return &lights->sources[light].light;
+}
