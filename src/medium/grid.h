@@ -21,7 +21,8 @@ typedef struct murk_grid murk_grid;
 typedef struct murk_grid_facts {
     char name[128];
     uint64_t active; /* voxels, tiles counted by their voxels */
-    double minimum, maximum, sum; /* over active voxels; 0 when there are none */
+    double minimum, maximum,
+        sum; /* over active voxels; 0 when there are none */
     int64_t index_min[3], index_max[3]; /* inclusive box of active voxels */
     double voxel_m[3]; /* edge lengths before the scene places the grid */
     murk_affine index_to_world; /* voxel i covers [i - 1/2, i + 1/2] */

@@ -26,8 +26,9 @@
 typedef struct murk_medium {
     murk_spectrum extinction_per_m; /* >= 0; times density in a grid */
     murk_spectrum albedo;           /* scattered / extinguished, 0..1 */
-    murk_spectrum mean_cosine; /* Henyey-Greenstein g, -1 < g < 1; 0 isotropic */
-    const murk_grid *grid;     /* NULL: density 1; borrowed for the lifetime */
+    murk_spectrum
+        mean_cosine;       /* Henyey-Greenstein g, -1 < g < 1; 0 isotropic */
+    const murk_grid *grid; /* NULL: density 1; borrowed for the lifetime */
     const char *where;
 } murk_medium;
 
@@ -74,9 +75,9 @@ double murk_media_transmittance(const murk_media *media, int band,
 
 typedef struct murk_collision {
     double distance_m;
-    size_t medium;          /* the partner */
-    double albedo;          /* the partner's, in this band */
-    double mean_cosine;     /* likewise */
+    size_t medium;           /* the partner */
+    double albedo;           /* the partner's, in this band */
+    double mean_cosine;      /* likewise */
     double scattering_per_m; /* of all media together at the place */
 } murk_collision;
 

@@ -1,0 +1,322 @@
+/* The hierarchical walk.
+ *
+ * A ray leaves a cell through the face that it meets first. The voxel behind
+ * that face is known as a whole number; along the other axes the ray's place
+ * is computed and held inside the cell. So rounding can shift a crossing by
+ * its last digits but never skip a cell, enter one twice, or stall: every step
+ * moves at least one axis on. Crossings are computed as (face - origin) /
+ * direction for each cell and each leaf anew, so that errors do not grow with
+ * the number of cells. */
+#include "medium/march.h"
+
+#include "medium/nodes.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* With few root cells (nearly every grid) the next one is found by trying all;
+ * with more, only where walking cell by cell would take longer. */
+#define FEW_ROOT_CELLS 64
+
+/* 1 / d, or 0 for a ray that never meets the faces of this axis. */
+static double invert(double d)
+{
+    const double inverse = 1 / d;
+    return isfinite(inverse) ? inverse : 0;
+}
+
+/* The part of [*t0, *t1] in which one axis stays inside [low, high). */
+static bool clip_axis(double low, double high, double origin, double inverse,
+                      double *t0, double *t1)
+{
+    if (inverse == 0) {
+        return origin >= low && origin < high;
+    }
+    const double a = (low - origin) * inverse;
+    const double b = (high - origin) * inverse;
+    const double enter = inverse > 0 ? a : b;
+    const double leave = inverse > 0 ? b : a;
+    *t0 = *t0 > enter ? *t0 : enter;
+    *t1 = *t1 < leave ? *t1 : leave;
+    return *t0 < *t1;
+}
+
+static int32_t voxel_at(double place, int32_t first, int32_t last)
+{
+    if (!(place > first)) {
+        return first;
+    }
+    return place >= last ? last : (int32_t)floor(place);
+}
+
+static bool clip_root_cell(const murk_march *m, const murk_root_cell *cell,
+                           double *t0, double *t1)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = cell->first[axis];
+        if (!clip_axis(low, low + MURK_ROOT_CELL, m->origin[axis],
+                       m->inverse[axis], t0, t1)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Moves at[] to the ray's place at t, inside the cell of `size` voxels. */
+static void place_in_cell(murk_march *m, const int32_t first[3], int32_t size,
+                          double t)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        m->at[axis] = voxel_at(m->origin[axis] + t * m->direction[axis],
+                               first[axis], first[axis] + size - 1);
+    }
+}
+
+static bool trying_all_is_cheaper(const murk_tree *tree)
+{
+    double steps = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        steps +=
+            ((double)tree->last[axis] - tree->first[axis]) / MURK_ROOT_CELL;
+    }
+    return tree->n_cells <= FEW_ROOT_CELLS || (double)tree->n_cells < steps;
+}
+
+/* Across all that is empty, to the nearest root cell ahead. A cell that the
+ * ray has left ends at or before `from`, by the same arithmetic, so it is not
+ * met again. */
+static void skip_to_root_cell(murk_march *m)
+{
+    const murk_root_cell *nearest = NULL;
+    double least = m->end;
+    for (size_t i = 0; i < m->tree->n_cells; ++i) {
+        double t0 = m->from, t1 = m->end;
+        if (clip_root_cell(m, &m->tree->cells[i], &t0, &t1) && t0 < least) {
+            least = t0;
+            nearest = &m->tree->cells[i];
+        }
+    }
+    m->to = least;
+    m->value = 0;
+    if (nearest) {
+        place_in_cell(m, nearest->first, MURK_ROOT_CELL, least);
+    }
+}
+
+/* One segment across a cell of one value. */
+static void cross_cell(murk_march *m, int32_t size, double value)
+{
+    double leave[3], least = INFINITY;
+    int32_t first[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = m->at[axis] & ~(size - 1);
+        const double face = m->inverse[axis] > 0 ? (double)first[axis] + size
+                                                 : (double)first[axis];
+        leave[axis] = m->inverse[axis] == 0
+                          ? INFINITY
+                          : (face - m->origin[axis]) * m->inverse[axis];
+        least = fmin(least, leave[axis]);
+    }
+    place_in_cell(m, first, size, least);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (leave[axis] <= least && m->inverse[axis] != 0) {
+            m->at[axis] =
+                m->inverse[axis] > 0 ? first[axis] + size : first[axis] - 1;
+        }
+    }
+    m->to = fmin(fmax(least, m->from), m->end);
+    m->value = value;
+}
+
+/* The segment in the voxel of the leaf where the march stands. */
+static inline void cross_voxel(murk_march *m)
+{
+    const int *in = m->in_leaf, *mirror = m->mirror;
+    m->value = m->leaf[((in[0] ^ mirror[0]) << 6) | ((in[1] ^ mirror[1]) << 3) |
+                       (in[2] ^ mirror[2])];
+    const double xy = m->cross[0] < m->cross[1] ? m->cross[0] : m->cross[1];
+    const double least = xy < m->cross[2] ? xy : m->cross[2];
+    const double ahead = least > m->from ? least : m->from;
+    m->to = ahead < m->end ? ahead : m->end;
+}
+
+static void enter_leaf(murk_march *m, const unsigned char *node)
+{
+    m->leaf = murk_leaf_values(node);
+    for (int axis = 0; axis < 3; ++axis) {
+        m->leaf_first[axis] = m->at[axis] & ~7;
+        m->in_leaf[axis] = (m->at[axis] & 7) ^ m->mirror[axis];
+        const double face =
+            (double)m->at[axis] + (m->inverse[axis] > 0 ? 1 : 0);
+        m->cross[axis] = m->inverse[axis] == 0
+                             ? INFINITY
+                             : (face - m->origin[axis]) * m->inverse[axis];
+    }
+    cross_voxel(m);
+}
+
+/* On to the next voxel of the leaf; false when that lies outside. */
+static inline bool step_in_leaf(murk_march *m)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool leaves = m->cross[axis] <= m->from;
+        m->in_leaf[axis] += leaves;
+        m->cross[axis] += leaves ? m->stride[axis] : 0;
+    }
+    return !((m->in_leaf[0] | m->in_leaf[1] | m->in_leaf[2]) & 8);
+}
+
+static void leave_leaf(murk_march *m)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const int in = m->in_leaf[axis];
+        m->at[axis] = m->leaf_first[axis] + (m->mirror[axis] ? 7 - in : in);
+    }
+    m->leaf = NULL;
+}
+
+/* at[] lies in the cell of `size` voxels that begins at first[]. */
+static inline bool holds(const int32_t first[3], const int32_t at[3],
+                         int32_t size)
+{
+    return (((first[0] ^ at[0]) | (first[1] ^ at[1]) | (first[2] ^ at[2])) &
+            ~(size - 1)) == 0;
+}
+
+static void remember(int32_t first[3], const int32_t at[3], int32_t size)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = at[axis] & ~(size - 1);
+    }
+}
+
+/* Makes `upper` the node around at[]; false when there is none, and then the
+ * segment is made. */
+static bool find_upper(murk_march *m)
+{
+    const murk_root_cell *cell = murk_tree_root_cell(m->tree, m->at);
+    if (cell && cell->node) {
+        m->upper = cell->node;
+        remember(m->upper_first, m->at, MURK_ROOT_CELL);
+        return true;
+    }
+    if (cell) {
+        cross_cell(m, MURK_ROOT_CELL, cell->value);
+    } else if (trying_all_is_cheaper(m->tree)) {
+        skip_to_root_cell(m);
+    } else {
+        cross_cell(m, MURK_ROOT_CELL, 0);
+    }
+    return false;
+}
+
+static bool find_lower(murk_march *m)
+{
+    if (!(m->upper && holds(m->upper_first, m->at, MURK_ROOT_CELL)) &&
+        !find_upper(m)) {
+        return false;
+    }
+    const murk_cell cell =
+        murk_upper_cell(m->upper, m->at[0], m->at[1], m->at[2]);
+    if (!cell.child) {
+        cross_cell(m, 128, cell.value);
+        return false;
+    }
+    m->lower = cell.child;
+    remember(m->lower_first, m->at, 128);
+    return true;
+}
+
+/* The segment that begins in the voxel at[]. */
+static void cross_at(murk_march *m)
+{
+    if (!(m->lower && holds(m->lower_first, m->at, 128)) && !find_lower(m)) {
+        return;
+    }
+    const murk_cell cell =
+        murk_lower_cell(m->lower, m->at[0], m->at[1], m->at[2]);
+    if (cell.child) {
+        enter_leaf(m, cell.child);
+    } else {
+        cross_cell(m, 8, cell.value);
+    }
+}
+
+static inline bool next(murk_march *m)
+{
+    m->from = m->to;
+    if (!(m->from < m->end)) {
+        return false;
+    }
+    if (m->leaf) {
+        if (step_in_leaf(m)) {
+            cross_voxel(m);
+            return true;
+        }
+        leave_leaf(m);
+    }
+    cross_at(m);
+    return true;
+}
+
+bool murk_march_clip(const murk_tree *tree, murk_vec3 origin,
+                     murk_vec3 direction, double *t0, double *t1)
+{
+    const double o[3] = {origin.x, origin.y, origin.z};
+    const double d[3] = {direction.x, direction.y, direction.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!clip_axis(tree->first[axis], (double)tree->last[axis] + 1, o[axis],
+                       invert(d[axis]), t0, t1)) {
+            return false;
+        }
+    }
+    return tree->n_cells > 0;
+}
+
+void murk_march_begin(murk_march *march, const murk_tree *tree,
+                      murk_vec3 origin, murk_vec3 direction, double t0,
+                      double t1)
+{
+    murk_march *m = march;
+    *m = (murk_march){.tree = tree,
+                      .origin = {origin.x, origin.y, origin.z},
+                      .direction = {direction.x, direction.y, direction.z},
+                      .end = t1,
+                      .from = t0,
+                      .to = t0};
+    for (int axis = 0; axis < 3; ++axis) {
+        m->inverse[axis] = invert(m->direction[axis]);
+        m->stride[axis] = fabs(m->inverse[axis]);
+        m->mirror[axis] = m->inverse[axis] < 0 ? 7 : 0;
+        m->at[axis] = voxel_at(m->origin[axis] + t0 * m->direction[axis],
+                               tree->first[axis], tree->last[axis]);
+    }
+}
+
+bool murk_march_next(murk_march *march)
+{
+    return next(march);
+}
+
+bool murk_march_integrate(murk_march *march, double scale, double offset,
+                          double limit, double *sum)
+{
+    murk_march m = *march; /* a local copy can live in registers */
+    double reached = *sum;
+    bool stops = false;
+    while (!stops && next(&m)) {
+        const double density = scale * m.value + offset;
+        if (!(density > 0)) {
+            continue;
+        }
+        const double more = reached + density * (m.to - m.from);
+        stops = more >= limit;
+        if (stops) {
+            m.to = fmin(m.to, m.from + (limit - reached) / density);
+        }
+        reached = stops ? limit : more;
+    }
+    *march = m;
+    *sum = reached;
+    return stops;
+}

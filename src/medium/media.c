@@ -1,0 +1,237 @@
+#include "medium/media.h"
+
+#include "base/log.h"
+#include "medium/parts.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *place_of(const char *where, const char *otherwise)
+{
+    return where ? where : otherwise;
+}
+
+/* The negated comparisons also refuse NaN. */
+static murk_status check_medium(const murk_medium *medium, murk_error *err)
+{
+    const char *where = place_of(medium->where, "medium");
+    for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+        const double extinction = medium->extinction_per_m.band[band];
+        const double albedo = medium->albedo.band[band];
+        const double g = medium->mean_cosine.band[band];
+        if (!(extinction >= 0 && isfinite(extinction))) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "extinction_per_m is %g (band %d), must be 0 or "
+                             "more [1/m]",
+                             extinction, band);
+        }
+        if (!(albedo >= 0 && albedo <= 1)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "albedo is %g (band %d), must be 0..1", albedo,
+                             band);
+        }
+        if (!(g > -1 && g < 1)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "mean cosine g is %g (band %d), must be between "
+                             "-1 and 1, both excluded",
+                             g, band);
+        }
+    }
+    return MURK_OK;
+}
+
+static bool is_solid(const murk_box *box)
+{
+    return murk_is_finite(box->min) && murk_is_finite(box->max) &&
+           box->min.x < box->max.x && box->min.y < box->max.y &&
+           box->min.z < box->max.z;
+}
+
+static murk_status check_region(const murk_region *region,
+                                const murk_medium *media, size_t n_media,
+                                murk_error *err)
+{
+    const char *where = place_of(region->where, "region");
+    if (region->medium >= n_media) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "medium number %zu, there are %zu", region->medium,
+                         n_media);
+    }
+    const bool has_grid = media[region->medium].grid != NULL;
+    if (has_grid != (region->shape == MURK_REGION_GRID)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         has_grid ? "a medium with a grid lies where its grid "
+                                    "lies: no other shape"
+                                  : "this medium has no grid that says where "
+                                    "it lies: needs a shape");
+    }
+    if (region->shape == MURK_REGION_BOX && !is_solid(&region->box)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "box from (%g, %g, %g) to (%g, %g, %g) m, must be "
+                         "finite with min below max",
+                         region->box.min.x, region->box.min.y,
+                         region->box.min.z, region->box.max.x,
+                         region->box.max.y, region->box.max.z);
+    }
+    if (region->shape == MURK_REGION_SPHERE &&
+        !(murk_is_finite(region->center) && region->radius_m > 0 &&
+          isfinite(region->radius_m))) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "sphere at (%g, %g, %g) m of radius %g m, must be "
+                         "finite and above 0",
+                         region->center.x, region->center.y, region->center.z,
+                         region->radius_m);
+    }
+    return MURK_OK;
+}
+
+static void warn_outside(const murk_place *place, const murk_box *domain,
+                         const char *where)
+{
+    const murk_box *b = &place->bounds;
+    if (b->min.x > b->max.x) {
+        return; /* an empty grid: its reading has warned */
+    }
+    if (b->min.x >= domain->max.x || b->max.x <= domain->min.x ||
+        b->min.y >= domain->max.y || b->max.y <= domain->min.y ||
+        b->min.z >= domain->max.z || b->max.z <= domain->min.z) {
+        murk_warn(where,
+                  "the region fills (%g, %g, %g) to (%g, %g, %g) m and lies "
+                  "outside of the domain: no light meets it",
+                  b->min.x, b->min.y, b->min.z, b->max.x, b->max.y, b->max.z);
+    }
+}
+
+static murk_status place_all(murk_media *media, const murk_region *regions,
+                             size_t n_regions, const murk_box *domain,
+                             murk_error *err)
+{
+    for (size_t i = 0; i < n_regions; ++i) {
+        const murk_medium *medium = &media->media[regions[i].medium];
+        const char *where = place_of(regions[i].where, "region");
+        murk_place *place = &media->places[i];
+        if (!murk_place_make(place, &regions[i], medium->grid)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "placement cannot be inverted: scale must be "
+                             "above 0 and all numbers finite");
+        }
+        ++media->n_places;
+        warn_outside(place, domain, where);
+        const bool holds_nothing = place->tree && place->tree->n_cells == 0;
+        for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+            media->in_band[band] |=
+                !holds_nothing && medium->extinction_per_m.band[band] > 0;
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_media_create(murk_media **out, const murk_medium *media,
+                              size_t n_media, const murk_region *regions,
+                              size_t n_regions, const murk_box *domain,
+                              murk_error *err)
+{
+    murk_media *made = NULL;
+    murk_status status = MURK_OK;
+    if (n_media > MURK_MEDIA_MAX || n_regions > MURK_REGIONS_MAX) {
+        status =
+            murk_fail(err, MURK_BAD_VALUE, "regions",
+                      "%zu media in %zu regions, at most %d and %d", n_media,
+                      n_regions, MURK_MEDIA_MAX, MURK_REGIONS_MAX);
+        goto done;
+    }
+    for (size_t i = 0; i < n_media && !status; ++i) {
+        status = check_medium(&media[i], err);
+    }
+    for (size_t i = 0; i < n_regions && !status; ++i) {
+        status = check_region(&regions[i], media, n_media, err);
+    }
+    if (status) {
+        goto done;
+    }
+    made = calloc(1, sizeof *made);
+    if (made) {
+        made->media = calloc(n_media + 1, sizeof *made->media);
+        made->places = calloc(n_regions + 1, sizeof *made->places);
+    }
+    if (!made || !made->media || !made->places) {
+        status = murk_fail(err, MURK_NO_MEMORY, "regions",
+                           "no memory for %zu regions", n_regions);
+        goto done;
+    }
+    if (n_media > 0) {
+        memcpy(made->media, media, n_media * sizeof *media);
+    }
+    status = place_all(made, regions, n_regions, domain, err);
+    if (status) {
+        goto done;
+    }
+    *out = made;
+    made = NULL;
+done:
+    murk_media_destroy(made);
+    return status;
+}
+
+void murk_media_destroy(murk_media *media)
+{
+    if (media) {
+        free(media->media);
+        free(media->places);
+        free(media);
+    }
+}
+
+bool murk_media_any(const murk_media *media)
+{
+    for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+        if (media->in_band[band]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Sums over the places at p, each weighed by its medium's albedo or by 1. */
+static double sum_at(const murk_media *media, int band, murk_vec3 p,
+                     bool scattered)
+{
+    double sum = 0;
+    for (size_t i = 0; i < media->n_places; ++i) {
+        const murk_place *place = &media->places[i];
+        const murk_medium *medium = &media->media[place->medium];
+        double density;
+        if (murk_place_density(place, p, &density)) {
+            sum = place->replaces ? 0 : sum;
+            sum += density * medium->extinction_per_m.band[band] *
+                   (scattered ? medium->albedo.band[band] : 1);
+        }
+    }
+    return sum;
+}
+
+double murk_media_extinction(const murk_media *media, int band, murk_vec3 p)
+{
+    return sum_at(media, band, p, false);
+}
+
+double murk_media_scattering(const murk_media *media, int band, murk_vec3 p)
+{
+    return sum_at(media, band, p, true);
+}
+
+murk_box murk_media_bounds(const murk_media *media)
+{
+    murk_box all = murk_box_empty();
+    for (size_t i = 0; i < media->n_places; ++i) {
+        const murk_place *place = &media->places[i];
+        if (place->shape != MURK_REGION_EVERYWHERE &&
+            place->bounds.min.x <= place->bounds.max.x) {
+            all = murk_box_with(all, place->bounds.min);
+            all = murk_box_with(all, place->bounds.max);
+        }
+    }
+    return all;
+}

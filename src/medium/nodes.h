@@ -1,0 +1,75 @@
+/* The nodes below the root of a NanoVDB float tree, read from C: what lies at
+ * one place of a table. Thin names over PNanoVDB.h; inside this room only. */
+#ifndef MURK_MEDIUM_NODES_H
+#define MURK_MEDIUM_NODES_H
+
+#define PNANOVDB_C
+#include <nanovdb/PNanoVDB.h>
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Either a child node, or (child NULL) one value for the whole cell. */
+typedef struct murk_cell {
+    const unsigned char *child;
+    float value;
+} murk_cell;
+
+/* PNanoVDB.h addresses bytes from a buffer's start. Taking the node itself for
+ * the start leaves every address 0. */
+static inline pnanovdb_buf_t murk_node_buffer(const unsigned char *node)
+{
+    return pnanovdb_make_buf((uint32_t *)(uintptr_t)node, 0);
+}
+
+/* The 128-voxel cell of an upper node that holds the voxel. */
+static inline murk_cell murk_upper_cell(const unsigned char *node, int32_t i,
+                                        int32_t j, int32_t k)
+{
+    const pnanovdb_buf_t buffer = murk_node_buffer(node);
+    const pnanovdb_upper_handle_t upper = {{0}};
+    const pnanovdb_coord_t at = {i, j, k};
+    const uint32_t n = pnanovdb_upper_coord_to_offset(&at);
+    if (pnanovdb_upper_get_child_mask(buffer, upper, n)) {
+        return (murk_cell){
+            node + pnanovdb_upper_get_table_child(PNANOVDB_GRID_TYPE_FLOAT,
+                                                  buffer, upper, n),
+            0};
+    }
+    return (murk_cell){
+        NULL, pnanovdb_read_float(
+                  buffer, pnanovdb_upper_get_table_address(
+                              PNANOVDB_GRID_TYPE_FLOAT, buffer, upper, n))};
+}
+
+/* The 8-voxel cell of a lower node that holds the voxel. */
+static inline murk_cell murk_lower_cell(const unsigned char *node, int32_t i,
+                                        int32_t j, int32_t k)
+{
+    const pnanovdb_buf_t buffer = murk_node_buffer(node);
+    const pnanovdb_lower_handle_t lower = {{0}};
+    const pnanovdb_coord_t at = {i, j, k};
+    const uint32_t n = pnanovdb_lower_coord_to_offset(&at);
+    if (pnanovdb_lower_get_child_mask(buffer, lower, n)) {
+        return (murk_cell){
+            node + pnanovdb_lower_get_table_child(PNANOVDB_GRID_TYPE_FLOAT,
+                                                  buffer, lower, n),
+            0};
+    }
+    return (murk_cell){
+        NULL, pnanovdb_read_float(
+                  buffer, pnanovdb_lower_get_table_address(
+                              PNANOVDB_GRID_TYPE_FLOAT, buffer, lower, n))};
+}
+
+/* A leaf's 512 values; voxel (i, j, k) at (i & 7) * 64 + (j & 7) * 8 +
+ * (k & 7). */
+static inline const float *murk_leaf_values(const unsigned char *node)
+{
+    const pnanovdb_leaf_handle_t leaf = {{0}};
+    const pnanovdb_address_t first = pnanovdb_leaf_get_table_address(
+        PNANOVDB_GRID_TYPE_FLOAT, murk_node_buffer(node), leaf, 0);
+    return (const float *)(const void *)(node + first.byte_offset);
+}
+
+#endif

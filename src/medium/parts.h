@@ -1,0 +1,18 @@
+/* What murk_media is made of; inside this room only. */
+#ifndef MURK_MEDIUM_PARTS_H
+#define MURK_MEDIUM_PARTS_H
+
+#include "medium/media.h"
+#include "medium/place.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct murk_media {
+    murk_medium *media;
+    murk_place *places;
+    size_t n_places;
+    bool in_band[MURK_BANDS_MAX]; /* something extinguishes there */
+};
+
+#endif

@@ -1,0 +1,191 @@
+#include "medium/place.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The box around the images of a box's eight corners. */
+static murk_box box_around(const murk_affine *map, const murk_box *box)
+{
+    murk_box around = murk_box_empty();
+    for (int i = 0; i < 8; ++i) {
+        const murk_vec3 corner = {i & 1 ? box->max.x : box->min.x,
+                                  i & 2 ? box->max.y : box->min.y,
+                                  i & 4 ? box->max.z : box->min.z};
+        around = murk_box_with(around, murk_affine_point(map, corner));
+    }
+    return around;
+}
+
+/* An affine map takes a sphere to an ellipsoid, which reaches as far along an
+ * axis as that row of the matrix is long. */
+static murk_box sphere_bounds(const murk_affine *map, murk_vec3 center,
+                              double radius)
+{
+    const double(*m)[3] = map->matrix;
+    const murk_vec3 reach = {
+        radius *
+            sqrt(m[0][0] * m[0][0] + m[0][1] * m[0][1] + m[0][2] * m[0][2]),
+        radius *
+            sqrt(m[1][0] * m[1][0] + m[1][1] * m[1][1] + m[1][2] * m[1][2]),
+        radius *
+            sqrt(m[2][0] * m[2][0] + m[2][1] * m[2][1] + m[2][2] * m[2][2])};
+    const murk_vec3 middle = murk_affine_point(map, center);
+    return (murk_box){murk_sub(middle, reach), murk_add(middle, reach)};
+}
+
+/* Voxel i covers [i, i + 1) once index space is shifted by a half. */
+static bool place_grid(murk_place *place, const murk_region *region,
+                       const murk_grid *grid)
+{
+    const murk_affine to_world = murk_affine_compose(
+        &region->to_world, &murk_grid_describe(grid)->index_to_world);
+    if (!murk_affine_invert(&to_world, &place->to_local)) {
+        return false;
+    }
+    place->to_local.shift =
+        murk_add(place->to_local.shift, murk_vec(0.5, 0.5, 0.5));
+    place->is_moved = true;
+    place->tree = murk_grid_tree(grid);
+
+    const int32_t *first = place->tree->first, *last = place->tree->last;
+    if (place->tree->n_cells > 0) {
+        const murk_box voxels = {
+            {first[0] - 0.5, first[1] - 0.5, first[2] - 0.5},
+            {last[0] + 0.5, last[1] + 0.5, last[2] + 0.5}};
+        place->bounds = box_around(&to_world, &voxels);
+    }
+    return true;
+}
+
+bool murk_place_make(murk_place *place, const murk_region *region,
+                     const murk_grid *grid)
+{
+    const murk_affine identity = murk_affine_identity();
+    murk_place made = {.medium = region->medium,
+                       .shape = region->shape,
+                       .replaces = region->replaces,
+                       .box = region->box,
+                       .center = region->center,
+                       .radius = region->radius_m,
+                       .bounds = murk_box_empty()};
+    if (!murk_affine_invert(&region->to_world, &made.to_local)) {
+        return false;
+    }
+    made.is_moved = memcmp(&region->to_world, &identity, sizeof identity) != 0;
+    switch (region->shape) {
+    case MURK_REGION_EVERYWHERE:
+        made.bounds = (murk_box){{-INFINITY, -INFINITY, -INFINITY},
+                                 {INFINITY, INFINITY, INFINITY}};
+        break;
+    case MURK_REGION_BOX:
+        made.bounds = box_around(&region->to_world, &region->box);
+        break;
+    case MURK_REGION_SPHERE:
+        made.bounds =
+            sphere_bounds(&region->to_world, region->center, region->radius_m);
+        break;
+    case MURK_REGION_GRID:
+        if (!place_grid(&made, region, grid)) {
+            return false;
+        }
+        break;
+    }
+    *place = made;
+    return true;
+}
+
+/* One pair of faces. Written so that NaN leaves nothing. */
+static inline bool clip_axis(double low, double high, double origin,
+                             double direction, double *t0, double *t1)
+{
+    if (direction == 0) {
+        return origin >= low && origin < high;
+    }
+    const double inverse = 1 / direction;
+    const double a = (low - origin) * inverse, b = (high - origin) * inverse;
+    const double enter = a < b ? a : b, leave = a < b ? b : a;
+    *t0 = *t0 > enter ? *t0 : enter;
+    *t1 = *t1 < leave ? *t1 : leave;
+    return *t0 < *t1;
+}
+
+static inline bool clip_box(const murk_box *box, murk_vec3 o, murk_vec3 d,
+                            double *t0, double *t1)
+{
+    return clip_axis(box->min.x, box->max.x, o.x, d.x, t0, t1) &&
+           clip_axis(box->min.y, box->max.y, o.y, d.y, t0, t1) &&
+           clip_axis(box->min.z, box->max.z, o.z, d.z, t0, t1);
+}
+
+/* Measured from the point of the line nearest to the centre: far origins cost
+ * no digits of the chord. */
+static bool clip_sphere(murk_vec3 center, double radius, murk_vec3 o,
+                        murk_vec3 d, double *t0, double *t1)
+{
+    const double square = murk_dot(d, d);
+    const double nearest = murk_dot(murk_sub(center, o), d) / square;
+    const murk_vec3 off = murk_sub(murk_along(o, nearest, d), center);
+    const double left = radius * radius - murk_dot(off, off);
+    if (!(left > 0)) {
+        return false;
+    }
+    const double half = sqrt(left / square);
+    *t0 = *t0 > nearest - half ? *t0 : nearest - half;
+    *t1 = *t1 < nearest + half ? *t1 : nearest + half;
+    return *t0 < *t1;
+}
+
+bool murk_place_clip(const murk_place *place, murk_vec3 origin,
+                     murk_vec3 direction, double *t0, double *t1)
+{
+    murk_vec3 o = origin, d = direction;
+    if (place->is_moved) {
+        o = murk_affine_point(&place->to_local, origin);
+        d = murk_affine_direction(&place->to_local, direction);
+    }
+    switch (place->shape) {
+    case MURK_REGION_EVERYWHERE:
+        return *t0 < *t1;
+    case MURK_REGION_BOX:
+        return clip_box(&place->box, o, d, t0, t1);
+    case MURK_REGION_SPHERE:
+        return clip_sphere(place->center, place->radius, o, d, t0, t1);
+    case MURK_REGION_GRID:
+        return murk_march_clip(place->tree, o, d, t0, t1);
+    }
+    return false;
+}
+
+void murk_place_march(const murk_place *place, murk_vec3 origin,
+                      murk_vec3 direction, double t0, double t1,
+                      murk_march *march)
+{
+    murk_march_begin(
+        march, place->tree, murk_affine_point(&place->to_local, origin),
+        murk_affine_direction(&place->to_local, direction), t0, t1);
+}
+
+static bool box_holds(const murk_box *box, murk_vec3 p)
+{
+    return p.x >= box->min.x && p.x < box->max.x && p.y >= box->min.y &&
+           p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
+}
+
+bool murk_place_density(const murk_place *place, murk_vec3 p, double *density)
+{
+    const murk_vec3 at =
+        place->is_moved ? murk_affine_point(&place->to_local, p) : p;
+    const murk_vec3 off = murk_sub(at, place->center);
+    *density = 1;
+    switch (place->shape) {
+    case MURK_REGION_EVERYWHERE:
+        return true;
+    case MURK_REGION_BOX:
+        return box_holds(&place->box, at);
+    case MURK_REGION_SPHERE:
+        return murk_dot(off, off) < place->radius * place->radius;
+    case MURK_REGION_GRID:
+        return murk_tree_density(place->tree, at, density);
+    }
+    return false;
+}

@@ -1,0 +1,143 @@
+#include "medium/tree.h"
+
+#include "medium/nodes.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* A root key packs the three cell numbers, x highest, 21 bits each. */
+static int32_t key_first(uint64_t key, int axis)
+{
+    const uint32_t number = (uint32_t)(key >> (21 * (2 - axis)));
+    return (int32_t)(number << 12);
+}
+
+static int compare_cells(const void *a, const void *b)
+{
+    const murk_root_cell *p = a, *q = b;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (p->first[axis] != q->first[axis]) {
+            return p->first[axis] < q->first[axis] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+static murk_root_cell read_cell(const unsigned char *buffer,
+                                pnanovdb_buf_t words,
+                                pnanovdb_root_handle_t root,
+                                pnanovdb_root_tile_handle_t tile)
+{
+    murk_root_cell cell = {{0}, 0, NULL};
+    const uint64_t key = pnanovdb_root_tile_get_key(words, tile);
+    for (int axis = 0; axis < 3; ++axis) {
+        cell.first[axis] = key_first(key, axis);
+    }
+    const int64_t child = pnanovdb_root_tile_get_child(words, tile);
+    if (child != 0) {
+        cell.node = buffer + root.address.byte_offset + child;
+    } else {
+        cell.value = pnanovdb_read_float(
+            words, pnanovdb_root_tile_get_value_address(
+                       PNANOVDB_GRID_TYPE_FLOAT, words, tile));
+    }
+    return cell;
+}
+
+murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
+                           const int64_t first[3], const int64_t last[3],
+                           const char *where, murk_error *err)
+{
+    murk_tree opened = {0};
+    if (buffer) {
+        const pnanovdb_buf_t words = murk_node_buffer(buffer);
+        const pnanovdb_grid_handle_t grid = {{0}};
+        const pnanovdb_root_handle_t root =
+            pnanovdb_tree_get_root(words, pnanovdb_grid_get_tree(words, grid));
+        const uint32_t n = pnanovdb_root_get_tile_count(words, root);
+        opened.cells = calloc(n + (size_t)1, sizeof *opened.cells);
+        if (!opened.cells) {
+            return murk_fail(err, MURK_NO_MEMORY, where,
+                             "no memory for a grid's root");
+        }
+        for (uint32_t i = 0; i < n; ++i) {
+            const murk_root_cell cell = read_cell(
+                buffer, words, root,
+                pnanovdb_root_get_tile(PNANOVDB_GRID_TYPE_FLOAT, root, i));
+            if (cell.node || cell.value != 0) {
+                opened.cells[opened.n_cells++] = cell;
+            }
+        }
+        qsort(opened.cells, opened.n_cells, sizeof *opened.cells,
+              compare_cells);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        assert(first[axis] >= -MURK_INDEX_MAX && last[axis] <= MURK_INDEX_MAX);
+        opened.first[axis] = (int32_t)first[axis];
+        opened.last[axis] = (int32_t)last[axis];
+    }
+    *tree = opened;
+    return MURK_OK;
+}
+
+void murk_tree_close(murk_tree *tree)
+{
+    free(tree->cells);
+    *tree = (murk_tree){0};
+}
+
+const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
+                                          const int32_t voxel[3])
+{
+    murk_root_cell sought = {{0}, 0, NULL};
+    for (int axis = 0; axis < 3; ++axis) {
+        sought.first[axis] = voxel[axis] & ~(MURK_ROOT_CELL - 1);
+    }
+    size_t low = 0, high = tree->n_cells;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        const int order = compare_cells(&tree->cells[middle], &sought);
+        if (order == 0) {
+            return &tree->cells[middle];
+        }
+        if (order < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return NULL;
+}
+
+float murk_tree_value(const murk_tree *tree, const int32_t voxel[3])
+{
+    const murk_root_cell *root = murk_tree_root_cell(tree, voxel);
+    if (!root || !root->node) {
+        return root ? root->value : 0;
+    }
+    const int32_t i = voxel[0], j = voxel[1], k = voxel[2];
+    const murk_cell lower = murk_upper_cell(root->node, i, j, k);
+    if (!lower.child) {
+        return lower.value;
+    }
+    const murk_cell leaf = murk_lower_cell(lower.child, i, j, k);
+    return leaf.child ? murk_leaf_values(
+                            leaf.child)[(i & 7) << 6 | (j & 7) << 3 | (k & 7)]
+                      : leaf.value;
+}
+
+bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density)
+{
+    const double place[3] = {floor(p.x), floor(p.y), floor(p.z)};
+    int32_t voxel[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(place[axis] >= tree->first[axis] &&
+              place[axis] <= tree->last[axis])) {
+            return false;
+        }
+        voxel[axis] = (int32_t)place[axis];
+    }
+    *density = (double)murk_tree_value(tree, voxel);
+    return tree->n_cells > 0;
+}
