@@ -2,8 +2,15 @@
  *
  * The records are kept in tree order, so a leaf and any subtree is a run of
  * consecutive records, and an index into the map is an index into
- * murk_photon_map_photons(). The order depends on the records alone, not on
- * threads. Immutable after creation: any number of threads may query.
+ * murk_photon_map_photons(). The order depends on the set of records alone: not
+ * on threads, nor on the order they came in. Immutable after creation: any
+ * number of threads may query.
+ *
+ * Distances are compared in single precision, as positions are stored: with
+ * center and radius rounded to float, d = position - center, a photon is within
+ * when (dx * dx + dy * dy) + dz * dz <= radius * radius, each step rounded to
+ * float. Every machine and every path gives the same bits. A center that is
+ * not finite, or a radius that is negative or NaN, finds nothing.
  *
  * Source: Bentley, Commun. ACM 18 (1975) 509, doi:10.1145/361002.361007;
  * Jensen, Realistic Image Synthesis Using Photon Mapping, 2001. */
@@ -20,7 +27,7 @@
 typedef struct murk_photon_map murk_photon_map;
 
 /* Takes over photons[n] (from malloc; also on failure) and orders them. n may
- * be 0, with NULL. At most 2^32 - 1. */
+ * be 0, with NULL. At most 2^32 - 1; positions must be finite. */
 murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
                                    size_t n, unsigned threads, murk_error *err);
 void murk_photon_map_destroy(murk_photon_map *map); /* NULL is fine */
@@ -29,12 +36,13 @@ size_t murk_photon_map_count(const murk_photon_map *map);
 const murk_photon *murk_photon_map_photons(const murk_photon_map *map);
 size_t murk_photon_map_memory_bytes(const murk_photon_map *map);
 
-/* Bytes that a map of n photons will take, tree and all. */
+/* Bytes that a map of n photons will take, tree and all; building it takes no
+ * more. NaN or less than 1 photon: an empty map's. */
 double murk_photon_map_memory_for(double n);
 
-/* Writes the indices of the photons with |position - center| <= radius_m
- * (compared in single precision, as stored) to found[], which has room for
- * all, in increasing order. Returns how many. */
+/* Writes the indices of the photons with |position - center| <= radius_m to
+ * found[], which has room for all that are, in increasing order. Returns how
+ * many. */
 size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
                               double radius_m, uint32_t *found);
 
@@ -43,9 +51,9 @@ size_t murk_photon_map_count_within(const murk_photon_map *map,
                                     murk_vec3 center, double radius_m);
 
 /* The k nearest (fewer when the map has fewer), nearest first, ties by index:
- * found[k] and squared distances distance2_m2[k]. Returns how many. */
+ * found[k] and squared distances (as above, in single precision)
+ * distance2_m2[k]. Returns how many. */
 size_t murk_photon_map_nearest(const murk_photon_map *map, murk_vec3 center,
-                               size_t k, uint32_t *found,
-                               double *distance2_m2);
+                               size_t k, uint32_t *found, double *distance2_m2);
 
 #endif

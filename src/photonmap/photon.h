@@ -13,8 +13,8 @@ typedef struct murk_photon {
     float power_w;      /* what leaves the event */
     uint32_t emitted;   /* index of the emitted photon: < 2^32 */
     uint8_t band, light;
-    uint8_t material;   /* or medium */
-    uint8_t kind;       /* murk_photon_kind() of map and event class */
+    uint8_t material; /* or medium */
+    uint8_t kind;     /* murk_photon_kind() of map and event class */
 } murk_photon;
 
 _Static_assert(sizeof(murk_photon) == 32, "a record is 32 bytes");
@@ -34,9 +34,11 @@ static inline int murk_photon_class(const murk_photon *p)
 }
 
 /* A unit vector as two 16-bit octahedral coordinates: axis directions are
- * exact, the others within MURK_DIRECTION_ERROR_RAD (Cigolle et al., J. Comput.
- * Graph. Tech. 3 (2014) 1). */
-#define MURK_DIRECTION_ERROR_RAD 1e-4
+ * exact, the others within MURK_DIRECTION_ERROR_RAD, 3 / (sqrt(2) 32767)
+ * rounded up (derived in photon.c). No direction packs to 0, which is left to
+ * the zero vector and to what is not finite; 0 unpacks to the zero vector.
+ * Source: Cigolle et al., J. Comput. Graph. Tech. 3 (2014) 1. */
+#define MURK_DIRECTION_ERROR_RAD 6.48e-5
 uint32_t murk_direction_pack(murk_vec3 unit);
 murk_vec3 murk_direction_unpack(uint32_t packed);
 

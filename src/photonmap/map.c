@@ -1,0 +1,221 @@
+#include "photonmap/map.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "photonmap/order.h"
+#include "photonmap/tree.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#define WHERE "photon map"
+
+static murk_status check(const murk_photon *photons, size_t n, murk_error *err)
+{
+    if (n > UINT32_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, WHERE,
+                         "%.4g photons, must be at most %u", (double)n,
+                         (unsigned)UINT32_MAX);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const float *p = photons[i].position_m;
+        if (!(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))) {
+            return murk_fail(err, MURK_BAD_VALUE, WHERE,
+                             "photon %zu lies at (%g, %g, %g) m, must be "
+                             "finite",
+                             i, (double)p[0], (double)p[1], (double)p[2]);
+        }
+    }
+    return MURK_OK;
+}
+
+static void put_box(murk_boxes *boxes, size_t box, const float min[3],
+                    const float max[3])
+{
+    murk_boxes *group = boxes + box / MURK_WIDE;
+    for (int a = 0; a < 3; ++a) {
+        group->min[a][box % MURK_WIDE] = min[a];
+        group->max[a][box % MURK_WIDE] = max[a];
+    }
+}
+
+static void put_empty_box(murk_boxes *boxes, size_t box)
+{
+    const float most[3] = {INFINITY, INFINITY, INFINITY};
+    const float least[3] = {-INFINITY, -INFINITY, -INFINITY};
+    put_box(boxes, box, most, least);
+}
+
+static void box_of_photons(const murk_photon *photons, size_t n, float min[3],
+                           float max[3])
+{
+    for (int a = 0; a < 3; ++a) {
+        min[a] = INFINITY;
+        max[a] = -INFINITY;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        for (int a = 0; a < 3; ++a) {
+            const float x = photons[i].position_m[a];
+            min[a] = x < min[a] ? x : min[a];
+            max[a] = x > max[a] ? x : max[a];
+        }
+    }
+}
+
+static void box_of_group(const murk_boxes *group, float min[3], float max[3])
+{
+    for (int a = 0; a < 3; ++a) {
+        min[a] = group->min[a][0];
+        max[a] = group->max[a][0];
+        for (int i = 1; i < MURK_WIDE; ++i) {
+            min[a] = fminf(min[a], group->min[a][i]);
+            max[a] = fmaxf(max[a], group->max[a][i]);
+        }
+    }
+}
+
+static void leaf_boxes_job(void *context, uint64_t group)
+{
+    const murk_photon_map *map = context;
+    for (size_t box = (size_t)group * MURK_WIDE; box < (group + 1) * MURK_WIDE;
+         ++box) {
+        if (box < map->n_boxes[0]) {
+            const size_t first = murk_first_of(map, 0, box);
+            float min[3], max[3];
+            box_of_photons(map->photons + first,
+                           murk_first_of(map, 0, box + 1) - first, min, max);
+            put_box(map->boxes[0], box, min, max);
+        } else {
+            put_empty_box(map->boxes[0], box);
+        }
+    }
+}
+
+static void upper_boxes(murk_photon_map *map, unsigned level)
+{
+    const size_t end = murk_groups_of(map->n_boxes[level]) * MURK_WIDE;
+    for (size_t box = 0; box < end; ++box) {
+        if (box < map->n_boxes[level]) {
+            float min[3], max[3];
+            box_of_group(map->boxes[level - 1] + box, min, max);
+            put_box(map->boxes[level], box, min, max);
+        } else {
+            put_empty_box(map->boxes[level], box);
+        }
+    }
+}
+
+/* Counts the boxes of each level; returns the groups of all. */
+static size_t measure_levels(murk_photon_map *map)
+{
+    size_t boxes = (map->n + MURK_LEAF - 1) / MURK_LEAF;
+    size_t all = 0;
+    while (boxes > 0) {
+        map->n_boxes[map->levels++] = boxes;
+        all += murk_groups_of(boxes);
+        boxes = boxes > MURK_WIDE ? murk_groups_of(boxes) : 0;
+    }
+    return all;
+}
+
+murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
+                                   size_t n, unsigned threads, murk_error *err)
+{
+    assert(out && (photons || n == 0) && threads >= 1);
+    murk_photon_map *map = NULL;
+    murk_status status = check(photons, n, err);
+    if (status) {
+        goto done;
+    }
+    map = calloc(1, sizeof *map);
+    if (!map) {
+        status =
+            murk_fail(err, MURK_NO_MEMORY, WHERE, "no memory for its tree");
+        goto done;
+    }
+    unsigned n_scans;
+    const murk_scan *const *scans = murk_scans(&n_scans);
+    map->scan = scans[n_scans - 1];
+    map->n = n;
+    const size_t groups = measure_levels(map);
+    if (groups > 0) {
+        map->memory = aligned_alloc(64, groups * sizeof *map->memory);
+        if (!map->memory) {
+            status =
+                murk_fail(err, MURK_NO_MEMORY, WHERE, "no memory for its tree");
+            goto done;
+        }
+    }
+    map->photons = photons;
+    photons = NULL;
+    murk_boxes *next = map->memory;
+    for (unsigned level = 0; level < map->levels; ++level) {
+        map->boxes[level] = next;
+        next += murk_groups_of(map->n_boxes[level]);
+    }
+    if (!murk_order(map->photons, n, threads)) {
+        status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
+        goto done;
+    }
+    if (map->levels > 0) {
+        murk_crew_run(threads, murk_groups_of(map->n_boxes[0]), leaf_boxes_job,
+                      map);
+    }
+    for (unsigned level = 1; level < map->levels; ++level) {
+        upper_boxes(map, level);
+    }
+    if (murk_interrupted()) { /* then boxes may be missing */
+        status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
+        goto done;
+    }
+    *out = map;
+    map = NULL;
+done:
+    free(photons);
+    murk_photon_map_destroy(map);
+    return status;
+}
+
+void murk_photon_map_destroy(murk_photon_map *map)
+{
+    if (map) {
+        free(map->photons);
+        free(map->memory);
+        free(map);
+    }
+}
+
+size_t murk_photon_map_count(const murk_photon_map *map)
+{
+    return map->n;
+}
+
+const murk_photon *murk_photon_map_photons(const murk_photon_map *map)
+{
+    return map->photons;
+}
+
+size_t murk_photon_map_memory_bytes(const murk_photon_map *map)
+{
+    size_t groups = 0;
+    for (unsigned level = 0; level < map->levels; ++level) {
+        groups += murk_groups_of(map->n_boxes[level]);
+    }
+    return sizeof *map + map->n * sizeof *map->photons +
+           groups * sizeof *map->memory;
+}
+
+double murk_photon_map_memory_for(double n)
+{
+    double bytes = sizeof(murk_photon_map);
+    if (n >= 1) {
+        bytes += n * sizeof(murk_photon);
+        double boxes = ceil(n / MURK_LEAF);
+        for (unsigned level = 0; level < MURK_LEVELS && boxes > 0; ++level) {
+            const double groups = ceil(boxes / MURK_WIDE);
+            bytes += groups * sizeof(murk_boxes);
+            boxes = boxes > MURK_WIDE ? groups : 0;
+        }
+    }
+    return bytes;
+}

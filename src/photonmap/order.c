@@ -1,0 +1,217 @@
+#include "photonmap/order.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "photonmap/scan.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* Below this a range is sorted by insertion. */
+#define SMALL 24
+
+/* Selection may look at this many records per record of its range before it
+ * turns to sorting; random ranges need 3 to 4 at these sizes. */
+#define PATIENCE 16
+
+/* More subtrees than threads, so that all finish about together. */
+#define SUBTREES 64
+
+/* Leaves that one thread orders faster than two threads start. */
+#define LEAVES_SERIAL 256
+
+typedef struct ordering {
+    murk_photon *photons;
+    size_t n;
+    size_t span; /* leaves in a node of this step, a power of 2 */
+} ordering;
+
+/* memcmp order is that of the bytes, which is as good as any. */
+static int bytes_less(const murk_photon *a, const murk_photon *b)
+{
+    return memcmp(a, b, sizeof *a) < 0;
+}
+
+static int is_less(const murk_photon *a, const murk_photon *b, int axis)
+{
+    const float x = a->position_m[axis], y = b->position_m[axis];
+    return x < y || (x == y && bytes_less(a, b));
+}
+
+static void swap(murk_photon *a, murk_photon *b)
+{
+    const murk_photon kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+static void sort_small(murk_photon *photons, size_t n, int axis)
+{
+    for (size_t i = 1; i < n; ++i) {
+        const murk_photon moved = photons[i];
+        size_t j = i;
+        for (; j > 0 && is_less(&moved, &photons[j - 1], axis); --j) {
+            photons[j] = photons[j - 1];
+        }
+        photons[j] = moved;
+    }
+}
+
+static void sift_down(murk_photon *heap, size_t n, size_t i, int axis)
+{
+    const murk_photon moved = heap[i];
+    for (size_t child; (child = 2 * i + 1) < n; i = child) {
+        child += child + 1 < n && is_less(&heap[child], &heap[child + 1], axis);
+        if (!is_less(&moved, &heap[child], axis)) {
+            break;
+        }
+        heap[i] = heap[child];
+    }
+    heap[i] = moved;
+}
+
+void murk_order_sort(murk_photon *photons, size_t n, int axis)
+{
+    for (size_t i = n / 2; i-- > 0;) {
+        sift_down(photons, n, i, axis);
+    }
+    for (size_t last = n; last-- > 1;) {
+        swap(&photons[0], &photons[last]);
+        sift_down(photons, last, 0, axis);
+    }
+}
+
+/* Moves an even sample to the front and a pivot of it to photons[rank]: one
+ * whose place is a little beyond k on the side with more records, so that k
+ * most likely falls into the smaller part (Floyd & Rivest, Commun. ACM 18
+ * (1975) 165, doi:10.1145/360680.360691). Returns rank. */
+static size_t place_pivot(murk_photon *photons, size_t n, size_t k, int axis)
+{
+    const double root = cbrt((double)n);
+    const size_t sample = (size_t)(0.5 * root * root);
+    const size_t step = n / sample;
+    for (size_t i = 1; i < sample; ++i) {
+        swap(&photons[i], &photons[i * step]);
+    }
+    const double beyond = sqrt((double)sample); /* 2 sigma of a median */
+    double rank = (double)k / (double)n * (double)sample;
+    rank += k < n / 2 ? beyond : -beyond;
+    rank = fmin(fmax(rank, 1), (double)sample - 1);
+    murk_order_select(photons, sample, (size_t)rank, axis);
+    return (size_t)rank;
+}
+
+void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
+{
+    size_t left = PATIENCE * n;
+    while (n > SMALL) {
+        if (left < n) {
+            murk_order_sort(photons, n, axis);
+            return;
+        }
+        left -= n;
+        const murk_photon pivot = photons[place_pivot(photons, n, k, axis)];
+        /* Both scans stop at equal records: many of them split evenly. */
+        ptrdiff_t i = 0, j = (ptrdiff_t)n - 1;
+        while (i <= j) {
+            while (is_less(&photons[i], &pivot, axis)) {
+                ++i;
+            }
+            while (is_less(&pivot, &photons[j], axis)) {
+                --j;
+            }
+            if (i <= j) {
+                swap(&photons[i++], &photons[j--]);
+            }
+        }
+        /* [0, j] <= pivot, [i, n) >= pivot, what is between equals it. */
+        if ((ptrdiff_t)k <= j) {
+            n = (size_t)j + 1;
+        } else if ((ptrdiff_t)k >= i) {
+            photons += i;
+            n -= (size_t)i;
+            k -= (size_t)i;
+        } else {
+            return;
+        }
+    }
+    sort_small(photons, n, axis);
+}
+
+static int widest_axis(const murk_photon *photons, size_t n)
+{
+    float min[3] = {FLT_MAX, FLT_MAX, FLT_MAX};
+    float max[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (size_t i = 0; i < n; ++i) {
+        for (int a = 0; a < 3; ++a) {
+            const float x = photons[i].position_m[a];
+            min[a] = x < min[a] ? x : min[a];
+            max[a] = x > max[a] ? x : max[a];
+        }
+    }
+    int axis = 0;
+    for (int a = 1; a < 3; ++a) {
+        if (max[a] - min[a] > max[axis] - min[axis]) {
+            axis = a;
+        }
+    }
+    return axis;
+}
+
+/* Splits the node of `span` leaves that starts at that record, if it has more
+ * than its first half. */
+static void split(const ordering *o, size_t first, size_t span)
+{
+    const size_t half = span / 2 * MURK_LEAF;
+    const size_t n = first < o->n ? o->n - first : 0;
+    if (n > half) {
+        murk_photon *photons = o->photons + first;
+        const size_t whole = n < 2 * half ? n : 2 * half;
+        murk_order_select(photons, whole, half, widest_axis(photons, whole));
+    }
+}
+
+static void order_subtree(const ordering *o, size_t first, size_t span)
+{
+    if (first >= o->n) {
+        return;
+    }
+    if (span == 1) {
+        const size_t n = o->n - first < MURK_LEAF ? o->n - first : MURK_LEAF;
+        sort_small(o->photons + first, n, 0);
+        return;
+    }
+    split(o, first, span);
+    order_subtree(o, first, span / 2);
+    order_subtree(o, first + span / 2 * MURK_LEAF, span / 2);
+}
+
+static void split_job(void *context, uint64_t node)
+{
+    const ordering *o = context;
+    split(o, (size_t)node * o->span * MURK_LEAF, o->span);
+}
+
+static void subtree_job(void *context, uint64_t node)
+{
+    const ordering *o = context;
+    order_subtree(o, (size_t)node * o->span * MURK_LEAF, o->span);
+}
+
+int murk_order(murk_photon *photons, size_t n, unsigned threads)
+{
+    const size_t leaves = (n + MURK_LEAF - 1) / MURK_LEAF;
+    ordering o = {.photons = photons, .n = n, .span = 1};
+    while (o.span < leaves) {
+        o.span *= 2;
+    }
+    size_t nodes = 1;
+    if (threads > 1 && leaves > LEAVES_SERIAL) {
+        for (; nodes < SUBTREES; nodes *= 2, o.span /= 2) {
+            murk_crew_run(threads, nodes, split_job, &o);
+        }
+    }
+    murk_crew_run(threads, nodes, subtree_job, &o);
+    return !murk_interrupted();
+}

@@ -1,0 +1,50 @@
+/* Octahedral packing: the unit sphere is projected on the octahedron
+ * |x| + |y| + |z| = 1, the lower half is folded over the upper one, and the
+ * square of the two remaining coordinates is rounded to a lattice of
+ * 2 * 32767 steps a side.
+ *
+ * The error: each coordinate is off by at most h / 2, h = 1 / 32767. On a face
+ * of the octahedron x + y + z = 1 (up to signs) that moves the point by at most
+ * sqrt(a^2 + b^2 + (a + b)^2) with a = b = h / 2, that is h sqrt(6) / 2; over a
+ * fold piece by piece, each under the same bound. The face is 1 / sqrt(3) from
+ * the centre, so the angle is at most h sqrt(6) / 2 * sqrt(3) =
+ * 3 / (sqrt(2) 32767) = 6.474e-5. */
+#include "photonmap/photon.h"
+
+#define STEPS  32767.0
+#define OFFSET 32768 /* so that stored coordinates are 1..65535, never 0 */
+
+static double fold(double along, double across)
+{
+    return copysign(1 - fabs(across), along);
+}
+
+static uint32_t quantize(double coordinate)
+{
+    return (uint32_t)((int)nearbyint(coordinate * STEPS) + OFFSET);
+}
+
+uint32_t murk_direction_pack(murk_vec3 unit)
+{
+    const double norm = fabs(unit.x) + fabs(unit.y) + fabs(unit.z);
+    if (!(norm > 0 && isfinite(norm))) {
+        return 0;
+    }
+    const double u = unit.x / norm, v = unit.y / norm;
+    if (unit.z < 0) {
+        return quantize(fold(u, v)) | quantize(fold(v, u)) << 16;
+    }
+    return quantize(u) | quantize(v) << 16;
+}
+
+murk_vec3 murk_direction_unpack(uint32_t packed)
+{
+    if (packed == 0) {
+        return murk_vec(0, 0, 0);
+    }
+    const double u = ((int)(packed & 0xffff) - OFFSET) / STEPS;
+    const double v = ((int)(packed >> 16) - OFFSET) / STEPS;
+    const double z = 1 - fabs(u) - fabs(v);
+    return murk_unit(z < 0 ? murk_vec(fold(u, v), fold(v, u), z)
+                           : murk_vec(u, v, z));
+}

@@ -1,0 +1,220 @@
+#include "photonmap/tree.h"
+
+#include <assert.h>
+#include <float.h>
+
+/* ---- within a ball ---- */
+
+typedef struct ball_query {
+    const murk_photon_map *map;
+    murk_ball ball;
+    uint32_t *found; /* NULL: only count */
+    size_t n;        /* found so far */
+} ball_query;
+
+static void add_run(ball_query *q, size_t first, size_t end)
+{
+    if (q->found) {
+        for (size_t i = first; i < end; ++i) {
+            q->found[q->n + (i - first)] = (uint32_t)i;
+        }
+    }
+    q->n += end - first;
+}
+
+static void add_leaf(ball_query *q, size_t leaf)
+{
+    const size_t first = murk_first_of(q->map, 0, leaf);
+    uint32_t in = q->map->scan->leaf(
+        q->map->photons + first,
+        (uint32_t)(murk_first_of(q->map, 0, leaf + 1) - first), &q->ball);
+    if (!q->found) {
+        q->n += (size_t)__builtin_popcount(in);
+        return;
+    }
+    for (; in; in &= in - 1) {
+        q->found[q->n++] = (uint32_t)first + (uint32_t)__builtin_ctz(in);
+    }
+}
+
+static void search_group(ball_query *q, unsigned level, size_t group)
+{
+    const murk_photon_map *map = q->map;
+    uint32_t whole;
+    uint32_t met =
+        map->scan->boxes(map->boxes[level] + group, &q->ball, &whole);
+    for (; met; met &= met - 1) {
+        const unsigned i = (unsigned)__builtin_ctz(met);
+        const size_t box = group * MURK_WIDE + i;
+        if (whole >> i & 1) {
+            add_run(q, murk_first_of(map, level, box),
+                    murk_first_of(map, level, box + 1));
+        } else if (level == 0) {
+            add_leaf(q, box);
+        } else {
+            search_group(q, level - 1, box);
+        }
+    }
+}
+
+static bool round_center(float out[3], murk_vec3 center)
+{
+    out[0] = (float)center.x;
+    out[1] = (float)center.y;
+    out[2] = (float)center.z;
+    return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
+}
+
+static size_t search(const murk_photon_map *map, murk_vec3 center,
+                     double radius_m, uint32_t *found)
+{
+    ball_query q = {.map = map, .found = found};
+    const float radius = (float)radius_m;
+    q.ball.radius2 = radius * radius;
+    if (!(radius_m >= 0) || !round_center(q.ball.center, center) ||
+        map->levels == 0) {
+        return 0;
+    }
+    if (q.ball.radius2 > FLT_MAX) { /* an unused box would be met, too */
+        add_run(&q, 0, map->n);
+    } else {
+        search_group(&q, map->levels - 1, 0);
+    }
+    return q.n;
+}
+
+size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
+                              double radius_m, uint32_t *found)
+{
+    assert(map && (found || map->n == 0));
+    return search(map, center, radius_m, found);
+}
+
+size_t murk_photon_map_count_within(const murk_photon_map *map,
+                                    murk_vec3 center, double radius_m)
+{
+    assert(map);
+    return search(map, center, radius_m, NULL);
+}
+
+/* ---- nearest ---- */
+
+/* found and distance2 are a heap with the farthest on top until they are
+ * sorted. */
+typedef struct nearest_query {
+    const murk_photon_map *map;
+    float center[3];
+    size_t k, n;
+    uint32_t *found;
+    double *distance2;
+} nearest_query;
+
+static bool comes_before(double d_a, uint32_t a, double d_b, uint32_t b)
+{
+    return d_a < d_b || (d_a == d_b && a < b);
+}
+
+/* Puts a photon into the heap's first n places, from the hole at i down. */
+static void settle(nearest_query *q, size_t n, size_t i, double d,
+                   uint32_t photon)
+{
+    for (size_t child; (child = 2 * i + 1) < n; i = child) {
+        if (child + 1 < n &&
+            comes_before(q->distance2[child], q->found[child],
+                         q->distance2[child + 1], q->found[child + 1])) {
+            ++child;
+        }
+        if (!comes_before(d, photon, q->distance2[child], q->found[child])) {
+            break;
+        }
+        q->distance2[i] = q->distance2[child];
+        q->found[i] = q->found[child];
+    }
+    q->distance2[i] = d;
+    q->found[i] = photon;
+}
+
+static void push(nearest_query *q, double d, uint32_t photon)
+{
+    size_t i = q->n++;
+    while (i > 0) {
+        const size_t parent = (i - 1) / 2;
+        if (!comes_before(q->distance2[parent], q->found[parent], d, photon)) {
+            break;
+        }
+        q->distance2[i] = q->distance2[parent];
+        q->found[i] = q->found[parent];
+        i = parent;
+    }
+    q->distance2[i] = d;
+    q->found[i] = photon;
+}
+
+/* Something at this distance may still be among the nearest. */
+static bool may_count(const nearest_query *q, double d)
+{
+    return q->n < q->k || d <= q->distance2[0];
+}
+
+static void offer_leaf(nearest_query *q, size_t leaf)
+{
+    const size_t first = murk_first_of(q->map, 0, leaf);
+    const uint32_t n = (uint32_t)(murk_first_of(q->map, 0, leaf + 1) - first);
+    float distance2[MURK_LEAF];
+    q->map->scan->leaf_distance2(q->map->photons + first, n, q->center,
+                                 distance2);
+    for (uint32_t i = 0; i < n; ++i) {
+        const double d = (double)distance2[i];
+        const uint32_t photon = (uint32_t)first + i;
+        if (q->n < q->k) {
+            push(q, d, photon);
+        } else if (comes_before(d, photon, q->distance2[0], q->found[0])) {
+            settle(q, q->n, 0, d, photon);
+        }
+    }
+}
+
+static void nearest_in_group(nearest_query *q, unsigned level, size_t group)
+{
+    const murk_photon_map *map = q->map;
+    float distance2[MURK_WIDE];
+    map->scan->boxes_distance2(map->boxes[level] + group, q->center, distance2);
+    const size_t rest = map->n_boxes[level] - group * MURK_WIDE;
+    uint32_t left = rest < MURK_WIDE ? (1u << rest) - 1 : (1u << MURK_WIDE) - 1;
+    while (left) {
+        unsigned nearest = (unsigned)__builtin_ctz(left);
+        for (uint32_t m = left & (left - 1); m; m &= m - 1) {
+            const unsigned i = (unsigned)__builtin_ctz(m);
+            nearest = distance2[i] < distance2[nearest] ? i : nearest;
+        }
+        if (!may_count(q, (double)distance2[nearest])) {
+            return;
+        }
+        left &= ~(1u << nearest);
+        if (level == 0) {
+            offer_leaf(q, group * MURK_WIDE + nearest);
+        } else {
+            nearest_in_group(q, level - 1, group * MURK_WIDE + nearest);
+        }
+    }
+}
+
+size_t murk_photon_map_nearest(const murk_photon_map *map, murk_vec3 center,
+                               size_t k, uint32_t *found, double *distance2_m2)
+{
+    assert(map && ((found && distance2_m2) || k == 0 || map->n == 0));
+    nearest_query q = {
+        .map = map, .k = k, .found = found, .distance2 = distance2_m2};
+    if (k == 0 || map->levels == 0 || !round_center(q.center, center)) {
+        return 0;
+    }
+    nearest_in_group(&q, map->levels - 1, 0);
+    for (size_t last = q.n; last-- > 1;) {
+        const double d = q.distance2[last];
+        const uint32_t photon = q.found[last];
+        q.distance2[last] = q.distance2[0];
+        q.found[last] = q.found[0];
+        settle(&q, last, 0, d, photon);
+    }
+    return q.n;
+}
