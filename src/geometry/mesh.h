@@ -17,19 +17,19 @@
 
 typedef struct murk_mesh {
     size_t vertices, triangles, materials;
-    float *vertex_m;        /* 3 * vertices: x y z x y z ... */
-    uint32_t *corner;       /* 3 * triangles: indices of vertices */
-    uint32_t *material;     /* triangles: index into material_name */
+    float *vertex_m;    /* 3 * vertices: x y z x y z ... */
+    uint32_t *corner;   /* 3 * triangles: indices of vertices */
+    uint32_t *material; /* triangles: index into material_name */
     char (*material_name)[MURK_NAME_SIZE]; /* as the file calls them */
-    size_t degenerate;      /* triangles of no area: counted, left out */
+    size_t degenerate; /* triangles of no area: counted, left out */
     murk_box bounds_m;
 } murk_mesh;
 
 typedef struct murk_mesh_import {
-    double unit_m;  /* length of the file's unit; 0: what the file says (Collada,
-                       glTF), else 1 */
-    char up;        /* 'x', 'y', 'z': the file's up axis; 0: what the file says,
-                       else z */
+    double unit_m; /* length of the file's unit; 0: what the file says (Collada,
+                      glTF), else 1 */
+    char up;       /* 'x', 'y', 'z': the file's up axis; 0: what the file says,
+                      else z */
 } murk_mesh_import;
 
 /* *out is the caller's: murk_mesh_destroy(). Fails with MURK_BAD_FILE (missing,

@@ -39,15 +39,15 @@ typedef enum murk_shape {
 
 typedef struct murk_surface_desc {
     murk_shape shape;
-    const murk_mesh *mesh;         /* borrowed during creation */
-    murk_box box;                  /* box */
+    const murk_mesh *mesh;          /* borrowed during creation */
+    murk_box box;                   /* box */
     murk_vec3 corner, edge1, edge2; /* rect */
-    murk_vec3 center;              /* sphere */
+    murk_vec3 center;               /* sphere */
     double radius_m;
     murk_affine to_world; /* meshes: after unit and up axis; others too, spheres
                              by similarity only */
-    int material;         /* index; -1: by the mesh's own names, `default` (index
-                             0) where the scene does not name them */
+    int material; /* index; -1: by the mesh's own names, `default` (index
+                     0) where the scene does not name them */
     const char *where;
 } murk_surface_desc;
 

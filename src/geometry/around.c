@@ -1,0 +1,118 @@
+/* What lies around a point: the solid it is in, the nearest surface. */
+#include "geometry/triangle.h"
+#include "geometry/walk.h"
+
+#include <float.h>
+
+/* Solids that the walk is in the middle of, nearest exit first. */
+#define OPEN_SOLIDS_MAX 64
+
+static size_t toggle(uint16_t *open, size_t n, uint16_t solid)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (open[i] == solid) {
+            for (; i + 1 < n; ++i) {
+                open[i] = open[i + 1];
+            }
+            return n - 1;
+        }
+    }
+    if (n < OPEN_SOLIDS_MAX) {
+        open[n++] = solid;
+    }
+    return n;
+}
+
+/* The solid left in by a walk that way: an odd number of crossings. */
+static uint16_t solid_along(const murk_surfaces *s, murk_vec3 point,
+                            murk_vec3 direction)
+{
+    uint16_t open[OPEN_SOLIDS_MAX];
+    size_t n = 0;
+    murk_walk w;
+    if (!murk_walk_begin(&w, s, point, direction, INFINITY,
+                         MURK_MASK(MURK_FACE_SOLID))) {
+        return 0;
+    }
+    while (murk_walk_next(&w)) {
+        const murk_primitive p = murk_primitive_of(&s->soup, &w.ray.hit);
+        murk_vec3 normal;
+        if (murk_walk_locate(&w, p, &normal) > 0) {
+            n = toggle(open, n,
+                       p.is_ball ? s->soup.ball[p.index].solid
+                                 : s->soup.solid[p.index]);
+        }
+    }
+    return n > 0 ? open[0] : 0;
+}
+
+uint16_t murk_surfaces_solid_at(const murk_surfaces *s, murk_vec3 point)
+{
+    if (s->soup.solids == 0) {
+        return 0;
+    }
+    /* Three directions that no edge is likely to lie along; where a crossing
+     * of an edge counts twice in one, the other two outvote it. */
+    const uint16_t a =
+        solid_along(s, point, murk_unit(murk_vec(0.53, 0.31, 0.79)));
+    const uint16_t b =
+        solid_along(s, point, murk_unit(murk_vec(-0.37, 0.83, 0.41)));
+    if (a == b) {
+        return a;
+    }
+    const uint16_t c =
+        solid_along(s, point, murk_unit(murk_vec(0.71, -0.43, -0.57)));
+    return c == b ? b : a;
+}
+
+typedef struct nearness {
+    const murk_surfaces *s;
+    murk_vec3 point;
+    double radius_m;
+    bool is_near;
+} nearness;
+
+static bool look_near(struct RTCPointQueryFunctionArguments *args)
+{
+    nearness *near = args->userPtr;
+    const murk_soup *soup = &near->s->soup;
+    const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
+    const murk_primitive p = murk_primitive_of(soup, &hit);
+    double distance;
+    if (p.is_ball) {
+        const murk_ball *b = &soup->ball[p.index];
+        distance =
+            fabs(murk_length(murk_sub(near->point, b->center)) - b->radius);
+    } else {
+        const murk_triangle t = murk_soup_triangle(soup, p.index);
+        distance = sqrt(murk_triangle_distance2(&t, near->point));
+    }
+    if (!near->is_near && distance < near->radius_m) {
+        near->is_near = true;
+        args->query->radius = 0; /* nothing further needs a look */
+        return true;
+    }
+    return false;
+}
+
+bool murk_surfaces_near(const murk_surfaces *s, murk_vec3 point,
+                        double radius_m)
+{
+    if (!s->scene || !(radius_m > 0)) {
+        return false;
+    }
+    nearness near = {
+        .s = s, .point = murk_sub(point, s->soup.anchor), .radius_m = radius_m};
+    /* Float rounding of the query must not lose a surface at the rim. */
+    const double size =
+        fabs(near.point.x) + fabs(near.point.y) + fabs(near.point.z) + radius_m;
+    struct RTCPointQuery query = {
+        .x = (float)near.point.x,
+        .y = (float)near.point.y,
+        .z = (float)near.point.z,
+        .radius = (float)(radius_m + s->leave_m + size * (double)FLT_EPSILON)};
+    struct RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(s->scene, &query, &context, look_near, &near);
+    return near.is_near;
+}

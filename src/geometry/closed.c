@@ -1,0 +1,141 @@
+#include "geometry/closed.h"
+
+#include <stdlib.h>
+
+typedef struct place {
+    float x, y, z;
+    uint32_t vertex;
+} place;
+
+typedef struct edge {
+    uint32_t low, high, opposite, triangle;
+} edge;
+
+static int order(double a, double b)
+{
+    return (a > b) - (a < b);
+}
+
+static int order_places(const void *left, const void *right)
+{
+    const place *a = left, *b = right;
+    const int by_x = order((double)a->x, (double)b->x);
+    const int by_y = order((double)a->y, (double)b->y);
+    return by_x ? by_x : by_y ? by_y : order((double)a->z, (double)b->z);
+}
+
+static int order_edges(const void *left, const void *right)
+{
+    const edge *a = left, *b = right;
+    const int by_low = order(a->low, b->low);
+    const int by_high = order(a->high, b->high);
+    return by_low    ? by_low
+           : by_high ? by_high
+                     : order(a->opposite, b->opposite);
+}
+
+/* same[v] is one vertex for all of the same coordinates. */
+static bool weld(uint32_t *same, const float *vertex, size_t vertices)
+{
+    place *places = malloc((vertices ? vertices : 1) * sizeof *places);
+    if (!places) {
+        return false;
+    }
+    for (size_t i = 0; i < vertices; ++i) {
+        const float *v = vertex + 3 * i;
+        places[i] = (place){v[0], v[1], v[2], (uint32_t)i};
+    }
+    qsort(places, vertices, sizeof *places, order_places);
+    size_t first = 0;
+    for (size_t i = 0; i < vertices; ++i) {
+        if (order_places(&places[first], &places[i]) != 0) {
+            first = i;
+        }
+        same[places[i].vertex] = places[first].vertex;
+    }
+    free(places);
+    return true;
+}
+
+static void list_edges(edge *edges, const uint32_t *corner,
+                       const uint32_t *same, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = same[corner[3 * i + k]];
+            const uint32_t b = same[corner[3 * i + (k + 1) % 3]];
+            const uint32_t c = same[corner[3 * i + (k + 2) % 3]];
+            edges[3 * i + k] =
+                (edge){a < b ? a : b, a < b ? b : a, c, (uint32_t)i};
+        }
+    }
+    qsort(edges, 3 * n, sizeof *edges, order_edges);
+}
+
+static uint32_t root(uint32_t *parent, uint32_t i)
+{
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+/* Joins the triangles around each edge; open[root] where an edge has an odd
+ * number of them (even: the faces bound something, also where four meet). */
+static void join(uint32_t *parent, bool *odd, const edge *edges, size_t n_edges)
+{
+    for (size_t i = 0; i < n_edges;) {
+        size_t around = 0;
+        const size_t first = i;
+        for (; i < n_edges && edges[i].low == edges[first].low &&
+               edges[i].high == edges[first].high;
+             ++i) {
+            const bool is_copy =
+                i > first && edges[i].opposite == edges[i - 1].opposite;
+            around += !is_copy;
+            const uint32_t a = root(parent, edges[first].triangle);
+            const uint32_t b = root(parent, edges[i].triangle);
+            parent[a > b ? a : b] = a > b ? b : a;
+        }
+        odd[edges[first].triangle] |= around % 2 == 1;
+    }
+}
+
+murk_status murk_closed_parts(const float *vertex, size_t vertices,
+                              const uint32_t *corner, size_t n, bool *is_closed,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    uint32_t *same = malloc((vertices + 1) * sizeof *same);
+    uint32_t *parent = malloc((n + 1) * sizeof *parent);
+    bool *odd = calloc(n + 1, sizeof *odd);
+    edge *edges = malloc((3 * n + 1) * sizeof *edges);
+    if (!same || !parent || !odd || !edges || !weld(same, vertex, vertices)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "geometry",
+                           "no memory to look for closed parts of %zu "
+                           "triangles",
+                           n);
+        goto done;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        parent[i] = (uint32_t)i;
+        is_closed[i] = true;
+    }
+    list_edges(edges, corner, same, n);
+    join(parent, odd, edges, 3 * n);
+    for (size_t i = 0; i < n; ++i) {
+        if (odd[i]) {
+            is_closed[root(parent, (uint32_t)i)] = false;
+        }
+    }
+    for (size_t i = 0; i < n; ++i) {
+        is_closed[i] = is_closed[root(parent, (uint32_t)i)];
+    }
+done:
+    free(edges);
+    free(odd);
+    free(parent);
+    free(same);
+    return status;
+}

@@ -1,0 +1,63 @@
+/* Embree 3 and 4 under one set of names: the few calls that differ.
+ *
+ * Only this room includes it. Embree 4 calls the context a ray query context
+ * and takes it inside an argument struct. */
+#ifndef MURK_GEOMETRY_EMBREE_H
+#define MURK_GEOMETRY_EMBREE_H
+
+#if __has_include(<embree3/rtcore.h>)
+#include <embree3/rtcore.h>
+
+typedef struct RTCIntersectContext murk_embree_context;
+
+static inline void murk_embree_context_init(murk_embree_context *context)
+{
+    rtcInitIntersectContext(context);
+}
+
+static inline void murk_embree_intersect(RTCScene scene,
+                                         murk_embree_context *context,
+                                         struct RTCRayHit *ray)
+{
+    rtcIntersect1(scene, context, ray);
+}
+
+static inline void murk_embree_occluded(RTCScene scene,
+                                        murk_embree_context *context,
+                                        struct RTCRay *ray)
+{
+    rtcOccluded1(scene, context, ray);
+}
+
+#else
+#include <embree4/rtcore.h>
+
+typedef struct RTCRayQueryContext murk_embree_context;
+
+static inline void murk_embree_context_init(murk_embree_context *context)
+{
+    rtcInitRayQueryContext(context);
+}
+
+static inline void murk_embree_intersect(RTCScene scene,
+                                         murk_embree_context *context,
+                                         struct RTCRayHit *ray)
+{
+    struct RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = context;
+    rtcIntersect1(scene, ray, &arguments);
+}
+
+static inline void murk_embree_occluded(RTCScene scene,
+                                        murk_embree_context *context,
+                                        struct RTCRay *ray)
+{
+    struct RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = context;
+    rtcOccluded1(scene, ray, &arguments);
+}
+
+#endif
+#endif

@@ -1,0 +1,130 @@
+/* Making, describing and releasing surfaces; the questions that rays ask are
+ * in hit.c and blocked.c. */
+#include "geometry/surfaces.h"
+
+#include "geometry/triangle.h"
+#include "geometry/world.h"
+
+#include <assert.h>
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void measure(murk_surfaces *s)
+{
+    const murk_soup *soup = &s->soup;
+    for (size_t i = 0; i < soup->triangles; ++i) {
+        const murk_triangle t = murk_soup_triangle(soup, i);
+        s->material_area_m2[soup->material[i]] += murk_triangle_area(&t);
+    }
+    for (size_t i = 0; i < soup->balls; ++i) {
+        const murk_ball *b = &soup->ball[i];
+        s->material_area_m2[b->material] += 4 * MURK_PI * b->radius * b->radius;
+    }
+    for (size_t i = 0; i < s->n_materials; ++i) {
+        s->area_m2 += s->material_area_m2[i];
+    }
+    s->unit_m = soup->extent * (double)FLT_EPSILON;
+    s->leave_m = MURK_LEAVE_UNITS * s->unit_m;
+    const murk_vec3 margin = murk_vec(s->leave_m, s->leave_m, s->leave_m);
+    s->reach = (murk_box){murk_sub(soup->box.min, margin),
+                          murk_add(soup->box.max, margin)};
+}
+
+static murk_status prepare(murk_surfaces *s, const murk_surface_desc *surfaces,
+                           size_t n_surfaces, const murk_material *materials,
+                           murk_error *err)
+{
+    const size_t n = s->n_materials;
+    s->material = malloc(n * sizeof *s->material);
+    s->material_area_m2 = calloc(n, sizeof *s->material_area_m2);
+    if (!s->material || !s->material_area_m2) {
+        return murk_fail(err, MURK_NO_MEMORY, "materials",
+                         "no memory for %zu materials", n);
+    }
+    memcpy(s->material, materials, n * sizeof *s->material);
+    const murk_status status =
+        murk_soup_build(&s->soup, surfaces, n_surfaces, materials, n, err);
+    if (status) {
+        return status;
+    }
+    measure(s);
+    return s->soup.triangles + s->soup.balls > 0 ? murk_world_commit(s, err)
+                                                 : MURK_OK;
+}
+
+murk_status murk_surfaces_create(murk_surfaces **out,
+                                 const murk_surface_desc *surfaces,
+                                 size_t n_surfaces,
+                                 const murk_material *materials,
+                                 size_t n_materials, murk_error *err)
+{
+    assert(out && materials && n_materials >= 1);
+    if (n_materials > MURK_MATERIALS_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, "materials",
+                         "%zu materials, must be at most %d", n_materials,
+                         MURK_MATERIALS_MAX);
+    }
+    murk_surfaces *s = calloc(1, sizeof *s);
+    if (!s) {
+        return murk_fail(err, MURK_NO_MEMORY, "geometry",
+                         "no memory for surfaces");
+    }
+    s->n_materials = n_materials;
+    const murk_status status = prepare(s, surfaces, n_surfaces, materials, err);
+    if (status) {
+        murk_surfaces_destroy(s);
+        return status;
+    }
+    *out = s;
+    return MURK_OK;
+}
+
+void murk_surfaces_destroy(murk_surfaces *s)
+{
+    if (!s) {
+        return;
+    }
+    murk_world_release(s);
+    murk_soup_release(&s->soup);
+    free(s->material_area_m2);
+    free(s->material);
+    free(s);
+}
+
+const murk_material *murk_surfaces_material(const murk_surfaces *s,
+                                            size_t material)
+{
+    assert(material < s->n_materials);
+    return &s->material[material];
+}
+
+murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *s)
+{
+    const murk_soup *soup = &s->soup;
+    const bool is_empty = soup->triangles + soup->balls == 0;
+    murk_surfaces_facts facts = {
+        .triangles = soup->triangles,
+        .spheres = soup->balls,
+        .degenerate = soup->degenerate,
+        .solids = soup->solids,
+        .sheets = soup->first_triangle[MURK_FACES] -
+                  soup->first_triangle[MURK_FACE_SHEET] +
+                  soup->first_ball[MURK_FACES] -
+                  soup->first_ball[MURK_FACE_SHEET],
+        .area_m2 = s->area_m2,
+        .bounds_m = murk_box_empty(),
+        .memory_bytes = sizeof *s + s->n_materials * sizeof *s->material +
+                        murk_soup_bytes(soup) + s->embree_bytes};
+    if (!is_empty) {
+        facts.bounds_m = (murk_box){murk_add(soup->box.min, soup->anchor),
+                                    murk_add(soup->box.max, soup->anchor)};
+    }
+    return facts;
+}
+
+double murk_surfaces_material_area(const murk_surfaces *s, size_t material)
+{
+    assert(material < s->n_materials);
+    return s->material_area_m2[material];
+}

@@ -1,0 +1,85 @@
+#include "geometry/walk.h"
+
+#include "geometry/triangle.h"
+
+#include <float.h>
+
+/* A ray starts this much early, so that an origin which rounding pushed
+ * through a nearby surface still meets it; what then lies behind the true
+ * origin is passed over. */
+#define BACK_UNITS 2
+
+/* A plane's distance in double is believed when it agrees with Embree's to
+ * this much; otherwise the ray all but lies in the plane, and Embree's point
+ * is at least inside the triangle. */
+#define AGREE_UNITS 64
+
+bool murk_walk_begin(murk_walk *w, const murk_surfaces *s, murk_vec3 origin,
+                     murk_vec3 direction, double max_m, unsigned mask)
+{
+    if (!s->scene || !(max_m > 0)) {
+        return false;
+    }
+    w->s = s;
+    w->origin = murk_sub(origin, s->soup.anchor);
+    w->direction = direction;
+    double first = 0, last = max_m;
+    if (!murk_box_contains(&s->reach, w->origin) &&
+        !murk_box_clip(&s->reach, w->origin, direction, &first, &last)) {
+        return false;
+    }
+    w->start_m = first - BACK_UNITS * s->unit_m;
+    murk_embree_context_init(&w->context.embree);
+    w->context.origin = murk_along(w->origin, w->start_m, direction);
+    w->context.direction = direction;
+    /* Infinite max_m stays so; else rounding must not lose the last hit. */
+    const double reach_m = (max_m - w->start_m) * (1 + (double)FLT_EPSILON);
+    murk_ray_set(&w->ray.ray, w->context.origin, direction, (float)reach_m,
+                 mask);
+    w->reach = w->ray.ray.tfar;
+    w->passed = 0;
+    return true;
+}
+
+bool murk_walk_next(murk_walk *w)
+{
+    w->ray.ray.tnear = w->passed;
+    w->ray.ray.tfar = w->reach;
+    w->ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    murk_embree_intersect(w->s->scene, &w->context.embree, &w->ray);
+    if (w->ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return false;
+    }
+    w->passed = nextafterf(w->ray.ray.tfar, INFINITY);
+    return true;
+}
+
+static double ball_distance(const murk_walk *w, const murk_ball *ball,
+                            double about)
+{
+    double t[2];
+    if (!murk_sphere_roots(ball->center, ball->radius, w->origin, w->direction,
+                           t)) {
+        return about;
+    }
+    return fabs(t[0] - about) <= fabs(t[1] - about) ? t[0] : t[1];
+}
+
+double murk_walk_locate(const murk_walk *w, murk_primitive p, murk_vec3 *normal)
+{
+    const murk_soup *soup = &w->s->soup;
+    const double about = (double)w->ray.ray.tfar + w->start_m;
+    if (p.is_ball) {
+        const murk_ball *ball = &soup->ball[p.index];
+        const double distance = ball_distance(w, ball, about);
+        *normal = murk_sub(murk_along(w->origin, distance, w->direction),
+                           ball->center);
+        return distance;
+    }
+    const murk_triangle t = murk_soup_triangle(soup, p.index);
+    *normal = murk_triangle_normal(&t);
+    const double distance = murk_dot(murk_sub(t.a, w->origin), *normal) /
+                            murk_dot(w->direction, *normal);
+    return fabs(distance - about) <= AGREE_UNITS * w->s->unit_m ? distance
+                                                                : about;
+}

@@ -1,0 +1,184 @@
+/* The soup as an Embree scene: one triangle geometry and one ball geometry for
+ * each face, told apart by ray masks. */
+#include "geometry/world.h"
+
+#include "geometry/triangle.h"
+
+/* One thread and no pinning: Embree must not start threads of its own. */
+#define DEVICE_SETTINGS "threads=1,user_threads=1,set_affinity=0"
+
+static void ball_bounds(const struct RTCBoundsFunctionArguments *args)
+{
+    const murk_ball *b =
+        (const murk_ball *)args->geometryUserPtr + args->primID;
+    /* Two float steps of the largest magnitude, so that rounding cannot cut
+     * the ball off. */
+    const double x = fabs(b->center.x), y = fabs(b->center.y),
+                 z = fabs(b->center.z);
+    const double r = b->radius + (x + y + z + b->radius) * 0x1p-22;
+    *args->bounds_o = (struct RTCBounds){.lower_x = (float)(b->center.x - r),
+                                         .lower_y = (float)(b->center.y - r),
+                                         .lower_z = (float)(b->center.z - r),
+                                         .upper_x = (float)(b->center.x + r),
+                                         .upper_y = (float)(b->center.y + r),
+                                         .upper_z = (float)(b->center.z + r)};
+}
+
+/* The first crossing inside (tnear, tfar]; infinite when there is none. */
+static float ball_crossing(const murk_ball *ball, const void *context,
+                           float tnear, float tfar)
+{
+    const murk_ray_context *ray = context;
+    double t[2];
+    if (murk_sphere_roots(ball->center, ball->radius, ray->origin,
+                          ray->direction, t)) {
+        for (int i = 0; i < 2; ++i) {
+            const float crossing = (float)t[i];
+            if (crossing > tnear && crossing <= tfar) {
+                return crossing;
+            }
+        }
+    }
+    return INFINITY;
+}
+
+static void ball_intersect(const struct RTCIntersectFunctionNArguments *args)
+{
+    struct RTCRayHit *ray = (struct RTCRayHit *)args->rayhit;
+    if (!args->valid[0]) {
+        return;
+    }
+    const float t =
+        ball_crossing((const murk_ball *)args->geometryUserPtr + args->primID,
+                      args->context, ray->ray.tnear, ray->ray.tfar);
+    if (t < INFINITY) {
+        ray->ray.tfar = t;
+        ray->hit.u = ray->hit.v = 0;
+        ray->hit.primID = args->primID;
+        ray->hit.geomID = args->geomID;
+        ray->hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+static void ball_occluded(const struct RTCOccludedFunctionNArguments *args)
+{
+    struct RTCRay *ray = (struct RTCRay *)args->ray;
+    if (args->valid[0] &&
+        ball_crossing((const murk_ball *)args->geometryUserPtr + args->primID,
+                      args->context, ray->tnear, ray->tfar) < INFINITY) {
+        ray->tfar = -INFINITY;
+    }
+}
+
+static void attach(murk_surfaces *s, RTCGeometry geometry, murk_face face,
+                   unsigned number)
+{
+    rtcSetGeometryMask(geometry, MURK_MASK(face));
+    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(s->scene, geometry, number);
+    rtcReleaseGeometry(geometry);
+}
+
+static void attach_triangles(murk_surfaces *s, murk_face face)
+{
+    const murk_soup *soup = &s->soup;
+    const size_t first = soup->first_triangle[face];
+    const size_t n = soup->first_triangle[face + 1] - first;
+    RTCGeometry geometry =
+        n > 0 ? rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_TRIANGLE) : NULL;
+    if (!geometry) {
+        return;
+    }
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                               RTC_FORMAT_FLOAT3, soup->vertex, 0,
+                               3 * sizeof *soup->vertex, soup->vertices);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                               RTC_FORMAT_UINT3, soup->corner + 3 * first, 0,
+                               3 * sizeof *soup->corner, n);
+    attach(s, geometry, face, face);
+}
+
+static void attach_balls(murk_surfaces *s, murk_face face)
+{
+    const murk_soup *soup = &s->soup;
+    const size_t first = soup->first_ball[face];
+    const size_t n = soup->first_ball[face + 1] - first;
+    RTCGeometry geometry =
+        n > 0 ? rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER) : NULL;
+    if (!geometry) {
+        return;
+    }
+    rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)n);
+    rtcSetGeometryUserData(geometry, soup->ball + first);
+    rtcSetGeometryBoundsFunction(geometry, ball_bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, ball_intersect);
+    rtcSetGeometryOccludedFunction(geometry, ball_occluded);
+    attach(s, geometry, face, MURK_GEOMETRY_OF_BALLS(face));
+}
+
+static bool count_memory(void *context, ssize_t bytes, bool post)
+{
+    (void)post;
+    size_t *total = context;
+    *total += (size_t)bytes; /* negative when memory is given back */
+    return true;
+}
+
+static murk_status embree_failed(murk_surfaces *s, murk_error *err)
+{
+    const enum RTCError code = rtcGetDeviceError(s->device);
+    switch (code) {
+    case RTC_ERROR_NONE:
+        return MURK_OK;
+    case RTC_ERROR_OUT_OF_MEMORY:
+        return murk_fail(err, MURK_NO_MEMORY, "geometry",
+                         "no memory to prepare rays through %zu triangles",
+                         s->soup.triangles);
+    default:
+        return murk_fail(err, MURK_RUN_FAILED, "geometry",
+                         "Embree cannot prepare rays through %zu triangles "
+                         "(its error %d)",
+                         s->soup.triangles, (int)code);
+    }
+}
+
+murk_status murk_world_commit(murk_surfaces *s, murk_error *err)
+{
+    s->device = rtcNewDevice(DEVICE_SETTINGS);
+    if (!s->device) {
+        return murk_fail(err, MURK_NO_MEMORY, "geometry",
+                         "Embree does not start (its error %d)",
+                         (int)rtcGetDeviceError(NULL));
+    }
+    if (!rtcGetDeviceProperty(s->device,
+                              RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED)) {
+        return murk_fail(err, MURK_UNSUPPORTED, "geometry",
+                         "this build of Embree has no ray masks");
+    }
+    rtcSetDeviceMemoryMonitorFunction(s->device, count_memory,
+                                      &s->embree_bytes);
+    s->scene = rtcNewScene(s->device);
+    if (s->scene) {
+        rtcSetSceneFlags(s->scene, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(s->scene, RTC_BUILD_QUALITY_MEDIUM);
+        for (int face = 0; face < MURK_FACES; ++face) {
+            attach_triangles(s, (murk_face)face);
+            attach_balls(s, (murk_face)face);
+        }
+        rtcCommitScene(s->scene);
+    }
+    return embree_failed(s, err);
+}
+
+void murk_world_release(murk_surfaces *s)
+{
+    if (s->scene) {
+        rtcReleaseScene(s->scene);
+    }
+    if (s->device) {
+        rtcReleaseDevice(s->device);
+    }
+    s->scene = NULL;
+    s->device = NULL;
+}

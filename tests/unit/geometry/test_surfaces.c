@@ -1,0 +1,78 @@
+/* Surfaces of known shape give the hits, blocks and facts that geometry says.
+ * Nothing here is random but points whose answers are known exactly. */
+#include "base/rng.h"
+#include "check.h"
+#include "geometry/surfaces.h"
+
+#define SEED 1
+
+static const murk_material GREY = {.name = "default"};
+
+static murk_surface_desc box(double x0, double y0, double z0, double x1,
+                             double y1, double z1)
+{
+    return (murk_surface_desc){.shape = MURK_SHAPE_BOX,
+                               .box = {{x0, y0, z0}, {x1, y1, z1}},
+                               .to_world = murk_affine_identity()};
+}
+
+static murk_surfaces *create(const murk_surface_desc *desc, size_t n)
+{
+    murk_surfaces *surfaces = NULL;
+    murk_error err = {0};
+    CHECK(murk_surfaces_create(&surfaces, desc, n, &GREY, 1, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    return surfaces;
+}
+
+static void test_box_from_inside_and_outside(void)
+{
+    const murk_surface_desc desc = box(0, 0, 0, 4, 6, 3);
+    murk_surfaces *s = create(&desc, 1);
+    murk_hit hit;
+    CHECK(murk_surfaces_hit(s, murk_vec(1, 2, 1), murk_vec(1, 0, 0), INFINITY,
+                            &hit));
+    CHECK_NEAR(hit.distance_m, 3, 1e-14);
+    CHECK_NEAR(hit.normal.x, -1, 1e-14);
+    CHECK(murk_surfaces_hit(s, murk_vec(9, 2, 1), murk_vec(-1, 0, 0), INFINITY,
+                            &hit));
+    CHECK_NEAR(hit.distance_m, 5, 1e-14);
+    CHECK_NEAR(hit.normal.x, 1, 1e-14);
+    CHECK(!murk_surfaces_hit(s, murk_vec(1, 2, 1), murk_vec(1, 0, 0), 2.999,
+                             &hit));
+    CHECK(!murk_surfaces_hit(s, murk_vec(9, 2, 1), murk_vec(1, 0, 0), INFINITY,
+                             &hit));
+    CHECK(murk_surfaces_blocked(s, murk_vec(9, 2, 1), murk_vec(1, 2, 1), true));
+    CHECK(
+        !murk_surfaces_blocked(s, murk_vec(3, 2, 1), murk_vec(1, 2, 1), true));
+    const murk_surfaces_facts facts = murk_surfaces_describe(s);
+    CHECK(facts.triangles == 12);
+    CHECK_NEAR(facts.area_m2, 2 * (24 + 12 + 18), 1e-12);
+    murk_surfaces_destroy(s);
+}
+
+static void test_sphere_is_exact_from_inside(void)
+{
+    const murk_surface_desc desc = {.shape = MURK_SHAPE_SPHERE,
+                                    .center = {1, 2, 3},
+                                    .radius_m = 0.7,
+                                    .to_world = murk_affine_identity()};
+    murk_surfaces *s = create(&desc, 1);
+    murk_hit hit;
+    CHECK(murk_surfaces_hit(s, murk_vec(1, 2, 3), murk_vec(0, 0, 1), INFINITY,
+                            &hit));
+    CHECK_NEAR(hit.distance_m, 0.7, 1e-14);
+    CHECK_NEAR(hit.normal.z, -1, 1e-14);
+    CHECK(murk_surfaces_hit(s, murk_vec(-9, 2, 3), murk_vec(1, 0, 0), INFINITY,
+                            &hit));
+    CHECK_NEAR(hit.distance_m, 9.3, 1e-14);
+    CHECK_NEAR(hit.normal.x, -1, 1e-14);
+    murk_surfaces_destroy(s);
+}
+
+int main(void)
+{
+    test_box_from_inside_and_outside();
+    test_sphere_is_exact_from_inside();
+    return check_done();
+}
