@@ -1,0 +1,263 @@
+#include "placement/kernels.h"
+
+#include "placement/problem.h"
+
+#if defined(__x86_64__)
+#define HAS_WIDE 1
+#include <immintrin.h>
+#endif
+
+/* One loop, compiled twice: with and without the popcnt instruction. */
+#define COUNT_NEW_BODY                                            \
+    uint64_t sum = 0;                                             \
+    for (size_t k = 0; k < words; ++k) {                          \
+        sum += (uint64_t)__builtin_popcountll(row[k] & ~full[k]); \
+    }                                                             \
+    return sum
+
+static uint64_t count_new(const uint64_t *row, const uint64_t *full,
+                          size_t words)
+{
+    COUNT_NEW_BODY;
+}
+
+static uint64_t sum_missing(const uint64_t *row, const uint16_t *best,
+                            size_t words)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < words; ++k) {
+        for (uint64_t left = row[k]; left; left &= left - 1) {
+            sum += MURK_CLEAR -
+                   (uint64_t)best[64 * k + (size_t)__builtin_ctzll(left)];
+        }
+    }
+    return sum;
+}
+
+static uint64_t weigh_missing(const uint64_t *row, const uint16_t *best,
+                              const uint32_t *weight, size_t words)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < words; ++k) {
+        for (uint64_t left = row[k]; left; left &= left - 1) {
+            const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+            sum += (MURK_CLEAR - (uint64_t)best[i]) * weight[i];
+        }
+    }
+    return sum;
+}
+
+static uint64_t sum_above(const uint16_t *row, const uint16_t *best, size_t n)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += row[i] > best[i] ? (uint64_t)(row[i] - best[i]) : 0;
+    }
+    return sum;
+}
+
+static uint64_t weigh_above(const uint16_t *row, const uint16_t *best,
+                            const uint32_t *weight, size_t n)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += row[i] > best[i] ? (uint64_t)(row[i] - best[i]) * weight[i] : 0;
+    }
+    return sum;
+}
+
+static const murk_kernels plain = {count_new, sum_missing, weigh_missing,
+                                   sum_above, weigh_above};
+
+#ifdef HAS_WIDE
+
+#define POPCNT __attribute__((target("popcnt")))
+#define AVX2   __attribute__((target("avx2,popcnt")))
+#define WIDE   __attribute__((target("avx512f,avx512bw,avx512vpopcntdq")))
+
+POPCNT static uint64_t count_new_popcnt(const uint64_t *row,
+                                        const uint64_t *full, size_t words)
+{
+    COUNT_NEW_BODY;
+}
+
+/* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
+#define STEPS_PER_FLUSH 32768
+
+AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
+                                    size_t n)
+{
+    const __m256i low = _mm256_set1_epi32(0xffff);
+    const __m256i zero = _mm256_setzero_si256();
+    __m256i total = zero;
+    for (size_t i = 0; i < n;) {
+        const size_t steps = (n - i) / 16;
+        size_t left = steps < STEPS_PER_FLUSH ? steps : STEPS_PER_FLUSH;
+        __m256i sum = zero;
+        for (; left > 0; --left, i += 16) {
+            const __m256i d =
+                _mm256_subs_epu16(_mm256_load_si256((const void *)(row + i)),
+                                  _mm256_load_si256((const void *)(best + i)));
+            sum = _mm256_add_epi32(sum, _mm256_and_si256(d, low));
+            sum = _mm256_add_epi32(sum, _mm256_srli_epi32(d, 16));
+        }
+        total = _mm256_add_epi64(total, _mm256_unpacklo_epi32(sum, zero));
+        total = _mm256_add_epi64(total, _mm256_unpackhi_epi32(sum, zero));
+    }
+    uint64_t lane[4];
+    _mm256_storeu_si256((void *)lane, total);
+    return lane[0] + lane[1] + lane[2] + lane[3];
+}
+
+static const murk_kernels avx2 = {count_new_popcnt, sum_missing, weigh_missing,
+                                  sum_above_avx2, weigh_above};
+
+WIDE static uint64_t count_new_wide(const uint64_t *row, const uint64_t *full,
+                                    size_t words)
+{
+    __m512i sum = _mm512_setzero_si512();
+    size_t k = 0;
+    for (; k + 8 <= words; k += 8) {
+        const __m512i new = _mm512_andnot_si512(_mm512_loadu_si512(full + k),
+                                                _mm512_loadu_si512(row + k));
+        sum = _mm512_add_epi64(sum, _mm512_popcnt_epi64(new));
+    }
+    if (k < words) {
+        const __mmask8 mask = (__mmask8)((1u << (words - k)) - 1);
+        const __m512i new =
+            _mm512_andnot_si512(_mm512_maskz_loadu_epi64(mask, full + k),
+                                _mm512_maskz_loadu_epi64(mask, row + k));
+        sum = _mm512_add_epi64(sum, _mm512_popcnt_epi64(new));
+    }
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+/* Sum of the 16 lanes, each taken as unsigned. */
+WIDE static uint64_t reduce_u32(__m512i sum)
+{
+    const __m512i even = _mm512_and_si512(sum, _mm512_set1_epi64(0xffffffff));
+    const __m512i odd = _mm512_srli_epi64(sum, 32);
+    return (uint64_t)_mm512_reduce_add_epi64(_mm512_add_epi64(even, odd));
+}
+
+/* Adds the 32 unsigned 16-bit lanes of d into 16 lanes of 32 bits. */
+WIDE static inline __m512i fold_u16(__m512i sum, __m512i d)
+{
+    const __m512i low = _mm512_set1_epi32(0xffff);
+    return _mm512_add_epi32(_mm512_add_epi32(sum, _mm512_and_si512(d, low)),
+                            _mm512_srli_epi32(d, 16));
+}
+
+WIDE static uint64_t sum_missing_wide(const uint64_t *row, const uint16_t *best,
+                                      size_t words)
+{
+    const __m512i ones = _mm512_set1_epi32(-1);
+    uint64_t total = 0;
+    for (size_t k = 0; k < words;) {
+        /* two folds a word */
+        const size_t end =
+            words - k < STEPS_PER_FLUSH / 2 ? words : k + STEPS_PER_FLUSH / 2;
+        __m512i sum = _mm512_setzero_si512();
+        for (; k < end; ++k) {
+            const __m512i a =
+                _mm512_xor_si512(_mm512_loadu_si512(best + 64 * k), ones);
+            const __m512i b =
+                _mm512_xor_si512(_mm512_loadu_si512(best + 64 * k + 32), ones);
+            sum = fold_u16(sum, _mm512_maskz_mov_epi16((__mmask32)row[k], a));
+            sum = fold_u16(
+                sum, _mm512_maskz_mov_epi16((__mmask32)(row[k] >> 32), b));
+        }
+        total += reduce_u32(sum);
+    }
+    return total;
+}
+
+WIDE static uint64_t sum_above_wide(const uint16_t *row, const uint16_t *best,
+                                    size_t n)
+{
+    uint64_t total = 0;
+    for (size_t i = 0; i < n;) {
+        const size_t end = (n - i) / 32 < STEPS_PER_FLUSH
+                               ? n
+                               : i + (size_t)32 * STEPS_PER_FLUSH;
+        __m512i sum = _mm512_setzero_si512();
+        for (; i < end; i += 32) {
+            sum =
+                fold_u16(sum, _mm512_subs_epu16(_mm512_loadu_si512(row + i),
+                                                _mm512_loadu_si512(best + i)));
+        }
+        total += reduce_u32(sum);
+    }
+    return total;
+}
+
+/* sum + the 16 products of 16-bit d (in 32-bit lanes) and 32-bit weights. */
+WIDE static inline __m512i add_products(__m512i sum, __m256i d,
+                                        const uint32_t *weight)
+{
+    const __m512i wide = _mm512_cvtepu16_epi32(d);
+    const __m512i w = _mm512_loadu_si512(weight);
+    sum = _mm512_add_epi64(sum, _mm512_mul_epu32(wide, w));
+    return _mm512_add_epi64(sum, _mm512_mul_epu32(_mm512_srli_epi64(wide, 32),
+                                                  _mm512_srli_epi64(w, 32)));
+}
+
+WIDE static uint64_t weigh_above_wide(const uint16_t *row, const uint16_t *best,
+                                      const uint32_t *weight, size_t n)
+{
+    __m512i sum = _mm512_setzero_si512();
+    for (size_t i = 0; i < n; i += 32) {
+        const __m512i d = _mm512_subs_epu16(_mm512_loadu_si512(row + i),
+                                            _mm512_loadu_si512(best + i));
+        sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
+        sum =
+            add_products(sum, _mm512_extracti64x4_epi64(d, 1), weight + i + 16);
+    }
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+WIDE static uint64_t weigh_missing_wide(const uint64_t *row,
+                                        const uint16_t *best,
+                                        const uint32_t *weight, size_t words)
+{
+    const __m512i ones = _mm512_set1_epi32(-1);
+    __m512i sum = _mm512_setzero_si512();
+    for (size_t k = 0; k < words; ++k) {
+        for (size_t half = 0; half < 2; ++half) {
+            const size_t i = 64 * k + 32 * half;
+            const __m512i d = _mm512_maskz_mov_epi16(
+                (__mmask32)(row[k] >> (32 * half)),
+                _mm512_xor_si512(_mm512_loadu_si512(best + i), ones));
+            sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
+            sum = add_products(sum, _mm512_extracti64x4_epi64(d, 1),
+                               weight + i + 16);
+        }
+    }
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+static const murk_kernels wide = {count_new_wide, sum_missing_wide,
+                                  weigh_missing_wide, sum_above_wide,
+                                  weigh_above_wide};
+
+#endif
+
+const murk_kernels *murk_kernels_plain(void)
+{
+    return &plain;
+}
+
+const murk_kernels *murk_kernels_fastest(void)
+{
+#ifdef HAS_WIDE
+    if (__builtin_cpu_supports("avx512f") &&
+        __builtin_cpu_supports("avx512bw") &&
+        __builtin_cpu_supports("avx512vpopcntdq")) {
+        return &wide;
+    }
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt")) {
+        return &avx2;
+    }
+#endif
+    return &plain;
+}

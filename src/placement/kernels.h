@@ -1,0 +1,34 @@
+/* The inner loops of placement: integer sums over one row and one cover.
+ *
+ * A wide version runs where the processor has it; all sums are exact, so it
+ * agrees with its plain twin in every bit. Arrays are 64-byte aligned and
+ * padded to whole words of 64 photons; rows are 0 in the padding. */
+#ifndef MURK_PLACEMENT_KERNELS_H
+#define MURK_PLACEMENT_KERNELS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct murk_kernels {
+    /* Photons in row and not in full. */
+    uint64_t (*count_new)(const uint64_t *row, const uint64_t *full,
+                          size_t words);
+    /* sum over the row's photons of MURK_CLEAR - best. */
+    uint64_t (*sum_missing)(const uint64_t *row, const uint16_t *best,
+                            size_t words);
+    /* The same, each photon times its weight. */
+    uint64_t (*weigh_missing)(const uint64_t *row, const uint16_t *best,
+                              const uint32_t *weight, size_t words);
+    /* sum of max(0, row - best); n is a multiple of 64. */
+    uint64_t (*sum_above)(const uint16_t *row, const uint16_t *best, size_t n);
+    /* The same, each photon times its weight. */
+    uint64_t (*weigh_above)(const uint16_t *row, const uint16_t *best,
+                            const uint32_t *weight, size_t n);
+} murk_kernels;
+
+const murk_kernels *murk_kernels_plain(void);
+
+/* The fastest that this processor runs. */
+const murk_kernels *murk_kernels_fastest(void);
+
+#endif

@@ -1,0 +1,169 @@
+#include "placement/layout.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Regrouping may pad at most one slot in four: beyond that, weights are too
+ * varied to gain from it. */
+#define PHOTONS_PER_PADDING 4
+
+static int by_value(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Sorts value[n] and moves its distinct entries to the front. */
+static size_t keep_distinct(uint32_t *value, size_t n)
+{
+    qsort(value, n, sizeof *value, by_value);
+    size_t kept = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (kept == 0 || value[kept - 1] != value[i]) {
+            value[kept++] = value[i];
+        }
+    }
+    return kept;
+}
+
+static uint32_t common_divisor(const uint32_t *weight, size_t n)
+{
+    uint32_t common = 0;
+    for (size_t i = 0; i < n && common != 1; ++i) {
+        uint32_t a = common, b = weight[i];
+        while (b) {
+            const uint32_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+        common = a;
+    }
+    return common ? common : 1;
+}
+
+/* A slot for each photon: by weight, then by number. */
+static void deal_slots(murk_layout *out, const uint32_t *weight,
+                       const uint32_t *distinct, size_t n_distinct,
+                       size_t *next)
+{
+    memset(next, 0, n_distinct * sizeof *next);
+    for (size_t pass = 0; pass < 2; ++pass) {
+        for (size_t i = 0; i < out->photons; ++i) {
+            const uint32_t *at = bsearch(&weight[i], distinct, n_distinct,
+                                         sizeof *distinct, by_value);
+            const size_t k = (size_t)(at - distinct);
+            if (pass == 1) {
+                out->slot[i] = (uint32_t)next[k];
+            }
+            ++next[k];
+        }
+        if (pass == 0) { /* counts become first slots */
+            size_t first = 0;
+            for (size_t k = 0; k < n_distinct; ++k) {
+                const size_t count = next[k];
+                next[k] = first;
+                first += (count + 63) / 64 * 64;
+            }
+            out->slots = first;
+        }
+    }
+}
+
+/* Whether the photons of a word, padding aside, share a weight, and which. */
+static bool is_uniform(const murk_layout *l, size_t word, uint32_t *weight)
+{
+    *weight = l->weight[64 * word];
+    for (size_t i = 64 * word; i < 64 * (word + 1); ++i) {
+        const bool is_padding = !l->slot && i >= l->photons;
+        if (l->weight[i] != *weight && !is_padding &&
+            !(l->slot && l->weight[i] == 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void cut_segments(murk_layout *l)
+{
+    l->segments = 0;
+    for (size_t k = 0; k < l->words; ++k) {
+        uint32_t weight = 0;
+        const bool is_mixed = !is_uniform(l, k, &weight);
+        murk_segment *last = l->segments ? &l->segment[l->segments - 1] : NULL;
+        if (last && last->is_mixed == is_mixed &&
+            (is_mixed || last->weight == weight)) {
+            ++last->words;
+        } else {
+            l->segment[l->segments++] = (murk_segment){k, 1, weight, is_mixed};
+        }
+    }
+}
+
+void *murk_aligned_zeros(size_t n)
+{
+    const size_t size = (n / 64 + 1) * 64;
+    void *out = aligned_alloc(64, size);
+    if (out) {
+        memset(out, 0, size);
+    }
+    return out;
+}
+
+murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
+                             bool regroup, murk_error *err)
+{
+    const size_t photons = problem->photons;
+    murk_layout l = {.photons = photons,
+                     .slots = (photons + 63) / 64 * 64,
+                     .kernels = murk_kernels_fastest()};
+    uint32_t *distinct = NULL;
+    size_t *next = NULL;
+    murk_status status = MURK_OK;
+    if (regroup && photons > 0) {
+        distinct = malloc(photons * sizeof *distinct);
+        if (!distinct) {
+            goto no_memory;
+        }
+        memcpy(distinct, problem->weight, photons * sizeof *distinct);
+        const size_t n = keep_distinct(distinct, photons);
+        if (n > 1 && n * 63 <= photons / PHOTONS_PER_PADDING) {
+            l.slot = malloc(photons * sizeof *l.slot);
+            next = malloc(n * sizeof *next);
+            if (!l.slot || !next) {
+                goto no_memory;
+            }
+            deal_slots(&l, problem->weight, distinct, n, next);
+        }
+    }
+    l.words = l.slots / 64;
+    l.weight = murk_aligned_zeros(l.slots * sizeof *l.weight);
+    l.segment = malloc((l.words + 1) * sizeof *l.segment);
+    if (!l.weight || !l.segment) {
+        goto no_memory;
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        l.weight[murk_layout_slot(&l, (uint32_t)i)] = problem->weight[i];
+        l.whole += (uint64_t)problem->weight[i] * MURK_CLEAR;
+    }
+    l.common = common_divisor(problem->weight, photons);
+    cut_segments(&l);
+    *out = l;
+    l = (murk_layout){0};
+    goto done;
+no_memory:
+    status = murk_fail(err, MURK_NO_MEMORY, "",
+                       "no memory for the weights of %zu photons", photons);
+done:
+    murk_layout_release(&l);
+    free(distinct);
+    free(next);
+    return status;
+}
+
+void murk_layout_release(murk_layout *layout)
+{
+    free(layout->slot);
+    free(layout->weight);
+    free(layout->segment);
+    *layout = (murk_layout){0};
+}

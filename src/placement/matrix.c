@@ -1,0 +1,176 @@
+#include "placement/matrix.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/tally.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* Candidates that the pilot looks at before memory is committed. */
+#define PILOT_LOOKS 32
+
+typedef struct filling {
+    const murk_problem *problem;
+    murk_matrix *matrix;
+    uint64_t most_bytes;
+    murk_tally bytes;
+    murk_tally out_of_memory; /* rows that could not be had */
+} filling;
+
+static double gigabytes(uint64_t bytes)
+{
+    return (double)bytes * 1e-9;
+}
+
+static murk_status too_big(murk_error *err, const murk_problem *problem,
+                           const char *about, double gb, uint64_t most_bytes)
+{
+    return murk_fail(err, MURK_RUN_FAILED, "",
+                     "the coverage matrix of %zu candidates and %zu photons "
+                     "takes %s %.3g GB, more than the %.3g GB it may; fewer "
+                     "candidates or photons, or `knowledge: unknown`, need "
+                     "less",
+                     problem->candidates, problem->photons, about, gb,
+                     gigabytes(most_bytes));
+}
+
+/* The most that the rows can take, whatever is seen. */
+static uint64_t most_possible(const murk_layout *layout, size_t candidates)
+{
+    return (uint64_t)candidates *
+           (sizeof(murk_row) + 64 + layout->slots * sizeof(uint16_t));
+}
+
+/* Spread over the candidates by the golden ratio, so that the steps of a grid
+ * do not line up with the sample. */
+static size_t pilot_candidate(size_t k, size_t candidates)
+{
+    const double turn = (double)k * 0.6180339887498949;
+    return (size_t)((turn - (double)(size_t)turn) * (double)candidates);
+}
+
+static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
+                         uint64_t most_bytes, murk_error *err)
+{
+    double bytes = 0;
+    for (size_t k = 0; k < PILOT_LOOKS && !murk_interrupted(); ++k) {
+        murk_look look;
+        problem->look(problem->context, 0,
+                      pilot_candidate(k, problem->candidates), &look);
+        bytes += (double)murk_row_bytes(layout, &look) / PILOT_LOOKS;
+    }
+    bytes = (bytes + sizeof(murk_row)) * (double)problem->candidates;
+    if (bytes > (double)most_bytes) {
+        return too_big(err, problem, "about", bytes * 1e-9, most_bytes);
+    }
+    return MURK_OK;
+}
+
+static void fill_row(void *context, unsigned worker, uint64_t batch)
+{
+    filling *f = context;
+    if ((uint64_t)murk_tally_read(&f->bytes) > f->most_bytes ||
+        murk_tally_read(&f->out_of_memory) > 0) {
+        return;
+    }
+    murk_look look;
+    f->problem->look(f->problem->context, worker, (size_t)batch, &look);
+    murk_row *row = &f->matrix->row[batch];
+    if (murk_row_store(row, &f->matrix->layout, &look)) {
+        murk_tally_add(&f->bytes, (int64_t)(row->memory_bytes + sizeof *row));
+    } else {
+        murk_tally_add(&f->out_of_memory, 1);
+    }
+    murk_progress_add(1);
+}
+
+static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
+                        uint64_t most_bytes, murk_error *err)
+{
+    filling f = {
+        .problem = problem, .matrix = matrix, .most_bytes = most_bytes};
+    murk_progress_begin("sense", problem->candidates, "candidates");
+    murk_crew_run_workers(problem->threads, problem->candidates, fill_row, &f);
+    murk_progress_end();
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    if (murk_tally_read(&f.out_of_memory) > 0) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for the coverage matrix of %zu candidates "
+                         "and %zu photons",
+                         problem->candidates, problem->photons);
+    }
+    if ((uint64_t)murk_tally_read(&f.bytes) > most_bytes) {
+        return too_big(err, problem, "more than", gigabytes(most_bytes),
+                       most_bytes);
+    }
+    matrix->all_clear = true;
+    matrix->memory_bytes = sizeof *matrix + (size_t)murk_tally_read(&f.bytes);
+    for (size_t j = 0; j < matrix->candidates; ++j) {
+        const murk_row *row = &matrix->row[j];
+        matrix->pairs += row->seen;
+        matrix->all_clear =
+            matrix->all_clear &&
+            (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
+                               uint64_t most_bytes, murk_error *err)
+{
+    assert(out && problem && problem->threads > 0);
+    murk_status status = MURK_OK;
+    murk_matrix *matrix = calloc(1, sizeof *matrix);
+    if (matrix) {
+        matrix->candidates = problem->candidates;
+        matrix->row = calloc(problem->candidates + 1, sizeof *matrix->row);
+    }
+    if (!matrix || !matrix->row) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for a matrix of %zu candidates",
+                           problem->candidates);
+        goto done;
+    }
+    status = murk_layout_init(&matrix->layout, problem, true, err);
+    if (!status && problem->candidates > 0 &&
+        most_possible(&matrix->layout, problem->candidates) > most_bytes) {
+        status = pilot(problem, &matrix->layout, most_bytes, err);
+    }
+    if (!status) {
+        status = fill(matrix, problem, most_bytes, err);
+    }
+    if (status) {
+        goto done;
+    }
+    *out = matrix;
+    matrix = NULL;
+done:
+    murk_matrix_destroy(matrix);
+    return status;
+}
+
+void murk_matrix_destroy(murk_matrix *matrix)
+{
+    if (matrix) {
+        for (size_t j = 0; matrix->row && j < matrix->candidates; ++j) {
+            free(matrix->row[j].memory);
+        }
+        free(matrix->row);
+        murk_layout_release(&matrix->layout);
+        free(matrix);
+    }
+}
+
+uint64_t murk_matrix_pairs(const murk_matrix *matrix)
+{
+    return matrix->pairs;
+}
+
+size_t murk_matrix_memory_bytes(const murk_matrix *matrix)
+{
+    return matrix->memory_bytes;
+}
