@@ -35,16 +35,16 @@ murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1, true */
 
 typedef struct murk_curve_point {
     size_t count;
-    uint64_t value;  /* best found */
-    uint64_t upper;  /* no plan of that count is worth more */
+    uint64_t value; /* best found */
+    uint64_t upper; /* no plan of that count is worth more */
 } murk_curve_point;
 
 typedef struct murk_place_result {
     size_t count;
-    size_t *sensor;      /* [count] candidates, increasing */
-    uint64_t value;      /* sum_i weight_i max_j clarity_ij */
-    uint64_t upper;      /* >= value of every plan of that count */
-    bool proven_optimal; /* value == upper, or the plan is otherwise proven */
+    size_t *sensor;        /* [count] candidates, increasing */
+    uint64_t value;        /* sum_i weight_i max_j clarity_ij */
+    uint64_t upper;        /* >= value of every plan of that count */
+    bool proven_optimal;   /* value == upper, or the plan is otherwise proven */
     const char *guarantee; /* static text */
     uint64_t ceiling;      /* all candidates chosen */
     uint64_t whole;        /* sum_i weight_i * MURK_CLEAR: everything */

@@ -1,0 +1,221 @@
+#include "placement/bound.h"
+
+#include "base/interrupt.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The Polyak step aims at the best known plan, which the bound may never
+ * reach: the step shrinks by SHRINK after PATIENCE rounds without gain, and
+ * steps below LEAST_STEP change nothing that matters. */
+#define FIRST_STEP 1.0
+#define SHRINK     0.7
+#define PATIENCE   8
+#define LEAST_STEP 1e-4
+
+/* Share of the last direction kept: damps the zigzag of plain subgradients. */
+#define MEMORY 0.6F
+
+murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
+                            murk_error *err)
+{
+    const size_t slots = oracle->layout->slots + 1;
+    const size_t n = oracle->candidates + 1;
+    *out = (murk_bound){.oracle = oracle,
+                        .threshold = calloc(slots, sizeof *out->threshold),
+                        .lowest = calloc(slots, sizeof *out->lowest),
+                        .direction = calloc(slots, sizeof *out->direction),
+                        .count = calloc(slots, sizeof *out->count),
+                        .gain = calloc(n, sizeof *out->gain),
+                        .live = calloc(n, sizeof *out->live),
+                        .top = calloc(n, sizeof *out->top)};
+    if (!out->threshold || !out->lowest || !out->direction || !out->count ||
+        !out->gain || !out->live || !out->top ||
+        !murk_cover_init(&out->rounded, oracle->layout, false)) {
+        murk_bound_release(out);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to bound plans for %zu photons",
+                         oracle->layout->photons);
+    }
+    return MURK_OK;
+}
+
+void murk_bound_release(murk_bound *bound)
+{
+    free(bound->threshold);
+    free(bound->lowest);
+    free(bound->direction);
+    free(bound->count);
+    free(bound->gain);
+    free(bound->live);
+    free(bound->top);
+    murk_cover_release(&bound->rounded);
+    *bound = (murk_bound){0};
+}
+
+static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
+{
+    const murk_layout *layout = b->oracle->layout;
+    murk_cover_clear(&b->rounded, layout);
+    for (size_t k = 0; k < n; ++k) {
+        const murk_row row = murk_oracle_row(b->oracle, 0, plan[k]);
+        b->looks += b->oracle->matrix ? 0 : 1;
+        murk_cover_add(&b->rounded, layout, &row);
+    }
+    for (size_t i = 0; i < layout->slots; ++i) {
+        b->threshold[i] = b->rounded.best[i];
+    }
+}
+
+/* Rounds the thresholds; returns sum w t. */
+static uint64_t round_thresholds(murk_bound *b)
+{
+    const murk_layout *layout = b->oracle->layout;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < layout->slots; ++i) {
+        b->rounded.best[i] = (uint16_t)(b->threshold[i] + 0.5F);
+        sum += (uint64_t)b->rounded.best[i] * layout->weight[i];
+    }
+    return sum;
+}
+
+/* The n live candidates with most above the thresholds, lowest number on ties,
+ * falling. Returns how many there are. */
+static size_t find_top(murk_bound *b, size_t n)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < b->live_count; ++k) {
+        const murk_ranked now = {b->gain[k], b->live[k]};
+        if (kept == n && now.bound <= b->top[n - 1].bound) {
+            continue;
+        }
+        size_t at = kept < n ? kept++ : n - 1;
+        for (; at > 0 && b->top[at - 1].bound < now.bound; --at) {
+            b->top[at] = b->top[at - 1];
+        }
+        b->top[at] = now;
+    }
+    return kept;
+}
+
+static uint64_t sum_saturated(uint64_t a, uint64_t b)
+{
+    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
+}
+
+/* Leaves out candidates that are in no plan worth more than `lower`: with j in
+ * it, a plan has at most `base`, the best n - 1 others, and j's own. */
+static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
+                      uint64_t lower)
+{
+    if (chosen < n) {
+        return;
+    }
+    uint64_t others = base;
+    for (size_t k = 0; k + 1 < n; ++k) {
+        others = sum_saturated(others, b->top[k].bound);
+    }
+    const uint64_t grain = b->oracle->grain;
+    const uint64_t last = b->top[n - 1].bound;
+    size_t kept = 0;
+    for (size_t k = 0; k < b->live_count; ++k) {
+        const uint64_t with = sum_saturated(others, b->gain[k]);
+        if (b->gain[k] >= last || with - with % grain > lower) {
+            b->live[kept] = b->live[k];
+            b->gain[kept++] = b->gain[k];
+        }
+    }
+    b->live_count = kept;
+}
+
+/* One projected step down the subgradient w (1 - count), in the metric of the
+ * weights, so that merging equal photons would change nothing. */
+static void step_down(murk_bound *b, size_t chosen, double excess, double step,
+                      bool is_first)
+{
+    const murk_layout *layout = b->oracle->layout;
+    memset(b->count, 0, layout->slots * sizeof *b->count);
+    for (size_t k = 0; k < chosen; ++k) {
+        const murk_row row = murk_oracle_row(b->oracle, 0, b->top[k].candidate);
+        b->looks += b->oracle->matrix ? 0 : 1;
+        murk_row_count_above(layout, &row, b->rounded.best, b->count);
+    }
+    double norm = 0;
+    for (size_t i = 0; i < layout->slots; ++i) {
+        float down = 1 - (float)b->count[i];
+        if (down > 0 && b->rounded.best[i] == 0) {
+            down = 0; /* at the floor already */
+        }
+        if (!is_first) {
+            down += MEMORY * (b->direction[i] - down);
+        }
+        b->direction[i] = down;
+        norm += (double)layout->weight[i] * (double)(down * down);
+    }
+    if (!(norm > 0)) {
+        return;
+    }
+    const float length = (float)(step * excess / norm);
+    for (size_t i = 0; i < layout->slots; ++i) {
+        const float to = b->threshold[i] - length * b->direction[i];
+        b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR : to > 0 ? to : 0;
+    }
+}
+
+uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
+                            const uint32_t *plan, size_t plan_count,
+                            size_t rounds)
+{
+    const murk_oracle *o = b->oracle;
+    const size_t slots = o->layout->slots;
+    if (plan) {
+        start_at_plan(b, plan, plan_count);
+    }
+    b->live_count = o->undominated;
+    for (size_t k = 0; k < o->undominated; ++k) {
+        b->live[k] = o->ranked[k].candidate;
+    }
+    uint64_t upper = o->ceiling;
+    uint64_t lowest = UINT64_MAX;
+    double step = FIRST_STEP;
+    size_t since_gain = 0;
+    memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
+    for (size_t round = 0; round < rounds && upper > lower; ++round) {
+        if (murk_interrupted() || step < LEAST_STEP) {
+            break;
+        }
+        const uint64_t base = round_thresholds(b);
+        murk_oracle_gains(o, &b->rounded, b->live, b->live_count,
+                          o->wide_threads, 0, b->gain);
+        b->looks += o->matrix ? 0 : b->live_count;
+        const size_t chosen = find_top(b, n);
+        uint64_t now = base;
+        for (size_t k = 0; k < chosen; ++k) {
+            now = sum_saturated(now, b->top[k].bound);
+        }
+        ++since_gain;
+        if (now < lowest) {
+            lowest = now;
+            since_gain = 0;
+            memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
+        }
+        /* of plans worth more than lower, all are made of the live */
+        now -= now % o->grain;
+        now = now > lower ? now : lower;
+        upper = now < upper ? now : upper;
+        if (upper <= lower || round + 1 == rounds) {
+            break;
+        }
+        leave_out(b, base, n, chosen, lower);
+        if (since_gain >= PATIENCE) {
+            step *= SHRINK;
+            since_gain = 0;
+            memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
+            continue; /* the next round measures there again */
+        }
+        const double excess = (double)now - (double)lower;
+        step_down(b, chosen, excess, step, round == 0);
+    }
+    memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
+    return upper > lower ? upper : lower;
+}

@@ -1,0 +1,49 @@
+/* How much any plan of a count can be worth at most.
+ *
+ * For any thresholds t_i in 0..MURK_CLEAR, with w the weights, p the clarities:
+ *
+ *     bound(t) = sum_i w_i t_i + top-n_j sum_i w_i max(0, p_ij - t_i)
+ *
+ * is at least the value of every plan of n (a plan's value is at most
+ * sum w t + the sum over its members of what lies above t). It is the
+ * Lagrangian bound of facility location, with u_i = w_i t_i; for 0/1 rows it
+ * is sum (w - u) + top-n sum b u with u = w (1 - t). Thresholds are whole
+ * numbers, so the bound is an exact integer and holds in spite of rounding.
+ * Subgradient steps lower it; candidates that provably are in no plan better
+ * than the best known are left out on the way.
+ *
+ * Source: Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977) 789,
+ * doi:10.1287/mnsc.23.8.789; step length: Polyak, USSR Comput. Math. Math.
+ * Phys. 9 (1969) 14, doi:10.1016/0041-5553(69)90061-5. */
+#ifndef MURK_PLACEMENT_BOUND_H
+#define MURK_PLACEMENT_BOUND_H
+
+#include "placement/oracle.h"
+
+typedef struct murk_bound {
+    const murk_oracle *oracle;
+    float *threshold;   /* [slots] where the last call stopped */
+    float *lowest;      /* [slots] where its bound was lowest */
+    float *direction;   /* [slots] */
+    uint16_t *count;    /* [slots] chosen candidates that see it clearer */
+    murk_cover rounded; /* threshold in whole units */
+    uint64_t *gain;     /* [candidates] above the thresholds */
+    uint32_t *live;     /* [candidates] not yet left out */
+    size_t live_count;
+    murk_ranked *top; /* [candidates] */
+    uint64_t looks;
+} murk_bound;
+
+murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
+                            murk_error *err);
+void murk_bound_release(murk_bound *bound);
+
+/* Starts the thresholds at the plan's cover (NULL: keeps them), and makes at
+ * most `rounds` evaluations, each a weighing of the live candidates. `lower`
+ * is the value of a known plan of n. Returns an upper bound for plans of n, at
+ * least `lower`, and stops early when it meets it. */
+uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
+                            const uint32_t *plan, size_t plan_count,
+                            size_t rounds);
+
+#endif

@@ -1,0 +1,205 @@
+#include "placement/oracle.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "placement/presolve.h"
+
+#include <stdlib.h>
+
+/* Starting threads costs some 50 us: a scan is spread only where one row is
+ * worth about a microsecond and more. */
+#define ROW_BYTES_WORTH_THREADS 16384
+
+typedef struct weighing {
+    const murk_oracle *oracle;
+    const murk_cover *cover;
+    const uint32_t *candidate; /* NULL: candidate k is k */
+    uint64_t *gain;
+    murk_cover *seen; /* [threads] joined with every row, or NULL */
+} weighing;
+
+murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
+                         uint32_t candidate)
+{
+    if (oracle->matrix) {
+        return oracle->matrix->row[candidate];
+    }
+    murk_look look;
+    oracle->problem->look(oracle->problem->context, worker, candidate, &look);
+    return murk_row_borrow(&look);
+}
+
+static void weigh(void *context, unsigned worker, uint64_t batch)
+{
+    const weighing *w = context;
+    const murk_layout *layout = w->oracle->layout;
+    const uint32_t candidate =
+        w->candidate ? w->candidate[batch] : (uint32_t)batch;
+    const murk_row row = murk_oracle_row(w->oracle, worker, candidate);
+    w->gain[batch] = murk_row_gain(layout, &row, w->cover);
+    if (w->seen) {
+        murk_cover_add(&w->seen[worker], layout, &row);
+        murk_progress_add(1);
+    }
+}
+
+void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
+                       const uint32_t *candidate, size_t n, unsigned threads,
+                       unsigned worker, uint64_t *gain)
+{
+    weighing w = {oracle, cover, candidate, gain, NULL};
+    if (threads > 1) {
+        murk_crew_run_workers(threads, n, weigh, &w);
+        return;
+    }
+    for (size_t k = 0; k < n; ++k) {
+        weigh(&w, worker, k);
+    }
+}
+
+static int by_rank(const void *a, const void *b)
+{
+    const murk_ranked *x = a, *y = b;
+    if (x->bound != y->bound) {
+        return x->bound > y->bound ? -1 : 1;
+    }
+    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+}
+
+void murk_ranked_sort(murk_ranked *ranked, size_t n)
+{
+    qsort(ranked, n, sizeof *ranked, by_rank);
+}
+
+/* Each candidate's value alone, and the ceiling: all of them together. */
+static murk_status weigh_alone(murk_oracle *o, murk_error *err)
+{
+    const unsigned threads = o->problem->threads;
+    murk_cover empty = {0};
+    murk_cover *seen = calloc(threads, sizeof *seen);
+    bool has_memory = seen && murk_cover_init(&empty, o->layout, o->all_clear);
+    for (unsigned k = 0; has_memory && k < threads; ++k) {
+        has_memory = murk_cover_init(&seen[k], o->layout, o->all_clear);
+    }
+    murk_status status = MURK_OK;
+    if (!has_memory) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for the coverage of %zu photons",
+                           o->layout->photons);
+        goto done;
+    }
+    weighing w = {o, &empty, NULL, o->alone, seen};
+    murk_progress_begin(o->matrix ? "weigh" : "look", o->candidates,
+                        "candidates");
+    murk_crew_run_workers(threads, o->candidates, weigh, &w);
+    murk_progress_end();
+    for (unsigned k = 1; k < threads; ++k) {
+        murk_cover_join(&seen[0], o->layout, &seen[k]);
+    }
+    o->ceiling = murk_cover_value(&seen[0], o->layout);
+    o->looks = o->matrix ? 0 : o->candidates;
+done:
+    for (unsigned k = 0; seen && k < threads; ++k) {
+        murk_cover_release(&seen[k]);
+    }
+    free(seen);
+    murk_cover_release(&empty);
+    return status;
+}
+
+/* Ranks the candidates and moves the dominated ones behind the others. */
+static murk_status rank(murk_oracle *o, murk_error *err)
+{
+    const size_t n = o->candidates;
+    for (size_t j = 0; j < n; ++j) {
+        o->ranked[j] = (murk_ranked){o->alone[j], (uint32_t)j};
+        o->dominator[j] = (uint32_t)j;
+    }
+    murk_ranked_sort(o->ranked, n);
+    o->undominated = n;
+    if (!o->matrix) {
+        return MURK_OK;
+    }
+    uint32_t *order = malloc((n + 1) * sizeof *order);
+    if (!order) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to rank %zu candidates", n);
+    }
+    for (size_t k = 0; k < n; ++k) {
+        order[k] = o->ranked[k].candidate;
+    }
+    const murk_status status =
+        murk_presolve(o->dominator, o->matrix, order, o->problem->threads, err);
+    size_t kept = 0;
+    for (size_t pass = 0; pass < 2; ++pass) {
+        for (size_t k = 0; k < n; ++k) {
+            const uint32_t j = order[k];
+            if ((o->dominator[j] == j) == (pass == 0)) {
+                o->ranked[kept++] = (murk_ranked){o->alone[j], j};
+            }
+        }
+        o->undominated = pass == 0 ? kept : o->undominated;
+    }
+    free(order);
+    return status;
+}
+
+static unsigned threads_for_scan(const murk_oracle *o)
+{
+    if (!o->matrix) {
+        return o->problem->threads; /* a look is always worth a thread */
+    }
+    const size_t per_row =
+        o->candidates ? o->matrix->memory_bytes / o->candidates : 0;
+    return per_row > ROW_BYTES_WORTH_THREADS ? o->problem->threads : 1;
+}
+
+murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
+                             const murk_matrix *matrix, murk_error *err)
+{
+    const size_t n = problem->candidates;
+    *out = (murk_oracle){.problem = problem,
+                         .matrix = matrix,
+                         .candidates = n,
+                         .all_clear = matrix && matrix->all_clear};
+    if (matrix) {
+        out->layout = &matrix->layout;
+    } else {
+        const murk_status status =
+            murk_layout_init(&out->own_layout, problem, false, err);
+        if (status) {
+            return status;
+        }
+        out->layout = &out->own_layout;
+    }
+    out->wide_threads = threads_for_scan(out);
+    out->grain =
+        (uint64_t)out->layout->common * (out->all_clear ? MURK_CLEAR : 1);
+    out->alone = calloc(n + 1, sizeof *out->alone);
+    out->dominator = calloc(n + 1, sizeof *out->dominator);
+    out->ranked = calloc(n + 1, sizeof *out->ranked);
+    murk_status status = out->alone && out->dominator && out->ranked
+                             ? weigh_alone(out, err)
+                             : murk_fail(err, MURK_NO_MEMORY, "",
+                                         "no memory for %zu candidates", n);
+    if (!status && murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    if (!status) {
+        status = rank(out, err);
+    }
+    if (status) {
+        murk_oracle_release(out);
+    }
+    return status;
+}
+
+void murk_oracle_release(murk_oracle *oracle)
+{
+    murk_layout_release(&oracle->own_layout);
+    free(oracle->alone);
+    free(oracle->dominator);
+    free(oracle->ranked);
+    *oracle = (murk_oracle){0};
+}

@@ -1,0 +1,50 @@
+/* What every solver asks of an environment, known or unknown, with the same
+ * answers: a candidate's row, and what candidates add to a cover. */
+#ifndef MURK_PLACEMENT_ORACLE_H
+#define MURK_PLACEMENT_ORACLE_H
+
+#include "placement/matrix.h"
+
+/* A candidate and the most it can add to whatever cover is asked about. */
+typedef struct murk_ranked {
+    uint64_t bound;
+    uint32_t candidate;
+} murk_ranked;
+
+typedef struct murk_oracle {
+    const murk_problem *problem;
+    const murk_matrix *matrix; /* NULL: unknown environment */
+    const murk_layout *layout;
+    murk_layout own_layout; /* unknown environment */
+    size_t candidates;
+    bool all_clear;        /* covers may be bits */
+    unsigned wide_threads; /* threads worth using for one scan */
+    uint64_t *alone;       /* [candidates] value of each by itself */
+    uint32_t *dominator;   /* [candidates] an undominated candidate that
+                              sees all it sees as clearly; or itself */
+    murk_ranked *ranked;   /* [candidates] undominated ones first, by
+                              falling alone, then number */
+    size_t undominated;
+    uint64_t ceiling, grain; /* every plan's value is a multiple of grain */
+    uint64_t looks;          /* made at creation */
+} murk_oracle;
+
+/* Matrix NULL: unknown environment. Looks once at every candidate. */
+murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
+                             const murk_matrix *matrix, murk_error *err);
+void murk_oracle_release(murk_oracle *oracle);
+
+/* Valid until the worker's next call. */
+murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
+                         uint32_t candidate);
+
+/* gain[k] = what candidate[k] would add to the cover, k < n, over threads;
+ * with one thread, as `worker`. */
+void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
+                       const uint32_t *candidate, size_t n, unsigned threads,
+                       unsigned worker, uint64_t *gain);
+
+/* Falling bound, then rising number. */
+void murk_ranked_sort(murk_ranked *ranked, size_t n);
+
+#endif

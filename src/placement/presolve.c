@@ -1,0 +1,91 @@
+#include "placement/presolve.h"
+
+#include "base/crew.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+/* Pairs grow with the square: beyond this many candidates the search itself is
+ * cheaper than finding whom it may skip. */
+#define CANDIDATES_MOST 10000
+
+typedef struct presolving {
+    const murk_matrix *matrix;
+    const uint32_t *order;
+    _Atomic uint32_t *first; /* [candidates] by rank: rank of the first
+                                dominator so far; own rank: none */
+    murk_cover *cover;       /* [threads] */
+} presolving;
+
+static void lower_to(_Atomic uint32_t *cell, uint32_t value)
+{
+    uint32_t now = atomic_load_explicit(cell, memory_order_relaxed);
+    while (value < now &&
+           !atomic_compare_exchange_weak_explicit(
+               cell, &now, value, memory_order_relaxed, memory_order_relaxed)) {
+    }
+}
+
+/* Marks all that the candidate of this rank dominates. A dominated one may be
+ * passed over, because its dominator marks the same and ranks before it: so
+ * the outcome does not depend on who comes first. */
+static void mark(void *context, unsigned worker, uint64_t batch)
+{
+    presolving *p = context;
+    const uint32_t rank = (uint32_t)batch;
+    if (atomic_load_explicit(&p->first[rank], memory_order_relaxed) < rank) {
+        return;
+    }
+    const murk_layout *layout = &p->matrix->layout;
+    murk_cover *cover = &p->cover[worker];
+    murk_cover_clear(cover, layout);
+    murk_cover_add(cover, layout, &p->matrix->row[p->order[rank]]);
+    for (uint32_t b = rank + 1; b < p->matrix->candidates; ++b) {
+        if (atomic_load_explicit(&p->first[b], memory_order_relaxed) > rank &&
+            murk_row_within(layout, &p->matrix->row[p->order[b]], cover)) {
+            lower_to(&p->first[b], rank);
+        }
+    }
+}
+
+murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
+                          const uint32_t *order, unsigned threads,
+                          murk_error *err)
+{
+    const size_t n = matrix->candidates;
+    for (size_t j = 0; j < n; ++j) {
+        dominator[j] = (uint32_t)j;
+    }
+    if (n > CANDIDATES_MOST) {
+        return MURK_OK;
+    }
+    murk_status status = MURK_OK;
+    presolving p = {.matrix = matrix,
+                    .order = order,
+                    .first = malloc((n + 1) * sizeof *p.first),
+                    .cover = calloc(threads, sizeof *p.cover)};
+    bool has_memory = p.first && p.cover;
+    for (unsigned k = 0; has_memory && k < threads; ++k) {
+        has_memory =
+            murk_cover_init(&p.cover[k], &matrix->layout, matrix->all_clear);
+    }
+    if (!has_memory) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to compare %zu candidates", n);
+        goto done;
+    }
+    for (uint32_t k = 0; k < n; ++k) {
+        atomic_init(&p.first[k], k);
+    }
+    murk_crew_run_workers(threads, n, mark, &p);
+    for (size_t k = 0; k < n; ++k) {
+        dominator[order[k]] = order[atomic_load(&p.first[k])];
+    }
+done:
+    for (unsigned k = 0; p.cover && k < threads; ++k) {
+        murk_cover_release(&p.cover[k]);
+    }
+    free(p.cover);
+    free(p.first);
+    return status;
+}

@@ -1,0 +1,18 @@
+/* Dominance: B is dominated by A when A sees every photon at least as clearly.
+ * Whatever stands, A then adds no less than B, so the value of the best plan
+ * is found among the undominated, and a search must look at B only where A
+ * itself ties for the best. */
+#ifndef MURK_PLACEMENT_PRESOLVE_H
+#define MURK_PLACEMENT_PRESOLVE_H
+
+#include "placement/matrix.h"
+
+/* order[candidates]: by falling value alone, then number. Fills
+ * dominator[candidates] with the first undominated candidate in that order
+ * that dominates, or the candidate itself. Of equals, the lowest number is
+ * kept. */
+murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
+                          const uint32_t *order, unsigned threads,
+                          murk_error *err);
+
+#endif

@@ -1,0 +1,269 @@
+#include "placement/search.h"
+
+#include "base/interrupt.h"
+#include "base/rng.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Candidates weighed between two looks at the best so far. Fixed, so that who
+ * is weighed does not depend on the threads. */
+#define CHUNK 128
+
+#define NOT_WEIGHED UINT64_MAX
+
+murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
+                             unsigned worker, unsigned threads, murk_error *err)
+{
+    const size_t n = oracle->candidates + 1;
+    *out = (murk_search){.oracle = oracle,
+                         .worker = worker,
+                         .threads = threads,
+                         .gain = malloc(n * sizeof *out->gain),
+                         .tie = malloc(n * sizeof *out->tie),
+                         .shuffle = malloc(n * sizeof *out->shuffle),
+                         .ranking = malloc(n * sizeof *out->ranking),
+                         .chunk_gain = calloc(CHUNK, sizeof *out->chunk_gain),
+                         .chunk = malloc(CHUNK * sizeof *out->chunk)};
+    if (!out->gain || !out->tie || !out->shuffle || !out->ranking ||
+        !out->chunk_gain || !out->chunk ||
+        !murk_cover_init(&out->cover, oracle->layout, oracle->all_clear)) {
+        murk_search_release(out);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to search %zu candidates for %zu photons",
+                         oracle->candidates, oracle->layout->photons);
+    }
+    return MURK_OK;
+}
+
+void murk_search_release(murk_search *search)
+{
+    murk_cover_release(&search->cover);
+    free(search->gain);
+    free(search->tie);
+    free(search->shuffle);
+    free(search->ranking);
+    free(search->chunk_gain);
+    free(search->chunk);
+    *search = (murk_search){0};
+}
+
+/* Adds a candidate to what stands and returns what it brought. */
+static uint64_t stand(murk_search *s, uint32_t candidate)
+{
+    const murk_layout *layout = s->oracle->layout;
+    const murk_row row = murk_oracle_row(s->oracle, s->worker, candidate);
+    s->looks += s->oracle->matrix ? 0 : 1;
+    const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
+    murk_cover_add(&s->cover, layout, &row);
+    return gain;
+}
+
+/* All of the plan but its entry `but` (n: all). Returns their value. */
+static uint64_t stand_others(murk_search *s, const uint32_t *plan, size_t n,
+                             size_t but)
+{
+    murk_cover_clear(&s->cover, s->oracle->layout);
+    uint64_t value = 0;
+    for (size_t k = 0; k < n; ++k) {
+        if (k != but) {
+            value += stand(s, plan[k]);
+        }
+    }
+    return value;
+}
+
+/* Weighs the n candidates gathered in the chunk; returns the best so far. */
+static uint64_t weigh_chunk(murk_search *s, size_t n, uint64_t best)
+{
+    murk_oracle_gains(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
+                      s->chunk_gain);
+    s->evaluations += n;
+    s->looks += s->oracle->matrix ? 0 : n;
+    for (size_t k = 0; k < n; ++k) {
+        s->gain[s->chunk[k]] = s->chunk_gain[k];
+        best = s->chunk_gain[k] > best ? s->chunk_gain[k] : best;
+    }
+    return best;
+}
+
+/* The undominated, from the most promising on, until the rest cannot reach
+ * the best. */
+static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
+{
+    const size_t n = s->oracle->undominated;
+    uint64_t best = 0;
+    for (size_t k = 0; k < n && ranking[k].bound >= best;) {
+        if (murk_interrupted()) {
+            return 0;
+        }
+        size_t gathered = 0;
+        for (; k < n && gathered < CHUNK && ranking[k].bound >= best; ++k) {
+            s->chunk[gathered++] = ranking[k].candidate;
+        }
+        best = weigh_chunk(s, gathered, best);
+    }
+    return best;
+}
+
+/* The dominated whose dominator has the best gain: they may tie. */
+static void weigh_dominated(murk_search *s, uint64_t best)
+{
+    const murk_oracle *o = s->oracle;
+    size_t gathered = 0;
+    for (size_t k = o->undominated; k < o->candidates; ++k) {
+        const uint32_t j = o->ranked[k].candidate;
+        if (s->gain[o->dominator[j]] == best && o->alone[j] >= best) {
+            s->chunk[gathered++] = j;
+        }
+        if (gathered == CHUNK) {
+            weigh_chunk(s, gathered, best);
+            gathered = 0;
+        }
+    }
+    weigh_chunk(s, gathered, best);
+}
+
+static bool holds(const uint32_t *plan, size_t n, size_t but,
+                  uint32_t candidate)
+{
+    for (size_t k = 0; k < n; ++k) {
+        if (k != but && plan[k] == candidate) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Fills tie with all candidates that add most to what stands (the plan less
+ * its entry `but`, worth `value`) and returns how much. */
+static uint64_t scan(murk_search *s, const murk_ranked *ranking,
+                     const uint32_t *plan, size_t n, size_t but, uint64_t value)
+{
+    const murk_oracle *o = s->oracle;
+    memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
+    uint64_t best = 0;
+    if (value < o->ceiling) {
+        best = weigh_undominated(s, ranking);
+    }
+    s->ties = 0;
+    if (best == 0) { /* all that are free add the same: nothing */
+        for (uint32_t j = 0; j < o->candidates; ++j) {
+            if (!holds(plan, n, but, j)) {
+                s->tie[s->ties++] = j;
+            }
+        }
+        return 0;
+    }
+    weigh_dominated(s, best);
+    for (uint32_t j = 0; j < o->candidates; ++j) {
+        if (s->gain[j] == best) {
+            s->tie[s->ties++] = j;
+        }
+    }
+    return best;
+}
+
+/* After a scan of a growing cover: what was weighed can only fall. */
+static void sharpen_ranking(murk_search *s)
+{
+    const size_t n = s->oracle->undominated;
+    for (size_t k = 0; k < n; ++k) {
+        const uint64_t gain = s->gain[s->ranking[k].candidate];
+        if (gain != NOT_WEIGHED) {
+            s->ranking[k].bound = gain;
+        }
+    }
+    murk_ranked_sort(s->ranking, n);
+}
+
+uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
+                            size_t n, uint64_t *value_after)
+{
+    const murk_oracle *o = s->oracle;
+    memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
+    uint64_t value = stand_others(s, plan, given, given);
+    for (size_t k = given; k < n && !murk_interrupted(); ++k) {
+        value += scan(s, s->ranking, plan, k, k, value);
+        plan[k] = s->tie[0];
+        stand(s, plan[k]);
+        sharpen_ranking(s);
+        if (value_after) {
+            value_after[k] = value;
+        }
+    }
+    return value;
+}
+
+/* The first n of a random permutation of the candidates. */
+static void draw_start(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
+                       uint64_t restart)
+{
+    const uint32_t m = (uint32_t)s->oracle->candidates;
+    for (uint32_t j = 0; j < m; ++j) {
+        s->shuffle[j] = j;
+    }
+    for (uint32_t k = 0; k < n; ++k) {
+        uint32_t word[4];
+        murk_random_words(seed, MURK_SPOQ_START, restart, k, 0, word);
+        const uint32_t at = k + murk_random_below(word[0], m - k);
+        plan[k] = s->shuffle[at];
+        s->shuffle[at] = s->shuffle[k];
+    }
+}
+
+/* A random order of 0..n-1. */
+static void draw_order(uint32_t *order, size_t n, uint32_t seed,
+                       uint64_t restart, uint32_t sweep)
+{
+    for (uint32_t k = 0; k < n; ++k) {
+        order[k] = k;
+    }
+    for (uint32_t k = 0; k + 1 < n; ++k) {
+        uint32_t word[4];
+        murk_random_words(seed, MURK_SPOQ_ORDER, restart, sweep, k, word);
+        const uint32_t at = k + murk_random_below(word[0], (uint32_t)n - k);
+        const uint32_t held = order[at];
+        order[at] = order[k];
+        order[k] = held;
+    }
+}
+
+uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
+                          uint32_t seed, uint64_t restart)
+{
+    draw_start(s, plan, n, seed, restart);
+    uint64_t value = stand_others(s, plan, n, n);
+    uint64_t before;
+    uint32_t sweep = 0, step = 0;
+    do {
+        before = value;
+        draw_order(s->shuffle, n, seed, restart, sweep++);
+        for (size_t k = 0; k < n && !murk_interrupted(); ++k) {
+            const size_t mover = s->shuffle[k];
+            const uint64_t others = stand_others(s, plan, n, mover);
+            value = others + scan(s, s->oracle->ranked, plan, n, mover, others);
+            uint32_t word[4];
+            murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
+            plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
+        }
+    } while (value > before && !murk_interrupted());
+    return value;
+}
+
+uint64_t murk_search_relocate(murk_search *s, uint32_t *plan, size_t n)
+{
+    uint64_t value = 0;
+    size_t still = 0; /* sensors in a row that did not move */
+    for (size_t k = 0; still < n && !murk_interrupted(); k = (k + 1) % n) {
+        const uint64_t others = stand_others(s, plan, n, k);
+        const uint64_t best = scan(s, s->oracle->ranked, plan, n, k, others);
+        value = others + best;
+        if (best > 0 && s->gain[plan[k]] != best) {
+            plan[k] = s->tie[0];
+            still = 0;
+        }
+        ++still; /* one that has just moved stands best, too */
+    }
+    return value;
+}

@@ -1,0 +1,52 @@
+/* Finding plans: greedy, SPOQ and certified relocation, each built on one
+ * question, "which candidates add most to what stands, and which tie?"
+ *
+ * The answer is exact and complete, though most candidates need no weighing:
+ * one adds at most what it is worth alone, and a dominated one at most what
+ * its dominator adds. */
+#ifndef MURK_PLACEMENT_SEARCH_H
+#define MURK_PLACEMENT_SEARCH_H
+
+#include "placement/oracle.h"
+
+/* One worker's desk; carries nothing from one plan to the next. */
+typedef struct murk_search {
+    const murk_oracle *oracle;
+    unsigned worker;  /* who looks when threads is 1 */
+    unsigned threads; /* spread over each scan */
+    murk_cover cover; /* of what stands */
+    uint64_t *gain;   /* [candidates] of this scan, or NOT_WEIGHED */
+    uint32_t *tie;    /* [ties] the candidates that add most, rising */
+    size_t ties;
+    uint32_t *shuffle;    /* [candidates] */
+    murk_ranked *ranking; /* [candidates] greedy's own */
+    uint64_t *chunk_gain;
+    uint32_t *chunk;
+    uint64_t evaluations, looks; /* counted since last set to 0 */
+} murk_search;
+
+murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
+                             unsigned worker, unsigned threads,
+                             murk_error *err);
+void murk_search_release(murk_search *search);
+
+/* All return the value of plan[n], distinct candidates. When interrupted they
+ * return early and the plan means nothing. */
+
+/* Extends the first `given` of plan to n, each the one that adds most, the
+ * lowest number on ties. value_after[k] (NULL is fine) is the value of the
+ * first k + 1, for k >= given. */
+uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
+                            size_t n, uint64_t *value_after);
+
+/* The paper's algorithm from its start number `restart`. Two sensors never
+ * share a candidate: one that another holds adds nothing, so this matters only
+ * where nothing is left to gain. */
+uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
+                          uint32_t seed, uint64_t restart);
+
+/* Moves single sensors while that gains; each stays on ties. At the end no
+ * single move helps. */
+uint64_t murk_search_relocate(murk_search *s, uint32_t *plan, size_t n);
+
+#endif
