@@ -1,0 +1,120 @@
+/* Made-up placement problems with known answers by brute force. */
+#ifndef MURK_TESTS_MADE_UP_H
+#define MURK_TESTS_MADE_UP_H
+
+#include "base/rng.h"
+#include "placement/place.h"
+
+#include <stdlib.h>
+
+typedef struct made_up {
+    murk_problem problem;
+    uint16_t *clarity; /* [candidates][photons] */
+    uint32_t *weight;
+    uint32_t *photon; /* [threads][photons] scratch for looks */
+    uint16_t *seen_clarity;
+    bool all_clear;
+} made_up;
+
+static void made_up_look(void *context, unsigned worker, size_t candidate,
+                         murk_look *look)
+{
+    const made_up *m = context;
+    const size_t n = m->problem.photons;
+    uint32_t *photon = m->photon + worker * n;
+    uint16_t *clarity = m->seen_clarity + worker * n;
+    size_t seen = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (m->clarity[candidate * n + i] > 0) {
+            photon[seen] = (uint32_t)i;
+            clarity[seen++] = m->clarity[candidate * n + i];
+        }
+    }
+    *look = (murk_look){seen, photon, m->all_clear ? NULL : clarity};
+}
+
+/* share: seen pairs of all; levels: distinct clarities (1: all clear);
+ * weights: distinct weights. */
+static made_up *made_up_create(uint32_t seed, size_t photons, size_t candidates,
+                               double share, uint32_t levels, uint32_t weights,
+                               unsigned threads)
+{
+    made_up *m = calloc(1, sizeof *m);
+    m->clarity = calloc(photons * candidates + 1, sizeof *m->clarity);
+    m->weight = calloc(photons + 1, sizeof *m->weight);
+    m->photon = calloc(photons * threads + 1, sizeof *m->photon);
+    m->seen_clarity = calloc(photons * threads + 1, sizeof *m->seen_clarity);
+    m->all_clear = levels == 1;
+    for (size_t j = 0; j < candidates; ++j) {
+        for (size_t i = 0; i < photons; ++i) {
+            uint32_t word[4];
+            murk_random_words(seed, MURK_TEST, i, (uint32_t)j, 0, word);
+            if (word[0] < share * 0x1p32) {
+                m->clarity[j * photons + i] =
+                    (uint16_t)(MURK_CLEAR / levels * (1 + word[1] % levels));
+            }
+        }
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        uint32_t word[4];
+        murk_random_words(seed, MURK_TEST, i, 0, 1, word);
+        m->weight[i] = 3 * (1 + word[0] % weights);
+    }
+    m->problem = (murk_problem){.photons = photons,
+                                .candidates = candidates,
+                                .weight = m->weight,
+                                .look = made_up_look,
+                                .context = m,
+                                .threads = threads};
+    return m;
+}
+
+static void made_up_destroy(made_up *m)
+{
+    free(m->clarity);
+    free(m->weight);
+    free(m->photon);
+    free(m->seen_clarity);
+    free(m);
+}
+
+static uint64_t made_up_value(const made_up *m, const size_t *plan, size_t n)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < m->problem.photons; ++i) {
+        uint16_t best = 0;
+        for (size_t k = 0; k < n; ++k) {
+            const uint16_t p = m->clarity[plan[k] * m->problem.photons + i];
+            best = p > best ? p : best;
+        }
+        sum += (uint64_t)best * m->weight[i];
+    }
+    return sum;
+}
+
+/* The best of all plans of n, by trying each. */
+static inline uint64_t made_up_optimum(const made_up *m, size_t n)
+{
+    size_t plan[8];
+    uint64_t best = 0;
+    for (size_t k = 0; k < n; ++k) {
+        plan[k] = k;
+    }
+    for (;;) {
+        const uint64_t value = made_up_value(m, plan, n);
+        best = value > best ? value : best;
+        size_t k = n;
+        while (k > 0 && plan[k - 1] == m->problem.candidates - n + k - 1) {
+            --k;
+        }
+        if (k == 0) {
+            return best;
+        }
+        ++plan[k - 1];
+        for (; k < n; ++k) {
+            plan[k] = plan[k - 1] + 1;
+        }
+    }
+}
+
+#endif
