@@ -1,16 +1,259 @@
 #include "medium/grid.h"
 
+#include "base/child.h"
+#include "base/log.h"
 #include "medium/march.h"
 #include "medium/tree.h"
+#include "medium/vdb_bridge.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define ALIGNMENT 64 /* what NanoVDB asks of its buffers, at least 32 */
 
 struct murk_grid {
     murk_grid_facts facts;
     unsigned char *buffer; /* the NanoVDB grid; NULL when it is empty */
     murk_tree tree;
 };
+
+/* What the child is to do, and where its result goes. */
+typedef struct job {
+    murk_child *child;
+    const char *path, *name; /* of a file */
+    const size_t *size;      /* of samples */
+    const float *density;
+    double index_to_world[12]; /* three rows of four */
+    bool as_tiles;
+    const char *where;
+} job;
+
+/* In the child: the facts go first, then the grid. */
+static murk_status send_grid(void *context, const murk_vdb_facts *facts,
+                             const void *bytes, size_t size)
+{
+    const job *j = context;
+    const murk_status status = murk_child_send(j->child, facts, sizeof *facts);
+    return status || size == 0 ? status
+                               : murk_child_send(j->child, bytes, size);
+}
+
+static murk_status read_in_child(murk_child *child, void *context,
+                                 murk_error *err)
+{
+    job *j = context;
+    j->child = child;
+    return murk_vdb_read(j->path, j->name, send_grid, j, j->where, err);
+}
+
+static murk_status make_in_child(murk_child *child, void *context,
+                                 murk_error *err)
+{
+    job *j = context;
+    j->child = child;
+    return murk_vdb_from_samples(j->size, j->density, j->index_to_world,
+                                 j->as_tiles, send_grid, j, j->where, err);
+}
+
+static murk_grid_facts take_facts(const murk_vdb_facts *vdb)
+{
+    murk_grid_facts facts = {.active = vdb->active,
+                             .minimum = vdb->minimum,
+                             .maximum = vdb->maximum,
+                             .sum = vdb->sum};
+    memcpy(facts.name, vdb->name, sizeof facts.name);
+    double edge_squared[3] = {0};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const double m = vdb->index_to_world[4 * row + column];
+            facts.index_to_world.matrix[row][column] = m;
+            edge_squared[column] += m * m;
+        }
+    }
+    facts.index_to_world.shift =
+        murk_vec(vdb->index_to_world[3], vdb->index_to_world[7],
+                 vdb->index_to_world[11]);
+    for (int axis = 0; axis < 3; ++axis) {
+        facts.voxel_m[axis] = sqrt(edge_squared[axis]);
+        facts.index_min[axis] = vdb->index_min[axis];
+        facts.index_max[axis] = vdb->index_max[axis];
+    }
+    return facts;
+}
+
+static murk_status copy_buffer(murk_grid *grid, const unsigned char *bytes,
+                               size_t size, const char *where, murk_error *err)
+{
+    if (size == 0) {
+        return MURK_OK;
+    }
+    const size_t room = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    grid->buffer = aligned_alloc(ALIGNMENT, room);
+    if (!grid->buffer) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for a grid of %zu bytes", size);
+    }
+    memcpy(grid->buffer, bytes, size);
+    grid->facts.memory_bytes = room;
+    return MURK_OK;
+}
+
+/* Builds the grid from what the child sent. */
+static murk_status adopt(murk_grid **out, const unsigned char *sent,
+                         size_t size, const char *where, murk_error *err)
+{
+    murk_vdb_facts facts;
+    if (size < sizeof facts) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "malformed: its reader handed over nothing");
+    }
+    memcpy(&facts, sent, sizeof facts);
+    murk_grid *grid = calloc(1, sizeof *grid);
+    if (!grid) {
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a grid");
+    }
+    grid->facts = take_facts(&facts);
+    murk_status status =
+        copy_buffer(grid, sent + sizeof facts, size - sizeof facts, where, err);
+    if (!status) {
+        status = murk_tree_open(&grid->tree, grid->buffer, facts.index_min,
+                                facts.index_max, where, err);
+    }
+    if (status) {
+        goto done;
+    }
+    if (facts.cleared > 0) {
+        murk_warn(where,
+                  "grid %s: %llu voxels hold a value but are not active; "
+                  "they count as 0",
+                  facts.name, (unsigned long long)facts.cleared);
+    }
+    *out = grid;
+    grid = NULL;
+done:
+    murk_grid_destroy(grid);
+    return status;
+}
+
+static murk_status run(murk_grid **out, murk_child_work work, job *j,
+                       uint64_t input_bytes, murk_error *err)
+{
+    const murk_child_limits limits = murk_child_limits_for(input_bytes);
+    unsigned char *sent = NULL;
+    size_t size = 0;
+    murk_status status =
+        murk_child_run(&sent, &size, work, j, &limits, j->where, err);
+    if (!status) {
+        status = adopt(out, sent, size, j->where, err);
+    }
+    free(sent);
+    return status;
+}
+
+/* What can be told without the parser. */
+static murk_status check_file(const char *path, uint64_t *size,
+                              const char *where, murk_error *err)
+{
+    static const unsigned char vdb[8] = {0x20, 'B', 'D', 'V', 0, 0, 0, 0};
+    struct stat facts;
+    if (stat(path, &facts) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, where, "cannot be read: %s",
+                         strerror(errno));
+    }
+    if (!S_ISREG(facts.st_mode)) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         S_ISDIR(facts.st_mode)
+                             ? "is a folder, must be an OpenVDB file"
+                             : "is not a regular file");
+    }
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        return murk_fail(err, MURK_BAD_FILE, where, "cannot be read: %s",
+                         strerror(errno));
+    }
+    unsigned char magic[8] = {0};
+    const size_t n = fread(magic, 1, sizeof magic, file);
+    fclose(file);
+    if (n == 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "is empty, must be an OpenVDB file");
+    }
+    if (n >= 7 && memcmp(magic, "NanoVDB", 7) == 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "is a NanoVDB file, must be OpenVDB: "
+                         "nanovdb_convert makes a .vdb of it");
+    }
+    if (n < sizeof magic || memcmp(magic, vdb, sizeof vdb) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "is not an OpenVDB file (its first bytes differ)");
+    }
+    *size = (uint64_t)facts.st_size;
+    return MURK_OK;
+}
+
+murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
+                           const char *where, murk_error *err)
+{
+    char place[sizeof err->where];
+    snprintf(place, sizeof place, "%s: %s", where, path);
+    uint64_t size = 0;
+    murk_status status = check_file(path, &size, place, err);
+    if (status) {
+        return status;
+    }
+    job j = {.path = path, .name = name, .where = place};
+    status = run(out, read_in_child, &j, size, err);
+    if (!status && (*out)->facts.maximum == 0) {
+        murk_warn(place, "grid %s %s: there is nothing in the way of light",
+                  (*out)->facts.name,
+                  (*out)->facts.active ? "is 0 everywhere" : "is empty");
+    }
+    return status;
+}
+
+murk_status murk_grid_make(murk_grid **out, const size_t size[3],
+                           const float *density,
+                           const murk_affine *index_to_world, bool as_tiles,
+                           const char *where, murk_error *err)
+{
+    size_t voxels = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(size[axis] > 0 && size[axis] <= MURK_SAMPLES_MAX / voxels)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "%zu x %zu x %zu samples, must be 1 or more along "
+                             "each axis and at most %zu in all",
+                             size[0], size[1], size[2],
+                             (size_t)MURK_SAMPLES_MAX);
+        }
+        voxels *= size[axis];
+    }
+    const murk_vec3 shift = index_to_world->shift;
+    job j = {.size = size,
+             .density = density,
+             .as_tiles = as_tiles,
+             .where = where,
+             .index_to_world = {[3] = shift.x, [7] = shift.y, [11] = shift.z}};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            j.index_to_world[4 * row + column] =
+                index_to_world->matrix[row][column];
+        }
+    }
+    return run(out, make_in_child, &j, voxels * sizeof *density, err);
+}
+
+murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],
+                                   const float *density,
+                                   const murk_affine *index_to_world,
+                                   const char *where, murk_error *err)
+{
+    return murk_grid_make(out, size, density, index_to_world, true, where, err);
+}
 
 void murk_grid_destroy(murk_grid *grid)
 {

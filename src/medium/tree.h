@@ -50,4 +50,13 @@ bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density);
 /* A grid's tree. */
 const murk_tree *murk_grid_tree(const murk_grid *grid);
 
+#define MURK_SAMPLES_MAX ((size_t)1 << 31)
+
+/* As murk_grid_from_samples(), which stores blocks of one value as tiles; here
+ * voxel by voxel, too. */
+murk_status murk_grid_make(murk_grid **out, const size_t size[3],
+                           const float *density,
+                           const murk_affine *index_to_world, bool as_tiles,
+                           const char *where, murk_error *err);
+
 #endif

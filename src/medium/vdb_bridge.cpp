@@ -1,0 +1,390 @@
+extern "C" {
+#include "medium/vdb_bridge.h"
+}
+
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+/* initialize() crashes when its templates are hidden. */
+#pragma GCC visibility push(default)
+#include <nanovdb/util/OpenToNanoVDB.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Prune.h>
+#pragma GCC visibility pop
+
+namespace
+{
+
+/* Leaves room for cell ends in int32_t; medium/tree.h. */
+const int64_t INDEX_MAX = int64_t(1) << 30;
+
+struct Place {
+    const char *where;
+    murk_error *err;
+};
+
+struct Entry {
+    std::string unique, name, type;
+    bool is_level_set, is_linear;
+};
+
+bool is_float(const Entry &entry)
+{
+    return entry.type == "float";
+}
+
+/* What the file holds, without reading any tree. */
+std::vector<Entry> list_grids(openvdb::io::File &file)
+{
+    std::vector<Entry> entries;
+    for (auto it = file.beginName(); it != file.endName(); ++it) {
+        Entry entry{*it, *it, "unknown type", false, true};
+        try {
+            const auto grid = file.readGridMetadata(*it);
+            entry.name = grid->getName();
+            entry.type = grid->valueType();
+            entry.is_level_set =
+                grid->getGridClass() == openvdb::GRID_LEVEL_SET;
+            entry.is_linear = grid->transform().isLinear();
+        } catch (const openvdb::Exception &) {
+            /* a type that is not registered: listed, never chosen */
+        }
+        entries.push_back(entry);
+    }
+    return entries;
+}
+
+std::string describe(const std::vector<Entry> &entries)
+{
+    std::string text;
+    for (const Entry &entry : entries) {
+        if (text.size() > 400) {
+            return text + ", ...";
+        }
+        text += (text.empty() ? "" : ", ") + entry.unique + " (" +
+                (entry.is_level_set ? "level set" : entry.type) + ")";
+    }
+    return text;
+}
+
+std::vector<const Entry *> those_named(const std::vector<Entry> &entries,
+                                       const std::string &name)
+{
+    std::vector<const Entry *> found;
+    for (const Entry &entry : entries) {
+        if (entry.unique == name) {
+            return {&entry};
+        }
+        if (entry.name == name) {
+            found.push_back(&entry);
+        }
+    }
+    return found;
+}
+
+murk_status choose(const std::vector<Entry> &entries, const char *name,
+                   const Entry *&chosen, const Place &at)
+{
+    std::vector<const Entry *> found;
+    if (name) {
+        found = those_named(entries, name);
+    } else {
+        for (const Entry &entry : entries) {
+            if (is_float(entry) && !entry.is_level_set) {
+                found.push_back(&entry);
+            }
+        }
+        if (found.size() > 1) {
+            const auto density = those_named(entries, "density");
+            found = density.empty() ? found : density;
+        } else if (found.empty() && entries.size() == 1) {
+            found.push_back(&entries[0]);
+        }
+    }
+    const std::string all = describe(entries);
+    if (entries.empty()) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "holds no grids: empty, or cut off in its header");
+    }
+    if (found.empty()) {
+        return name ? murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                                "no grid named %.100s; there are %s", name,
+                                all.c_str())
+                    : murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                                "no float grid; there are %s", all.c_str());
+    }
+    if (found.size() > 1) {
+        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                         "several grids, choose one by name (such as %.100s) "
+                         "among %s",
+                         found[0]->unique.c_str(), all.c_str());
+    }
+    chosen = found[0];
+    return MURK_OK;
+}
+
+murk_status check_kind(const Entry &entry, const Place &at)
+{
+    const char *name = entry.unique.c_str();
+    if (!is_float(entry)) {
+        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                         "grid %.100s holds %.60s, must be float or half", name,
+                         entry.type.c_str());
+    }
+    if (entry.is_level_set) {
+        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                         "grid %.100s is a level set (distances to a "
+                         "surface), must be a density",
+                         name);
+    }
+    if (!entry.is_linear) {
+        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                         "grid %.100s has a frustum transform, must be linear",
+                         name);
+    }
+    return MURK_OK;
+}
+
+/* OpenVDB multiplies row vectors from the left. */
+murk_status read_transform(const openvdb::FloatGrid &grid,
+                           murk_vdb_facts &facts, const Place &at)
+{
+    const openvdb::Mat4d m =
+        grid.transform().baseMap()->getAffineMap()->getMat4();
+    bool is_sane = std::isnormal(m.det());
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            facts.index_to_world[4 * row + column] = m(column, row);
+            is_sane = is_sane && std::isfinite(m(column, row));
+        }
+    }
+    return is_sane ? MURK_OK
+                   : murk_fail(at.err, MURK_BAD_FILE, at.where,
+                               "grid %.100s has a transform that is singular "
+                               "or not finite",
+                               facts.name);
+}
+
+murk_status check_box(const openvdb::FloatGrid &grid, murk_vdb_facts &facts,
+                      const Place &at)
+{
+    const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+    for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
+        facts.index_min[axis] = box.min()[axis];
+        facts.index_max[axis] = box.max()[axis];
+        if (facts.index_min[axis] <= -INDEX_MAX ||
+            facts.index_max[axis] >= INDEX_MAX) {
+            return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                             "grid %.100s reaches from voxel %lld to %lld "
+                             "along %c, must be within 2^30",
+                             facts.name, (long long)facts.index_min[axis],
+                             (long long)facts.index_max[axis], "xyz"[axis]);
+        }
+    }
+    return MURK_OK;
+}
+
+double volume(const openvdb::CoordBBox &box)
+{
+    const openvdb::Coord edge = box.dim();
+    return double(edge.x()) * edge.y() * edge.z();
+}
+
+/* Counts, sums, and refuses what is no density. */
+murk_status check_values(const openvdb::FloatGrid &grid, murk_vdb_facts &facts,
+                         const Place &at)
+{
+    uint64_t bad = 0;
+    openvdb::Coord first_bad;
+    double first_value = 0;
+    for (auto it = grid.tree().cbeginValueOn(); it; ++it) {
+        const double value = *it;
+        const uint64_t voxels = it.getVoxelCount();
+        if (!(value >= 0 && std::isfinite(value))) {
+            if (bad == 0) {
+                first_bad = it.getCoord();
+                first_value = value;
+            }
+            bad += voxels;
+            continue;
+        }
+        const bool is_first = facts.active == 0;
+        facts.minimum = is_first ? value : std::fmin(facts.minimum, value);
+        facts.maximum = is_first ? value : std::fmax(facts.maximum, value);
+        facts.sum += value * double(voxels);
+        facts.active += voxels;
+    }
+    if (bad > 0) {
+        const openvdb::Vec3d p = grid.indexToWorld(first_bad);
+        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                         "grid %.100s: %llu of %llu values are negative or "
+                         "not finite, the first is %g at voxel (%d, %d, %d), "
+                         "(%g, %g, %g) m; density must be 0 or more",
+                         facts.name, (unsigned long long)bad,
+                         (unsigned long long)(bad + facts.active), first_value,
+                         first_bad.x(), first_bad.y(), first_bad.z(), p.x(),
+                         p.y(), p.z());
+    }
+    const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+    if (facts.active > 0 && double(facts.active) < volume(box)) {
+        facts.minimum = 0;
+    }
+    if (grid.background() != 0) { /* NaN, too */
+        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                         "grid %.100s has the value %g everywhere outside "
+                         "(its background), must be 0",
+                         facts.name, double(grid.background()));
+    }
+    return MURK_OK;
+}
+
+/* Values that are not active count for nothing: the march reads values
+ * without asking whether they are active. */
+void clear_inactive(openvdb::FloatGrid &grid, murk_vdb_facts &facts)
+{
+    for (auto it = grid.tree().beginValueOff(); it; ++it) {
+        if (*it != 0) {
+            facts.cleared += it.getVoxelCount();
+            it.setValue(0);
+        }
+    }
+}
+
+murk_status hand_over(openvdb::FloatGrid::Ptr grid, murk_vdb_facts &facts,
+                      murk_vdb_taker take, void *context, const Place &at)
+{
+    murk_status status = read_transform(*grid, facts, at);
+    if (!status) {
+        status = check_box(*grid, facts, at);
+    }
+    if (!status) {
+        status = check_values(*grid, facts, at);
+    }
+    if (status) {
+        return status;
+    }
+    if (facts.active == 0) {
+        return take(context, &facts, nullptr, 0);
+    }
+    clear_inactive(*grid, facts);
+    /* The tree alone matters: a long name or an odd transform stays here. */
+    auto bare = openvdb::FloatGrid::create(grid->treePtr());
+    nanovdb::OpenToNanoVDB<float, float> convert;
+    const nanovdb::GridHandle<> handle = convert(
+        *bare, nanovdb::StatsMode::BBox, nanovdb::ChecksumMode::Disable, 0);
+    bare.reset();
+    grid.reset(); /* its memory, before the bytes are sent on */
+    return take(context, &facts, handle.data(), handle.size());
+}
+
+void set_name(murk_vdb_facts &facts, const std::string &name)
+{
+    std::strncpy(facts.name, name.c_str(), sizeof facts.name - 1);
+}
+
+murk_status read(const char *path, const char *name, murk_vdb_taker take,
+                 void *context, const Place &at)
+{
+    openvdb::initialize();
+    openvdb::io::File file(path);
+    file.setCopyMaxBytes(0);
+    file.open(false); /* no delayed loading: what is wrong shows here */
+    const std::vector<Entry> entries = list_grids(file);
+    const Entry *entry = nullptr;
+    murk_status status = choose(entries, name, entry, at);
+    if (!status) {
+        status = check_kind(*entry, at);
+    }
+    if (status) {
+        return status;
+    }
+    auto grid =
+        openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(entry->unique));
+    if (!grid) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "grid %.100s is not what its header says",
+                         entry->unique.c_str());
+    }
+    file.close();
+    murk_vdb_facts facts = {};
+    set_name(facts, entry->unique);
+    return hand_over(std::move(grid), facts, take, context, at);
+}
+
+murk_status from_samples(const size_t size[3], const float *density,
+                         const double m[12], int as_tiles, murk_vdb_taker take,
+                         void *context, const Place &at)
+{
+    auto grid = openvdb::FloatGrid::create(0);
+    auto to = grid->getAccessor();
+    const float *value = density;
+    for (size_t k = 0; k < size[2]; ++k) {
+        for (size_t j = 0; j < size[1]; ++j) {
+            for (size_t i = 0; i < size[0]; ++i, ++value) {
+                if (*value != 0) {
+                    to.setValue(openvdb::Coord(int(i), int(j), int(k)), *value);
+                }
+            }
+        }
+    }
+    if (as_tiles) {
+        openvdb::tools::prune(grid->tree());
+    }
+    openvdb::Mat4d transform = openvdb::Mat4d::identity();
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            transform(column, row) = m[4 * row + column];
+        }
+    }
+    grid->setTransform(
+        openvdb::math::Transform::createLinearTransform(transform));
+    murk_vdb_facts facts = {};
+    set_name(facts, "samples");
+    return hand_over(std::move(grid), facts, take, context, at);
+}
+
+/* No exception leaves this file. */
+template <typename Work> murk_status guard(const Place &at, Work work)
+{
+    try {
+        return work();
+    } catch (const std::bad_alloc &) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "asks for more memory than a file of its size may: "
+                         "malformed, or too large");
+    } catch (const std::exception &e) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "malformed OpenVDB file: %.300s", e.what());
+    } catch (...) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "malformed OpenVDB file");
+    }
+}
+
+} // namespace
+
+extern "C" murk_status murk_vdb_read(const char *path, const char *name,
+                                     murk_vdb_taker take, void *context,
+                                     const char *where, murk_error *err)
+{
+    const Place at{where, err};
+    return guard(at, [&] { return read(path, name, take, context, at); });
+}
+
+extern "C" murk_status murk_vdb_from_samples(const size_t size[3],
+                                             const float *density,
+                                             const double index_to_world[12],
+                                             int as_tiles, murk_vdb_taker take,
+                                             void *context, const char *where,
+                                             murk_error *err)
+{
+    const Place at{where, err};
+    return guard(at, [&] {
+        return from_samples(size, density, index_to_world, as_tiles, take,
+                            context, at);
+    });
+}

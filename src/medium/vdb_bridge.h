@@ -1,0 +1,46 @@
+/* The one door to OpenVDB: one density grid of a file, checked, as a NanoVDB
+ * float grid. Inside this room only; plain C for both sides.
+ *
+ * Runs in a child process (base/child.h): a hostile file may crash it or make
+ * it ask for any memory.
+ *
+ * Source: Museth, ACM Trans. Graph. 32 (2013) 27, doi:10.1145/2487228.2487235;
+ * Museth, NanoVDB, SIGGRAPH Talks 2021, doi:10.1145/3450623.3464653. */
+#ifndef MURK_MEDIUM_VDB_BRIDGE_H
+#define MURK_MEDIUM_VDB_BRIDGE_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct murk_vdb_facts {
+    char name[128];
+    uint64_t active;              /* voxels, tiles by their voxels */
+    uint64_t cleared;             /* voxels that were not active and not 0:
+                                     now 0 */
+    double minimum, maximum, sum; /* medium/grid.h */
+    int64_t index_min[3], index_max[3]; /* inclusive */
+    double index_to_world[12];          /* three rows of four */
+} murk_vdb_facts;
+
+/* Receives the result, once: bytes[size] hold the NanoVDB grid (size 0 where
+ * no voxel is active) and are lent for the call. */
+typedef murk_status (*murk_vdb_taker)(void *context,
+                                      const murk_vdb_facts *facts,
+                                      const void *bytes, size_t size);
+
+/* Reads the grid that `name` chooses (medium/grid.h) from `path` and calls
+ * `take`. Fails with MURK_BAD_FILE or MURK_BAD_VALUE at `where`. */
+murk_status murk_vdb_read(const char *path, const char *name,
+                          murk_vdb_taker take, void *context, const char *where,
+                          murk_error *err);
+
+/* The same from dense samples, x fastest, voxel (0,0,0) first. Blocks of one
+ * value become tiles where as_tiles is not 0. */
+murk_status murk_vdb_from_samples(const size_t size[3], const float *density,
+                                  const double index_to_world[12], int as_tiles,
+                                  murk_vdb_taker take, void *context,
+                                  const char *where, murk_error *err);
+
+#endif
