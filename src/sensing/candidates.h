@@ -1,9 +1,17 @@
 /* Where sensors may stand: a grid of points, less those out of free space.
  *
- * A point is usable when it is reached from a lamp (from the domain's open
- * sides for distant light) by unblocked steps between neighbouring grid points
- * and is at least clearance_m from any surface. So the inside of a crate is
- * dropped, also in open and badly wound meshes. */
+ * A point is usable when it is reached and at least clearance_m from any
+ * surface. Reached is what has an unblocked straight way to a lamp's place (for
+ * distant light, along an axis to an open side of the domain: all six, of a
+ * periodic domain top and bottom), and what unblocked steps between the grid's
+ * neighbours along the axes then lead to, through points too close as well. In
+ * a periodic domain ways go to the nearest image, and the grid's ends along x
+ * and y are neighbours through the side. Transmitting sheets block nothing. So
+ * the inside of a crate is dropped, also in open and badly wound meshes.
+ *
+ * A point within rounding of a surface (2^-18 of the domain's largest
+ * coordinate; more where surfaces are larger than the domain) sees nothing: it
+ * is dropped as too close and leads nowhere. */
 #ifndef MURK_SENSING_CANDIDATES_H
 #define MURK_SENSING_CANDIDATES_H
 
@@ -21,9 +29,11 @@ typedef struct murk_candidate_grid {
 
 /* Where free space is entered from. */
 typedef struct murk_reach {
-    const murk_vec3 *lamps; /* [n_lamps] points from which light starts */
+    const murk_vec3 *lamps; /* [n_lamps] points from which light starts. One on
+                               a surface counts for both its sides: move it
+                               off to the side that is lit, where known */
     size_t n_lamps;
-    bool from_sides;   /* distant light: from the domain's open sides, too */
+    bool from_sides; /* distant light: from the domain's open sides, too */
     murk_domain domain;
 } murk_reach;
 
@@ -32,11 +42,14 @@ typedef struct murk_candidates {
     size_t usable;
     size_t doubtful; /* dropped, though a diagonal step would have reached them,
                         or kept, though within rounding of a surface */
-    size_t too_close; /* dropped for clearance */
-    size_t unreached; /* dropped for reach */
+    size_t too_close;    /* dropped for clearance */
+    size_t unreached;    /* dropped for reach */
     murk_vec3 *position; /* [usable], in grid order: x fastest, then y, z */
 } murk_candidates;
 
+/* *out is the caller's: murk_candidates_destroy(). Fails with MURK_BAD_VALUE
+ * at `where`: no or over 1e8 points, a point outside the domain, a negative
+ * clearance, or no point usable (the message counts why). */
 murk_status murk_candidates_create(murk_candidates **out,
                                    const murk_candidate_grid *grid,
                                    const murk_surfaces *surfaces,

@@ -2,8 +2,15 @@
  *
  * V = [within range][surface photon: normal . (sensor - photon) > 0][segment
  * open]; clarity = V * transmittance of sheets and media along the segment, in
- * the photon's band. Photons are numbered surface map first, then volume map,
- * each in the map's own order. Immutable but for its counters. */
+ * the photon's band, rounded to 1/65535: what rounds to 0 is not seen. Photons
+ * are numbered surface map first, then volume map, each in the map's own
+ * order. Immutable but for its counters.
+ *
+ * Grazing is not seen. "> 0" means above what storing a photon may move it
+ * by: 2^-20 of its coordinates' size, and MURK_DIRECTION_ERROR_RAD where its
+ * normal is not along an axis (axes are stored exactly). So a sensor in the
+ * plane of a wall sees nothing of it; the cost is the sliver within that
+ * height or angle of the plane. */
 #ifndef MURK_SENSING_SIGHT_H
 #define MURK_SENSING_SIGHT_H
 
@@ -17,11 +24,14 @@
 
 typedef enum murk_visibility {
     MURK_VISIBILITY_RAY,   /* shadow rays: the default */
-    MURK_VISIBILITY_NORMAL /* the paper's literal text: the normal test only */
+    MURK_VISIBILITY_NORMAL /* the paper's literal text: the normal test in place
+                              of shadow rays. Surfaces, sheets too, hide
+                              nothing; media still attenuate */
 } murk_visibility;
 
 /* Balanced: the mean of the two maps' fractions (an empty map's half goes to
- * the other); else (a X_S + b X_V) / (a Y_S + b Y_V). */
+ * the other; a map without power counts as empty); else (a X_S + b X_V) / (a
+ * Y_S + b Y_V). */
 typedef struct murk_map_weights {
     bool balanced;
     double surface, volume; /* a, b >= 0, not both 0 */
@@ -33,7 +43,7 @@ typedef struct murk_sight_desc {
     murk_domain domain; /* periodic: sightlines go to the nearest image */
     const murk_photon_map *surface_map, *volume_map; /* either may be empty */
     uint64_t photons_emitted; /* all emitted, those that stored nothing too */
-    double range_m;
+    double range_m;           /* > 0, may be INFINITY */
     murk_visibility visibility;
     bool through_sheets; /* through: thin; false: block */
     murk_map_weights weights;
@@ -42,7 +52,11 @@ typedef struct murk_sight_desc {
 
 typedef struct murk_sight murk_sight;
 
-/* Borrows all that desc points to. */
+/* Borrows all that desc points to. Fails with MURK_BAD_VALUE (range, weights),
+ * MURK_BAD_FILE (a record that no run can have stored: power negative or not
+ * finite, place not finite, band or emitted index out of range),
+ * MURK_RUN_FAILED (no photon has weight) or MURK_NO_MEMORY: 4 to 10 bytes a
+ * photon and thread are set aside for looks. */
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_sight_destroy(murk_sight *sight); /* NULL is fine */
@@ -62,11 +76,18 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_vec3 *position, size_t n);
 
 /* Whole-number weights of the photons [surface + volume], as the plan counts
- * them. */
+ * them: in proportion to power within a map, rounded; equal powers weigh the
+ * same. Rounding moves a weight by half a unit, less than 2^-20 of its map's
+ * mean weight up to 2^26 records, unless so few records carry a map's power
+ * that theirs meet the end of 32 bits. Their sum is below 2^47. */
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
 
-/* Counters since creation. */
+/* What it was made from. */
+const murk_sight_desc *murk_sight_described(const murk_sight *sight);
+
+/* Counters since creation: looks (each asks both maps), and sightlines tested
+ * against surfaces. */
 uint64_t murk_sight_queries(const murk_sight *sight);
 uint64_t murk_sight_shadow_rays(const murk_sight *sight);
 
@@ -75,14 +96,21 @@ typedef struct murk_coverage {
     murk_estimate total;   /* error by emitted photon */
     murk_estimate surface; /* NaN where the map is empty */
     murk_estimate volume;
-    double sum_of_views;   /* the paper's eq. (1) as printed: photons seen
-                              twice count twice */
-    double *covers;        /* [n] alone */
-    double *only_it_covers; /* [n] total less total without it */
+    double sum_of_views;      /* the paper's eq. (1) as printed: photons seen
+                                 twice count twice */
+    double *covers;           /* [n] alone */
+    double *only_it_covers;   /* [n] total less total without it */
     double *seen_by_at_least; /* [n]: by 1, 2, .., n sensors, of the balanced
                                  weight, seen at all counting whole */
 } murk_coverage;
 
+/* All fractions are of the same whole-number weights that plans count, so
+ * total is exactly a plan's value / whole. Errors: the ratio estimator over
+ * all emitted photons, each with all its records of both maps together; for
+ * `balanced` the residuals of the two ratios are added photon by photon (the
+ * maps' records of one path are correlated). Fails with MURK_BAD_VALUE when a
+ * sensor is outside the domain, MURK_NO_MEMORY (some 26 bytes a photon) or
+ * MURK_INTERRUPTED. Release with murk_coverage_release(). */
 murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
                                   const murk_vec3 *position, size_t n,
                                   murk_error *err);

@@ -1,0 +1,366 @@
+/* Coverage of a set of sensors, with its error.
+ *
+ * Records of one emitted photon are correlated, so the error is by emitted
+ * photon e. With whole-number weights, X_e the seen and Y_e the whole weight of
+ * its records, C = sum X / sum Y has the linearised residual r_e = (X_e - C
+ * Y_e) / sum Y. `balanced` is a fixed mix of two such ratios, so its residual
+ * is the same mix of theirs; photons that stored nothing have none. Then se^2
+ * = N / (N - 1) sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
+#include "sensing/sight.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Looks held at a time, per thread. */
+#define LOOKS_EACH 4
+
+/* What the sensors so far see of one photon. */
+typedef struct view {
+    uint16_t best, second; /* clearest and next */
+    uint32_t sensors;      /* that see it at all */
+    uint32_t clearest;     /* the one that has `best` first */
+} view;
+
+typedef struct kept_look {
+    murk_look look; /* its arrays owned */
+    bool has_failed;
+} kept_look;
+
+typedef struct measure {
+    murk_sight *sight;
+    const murk_vec3 *position;
+    size_t sensors, photons, surface_photons;
+    const uint32_t *weight;
+    view *view;             /* [photons] */
+    kept_look *block;       /* [LOOKS_EACH * threads] */
+    size_t first;           /* sensor of block[0] */
+    uint64_t *alone, *only; /* [sensors], in weight * clarity */
+    uint64_t *seen_by;      /* [sensors + 1]: weight seen by that many */
+} measure;
+
+/* One map's weight * clarity: whole and seen. */
+typedef struct share {
+    uint64_t seen, whole;
+} share;
+
+/* ---- looking ---- */
+
+static void *copy(const void *from, size_t bytes)
+{
+    void *out = malloc(bytes + 1);
+    if (out && bytes) {
+        memcpy(out, from, bytes);
+    }
+    return out;
+}
+
+static void look_from(void *context, unsigned worker, uint64_t batch)
+{
+    measure *m = context;
+    kept_look *s = &m->block[batch];
+    murk_look look;
+    murk_sight_look(m->sight, worker, m->position[m->first + batch], &look);
+    s->look.seen = look.seen;
+    s->look.photon = copy(look.photon, look.seen * sizeof *look.photon);
+    s->look.clarity = look.clarity
+                          ? copy(look.clarity, look.seen * sizeof *look.clarity)
+                          : NULL;
+    s->has_failed = !s->look.photon || (look.clarity && !s->look.clarity);
+}
+
+static void take_up(measure *m, uint32_t sensor, const murk_look *look)
+{
+    for (size_t k = 0; k < look->seen; ++k) {
+        const uint32_t i = look->photon[k];
+        const uint16_t clarity = look->clarity ? look->clarity[k] : MURK_CLEAR;
+        view *v = &m->view[i];
+        m->alone[sensor] += (uint64_t)m->weight[i] * clarity;
+        ++v->sensors;
+        if (clarity > v->best) {
+            v->second = v->best;
+            v->best = clarity;
+            v->clearest = sensor;
+        } else if (clarity > v->second) {
+            v->second = clarity;
+        }
+    }
+}
+
+static void release_block(kept_look *block, size_t n)
+{
+    for (size_t i = 0; block && i < n; ++i) {
+        free((void *)(uintptr_t)block[i].look.photon);
+        free((void *)(uintptr_t)block[i].look.clarity);
+        block[i] = (kept_look){0};
+    }
+}
+
+static murk_status look_all(measure *m, murk_error *err)
+{
+    const unsigned threads = murk_sight_described(m->sight)->threads;
+    const size_t room = (size_t)LOOKS_EACH * threads;
+    for (m->first = 0; m->first < m->sensors; m->first += room) {
+        const size_t left = m->sensors - m->first;
+        const size_t n = left < room ? left : room;
+        murk_crew_run_workers(threads, n, look_from, m);
+        bool has_failed = false;
+        for (size_t i = 0; i < n; ++i) {
+            has_failed = has_failed || m->block[i].has_failed;
+        }
+        if (murk_interrupted()) {
+            return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        }
+        if (has_failed) {
+            return murk_fail(err, MURK_NO_MEMORY, "",
+                             "no memory to look from %zu sensors", n);
+        }
+        for (size_t i = 0; i < n; ++i) {
+            take_up(m, (uint32_t)(m->first + i), &m->block[i].look);
+        }
+        release_block(m->block, n);
+    }
+    return MURK_OK;
+}
+
+/* ---- sums ---- */
+
+static share add_up(measure *m, size_t begin, size_t end)
+{
+    share sum = {0, 0};
+    for (size_t i = begin; i < end; ++i) {
+        const view *v = &m->view[i];
+        const uint64_t w = m->weight[i];
+        sum.seen += w * v->best;
+        sum.whole += w * MURK_CLEAR;
+        m->seen_by[v->sensors] += w;
+        if (v->best > 0) {
+            m->only[v->clearest] += w * (uint64_t)(v->best - v->second);
+        }
+    }
+    return sum;
+}
+
+static double ratio(uint64_t part, uint64_t whole)
+{
+    return whole > 0 ? (double)part / (double)whole : NAN;
+}
+
+static void fill(murk_coverage *out, const measure *m, uint64_t whole)
+{
+    uint64_t seen = 0;
+    for (size_t k = m->sensors; k-- > 0;) {
+        seen += m->seen_by[k + 1];
+        out->seen_by_at_least[k] = ratio(seen * MURK_CLEAR, whole);
+    }
+    out->sum_of_views = 0;
+    for (size_t j = 0; j < m->sensors; ++j) {
+        out->covers[j] = ratio(m->alone[j], whole);
+        out->only_it_covers[j] = ratio(m->only[j], whole);
+        out->sum_of_views += out->covers[j];
+    }
+}
+
+/* ---- errors by emitted photon ---- */
+
+/* Records in order of emitted photon: emitted << 32 | record. Two arrays of
+ * `photons`; returns the one that holds the result. Least significant digit
+ * first, so records of one photon stay in order. */
+static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
+                                 uint64_t emitted)
+{
+    for (unsigned shift = 32; shift < 64 && (emitted - 1) >> (shift - 32) > 0;
+         shift += 8) {
+        size_t begin[257] = {0};
+        for (size_t i = 0; i < n; ++i) {
+            ++begin[(keys[i] >> shift & 255) + 1];
+        }
+        for (int d = 0; d < 256; ++d) {
+            begin[d + 1] += begin[d];
+        }
+        for (size_t i = 0; i < n; ++i) {
+            other[begin[keys[i] >> shift & 255]++] = keys[i];
+        }
+        uint64_t *const sorted = other;
+        other = keys;
+        keys = sorted;
+    }
+    return keys;
+}
+
+typedef struct residuals {
+    double total, surface, volume; /* sums of squares */
+} residuals;
+
+/* In units of weight * clarity. The coverages are those of the records' own
+ * map for `balanced`, else both the total's. */
+static residuals square_residuals(const measure *m, const uint64_t *key,
+                                  const murk_coverage *coverage)
+{
+    const bool balanced = murk_sight_described(m->sight)->weights.balanced;
+    const double c_surface = coverage->surface.value;
+    const double c_volume = coverage->volume.value;
+    const double c_total = coverage->total.value;
+    residuals sum = {0, 0, 0};
+    for (size_t k = 0; k < m->photons;) {
+        const uint64_t emitted = key[k] >> 32;
+        double surface = 0, volume = 0, total = 0;
+        for (; k < m->photons && key[k] >> 32 == emitted; ++k) {
+            const size_t i = (size_t)(key[k] & UINT32_MAX);
+            const double x = (double)m->weight[i] * m->view[i].best;
+            const double y = (double)m->weight[i] * MURK_CLEAR;
+            double *const part = i < m->surface_photons ? &surface : &volume;
+            const double c = i < m->surface_photons ? c_surface : c_volume;
+            if (y > 0) {
+                *part += x - c * y;
+                total += x - (balanced ? c : c_total) * y;
+            }
+        }
+        sum.surface += surface * surface;
+        sum.volume += volume * volume;
+        sum.total += total * total;
+    }
+    return sum;
+}
+
+static double error_of(double squares, uint64_t whole, double emitted)
+{
+    return whole > 0 && emitted > 1
+               ? sqrt(emitted / (emitted - 1) * squares) / (double)whole
+               : NAN;
+}
+
+static murk_status find_errors(murk_coverage *out, const measure *m,
+                               const share *surface, const share *volume,
+                               murk_error *err)
+{
+    const murk_sight_desc *desc = murk_sight_described(m->sight);
+    const murk_photon *s = murk_photon_map_photons(desc->surface_map);
+    const murk_photon *v = murk_photon_map_photons(desc->volume_map);
+    uint64_t *keys = malloc(m->photons * sizeof *keys);
+    uint64_t *other = malloc(m->photons * sizeof *other);
+    murk_status status = MURK_OK;
+    if (!keys || !other) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to sort %zu photons", m->photons);
+        goto done;
+    }
+    for (size_t i = 0; i < m->photons; ++i) {
+        const uint64_t emitted = i < m->surface_photons
+                                     ? s[i].emitted
+                                     : v[i - m->surface_photons].emitted;
+        keys[i] = emitted << 32 | i;
+    }
+    const uint64_t *sorted =
+        sort_by_emitted(keys, other, m->photons, desc->photons_emitted);
+    const residuals sum = square_residuals(m, sorted, out);
+    const double emitted = (double)desc->photons_emitted;
+    out->surface.standard_error =
+        error_of(sum.surface, surface->whole, emitted);
+    out->volume.standard_error = error_of(sum.volume, volume->whole, emitted);
+    out->total.standard_error =
+        error_of(sum.total, surface->whole + volume->whole, emitted);
+done:
+    free(keys);
+    free(other);
+    return status;
+}
+
+/* ---- the measure ---- */
+
+static murk_status check(const murk_sight_desc *desc, const murk_vec3 *position,
+                         size_t n, murk_error *err)
+{
+    for (size_t j = 0; j < n; ++j) {
+        const murk_vec3 p = position[j], min = desc->domain.box.min,
+                        max = desc->domain.box.max;
+        if (!murk_box_contains(&desc->domain.box, p)) {
+            return murk_fail(err, MURK_BAD_VALUE, "sensors",
+                             "sensor %zu at [%g, %g, %g] m is outside the "
+                             "domain, [%g, %g, %g] to [%g, %g, %g] m",
+                             j + 1, p.x, p.y, p.z, min.x, min.y, min.z, max.x,
+                             max.y, max.z);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
+{
+    const size_t n = m->sensors;
+    const size_t room =
+        (size_t)LOOKS_EACH * murk_sight_described(m->sight)->threads;
+    m->view = calloc(m->photons, sizeof *m->view);
+    m->block = calloc(room, sizeof *m->block);
+    m->alone = calloc(n + 1, sizeof *m->alone);
+    m->only = calloc(n + 1, sizeof *m->only);
+    m->seen_by = calloc(n + 1, sizeof *m->seen_by);
+    out->covers = calloc(n + 1, sizeof *out->covers);
+    out->only_it_covers = calloc(n + 1, sizeof *out->only_it_covers);
+    out->seen_by_at_least = calloc(n + 1, sizeof *out->seen_by_at_least);
+    if (m->view && m->block && m->alone && m->only && m->seen_by &&
+        out->covers && out->only_it_covers && out->seen_by_at_least) {
+        return MURK_OK;
+    }
+    return murk_fail(err, MURK_NO_MEMORY, "",
+                     "no memory to measure %zu sensors over %zu photons", n,
+                     m->photons);
+}
+
+murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
+                                  const murk_vec3 *position, size_t n,
+                                  murk_error *err)
+{
+    const murk_sight_desc *desc = murk_sight_described(sight);
+    measure m = {.sight = sight,
+                 .position = position,
+                 .sensors = n,
+                 .photons = murk_sight_photons(sight),
+                 .surface_photons = murk_photon_map_count(desc->surface_map),
+                 .weight = murk_sight_weights(sight)};
+    murk_coverage coverage = {0};
+    murk_status status = check(desc, position, n, err);
+    if (status) {
+        goto done;
+    }
+    status = set_aside(&m, &coverage, err);
+    if (status) {
+        goto done;
+    }
+    status = look_all(&m, err);
+    if (status) {
+        goto done;
+    }
+    const share surface = add_up(&m, 0, m.surface_photons);
+    const share volume = add_up(&m, m.surface_photons, m.photons);
+    const uint64_t whole = surface.whole + volume.whole;
+    fill(&coverage, &m, whole);
+    coverage.surface.value = ratio(surface.seen, surface.whole);
+    coverage.volume.value = ratio(volume.seen, volume.whole);
+    coverage.total.value = ratio(surface.seen + volume.seen, whole);
+    status = find_errors(&coverage, &m, &surface, &volume, err);
+    if (status) {
+        goto done;
+    }
+    *out = coverage;
+    coverage = (murk_coverage){0};
+done:
+    murk_coverage_release(&coverage);
+    release_block(m.block, (size_t)LOOKS_EACH * desc->threads);
+    free(m.view);
+    free(m.block);
+    free(m.alone);
+    free(m.only);
+    free(m.seen_by);
+    return status;
+}
+
+void murk_coverage_release(murk_coverage *coverage)
+{
+    free(coverage->covers);
+    free(coverage->only_it_covers);
+    free(coverage->seen_by_at_least);
+    *coverage = (murk_coverage){0};
+}

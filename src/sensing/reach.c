@@ -1,0 +1,421 @@
+#include "sensing/reach.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/tally.h"
+#include "sensing/segment.h"
+
+#include <stdlib.h>
+
+#define BATCH_POINTS 1024
+
+enum reached {
+    UNREACHED,
+    SEEN_BY_LIGHT, /* its neighbours are still to be visited */
+    REACHED
+};
+
+typedef struct search {
+    const murk_candidate_grid *grid;
+    const murk_surfaces *surfaces;
+    const murk_reach *reach;
+    unsigned threads;
+    size_t points;
+    size_t stride[3];
+    double hair_m;
+    murk_vec3 aside[2]; /* half a hair, to either side */
+    uint8_t *closeness;
+    uint8_t *open; /* bit `axis`: the step onward along the axis is open */
+    uint8_t *reached;
+    uint32_t *stack;
+    murk_vec3 light; /* the place that points are asked to see */
+    murk_tally doubtful;
+} search;
+
+static double coordinate(double min, double max, size_t i, size_t n)
+{
+    if (n == 1) {
+        return min + (max - min) / 2;
+    }
+    return i + 1 == n ? max : min + (max - min) * (double)i / (double)(n - 1);
+}
+
+murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
+                                    size_t index)
+{
+    const size_t *n = grid->size;
+    const size_t i = index % n[0], j = index / n[0] % n[1],
+                 k = index / n[0] / n[1];
+    return murk_vec(coordinate(grid->min.x, grid->max.x, i, n[0]),
+                    coordinate(grid->min.y, grid->max.y, j, n[1]),
+                    coordinate(grid->min.z, grid->max.z, k, n[2]));
+}
+
+static bool is_open(const search *s, murk_vec3 from, murk_vec3 to)
+{
+    const murk_domain *domain = &s->reach->domain;
+    if (murk_segment_blocked(s->surfaces, domain, from, to, true)) {
+        return false;
+    }
+    for (int i = 0; i < 2; ++i) {
+        if (murk_segment_blocked(s->surfaces, domain, from,
+                                 murk_add(to, s->aside[i]), true)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- closeness ---- */
+
+static murk_closeness closeness_of(const search *s, murk_vec3 point)
+{
+    const double hair = s->hair_m, clearance = s->grid->clearance_m;
+    if (murk_surfaces_near(s->surfaces, point, hair)) {
+        return MURK_ON_SURFACE;
+    }
+    /* A point that stands at the clearance itself is not dropped by rounding.
+     */
+    if (clearance > 2 * hair &&
+        murk_surfaces_near(s->surfaces, point, clearance - hair)) {
+        return MURK_TOO_CLOSE;
+    }
+    return murk_surfaces_near(s->surfaces, point, 2 * hair)
+               ? MURK_BARELY_CLEAR
+               : MURK_CLEAR_OF_SURFACES;
+}
+
+static size_t batch_end(const search *s, uint64_t batch)
+{
+    const size_t end = (size_t)(batch + 1) * BATCH_POINTS;
+    return end < s->points ? end : s->points;
+}
+
+static void measure_closeness(void *context, uint64_t batch)
+{
+    search *s = context;
+    const size_t begin = (size_t)batch * BATCH_POINTS;
+    const size_t end = batch_end(s, batch);
+    for (size_t i = begin; i < end; ++i) {
+        s->closeness[i] =
+            (uint8_t)closeness_of(s, murk_candidate_grid_point(s->grid, i));
+    }
+    murk_progress_add(end - begin);
+}
+
+/* ---- steps between neighbours ---- */
+
+/* The next point along the axis that is not on a surface, and whether the way
+ * there wraps at a periodic side. Passing over points on surfaces lets a sheet
+ * that lies in a plane of the grid be crossed like any other. */
+static bool onward(const search *s, size_t point, int axis, size_t *next,
+                   bool *wraps)
+{
+    const size_t n = s->grid->size[axis];
+    const size_t at = point / s->stride[axis] % n;
+    const size_t base = point - at * s->stride[axis];
+    const bool may_wrap = s->reach->domain.is_periodic && axis < 2;
+    for (size_t step = 1; step < n && (may_wrap || at + step < n); ++step) {
+        const size_t j = base + (at + step) % n * s->stride[axis];
+        if (s->closeness[j] != MURK_ON_SURFACE) {
+            *next = j;
+            *wraps = at + step >= n;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The point whose onward step leads to `point`. */
+static bool backward(const search *s, size_t point, int axis, size_t *previous)
+{
+    const size_t n = s->grid->size[axis];
+    const size_t at = point / s->stride[axis] % n;
+    const size_t base = point - at * s->stride[axis];
+    const bool may_wrap = s->reach->domain.is_periodic && axis < 2;
+    for (size_t step = 1; step < n && (may_wrap || step <= at); ++step) {
+        const size_t j = base + (at + n - step) % n * s->stride[axis];
+        if (s->closeness[j] != MURK_ON_SURFACE) {
+            *previous = j;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool step_is_open(const search *s, size_t point, int axis)
+{
+    size_t next;
+    bool wraps;
+    if (!onward(s, point, axis, &next, &wraps)) {
+        return false;
+    }
+    const murk_vec3 from = murk_candidate_grid_point(s->grid, point);
+    murk_vec3 to = murk_candidate_grid_point(s->grid, next);
+    if (wraps) {
+        const murk_box *box = &s->reach->domain.box;
+        to.x += axis == 0 ? box->max.x - box->min.x : 0;
+        to.y += axis == 1 ? box->max.y - box->min.y : 0;
+    }
+    return is_open(s, from, to);
+}
+
+static void open_steps(void *context, uint64_t batch)
+{
+    search *s = context;
+    const size_t begin = (size_t)batch * BATCH_POINTS;
+    const size_t end = batch_end(s, batch);
+    for (size_t i = begin; i < end; ++i) {
+        unsigned open = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (s->closeness[i] != MURK_ON_SURFACE &&
+                step_is_open(s, i, axis)) {
+                open |= 1u << axis;
+            }
+        }
+        s->open[i] = (uint8_t)open;
+    }
+    murk_progress_add(end - begin);
+}
+
+static size_t push(search *s, size_t depth, size_t point)
+{
+    if (s->reached[point] != REACHED) {
+        s->reached[point] = REACHED;
+        s->stack[depth++] = (uint32_t)point;
+    }
+    return depth;
+}
+
+/* Visits all that open steps lead to from `point`. A point is pushed once, so
+ * the stack holds all. */
+static void flood(search *s, size_t point)
+{
+    size_t depth = push(s, 0, point);
+    while (depth > 0) {
+        const size_t at = s->stack[--depth];
+        for (int axis = 0; axis < 3; ++axis) {
+            size_t other;
+            bool wraps;
+            if ((s->open[at] >> axis & 1) &&
+                onward(s, at, axis, &other, &wraps)) {
+                depth = push(s, depth, other);
+            }
+            if (backward(s, at, axis, &other) && (s->open[other] >> axis & 1)) {
+                depth = push(s, depth, other);
+            }
+        }
+    }
+}
+
+/* ---- where free space is entered from ---- */
+
+static void ask_light(void *context, uint64_t batch)
+{
+    search *s = context;
+    const size_t end = batch_end(s, batch);
+    for (size_t i = (size_t)batch * BATCH_POINTS; i < end; ++i) {
+        if (s->reached[i] || s->closeness[i] == MURK_ON_SURFACE) {
+            continue;
+        }
+        const murk_vec3 point = murk_candidate_grid_point(s->grid, i);
+        const murk_vec3 to =
+            murk_nearest_image(&s->reach->domain, point, s->light);
+        if (is_open(s, s->light, to)) {
+            s->reached[i] = SEEN_BY_LIGHT;
+        }
+    }
+}
+
+/* Beyond the side by two hairs: a wall in the side's plane closes it. */
+static bool sees_open_side(const search *s, murk_vec3 point)
+{
+    const murk_domain *domain = &s->reach->domain;
+    const double beyond = 2 * s->hair_m;
+    const double x[2] = {domain->box.min.x - beyond,
+                         domain->box.max.x + beyond};
+    const double y[2] = {domain->box.min.y - beyond,
+                         domain->box.max.y + beyond};
+    const double z[2] = {domain->box.min.z - beyond,
+                         domain->box.max.z + beyond};
+    for (int i = 0; i < 2; ++i) {
+        if (is_open(s, murk_vec(point.x, point.y, z[i]), point)) {
+            return true;
+        }
+        if (domain->is_periodic) {
+            continue;
+        }
+        if (is_open(s, murk_vec(x[i], point.y, point.z), point) ||
+            is_open(s, murk_vec(point.x, y[i], point.z), point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void ask_sides(void *context, uint64_t batch)
+{
+    search *s = context;
+    const size_t end = batch_end(s, batch);
+    for (size_t i = (size_t)batch * BATCH_POINTS; i < end; ++i) {
+        if (!s->reached[i] && s->closeness[i] != MURK_ON_SURFACE &&
+            sees_open_side(s, murk_candidate_grid_point(s->grid, i))) {
+            s->reached[i] = SEEN_BY_LIGHT;
+        }
+    }
+}
+
+static void enter_by(search *s, murk_job ask)
+{
+    const uint64_t batches = (s->points + BATCH_POINTS - 1) / BATCH_POINTS;
+    murk_crew_run(s->threads, batches, ask, s);
+    for (size_t i = 0; i < s->points; ++i) {
+        if (s->reached[i] == SEEN_BY_LIGHT) {
+            flood(s, i);
+        }
+    }
+}
+
+/* A lamp on a surface shines to either side: the places just off it. Returns
+ * how many; 1 where it hangs free. */
+static int light_places(const search *s, murk_vec3 lamp, murk_vec3 place[2])
+{
+    static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    place[0] = lamp;
+    if (!murk_surfaces_near(s->surfaces, lamp, s->hair_m)) {
+        return 1;
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            murk_hit hit;
+            const murk_vec3 way = murk_scale(sign, axes[i]);
+            const murk_vec3 start = murk_along(lamp, -4 * s->hair_m, way);
+            if (murk_surfaces_hit(s->surfaces, start, way, 8 * s->hair_m,
+                                  &hit)) {
+                /* Two hairs off: the ways are asked half a hair aside. */
+                const murk_vec3 on = murk_along(start, hit.distance_m, way);
+                place[0] = murk_along(on, 2 * s->hair_m, hit.normal);
+                place[1] = murk_along(on, -2 * s->hair_m, hit.normal);
+                return 2;
+            }
+        }
+    }
+    return 1;
+}
+
+/* ---- doubt ---- */
+
+static bool diagonal_is_open(const search *s, size_t point, const int step[3])
+{
+    size_t other = point;
+    for (int axis = 0; axis < 3; ++axis) {
+        const size_t at = point / s->stride[axis] % s->grid->size[axis];
+        if ((step[axis] < 0 && at == 0) ||
+            (step[axis] > 0 && at + 1 == s->grid->size[axis])) {
+            return false;
+        }
+        other += (size_t)step[axis] * s->stride[axis]; /* modular: may be < 0 */
+    }
+    return s->reached[other] &&
+           is_open(s, murk_candidate_grid_point(s->grid, other),
+                   murk_candidate_grid_point(s->grid, point));
+}
+
+static bool is_doubtful(const search *s, size_t point)
+{
+    for (int k = 0; k < 27; ++k) {
+        const int step[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        const int along = abs(step[0]) + abs(step[1]) + abs(step[2]);
+        if (along >= 2 && diagonal_is_open(s, point, step)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void count_doubtful(void *context, uint64_t batch)
+{
+    search *s = context;
+    const size_t begin = (size_t)batch * BATCH_POINTS;
+    const size_t end = batch_end(s, batch);
+    int64_t doubtful = 0;
+    for (size_t i = begin; i < end; ++i) {
+        doubtful += !s->reached[i] && s->closeness[i] != MURK_ON_SURFACE &&
+                    is_doubtful(s, i);
+    }
+    murk_tally_add(&s->doubtful, doubtful);
+    murk_progress_add(end - begin);
+}
+
+static void explore(search *s)
+{
+    const uint64_t batches = (s->points + BATCH_POINTS - 1) / BATCH_POINTS;
+    murk_progress_begin("reach", 3 * (uint64_t)s->points, "points");
+    murk_crew_run(s->threads, batches, measure_closeness, s);
+    murk_crew_run(s->threads, batches, open_steps, s);
+    for (size_t l = 0; l < s->reach->n_lamps && !murk_interrupted(); ++l) {
+        murk_vec3 place[2];
+        const int n = light_places(s, s->reach->lamps[l], place);
+        for (int i = 0; i < n; ++i) {
+            s->light = place[i];
+            enter_by(s, ask_light);
+        }
+    }
+    if (s->reach->from_sides) {
+        enter_by(s, ask_sides);
+    }
+    murk_crew_run(s->threads, batches, count_doubtful, s);
+    murk_progress_end();
+}
+
+murk_status murk_free_space_find(murk_free_space *out,
+                                 const murk_candidate_grid *grid,
+                                 const murk_surfaces *surfaces,
+                                 const murk_reach *reach, unsigned threads,
+                                 const char *where, murk_error *err)
+{
+    const size_t *n = grid->size;
+    search s = {.grid = grid,
+                .surfaces = surfaces,
+                .reach = reach,
+                .threads = threads,
+                .points = n[0] * n[1] * n[2],
+                .stride = {1, n[0], n[0] * n[1]},
+                .hair_m = murk_hair(surfaces, &reach->domain)};
+    /* No way is parallel to it: its components have no simple ratio. */
+    const murk_vec3 tilted = murk_unit(murk_vec(0.537, 0.781, 0.319));
+    s.aside[0] = murk_scale(0.5 * s.hair_m, tilted);
+    s.aside[1] = murk_scale(-0.5 * s.hair_m, tilted);
+    s.closeness = malloc(s.points);
+    s.open = malloc(s.points);
+    s.reached = calloc(s.points, 1);
+    s.stack = malloc(s.points * sizeof *s.stack);
+    murk_status status = MURK_OK;
+    if (!s.closeness || !s.open || !s.reached || !s.stack) {
+        status = murk_fail(err, MURK_NO_MEMORY, where,
+                           "no memory for %zu candidates", s.points);
+        goto done;
+    }
+    explore(&s);
+    if (murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        goto done;
+    }
+    *out = (murk_free_space){s.closeness, s.reached,
+                             (size_t)murk_tally_read(&s.doubtful)};
+    s.closeness = s.reached = NULL;
+done:
+    free(s.closeness);
+    free(s.open);
+    free(s.reached);
+    free(s.stack);
+    return status;
+}
+
+void murk_free_space_release(murk_free_space *space)
+{
+    free(space->closeness);
+    free(space->is_reached);
+    *space = (murk_free_space){0};
+}

@@ -1,0 +1,101 @@
+#include "sensing/segment.h"
+
+double murk_hair(const murk_surfaces *surfaces, const murk_domain *domain)
+{
+    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    const double step = murk_length(murk_surfaces_leave(surfaces, zero, up));
+    const murk_vec3 a = domain->box.min, b = domain->box.max;
+    const double x = fmax(fabs(a.x), fabs(b.x));
+    const double y = fmax(fabs(a.y), fabs(b.y));
+    const double z = fmax(fabs(a.z), fabs(b.z));
+    return fmax(0x1p-18 * fmax(x, fmax(y, z)), 2 * step);
+}
+
+static double nearest(double value, double to, double period)
+{
+    return value - period * floor((value - to) / period + 0.5);
+}
+
+murk_vec3 murk_nearest_image(const murk_domain *domain, murk_vec3 point,
+                             murk_vec3 to)
+{
+    if (domain->is_periodic) {
+        const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
+        point.x = nearest(point.x, to.x, size.x);
+        point.y = nearest(point.y, to.y, size.y);
+    }
+    return point;
+}
+
+typedef struct crossing {
+    double t;        /* share of the way */
+    murk_vec3 shift; /* brings what lies beyond back into the domain */
+} crossing;
+
+/* Where a coordinate leaves [min, max] on its way; 1 when it does not. */
+static double leaves_at(double from, double to, double min, double max)
+{
+    const double side = to > max ? max : to < min ? min : to;
+    return side == to ? 1 : fmax(0, (side - from) / (to - from));
+}
+
+int murk_segment_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
+                     double beyond_m, murk_segment *piece)
+{
+    crossing cut[2];
+    int cuts = 0;
+    if (domain->is_periodic) {
+        const murk_box *box = &domain->box;
+        const double x = leaves_at(from.x, to.x, box->min.x, box->max.x);
+        const double y = leaves_at(from.y, to.y, box->min.y, box->max.y);
+        const murk_vec3 back_x = {
+            copysign(box->max.x - box->min.x, from.x - to.x), 0, 0};
+        const murk_vec3 back_y = {
+            0, copysign(box->max.y - box->min.y, from.y - to.y), 0};
+        if (x < 1) {
+            cut[cuts++] = (crossing){x, back_x};
+        }
+        if (y < 1) {
+            cut[cuts++] = (crossing){y, back_y};
+        }
+        if (cuts == 2 && cut[1].t < cut[0].t) {
+            const crossing first = cut[1];
+            cut[1] = cut[0];
+            cut[0] = first;
+        }
+    }
+    const murk_vec3 way = murk_sub(to, from);
+    const double length = murk_length(way);
+    const double beyond = length > 0 ? beyond_m / length : 0;
+    murk_vec3 shift = {0, 0, 0};
+    double begin = 0;
+    for (int i = 0; i < cuts; ++i) {
+        const double end = fmin(1, cut[i].t + beyond);
+        piece[i].from = murk_add(murk_along(from, begin, way), shift);
+        piece[i].to = murk_add(murk_along(from, end, way), shift);
+        shift = murk_add(shift, cut[i].shift);
+        begin = fmax(0, cut[i].t - beyond);
+    }
+    piece[cuts].from = murk_add(murk_along(from, begin, way), shift);
+    piece[cuts].to = murk_add(to, shift);
+    return cuts + 1;
+}
+
+bool murk_segment_blocked(const murk_surfaces *surfaces,
+                          const murk_domain *domain, murk_vec3 from,
+                          murk_vec3 to, bool through_sheets)
+{
+    if (!domain->is_periodic) {
+        return murk_surfaces_blocked(surfaces, from, to, through_sheets);
+    }
+    murk_segment piece[MURK_SEGMENT_PIECES];
+    const int n =
+        murk_segment_cut(domain, from, to, murk_hair(surfaces, domain), piece);
+    for (int i = 0; i < n; ++i) {
+        if (murk_surfaces_blocked(surfaces, piece[i].from, piece[i].to,
+                                  through_sheets)) {
+            return true;
+        }
+    }
+    return false;
+}

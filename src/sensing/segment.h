@@ -1,0 +1,42 @@
+/* Straight ways between two points of the domain.
+ *
+ * In a periodic domain the straight way goes to the nearest image and may
+ * cross the sides: it is then cut there, into pieces that each lie in the
+ * domain. Internal to the room. */
+#ifndef MURK_SENSING_SEGMENT_H
+#define MURK_SENSING_SEGMENT_H
+
+#include "base/vector.h"
+#include "geometry/surfaces.h"
+
+/* What is nearer to a surface than this [m] lies on it: rounding of single
+ * precision coordinates, with room. 2^-18 of the domain's largest coordinate,
+ * some 32 to 64 steps of a float (38 micrometres at 10 m), or twice what
+ * murk_surfaces_leave() steps, where surfaces are larger than the domain. */
+double murk_hair(const murk_surfaces *surfaces, const murk_domain *domain);
+
+typedef struct murk_segment {
+    murk_vec3 from, to;
+} murk_segment;
+
+/* Two sides in x and y cut a segment into three pieces at most. */
+#define MURK_SEGMENT_PIECES 3
+
+/* The image of `point` nearest to `to`: itself where the domain is open. Both
+ * within the domain; of two equally near ones always the same. */
+murk_vec3 murk_nearest_image(const murk_domain *domain, murk_vec3 point,
+                             murk_vec3 to);
+
+/* Cuts the segment at the periodic sides; `from` within the domain, `to`
+ * within one period of it. Returns the number of pieces, first to last. Pieces
+ * overlap the sides by `beyond_m`, so that a surface in a side's plane is
+ * met. */
+int murk_segment_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
+                     double beyond_m, murk_segment *piece);
+
+/* murk_surfaces_blocked() over all pieces. */
+bool murk_segment_blocked(const murk_surfaces *surfaces,
+                          const murk_domain *domain, murk_vec3 from,
+                          murk_vec3 to, bool through_sheets);
+
+#endif

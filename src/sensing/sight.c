@@ -1,0 +1,419 @@
+#include "sensing/sight.h"
+
+#include "base/bands.h"
+#include "sensing/segment.h"
+#include "sensing/weights.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* Sightlines tested together: neighbours of one map that share the sensor. */
+#define BLOCK 512
+
+/* How far a stored position may be off its surface, as a share of its largest
+ * coordinate: rounding of the ray's hit and of storing it, with room. */
+#define POSITION_ERROR 0x1p-20
+
+typedef struct scratch {
+    uint32_t *photon;  /* numbers of photons */
+    uint16_t *clarity; /* NULL where all is clear */
+} scratch;
+
+struct murk_sight {
+    murk_sight_desc desc;
+    double range_m; /* finite */
+    bool has_media;
+    bool has_sheets; /* that let light through */
+    uint32_t *weight;
+    size_t photons;
+    scratch *worker; /* [threads] */
+    murk_tally queries, shadow_rays;
+};
+
+/* One look under way. */
+typedef struct look {
+    murk_sight *sight;
+    murk_vec3 sensor;
+    uint32_t *photon;
+    uint16_t *clarity;
+    size_t seen;
+    bool all_clear;
+} look;
+
+/* ---- creation ---- */
+
+static murk_status check_map(const murk_photon_map *map, const char *name,
+                             uint64_t emitted, murk_error *err)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    const size_t n = murk_photon_map_count(map);
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon *p = &photon[i];
+        const float *x = p->position_m;
+        if (!(p->power_w >= 0 && isfinite(p->power_w)) || !isfinite(x[0]) ||
+            !isfinite(x[1]) || !isfinite(x[2]) || p->band >= MURK_BANDS_MAX ||
+            p->emitted >= emitted) {
+            return murk_fail(err, MURK_BAD_FILE, name,
+                             "record %zu: power %g W, band %d, photon %u of "
+                             "%llu at [%g, %g, %g] m cannot be",
+                             i, (double)p->power_w, p->band, p->emitted,
+                             (unsigned long long)emitted, (double)x[0],
+                             (double)x[1], (double)x[2]);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status check(const murk_sight_desc *desc, murk_error *err)
+{
+    if (!(desc->range_m > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, "sensors.types",
+                         "range_m is %g m, must be above 0", desc->range_m);
+    }
+    const double photons = (double)murk_photon_map_count(desc->surface_map) +
+                           (double)murk_photon_map_count(desc->volume_map);
+    if (!(photons <= UINT32_MAX)) {
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "%.4g photons are stored, sensing counts to %u",
+                         photons, UINT32_MAX);
+    }
+    const murk_status status =
+        check_map(desc->surface_map, "surface map", desc->photons_emitted, err);
+    return status ? status
+                  : check_map(desc->volume_map, "volume map",
+                              desc->photons_emitted, err);
+}
+
+/* Photons found through several images are told apart only afterwards. */
+static size_t scratch_photons(const murk_sight *sight)
+{
+    return sight->photons * (sight->desc.domain.is_periodic ? 2 : 1);
+}
+
+static murk_status set_aside(murk_sight *sight, murk_error *err)
+{
+    const size_t n = sight->photons, found = scratch_photons(sight);
+    const unsigned threads = sight->desc.threads;
+    const bool attenuates = sight->has_media || sight->has_sheets;
+    sight->weight = malloc(n * sizeof *sight->weight + 1);
+    sight->worker = calloc(threads, sizeof *sight->worker);
+    bool has_room = sight->weight && sight->worker;
+    for (unsigned i = 0; has_room && i < threads; ++i) {
+        scratch *s = &sight->worker[i];
+        s->photon = malloc(found * sizeof *s->photon + 1);
+        s->clarity = attenuates ? malloc(n * sizeof *s->clarity + 1) : NULL;
+        has_room = s->photon && (s->clarity || !attenuates);
+    }
+    return has_room ? MURK_OK
+                    : murk_fail(err, MURK_NO_MEMORY, "",
+                                "no memory to look at %zu photons with %u "
+                                "threads",
+                                n, threads);
+}
+
+murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
+                              murk_error *err)
+{
+    assert(out && desc && desc->threads >= 1);
+    murk_sight *sight = NULL;
+    murk_status status = check(desc, err);
+    if (status) {
+        goto done;
+    }
+    sight = calloc(1, sizeof *sight);
+    if (!sight) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
+        goto done;
+    }
+    const murk_box *box = &desc->domain.box;
+    sight->desc = *desc;
+    /* Twice the diagonal holds every image, and its square is finite. */
+    sight->range_m =
+        fmin(desc->range_m, 2 * murk_length(murk_sub(box->max, box->min)));
+    sight->has_media = murk_media_any(desc->media);
+    sight->has_sheets = desc->through_sheets &&
+                        desc->visibility == MURK_VISIBILITY_RAY &&
+                        murk_surfaces_describe(desc->surfaces).sheets > 0;
+    sight->photons = murk_photon_map_count(desc->surface_map) +
+                     murk_photon_map_count(desc->volume_map);
+    status = set_aside(sight, err);
+    if (status) {
+        goto done;
+    }
+    status = murk_photon_weights(sight->weight, desc->surface_map,
+                                 desc->volume_map, &desc->weights, err);
+    if (status) {
+        goto done;
+    }
+    *out = sight;
+    sight = NULL;
+done:
+    murk_sight_destroy(sight);
+    return status;
+}
+
+void murk_sight_destroy(murk_sight *sight)
+{
+    if (!sight) {
+        return;
+    }
+    for (unsigned i = 0; sight->worker && i < sight->desc.threads; ++i) {
+        free(sight->worker[i].photon);
+        free(sight->worker[i].clarity);
+    }
+    free(sight->worker);
+    free(sight->weight);
+    free(sight);
+}
+
+/* ---- within range ---- */
+
+static murk_vec3 position_of(const murk_photon *photon)
+{
+    return murk_vec((double)photon->position_m[0],
+                    (double)photon->position_m[1],
+                    (double)photon->position_m[2]);
+}
+
+static bool reaches(const murk_box *box, murk_vec3 center, double range_m)
+{
+    const double x =
+        fmax(0, fmax(box->min.x - center.x, center.x - box->max.x));
+    const double y =
+        fmax(0, fmax(box->min.y - center.y, center.y - box->max.y));
+    return x <= range_m && y <= range_m;
+}
+
+static int by_number(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Asks the map around each image of the sensor and keeps a photon where that
+ * image is the nearest one. found[] has room for twice the map. */
+static size_t find_periodic(const murk_sight *sight, const murk_photon_map *map,
+                            murk_vec3 sensor, uint32_t *found)
+{
+    const murk_domain *domain = &sight->desc.domain;
+    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
+    const murk_photon *photon = murk_photon_map_photons(map);
+    size_t kept = 0;
+    for (int k = 0; k < 9; ++k) {
+        const double i = k % 3 - 1, j = k / 3 - 1;
+        const murk_vec3 image = {sensor.x + i * period.x,
+                                 sensor.y + j * period.y, sensor.z};
+        if (!reaches(&domain->box, image, sight->range_m)) {
+            continue;
+        }
+        const size_t end = kept + murk_photon_map_within(
+                                      map, image, sight->range_m, found + kept);
+        for (size_t f = kept; f < end; ++f) {
+            const murk_vec3 nearest = murk_nearest_image(
+                domain, sensor, position_of(&photon[found[f]]));
+            /* Half a period decides; images are a whole one apart. */
+            if (fabs(nearest.x - image.x) < period.x / 2 &&
+                fabs(nearest.y - image.y) < period.y / 2) {
+                found[kept++] = found[f];
+            }
+        }
+    }
+    qsort(found, kept, sizeof *found, by_number);
+    return kept;
+}
+
+static size_t find(const murk_sight *sight, const murk_photon_map *map,
+                   murk_vec3 sensor, uint32_t *found)
+{
+    return sight->desc.domain.is_periodic
+               ? find_periodic(sight, map, sensor, found)
+               : murk_photon_map_within(map, sensor, sight->range_m, found);
+}
+
+/* ---- culling ---- */
+
+static bool is_along_axis(murk_vec3 n)
+{
+    return (n.x == 0) + (n.y == 0) + (n.z == 0) == 2;
+}
+
+/* normal . (sensor - photon) > what storage may have moved it by. */
+static bool faces(const murk_photon *photon, murk_vec3 normal, murk_vec3 sensor)
+{
+    const float *x = photon->position_m;
+    const double size =
+        (double)fmaxf(fabsf(x[0]), fmaxf(fabsf(x[1]), fabsf(x[2])));
+    const murk_vec3 way = murk_sub(sensor, position_of(photon));
+    const double above = murk_dot(normal, way) - POSITION_ERROR * size;
+    const double tilt = is_along_axis(normal) ? 0 : MURK_DIRECTION_ERROR_RAD;
+    return above > 0 && above * above > tilt * tilt * murk_dot(way, way);
+}
+
+/* ---- sightlines ---- */
+
+static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
+                            bool *blocked)
+{
+    const murk_sight_desc *desc = &l->sight->desc;
+    if (desc->visibility == MURK_VISIBILITY_NORMAL) {
+        for (size_t i = 0; i < n; ++i) {
+            blocked[i] = false;
+        }
+        return;
+    }
+    murk_tally_add(&l->sight->shadow_rays, (int64_t)n);
+    if (!desc->domain.is_periodic) {
+        murk_surfaces_blocked_many(desc->surfaces, from, n, l->sensor,
+                                   desc->through_sheets, blocked);
+        return;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const murk_vec3 to =
+            murk_nearest_image(&desc->domain, l->sensor, from[i]);
+        blocked[i] = murk_segment_blocked(desc->surfaces, &desc->domain,
+                                          from[i], to, desc->through_sheets);
+    }
+}
+
+static double transmittance(const look *l, murk_vec3 from, int band)
+{
+    const murk_sight *sight = l->sight;
+    const murk_sight_desc *desc = &sight->desc;
+    const murk_vec3 to = murk_nearest_image(&desc->domain, l->sensor, from);
+    murk_segment piece[MURK_SEGMENT_PIECES];
+    const int n = murk_segment_cut(&desc->domain, from, to, 0, piece);
+    double through = 1;
+    for (int i = 0; i < n; ++i) {
+        if (sight->has_sheets) {
+            through *= murk_surfaces_sheet_transmittance(
+                desc->surfaces, piece[i].from, piece[i].to, band);
+        }
+        if (sight->has_media && through > 0) {
+            through *= murk_media_transmittance(desc->media, band,
+                                                piece[i].from, piece[i].to);
+        }
+    }
+    return through;
+}
+
+/* Takes up n photons (numbers within their map, sightlines from `from`) in
+ * place: what is written never passes what is read. */
+static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
+                      const uint32_t *number, const murk_vec3 *from, size_t n)
+{
+    bool blocked[BLOCK];
+    test_sightlines(l, from, n, blocked);
+    for (size_t i = 0; i < n; ++i) {
+        if (blocked[i]) {
+            continue;
+        }
+        if (l->clarity) {
+            const double through =
+                transmittance(l, from[i], photon[number[i]].band);
+            const uint16_t clarity =
+                (uint16_t)floor(through * MURK_CLEAR + 0.5);
+            if (clarity == 0) {
+                continue;
+            }
+            l->clarity[l->seen] = clarity;
+            l->all_clear = l->all_clear && clarity == MURK_CLEAR;
+        }
+        l->photon[l->seen++] = first + number[i];
+    }
+}
+
+static void look_at(look *l, const murk_photon_map *map, uint32_t first)
+{
+    const murk_sight_desc *desc = &l->sight->desc;
+    const murk_photon *photon = murk_photon_map_photons(map);
+    uint32_t *found = l->photon + l->seen;
+    const size_t n = find(l->sight, map, l->sensor, found);
+    murk_vec3 from[BLOCK];
+    uint32_t number[BLOCK];
+    size_t filled = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon *p = &photon[found[i]];
+        from[filled] = position_of(p);
+        if (!murk_photon_is_volume(p)) {
+            const murk_vec3 normal = murk_direction_unpack(p->normal);
+            const murk_vec3 sensor =
+                murk_nearest_image(&desc->domain, l->sensor, from[filled]);
+            if (!faces(p, normal, sensor)) {
+                continue;
+            }
+            from[filled] =
+                murk_surfaces_leave(desc->surfaces, from[filled], normal);
+        }
+        number[filled++] = found[i];
+        if (filled == BLOCK) {
+            keep_seen(l, photon, first, number, from, filled);
+            filled = 0;
+        }
+    }
+    keep_seen(l, photon, first, number, from, filled);
+}
+
+void murk_sight_look(murk_sight *sight, unsigned worker, murk_vec3 position,
+                     murk_look *out)
+{
+    assert(worker < sight->desc.threads);
+    const murk_sight_desc *desc = &sight->desc;
+    const scratch *s = &sight->worker[worker];
+    look l = {.sight = sight,
+              .sensor = position,
+              .photon = s->photon,
+              .clarity = s->clarity,
+              .all_clear = true};
+    murk_tally_add(&sight->queries, 1);
+    look_at(&l, desc->surface_map, 0);
+    look_at(&l, desc->volume_map,
+            (uint32_t)murk_photon_map_count(desc->surface_map));
+    *out = (murk_look){l.seen, l.photon, l.all_clear ? NULL : l.clarity};
+}
+
+/* ---- the placement problem ---- */
+
+static void look_from(void *context, unsigned worker, size_t candidate,
+                      murk_look *out)
+{
+    const murk_sight_problem *p = context;
+    murk_sight_look(p->sight, worker, p->position[candidate], out);
+}
+
+void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
+                             const murk_vec3 *position, size_t n)
+{
+    out->sight = sight;
+    out->position = position;
+    out->problem = (murk_problem){.photons = sight->photons,
+                                  .candidates = n,
+                                  .weight = sight->weight,
+                                  .look = look_from,
+                                  .context = out,
+                                  .threads = sight->desc.threads};
+}
+
+const uint32_t *murk_sight_weights(const murk_sight *sight)
+{
+    return sight->weight;
+}
+
+size_t murk_sight_photons(const murk_sight *sight)
+{
+    return sight->photons;
+}
+
+const murk_sight_desc *murk_sight_described(const murk_sight *sight)
+{
+    return &sight->desc;
+}
+
+uint64_t murk_sight_queries(const murk_sight *sight)
+{
+    return (uint64_t)murk_tally_read(&sight->queries);
+}
+
+uint64_t murk_sight_shadow_rays(const murk_sight *sight)
+{
+    return (uint64_t)murk_tally_read(&sight->shadow_rays);
+}

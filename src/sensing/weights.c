@@ -1,0 +1,95 @@
+#include "sensing/weights.h"
+
+/* The sum of all weights stays below this. */
+#define WHOLE 0x1p47
+
+#define WEIGHT_MAX 4294967295.0
+
+typedef struct powers {
+    const murk_photon *photon;
+    size_t n;
+    double sum, most;
+} powers;
+
+static powers add_up(const murk_photon_map *map)
+{
+    powers p = {murk_photon_map_photons(map), murk_photon_map_count(map), 0, 0};
+    for (size_t i = 0; i < p.n; ++i) {
+        p.sum += p.photon[i].power_w;
+        p.most = fmax(p.most, p.photon[i].power_w);
+    }
+    return p;
+}
+
+/* Rounding adds half a unit a record at most, so a sum of `most - n` stays
+ * under `most`. */
+static double largest_sum(const powers *p, double most)
+{
+    const double by_weight = p->most > 0 ? WEIGHT_MAX * (p->sum / p->most) : 0;
+    return fmin(most - (double)p->n, by_weight);
+}
+
+static void scale(uint32_t *weight, const powers *p, double factor)
+{
+    for (size_t i = 0; i < p->n; ++i) {
+        const double w = floor(p->photon[i].power_w * factor + 0.5);
+        weight[i] = (uint32_t)fmin(w, WEIGHT_MAX);
+    }
+}
+
+/* Each map's weights add up to the same; one without power leaves all to the
+ * other. The mean weight of the larger map, whose weights are the smaller, is
+ * made whole: so equal powers are not rounded there, all the same way. */
+static void balance(double *factor_surface, double *factor_volume,
+                    const powers *surface, const powers *volume)
+{
+    double half = WHOLE / 2;
+    if (surface->sum > 0) {
+        half = fmin(half, largest_sum(surface, WHOLE / 2));
+    }
+    if (volume->sum > 0) {
+        half = fmin(half, largest_sum(volume, WHOLE / 2));
+    }
+    half -=
+        fmod(half, (double)(surface->n > volume->n ? surface->n : volume->n));
+    *factor_surface = surface->sum > 0 ? half / surface->sum : 0;
+    *factor_volume = volume->sum > 0 ? half / volume->sum : 0;
+}
+
+murk_status murk_photon_weights(uint32_t *weight,
+                                const murk_photon_map *surface,
+                                const murk_photon_map *volume,
+                                const murk_map_weights *maps, murk_error *err)
+{
+    const double a = maps->surface, b = maps->volume;
+    if (!maps->balanced &&
+        !(a >= 0 && b >= 0 && a + b > 0 && isfinite(a + b))) {
+        return murk_fail(err, MURK_BAD_VALUE, "placement.weights",
+                         "surface %g and volume %g, must be 0 or more and not "
+                         "both 0",
+                         a, b);
+    }
+    const powers s = add_up(surface), v = add_up(volume);
+    double factor_surface, factor_volume;
+    if (maps->balanced) {
+        balance(&factor_surface, &factor_volume, &s, &v);
+    } else {
+        const double share_surface = a / fmax(a, b),
+                     share_volume = b / fmax(a, b);
+        const double sum = share_surface * s.sum + share_volume * v.sum;
+        const double most = fmax(share_surface * s.most, share_volume * v.most);
+        const double room = WHOLE - (double)s.n - (double)v.n;
+        const double factor = sum > 0 ? fmin(room / sum, WEIGHT_MAX / most) : 0;
+        factor_surface = share_surface * factor;
+        factor_volume = share_volume * factor;
+    }
+    if (!(factor_surface * s.sum + factor_volume * v.sum > 0)) {
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "nothing to see: the %zu surface and %zu volume "
+                         "photons stored have no weight",
+                         s.n, v.n);
+    }
+    scale(weight, &s, factor_surface);
+    scale(weight + s.n, &v, factor_volume);
+    return MURK_OK;
+}

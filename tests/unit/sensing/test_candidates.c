@@ -1,0 +1,445 @@
+/* Where sensors may stand: what light reaches, and nothing else.
+ *
+ * Deterministic: never cries wolf. */
+#include "sensing/candidates.h"
+#include "world.h"
+
+#define N_MAX 16
+
+static const murk_domain room = {.box = {{0, 0, 0}, {10, 10, 4}}};
+static const murk_vec3 lamp = {2.3, 3.1, 3.7};
+
+/* The room's six sides, wound either way. */
+static size_t add_room(murk_surface_desc *out, size_t n)
+{
+    out[n] = a_box(room.box.min, room.box.max);
+    return n + 1;
+}
+
+static murk_reach by_lamp(void)
+{
+    return (murk_reach){.lamps = &lamp, .n_lamps = 1, .domain = room};
+}
+
+static murk_candidate_grid half_metres(void)
+{
+    return (murk_candidate_grid){
+        .min = {0.5, 0.5, 0.5}, .max = {9.5, 9.5, 3.5}, .size = {19, 19, 7}};
+}
+
+static murk_candidates *candidates_of(const murk_surface_desc *desc, size_t n,
+                                      const murk_candidate_grid *grid,
+                                      const murk_reach *reach, unsigned threads)
+{
+    murk_surfaces *surfaces = surfaces_of(desc, n);
+    murk_candidates *out = NULL;
+    murk_error err = {0};
+    CHECK(murk_candidates_create(&out, grid, surfaces, reach, threads, "here",
+                                 &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    if (out) {
+        CHECK(out->usable + out->too_close + out->unreached == out->asked);
+    }
+    murk_surfaces_destroy(surfaces);
+    return out;
+}
+
+static bool has(const murk_candidates *c, murk_vec3 p)
+{
+    for (size_t i = 0; c && i < c->usable; ++i) {
+        if (murk_length(murk_sub(c->position[i], p)) < 1e-9) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* How many candidates lie strictly inside a box. */
+static size_t inside(const murk_candidates *c, murk_vec3 min, murk_vec3 max)
+{
+    size_t n = 0;
+    for (size_t i = 0; c && i < c->usable; ++i) {
+        const murk_vec3 p = c->position[i];
+        n += p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y &&
+             p.z > min.z && p.z < max.z;
+    }
+    return n;
+}
+
+static void test_an_empty_room_keeps_all_in_order(void)
+{
+    murk_surface_desc d[N_MAX];
+    const murk_candidate_grid grid = {
+        .min = {1, 2, 1}, .max = {9, 8, 3}, .size = {3, 2, 1}};
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = candidates_of(d, add_room(d, 0), &grid, &reach, 1);
+    CHECK(c && c->asked == 6 && c->usable == 6 && c->doubtful == 0);
+    const murk_vec3 want[6] = {{1, 2, 2}, {5, 2, 2}, {9, 2, 2},
+                               {1, 8, 2}, {5, 8, 2}, {9, 8, 2}};
+    for (int i = 0; c && i < 6; ++i) {
+        CHECK(murk_length(murk_sub(c->position[i], want[i])) == 0);
+    }
+    murk_candidates_destroy(c);
+}
+
+static void test_inside_a_closed_crate_is_dropped(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = add_room(d, 0);
+    const murk_vec3 min = {4.25, 4.25, 0.25}, max = {6.25, 6.25, 2.25};
+    d[n++] = a_box(min, max);
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->asked == 19 * 19 * 7);
+    CHECK(c && c->unreached == 4 * 4 * 4 && c->too_close == 0);
+    CHECK(inside(c, min, max) == 0);
+    murk_candidates_destroy(c);
+}
+
+/* Five sides, the floor closes it: no inside-outside test could tell. */
+static void test_inside_an_open_crate_on_the_floor_is_dropped(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = add_room(d, 0);
+    const double a = 4.25, w = 2, h = 2.25;
+    d[n++] = a_rect(murk_vec(a, a, 0), murk_vec(w, 0, 0), murk_vec(0, 0, h), 0);
+    d[n++] = a_rect(murk_vec(a, a, 0), murk_vec(0, w, 0), murk_vec(0, 0, h), 0);
+    d[n++] =
+        a_rect(murk_vec(a + w, a, 0), murk_vec(0, w, 0), murk_vec(0, 0, h), 0);
+    d[n++] =
+        a_rect(murk_vec(a, a + w, 0), murk_vec(w, 0, 0), murk_vec(0, 0, h), 0);
+    d[n++] = a_rect(murk_vec(a, a, h), murk_vec(w, 0, 0), murk_vec(0, w, 0), 0);
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 4 * 4 * 4);
+    murk_candidates_destroy(c);
+
+    /* Lifted off the floor, light finds the way in. */
+    for (size_t i = 1; i < n; ++i) {
+        d[i].to_world.shift.z = 0.75;
+    }
+    c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 0);
+    murk_candidates_destroy(c);
+}
+
+/* A cube as twelve loose triangles, every second one turned. */
+static void test_winding_means_nothing(void)
+{
+    static const int quad[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                   {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    float vertex[12 * 9];
+    uint32_t corner[36], material[12] = {0};
+    char name[1][MURK_NAME_SIZE] = {"crate"};
+    for (int t = 0; t < 12; ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const int pick = t % 2 ? (int[]){0, 2, 3}[k] : (int[]){1, 0, 2}[k];
+            const int v = quad[t / 2][pick];
+            float *p = &vertex[9 * t + 3 * k];
+            p[0] = 4.25f + 2 * (float)(v & 1);
+            p[1] = 4.25f + 2 * (float)(v >> 1 & 1);
+            p[2] = 0.25f + 2 * (float)(v >> 2);
+            corner[3 * t + k] = (uint32_t)(3 * t + k);
+        }
+    }
+    const murk_mesh mesh = {
+        .vertices = 36,
+        .triangles = 12,
+        .materials = 1,
+        .vertex_m = vertex,
+        .corner = corner,
+        .material = material,
+        .material_name = name,
+        .bounds_m = {{4.25, 4.25, 0.25}, {6.25, 6.25, 2.25}}};
+    murk_surface_desc d[N_MAX];
+    size_t n = add_room(d, 0);
+    d[n++] = (murk_surface_desc){.shape = MURK_SHAPE_MESH,
+                                 .mesh = &mesh,
+                                 .to_world = murk_affine_identity(),
+                                 .where = "crate"};
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 4 * 4 * 4);
+    murk_candidates_destroy(c);
+}
+
+/* The way from the lamp to a point in the crate passes exactly through the
+ * crate's corner, through an edge, and along the diagonal of a face. */
+static void test_nothing_slips_in_through_a_corner(void)
+{
+    const murk_vec3 places[3] = {{8, 8, 3.5}, {8, 5, 3.5}, {5, 5, 3.9}};
+    const murk_candidate_grid grid = {
+        .min = {5, 5, 0.5}, .max = {7, 5, 0.5}, .size = {2, 1, 1}};
+    for (int i = 0; i < 3; ++i) {
+        murk_surface_desc d[N_MAX];
+        size_t n = add_room(d, 0);
+        d[n++] = a_box(murk_vec(4, 4, 0.25), murk_vec(6, 6, 1.5));
+        const murk_reach reach = {
+            .lamps = &places[i], .n_lamps = 1, .domain = room};
+        murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+        CHECK(c && c->usable == 1 && has(c, murk_vec(7, 5, 0.5)));
+        murk_candidates_destroy(c);
+    }
+}
+
+/* A wall at x = 5.25 with a door, y 7..9, z 0..2; door filled by `door`. */
+static size_t add_wall(murk_surface_desc *d, size_t n, double x, int door)
+{
+    d[n++] =
+        a_rect(murk_vec(x, 0, 0), murk_vec(0, 7, 0), murk_vec(0, 0, 4), WALL);
+    d[n++] =
+        a_rect(murk_vec(x, 9, 0), murk_vec(0, 1, 0), murk_vec(0, 0, 4), WALL);
+    d[n++] =
+        a_rect(murk_vec(x, 7, 2), murk_vec(0, 2, 0), murk_vec(0, 0, 2), WALL);
+    if (door >= 0) {
+        d[n++] = a_rect(murk_vec(x, 7, 0), murk_vec(0, 2, 0), murk_vec(0, 0, 2),
+                        door);
+    }
+    return n;
+}
+
+static void test_light_goes_through_doors_and_windows(void)
+{
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    const int doors[3] = {-1, GLASS, WALL};
+    for (int i = 0; i < 3; ++i) {
+        murk_surface_desc d[N_MAX];
+        const size_t n = add_wall(d, add_room(d, 0), 5.25, doors[i]);
+        murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+        CHECK(c && c->unreached == (doors[i] == WALL ? 9 * 19 * 7 : 0));
+        /* In a corner that the lamp cannot see through the door. */
+        CHECK(has(c, murk_vec(5.5, 0.5, 0.5)) == (doors[i] != WALL));
+        murk_candidates_destroy(c);
+    }
+}
+
+/* The wall lies in a plane of the grid: its points are dropped, and those
+ * behind the window are reached all the same. */
+static void test_a_wall_in_a_plane_of_the_grid(void)
+{
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    murk_surface_desc d[N_MAX];
+    const size_t n = add_wall(d, add_room(d, 0), 5, GLASS);
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->too_close == 19 * 7 && c->unreached == 0);
+    CHECK(c && c->doubtful == 0);
+    CHECK(!has(c, murk_vec(5, 0.5, 0.5)) && has(c, murk_vec(5.5, 0.5, 0.5)));
+    murk_candidates_destroy(c);
+}
+
+static void test_points_on_the_room_itself_are_dropped(void)
+{
+    murk_surface_desc d[N_MAX];
+    const murk_candidate_grid grid = {
+        .min = {0, 0, 0}, .max = {10, 10, 4}, .size = {11, 11, 5}};
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = candidates_of(d, add_room(d, 0), &grid, &reach, 1);
+    CHECK(c && c->usable == 9 * 9 * 3 && c->unreached == 0);
+    murk_candidates_destroy(c);
+}
+
+static void test_clearance(void)
+{
+    murk_surface_desc d[N_MAX];
+    const size_t n = add_room(d, 0);
+    murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    grid.clearance_m = 0.5; /* the outer points stand exactly there: kept */
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->usable == c->asked);
+    murk_candidates_destroy(c);
+    grid.clearance_m = 0.5001;
+    c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->usable == 17 * 17 * 5 && c->unreached == 0);
+    murk_candidates_destroy(c);
+}
+
+/* A slot 0.4 m wide between two slabs: too narrow to stand in with 0.35 m of
+ * clearance, and the only way to the room behind. */
+static void test_ways_lead_through_points_too_close(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = add_room(d, 0);
+    d[n++] =
+        a_rect(murk_vec(5.25, 0, 0), murk_vec(0, 4.8, 0), murk_vec(0, 0, 4), 0);
+    d[n++] = a_rect(murk_vec(5.25, 5.2, 0), murk_vec(0, 4.8, 0),
+                    murk_vec(0, 0, 4), 0);
+    murk_candidate_grid grid = half_metres();
+    grid.clearance_m = 0.35;
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 0 && c->too_close == 2 * 19 * 7);
+    murk_candidates_destroy(c);
+}
+
+static void test_a_lamp_on_the_ceiling(void)
+{
+    const murk_vec3 on = {5, 5, 4};
+    murk_surface_desc d[N_MAX];
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = {.lamps = &on, .n_lamps = 1, .domain = room};
+    murk_candidates *c = candidates_of(d, add_room(d, 0), &grid, &reach, 1);
+    CHECK(c && c->usable == c->asked);
+    murk_candidates_destroy(c);
+}
+
+static void test_distant_light_enters_by_open_sides(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = 0;
+    const murk_candidate_grid grid = half_metres();
+    murk_reach reach = {.from_sides = true, .domain = room};
+    d[n++] =
+        a_rect(murk_vec(0, 0, 0.1), murk_vec(10, 0, 0), murk_vec(0, 10, 0), 0);
+    d[n++] = a_box(murk_vec(4.25, 4.25, 0.25), murk_vec(6.25, 6.25, 2.25));
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 4 * 4 * 4);
+    murk_candidates_destroy(c);
+
+    /* Walls in the planes of the sides close them. */
+    n = add_room(d, 0);
+    murk_surfaces *surfaces = surfaces_of(d, n);
+    murk_error err = {0};
+    c = NULL;
+    CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
+                                 &err) == MURK_BAD_VALUE);
+    CHECK_MENTIONS(err.text, "none of the 2527 candidates");
+    murk_surfaces_destroy(surfaces);
+}
+
+/* A roof with eaves: from the sides of an open domain light comes in under it;
+ * in a periodic one only from above and below, here through a slit that shows
+ * in the plane of the grid's last column; the rest is reached through the
+ * side. */
+static void test_a_periodic_domain_is_one_space(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = 0;
+    d[n++] =
+        a_rect(murk_vec(0, 0, 3.75), murk_vec(9, 0, 0), murk_vec(0, 10, 0), 0);
+    d[n++] =
+        a_rect(murk_vec(0, 0, 0.25), murk_vec(10, 0, 0), murk_vec(0, 10, 0), 0);
+    d[n++] =
+        a_rect(murk_vec(8.75, 0, 0), murk_vec(0, 10, 0), murk_vec(0, 0, 4), 0);
+    const murk_candidate_grid grid = half_metres();
+    murk_domain periodic = room;
+    periodic.is_periodic = true;
+    const murk_reach reach = {.from_sides = true, .domain = periodic};
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 0);
+    murk_candidates_destroy(c);
+
+    /* With a wall at the side, too, only the last columns are left. */
+    d[n++] =
+        a_rect(murk_vec(0, 0, 0), murk_vec(0, 10, 0), murk_vec(0, 0, 4), 0);
+    c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->usable == 2 * 19 * 7);
+    murk_candidates_destroy(c);
+}
+
+/* One point in a corner pocket whose only opening is a corner away. */
+static void test_doubt_is_counted(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = add_room(d, 0);
+    const double s = 0.8; /* walls x = 1 and y = 1 leave a gap at the corner */
+    d[n++] = a_rect(murk_vec(1, 0, 0), murk_vec(0, s, 0), murk_vec(0, 0, 4), 0);
+    d[n++] = a_rect(murk_vec(0, 1, 0), murk_vec(s, 0, 0), murk_vec(0, 0, 4), 0);
+    const murk_candidate_grid grid = {
+        .min = {0.5, 0.5, 2}, .max = {9.5, 9.5, 2}, .size = {10, 10, 1}};
+    const murk_vec3 far_lamp = {9.1, 3.1, 2};
+    const murk_reach reach = {.lamps = &far_lamp, .n_lamps = 1, .domain = room};
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->unreached == 1 && c->doubtful == 1);
+    CHECK(!has(c, murk_vec(0.5, 0.5, 2)));
+    murk_candidates_destroy(c);
+}
+
+static void test_threads_change_nothing(void)
+{
+    murk_surface_desc d[N_MAX];
+    size_t n = add_wall(d, add_room(d, 0), 5.25, -1);
+    d[n++] = a_box(murk_vec(1.25, 4.25, 0.25), murk_vec(3.25, 6.25, 2.25));
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    murk_candidates *one = candidates_of(d, n, &grid, &reach, 1);
+    const unsigned threads[2] = {2, 5};
+    for (int i = 0; i < 2; ++i) {
+        murk_candidates *c = candidates_of(d, n, &grid, &reach, threads[i]);
+        CHECK(c && one && c->usable == one->usable &&
+              c->doubtful == one->doubtful &&
+              memcmp(c->position, one->position,
+                     c->usable * sizeof *c->position) == 0);
+        murk_candidates_destroy(c);
+    }
+    murk_candidates_destroy(one);
+}
+
+static void check_refused(murk_candidate_grid grid, const char *why)
+{
+    murk_surface_desc d[N_MAX];
+    murk_surfaces *surfaces = surfaces_of(d, add_room(d, 0));
+    const murk_reach reach = by_lamp();
+    murk_candidates *c = NULL;
+    murk_error err = {0};
+    CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
+                                 &err) == MURK_BAD_VALUE);
+    CHECK(c == NULL);
+    CHECK_TEXT(err.where, "here");
+    CHECK_MENTIONS(err.text, why);
+    murk_surfaces_destroy(surfaces);
+}
+
+static void test_bad_grids_are_refused(void)
+{
+    murk_candidate_grid grid = half_metres();
+    grid.max.x = 10.5;
+    check_refused(grid, "candidate [10.5, 0.5, 0.5] m is outside the domain");
+    grid = half_metres();
+    grid.size[1] = 0;
+    check_refused(grid, "size is [19, 0, 7]");
+    grid = half_metres();
+    grid.size[0] = grid.size[1] = grid.size[2] = SIZE_MAX;
+    check_refused(grid, "must be 1e+08 at most");
+    grid = half_metres();
+    grid.min.z = 3.6;
+    check_refused(grid, "z runs from 3.6 to 3.5 m");
+    grid = half_metres();
+    grid.min.y = NAN;
+    check_refused(grid, "not finite");
+    grid = half_metres();
+    grid.clearance_m = -1;
+    check_refused(grid, "clearance_m is -1 m");
+    grid.clearance_m = NAN;
+    check_refused(grid, "clearance_m");
+    grid = half_metres();
+    grid.clearance_m = 3;
+    check_refused(grid, "none of the 2527 candidates is usable: 0 out of reach "
+                        "of any light, 2527 on a surface or nearer to one");
+}
+
+int main(void)
+{
+    test_an_empty_room_keeps_all_in_order();
+    test_inside_a_closed_crate_is_dropped();
+    test_inside_an_open_crate_on_the_floor_is_dropped();
+    test_winding_means_nothing();
+    test_nothing_slips_in_through_a_corner();
+    test_light_goes_through_doors_and_windows();
+    test_a_wall_in_a_plane_of_the_grid();
+    test_points_on_the_room_itself_are_dropped();
+    test_clearance();
+    test_ways_lead_through_points_too_close();
+    test_a_lamp_on_the_ceiling();
+    test_distant_light_enters_by_open_sides();
+    test_a_periodic_domain_is_one_space();
+    test_doubt_is_counted();
+    test_threads_change_nothing();
+    test_bad_grids_are_refused();
+    return check_done();
+}
