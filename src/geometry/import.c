@@ -1,0 +1,436 @@
+/* Assimp's scene is a tree of nodes that place meshes. It is walked three
+ * times (count, vertices, triangles), so that nothing is held twice.
+ *
+ * Axes and units, as Assimp 5.2 leaves them: Collada, IFC, 3DS, ASE and DXF
+ * scenes it turns y up; glTF and X3D are y up by format, FBX says; the others
+ * know no up axis and are taken as z up. Collada and IFC it scales to metres
+ * (Collada by the root node, so its unit can be read there); FBX says its unit
+ * and is not scaled; glTF is in metres; the others say nothing. */
+#include "geometry/import.h"
+
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <assimp/commonMetaData.h>
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define BLOCK 4096 /* vertices or triangles handed over at a time */
+
+/* ---- files: regular ones only, so that a pipe named in a file cannot make
+ * the reader wait ---- */
+
+static size_t file_read(struct aiFile *file, char *to, size_t size, size_t n)
+{
+    return fread(to, size, n, (FILE *)file->UserData);
+}
+
+static size_t file_write(struct aiFile *file, const char *from, size_t size,
+                         size_t n)
+{
+    (void)file, (void)from, (void)size, (void)n;
+    return 0;
+}
+
+static size_t file_tell(struct aiFile *file)
+{
+    const long at = ftell((FILE *)file->UserData);
+    return at < 0 ? 0 : (size_t)at;
+}
+
+static size_t file_size(struct aiFile *file)
+{
+    struct stat is;
+    return fstat(fileno((FILE *)file->UserData), &is) == 0 ? (size_t)is.st_size
+                                                           : 0;
+}
+
+static enum aiReturn file_seek(struct aiFile *file, size_t to,
+                               enum aiOrigin from)
+{
+    const int whence = from == aiOrigin_SET   ? SEEK_SET
+                       : from == aiOrigin_CUR ? SEEK_CUR
+                                              : SEEK_END;
+    return fseek((FILE *)file->UserData, (long)to, whence) == 0
+               ? aiReturn_SUCCESS
+               : aiReturn_FAILURE;
+}
+
+static void file_flush(struct aiFile *file)
+{
+    (void)file;
+}
+
+static struct aiFile *file_open(struct aiFileIO *io, const char *path,
+                                const char *mode)
+{
+    (void)io, (void)mode;
+    struct stat is;
+    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0) {
+        return NULL;
+    }
+    struct aiFile *file = calloc(1, sizeof *file);
+    FILE *stream = fstat(fd, &is) == 0 && S_ISREG(is.st_mode) && file
+                       ? fdopen(fd, "rb")
+                       : NULL;
+    if (!stream) {
+        close(fd);
+        free(file);
+        return NULL;
+    }
+    *file = (struct aiFile){.ReadProc = file_read,
+                            .WriteProc = file_write,
+                            .TellProc = file_tell,
+                            .FileSizeProc = file_size,
+                            .SeekProc = file_seek,
+                            .FlushProc = file_flush,
+                            .UserData = (aiUserData)stream};
+    return file;
+}
+
+static void file_close(struct aiFileIO *io, struct aiFile *file)
+{
+    (void)io;
+    fclose((FILE *)file->UserData);
+    free(file);
+}
+
+/* ---- axes and units ---- */
+
+/* Rotations that bring an up axis to z. */
+static murk_affine up_to_z(char up)
+{
+    switch (up) {
+    case 'x':
+        return (murk_affine){.matrix = {{0, -1, 0}, {0, 0, -1}, {1, 0, 0}}};
+    case 'y':
+        return (murk_affine){.matrix = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
+    default:
+        return murk_affine_identity();
+    }
+}
+
+static murk_affine affine_of(const struct aiMatrix4x4 *m)
+{
+    return (murk_affine){
+        .matrix = {{(double)m->a1, (double)m->a2, (double)m->a3},
+                   {(double)m->b1, (double)m->b2, (double)m->b3},
+                   {(double)m->c1, (double)m->c2, (double)m->c3}},
+        .shift = {(double)m->a4, (double)m->b4, (double)m->c4}};
+}
+
+static double length_scale(const murk_affine *a)
+{
+    const murk_vec3 x = {a->matrix[0][0], a->matrix[1][0], a->matrix[2][0]};
+    const murk_vec3 y = {a->matrix[0][1], a->matrix[1][1], a->matrix[2][1]};
+    const murk_vec3 z = {a->matrix[0][2], a->matrix[1][2], a->matrix[2][2]};
+    return cbrt(fabs(murk_dot(x, murk_cross(y, z))));
+}
+
+static const struct aiMetadataEntry *
+note(const struct aiScene *scene, const char *key, enum aiMetadataType type)
+{
+    const struct aiMetadata *notes = scene->mMetaData;
+    for (unsigned i = 0; notes && i < notes->mNumProperties; ++i) {
+        if (strcmp(notes->mKeys[i].data, key) == 0 &&
+            notes->mValues[i].mType == type && notes->mValues[i].mData) {
+            return &notes->mValues[i];
+        }
+    }
+    return NULL;
+}
+
+/* What Assimp's coordinates are, as the file says: up axis; metres a unit;
+ * the up axis of the file itself where Assimp has turned it; and metres a unit
+ * of the file itself where Assimp has scaled it. */
+typedef struct customs {
+    char up, own_up;
+    double unit_m, own_unit_m;
+} customs;
+
+static customs customs_of(const struct aiScene *scene)
+{
+    customs c = {.up = 'z', .own_up = 'z', .unit_m = 1, .own_unit_m = 1};
+    const struct aiMetadataEntry *format =
+        note(scene, AI_METADATA_SOURCE_FORMAT, AI_AISTRING);
+    const char *name =
+        format ? ((const struct aiString *)format->mData)->data : "";
+    if (strstr(name, "Collada")) {
+        const murk_affine root = affine_of(&scene->mRootNode->mTransformation);
+        c.up = c.own_up = 'y'; /* own_up: see read_scene */
+        c.own_unit_m = length_scale(&root);
+    } else if (strstr(name, "IFC") || strstr(name, "3DS") ||
+               strstr(name, "ASE") || strstr(name, "DXF")) {
+        c.up = 'y';
+    } else if (strstr(name, "glTF") || strstr(name, "X3D")) {
+        c.up = c.own_up = 'y';
+    } else if (strstr(name, "FBX")) {
+        const struct aiMetadataEntry *up = note(scene, "UpAxis", AI_INT32);
+        const struct aiMetadataEntry *cm =
+            note(scene, "UnitScaleFactor", AI_DOUBLE);
+        const int32_t axis = up ? *(const int32_t *)up->mData : 1;
+        const double factor = cm ? *(const double *)cm->mData : 1;
+        c.up = c.own_up = axis == 0 ? 'x' : axis == 2 ? 'z' : 'y';
+        c.unit_m = c.own_unit_m = 0.01 * factor;
+    }
+    return c;
+}
+
+/* From Assimp's coordinates to metres with z up. */
+static murk_affine to_metres(const struct aiScene *scene,
+                             const murk_mesh_import *import)
+{
+    const customs c = customs_of(scene);
+    murk_affine out = up_to_z(c.up);
+    if (import->up) {
+        /* Back to the file's own axes first; turned ones were z up. */
+        const murk_affine own =
+            c.up == c.own_up ? murk_affine_identity() : up_to_z(c.up);
+        const murk_affine turn = up_to_z(import->up);
+        out = murk_affine_compose(&turn, &own);
+    }
+    const double scale = import->unit_m > 0
+                             ? c.unit_m * import->unit_m / c.own_unit_m
+                             : c.unit_m;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            out.matrix[i][j] *= scale;
+        }
+    }
+    return out;
+}
+
+/* ---- walking the tree ---- */
+
+typedef enum purpose {
+    COUNT,
+    SEND_VERTICES,
+    SEND_CORNERS,
+    SEND_MATERIALS
+} purpose;
+
+typedef struct tour {
+    murk_child *child;
+    const murk_import_order *order;
+    const struct aiScene *scene;
+    purpose purpose;
+    murk_import_head head;
+    uint64_t first_vertex; /* of the mesh at hand, in the whole */
+    uint64_t bad_vertices, bad_indices, bad_vertex_at, bad_index_at;
+    float vertex[3 * BLOCK];
+    uint32_t index[3 * BLOCK];
+} tour;
+
+static murk_status send_vertices(tour *t, const struct aiMesh *mesh,
+                                 const murk_affine *place)
+{
+    murk_status status = MURK_OK;
+    for (unsigned i = 0; i < mesh->mNumVertices && !status;) {
+        size_t n = 0;
+        for (; n < BLOCK && i < mesh->mNumVertices; ++n, ++i) {
+            const struct aiVector3D *v = &mesh->mVertices[i];
+            const murk_vec3 p = murk_affine_point(
+                place, murk_vec((double)v->x, (double)v->y, (double)v->z));
+            t->vertex[3 * n] = (float)p.x;
+            t->vertex[3 * n + 1] = (float)p.y;
+            t->vertex[3 * n + 2] = (float)p.z;
+        }
+        status = murk_child_send(t->child, t->vertex, n * 3 * sizeof(float));
+    }
+    return status;
+}
+
+static murk_status send_triangles(tour *t, const struct aiMesh *mesh)
+{
+    const size_t each = t->purpose == SEND_CORNERS ? 3 : 1;
+    murk_status status = MURK_OK;
+    for (unsigned i = 0; i < mesh->mNumFaces && !status;) {
+        size_t n = 0;
+        for (; n < BLOCK && i < mesh->mNumFaces; ++i) {
+            const struct aiFace *face = &mesh->mFaces[i];
+            if (face->mNumIndices != 3) {
+                continue; /* points and lines have no area */
+            }
+            for (size_t k = 0; k < each; ++k) {
+                t->index[each * n + k] =
+                    t->purpose == SEND_MATERIALS
+                        ? mesh->mMaterialIndex
+                        : (uint32_t)t->first_vertex + face->mIndices[k];
+            }
+            ++n;
+        }
+        status =
+            murk_child_send(t->child, t->index, n * each * sizeof(uint32_t));
+    }
+    return status;
+}
+
+static void count_mesh(tour *t, const struct aiMesh *mesh)
+{
+    for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
+        const struct aiVector3D *v = &mesh->mVertices[i];
+        if (!isfinite(v->x) || !isfinite(v->y) || !isfinite(v->z)) {
+            t->bad_vertex_at =
+                t->bad_vertices++ ? t->bad_vertex_at : t->head.vertices + i;
+        }
+    }
+    for (unsigned i = 0; i < mesh->mNumFaces; ++i) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices != 3) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            if (face->mIndices[k] >= mesh->mNumVertices) {
+                t->bad_index_at =
+                    t->bad_indices++ ? t->bad_index_at : t->head.triangles;
+            }
+        }
+        ++t->head.triangles;
+    }
+    t->head.vertices += mesh->mNumVertices;
+}
+
+static murk_status visit(tour *t, const struct aiNode *node,
+                         const murk_affine *parent)
+{
+    const murk_affine own = affine_of(&node->mTransformation);
+    const murk_affine place = murk_affine_compose(parent, &own);
+    murk_status status = MURK_OK;
+    for (unsigned i = 0; i < node->mNumMeshes && !status; ++i) {
+        const struct aiMesh *mesh = t->scene->mMeshes[node->mMeshes[i]];
+        switch (t->purpose) {
+        case COUNT:
+            count_mesh(t, mesh);
+            break;
+        case SEND_VERTICES:
+            status = send_vertices(t, mesh, &place);
+            break;
+        case SEND_CORNERS:
+        case SEND_MATERIALS:
+            status = send_triangles(t, mesh);
+            t->first_vertex += mesh->mNumVertices;
+            break;
+        }
+    }
+    for (unsigned i = 0; i < node->mNumChildren && !status; ++i) {
+        status = visit(t, node->mChildren[i], &place);
+    }
+    return status;
+}
+
+static murk_status check_counts(const tour *t, murk_error *err)
+{
+    const char *where = t->order->where, *path = t->order->path;
+    if (t->head.triangles == 0) {
+        return murk_fail(err, MURK_BAD_FILE, where, "%s holds no triangles",
+                         path);
+    }
+    if (t->bad_vertices > 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s: %" PRIu64 " of %" PRIu64
+                         " vertices are not finite, the first is vertex "
+                         "%" PRIu64,
+                         path, t->bad_vertices, t->head.vertices,
+                         t->bad_vertex_at);
+    }
+    if (t->bad_indices > 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s: %" PRIu64 " corners name a vertex that is not "
+                         "there, the first in triangle %" PRIu64 " of %" PRIu64,
+                         path, t->bad_indices, t->bad_index_at,
+                         t->head.triangles);
+    }
+    if (t->head.vertices > UINT32_MAX || t->head.triangles > UINT32_MAX) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s: %" PRIu64 " triangles, must be at most %" PRIu32,
+                         path, t->head.triangles, UINT32_MAX);
+    }
+    return MURK_OK;
+}
+
+static murk_status send_names(const tour *t)
+{
+    murk_status status = MURK_OK;
+    for (unsigned i = 0; i < t->scene->mNumMaterials && !status; ++i) {
+        struct aiString own = {0};
+        char name[MURK_NAME_SIZE] = {0};
+        if (aiGetMaterialString(t->scene->mMaterials[i], AI_MATKEY_NAME,
+                                &own) == aiReturn_SUCCESS) {
+            memcpy(name, own.data, strnlen(own.data, MURK_NAME_SIZE - 1));
+        }
+        status = murk_child_send(t->child, name, sizeof name);
+    }
+    return status;
+}
+
+static const struct aiScene *read_scene(const murk_import_order *order)
+{
+    struct aiPropertyStore *settings = aiCreatePropertyStore();
+    struct aiFileIO files = {.OpenProc = file_open, .CloseProc = file_close};
+    if (!settings) {
+        return NULL;
+    }
+    if (order->import.up) {
+        /* Collada then keeps its own axes, whatever it says they are. */
+        aiSetImportPropertyInteger(
+            settings, AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
+    }
+    const struct aiScene *scene = aiImportFileExWithProperties(
+        order->path, aiProcess_Triangulate, &files, settings);
+    aiReleasePropertyStore(settings);
+    return scene;
+}
+
+static void one_line(char *text)
+{
+    for (; *text; ++text) {
+        if ((unsigned char)*text < ' ') {
+            *text = ' ';
+        }
+    }
+}
+
+murk_status murk_import_work(murk_child *child, void *context, murk_error *err)
+{
+    const murk_import_order *order = context;
+    const struct aiScene *scene = read_scene(order);
+    if (!scene || !scene->mRootNode) {
+        char why[256];
+        snprintf(why, sizeof why, "%s", aiGetErrorString());
+        one_line(why);
+        return murk_fail(err, MURK_BAD_FILE, order->where,
+                         "%s is no mesh that can be read: %s", order->path,
+                         why);
+    }
+    tour *t = calloc(1, sizeof *t);
+    if (!t) {
+        return murk_fail(err, MURK_NO_MEMORY, order->where,
+                         "no memory to read %s", order->path);
+    }
+    t->child = child;
+    t->order = order;
+    t->scene = scene;
+    const murk_affine place = to_metres(scene, &order->import);
+    visit(t, scene->mRootNode, &place);
+    t->head.materials = scene->mNumMaterials;
+    murk_status status = check_counts(t, err);
+    if (!status) {
+        status = murk_child_send(child, &t->head, sizeof t->head);
+    }
+    for (int p = SEND_VERTICES; p <= SEND_MATERIALS && !status; ++p) {
+        t->purpose = (purpose)p;
+        t->first_vertex = 0;
+        status = visit(t, scene->mRootNode, &place);
+    }
+    return status ? status : send_names(t);
+}

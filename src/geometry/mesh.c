@@ -1,0 +1,206 @@
+#include "geometry/mesh.h"
+
+#include "geometry/import.h"
+#include "geometry/triangle.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static murk_status look_at_file(const char *path, uint64_t *bytes,
+                                const char *where, murk_error *err)
+{
+    struct stat is;
+    if (stat(path, &is) != 0 || access(path, R_OK) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, where, "cannot read %s: %s", path,
+                         strerror(errno));
+    }
+    if (!S_ISREG(is.st_mode)) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         S_ISDIR(is.st_mode) ? "%s is a folder"
+                                             : "%s is not a regular file",
+                         path);
+    }
+    if (is.st_size == 0) {
+        return murk_fail(err, MURK_BAD_FILE, where, "%s is empty", path);
+    }
+    *bytes = (uint64_t)is.st_size;
+    return MURK_OK;
+}
+
+static murk_status check_import(const murk_mesh_import *import,
+                                const char *where, murk_error *err)
+{
+    if (!(import->unit_m >= 0 && import->unit_m <= 1e9)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "unit_m is %g, must be above 0 and at most 1e9 m",
+                         import->unit_m);
+    }
+    if (import->up != 0 && !strchr("xyz", import->up)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "up is %c, must be x, y or z", import->up);
+    }
+    return MURK_OK;
+}
+
+static bool allocate(murk_mesh *mesh, const murk_import_head *head)
+{
+    mesh->vertices = head->vertices;
+    mesh->triangles = head->triangles;
+    mesh->materials = head->materials;
+    mesh->vertex_m = malloc((3 * mesh->vertices + 1) * sizeof(float));
+    mesh->corner = malloc((3 * mesh->triangles + 1) * sizeof(uint32_t));
+    mesh->material = malloc((mesh->triangles + 1) * sizeof(uint32_t));
+    mesh->material_name =
+        malloc((mesh->materials + 1) * sizeof *mesh->material_name);
+    return mesh->vertex_m && mesh->corner && mesh->material &&
+           mesh->material_name;
+}
+
+/* The child's word is not taken for it: a broken file may have broken it. */
+static bool is_sound(const murk_mesh *mesh)
+{
+    for (size_t i = 0; i < 3 * mesh->vertices; ++i) {
+        if (!isfinite(mesh->vertex_m[i])) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < 3 * mesh->triangles; ++i) {
+        if (mesh->corner[i] >= mesh->vertices) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < mesh->triangles; ++i) {
+        if (mesh->material[i] >= mesh->materials) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < mesh->materials; ++i) {
+        mesh->material_name[i][MURK_NAME_SIZE - 1] = '\0';
+    }
+    return true;
+}
+
+static void drop_degenerate(murk_mesh *mesh)
+{
+    size_t kept = 0;
+    mesh->bounds_m = murk_box_empty();
+    for (size_t i = 0; i < mesh->triangles; ++i) {
+        const murk_triangle t =
+            murk_triangle_at(mesh->vertex_m, mesh->corner + 3 * i);
+        if (murk_triangle_is_degenerate(&t)) {
+            ++mesh->degenerate;
+            continue;
+        }
+        memmove(mesh->corner + 3 * kept, mesh->corner + 3 * i,
+                3 * sizeof *mesh->corner);
+        mesh->material[kept++] = mesh->material[i];
+        mesh->bounds_m = murk_box_with(mesh->bounds_m, t.a);
+        mesh->bounds_m = murk_box_with(mesh->bounds_m, t.b);
+        mesh->bounds_m = murk_box_with(mesh->bounds_m, t.c);
+    }
+    mesh->triangles = kept;
+}
+
+/* Copies and moves on. */
+static void take(void *to, size_t size, const unsigned char **bytes)
+{
+    memcpy(to, *bytes, size);
+    *bytes += size;
+}
+
+static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
+                          size_t size, const char *path, const char *where,
+                          murk_error *err)
+{
+    murk_import_head head;
+    const size_t most = size / 4;
+    bool fits = size >= sizeof head;
+    if (fits) {
+        take(&head, sizeof head, &bytes);
+        fits = head.vertices <= most && head.triangles <= most &&
+               head.materials <= most &&
+               size - sizeof head == head.vertices * 3 * sizeof(float) +
+                                         head.triangles * 4 * sizeof(uint32_t) +
+                                         head.materials * MURK_NAME_SIZE;
+    }
+    if (!fits) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s is malformed: its reader lost count", path);
+    }
+    if (!allocate(mesh, &head)) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for the %zu triangles of %s",
+                         mesh->triangles, path);
+    }
+    take(mesh->vertex_m, 3 * mesh->vertices * sizeof(float), &bytes);
+    take(mesh->corner, 3 * mesh->triangles * sizeof(uint32_t), &bytes);
+    take(mesh->material, mesh->triangles * sizeof(uint32_t), &bytes);
+    take(mesh->material_name, mesh->materials * MURK_NAME_SIZE, &bytes);
+    if (!is_sound(mesh)) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s: coordinates or indices out of range", path);
+    }
+    drop_degenerate(mesh);
+    if (mesh->triangles == 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s: none of its %zu triangles has an area", path,
+                         mesh->degenerate);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_mesh_read(murk_mesh **out, const char *path,
+                           const murk_mesh_import *import, const char *where,
+                           murk_error *err)
+{
+    murk_import_order order = {.path = path, .where = where};
+    if (import) {
+        order.import = *import;
+    }
+    uint64_t file_bytes = 0;
+    unsigned char *bytes = NULL;
+    size_t size = 0;
+    murk_mesh *mesh = NULL;
+    murk_status status = check_import(&order.import, where, err);
+    if (!status) {
+        status = look_at_file(path, &file_bytes, where, err);
+    }
+    if (!status) {
+        const murk_child_limits limits = murk_child_limits_for(file_bytes);
+        status = murk_child_run(&bytes, &size, murk_import_work, &order,
+                                &limits, where, err);
+    }
+    if (status) {
+        goto done;
+    }
+    mesh = calloc(1, sizeof *mesh);
+    if (!mesh) {
+        status =
+            murk_fail(err, MURK_NO_MEMORY, where, "no memory for %s", path);
+        goto done;
+    }
+    status = unpack(mesh, bytes, size, path, where, err);
+    if (status) {
+        goto done;
+    }
+    *out = mesh;
+    mesh = NULL;
+done:
+    murk_mesh_destroy(mesh);
+    free(bytes);
+    return status;
+}
+
+void murk_mesh_destroy(murk_mesh *mesh)
+{
+    if (mesh) {
+        free(mesh->vertex_m);
+        free(mesh->corner);
+        free(mesh->material);
+        free(mesh->material_name);
+        free(mesh);
+    }
+}
