@@ -269,6 +269,11 @@ const murk_grid_facts *murk_grid_describe(const murk_grid *grid)
     return &grid->facts;
 }
 
+const void *murk_grid_nanovdb(const murk_grid *grid)
+{
+    return grid->buffer;
+}
+
 const murk_tree *murk_grid_tree(const murk_grid *grid)
 {
     return &grid->tree;

@@ -47,6 +47,10 @@ void murk_grid_destroy(murk_grid *grid); /* NULL is fine */
 
 const murk_grid_facts *murk_grid_describe(const murk_grid *grid);
 
+/* The NanoVDB float grid itself, for readers of that format: memory_bytes of
+ * it, 64-byte aligned, the grid's own; NULL when the grid is empty. */
+const void *murk_grid_nanovdb(const murk_grid *grid);
+
 /* Value at an index [density unit]; the background (0) where nothing is. */
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k);
 
