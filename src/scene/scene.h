@@ -109,8 +109,8 @@ typedef struct murk_scene_photons {
 } murk_scene_photons;
 
 typedef struct murk_scene_sensors {
-    murk_scene_where where;      /* of `sensors` */
-    bool given;                  /* the scene has sensors */
+    murk_scene_where where; /* of `sensors` */
+    bool given;             /* the scene has sensors */
     murk_scene_name type_name;
     double range_m;
     murk_scene_where grid_where; /* of `sensors.candidates.grid` */
@@ -130,20 +130,20 @@ typedef enum murk_scene_method {
 typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
-    bool by_normal;  /* visibility: normal; false: ray */
-    bool block;      /* through: block; false: thin */
-    bool unknown;    /* knowledge: unknown; false: known */
+    bool by_normal; /* visibility: normal; false: ray */
+    bool block;     /* through: block; false: thin */
+    bool unknown;   /* knowledge: unknown; false: known */
     uint64_t restarts;
-    bool balanced;   /* weights */
+    bool balanced; /* weights */
     double weight_surface, weight_volume;
     bool hold_out;
 } murk_scene_placement;
 
 typedef struct murk_scene {
-    char *path;           /* as given */
-    char sha256[65];      /* of the file's bytes */
+    char *path;      /* as given */
+    char sha256[65]; /* of the file's bytes */
     int bands;
-    double band_nm[MURK_BANDS_MAX];      /* lines, or middles of edges */
+    double band_nm[MURK_BANDS_MAX]; /* lines, or middles of edges */
     double band_edge_nm[MURK_BANDS_MAX + 1];
     bool has_edges;
     uint32_t seed;
@@ -163,19 +163,28 @@ typedef struct murk_scene {
     murk_scene_photons photons;
     murk_scene_sensors sensors;
     murk_scene_placement placement;
-    char *resolved;   /* the whole scene as it was used, overrides and defaults
-                         written out, as YAML that reads back the same */
-    char *light_key;  /* the part of it that the traced light depends on */
+    char *resolved;  /* the whole scene as it was used, overrides and defaults
+                        written out, files by absolute path, as YAML that reads
+                        back the same from any folder */
+    char *light_key; /* the part of it that the traced light depends on, files
+                        by name, size and checksum: two scenes give the same
+                        light when these are equal */
 } murk_scene;
 
 /* One --set, or an option that is one ("seed=3"). */
 typedef struct murk_override {
-    const char *text; /* KEY=VALUE, VALUE in YAML flow */
+    const char *text;   /* KEY=VALUE, VALUE in YAML flow */
+    const char *option; /* as the user typed it, for messages: "--seed 3"; NULL:
+                           "--set " and the text */
 } murk_override;
 
 /* *out is the caller's: murk_scene_destroy(). Overrides are applied in order
- * before anything is checked; their messages name the option. Files named in
- * the scene are not opened. */
+ * before anything is checked; their messages name the option. Of two keys that
+ * exclude each other (photons.emit, photons.store) the one on the command line
+ * replaces the scene's; both there are refused. Paths in the scene are
+ * relative to it, those of overrides to the working folder. Files named in the
+ * scene are summed for light_key, not parsed: a missing one is no error here.
+ */
 murk_status murk_scene_read(murk_scene **out, const char *path,
                             const murk_override *overrides, size_t n_overrides,
                             murk_error *err);

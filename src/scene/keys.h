@@ -1,0 +1,84 @@
+/* The table of every key of a scene: type, unit, range, default, and where
+ * its value goes. A new key is one row in keys.c and a member in scene.h. */
+#ifndef MURK_SCENE_KEYS_H
+#define MURK_SCENE_KEYS_H
+
+#include "scene/scene.h"
+#include "scene/yaml.h"
+
+typedef enum murk_key_kind {
+    MURK_KEY_LATER,      /* of the contract, not supported yet */
+    MURK_KEY_ONLY,       /* no value but its default is supported yet */
+    MURK_KEY_NUMBER,     /* double, times `factor` */
+    MURK_KEY_COUNT,      /* uint32_t, uint64_t or size_t */
+    MURK_KEY_BOOL,       /* bool */
+    MURK_KEY_WORD,       /* one of `words`: an enum, bool or char */
+    MURK_KEY_TEXT,       /* murk_scene_name, or char * */
+    MURK_KEY_PATH,       /* char *: as it is to be opened */
+    MURK_KEY_REFERENCE,  /* index among the names of `of`: size_t, or int with
+                            -1 where absent */
+    MURK_KEY_VECTOR,     /* murk_vec3 */
+    MURK_KEY_SIZES,      /* size_t[3] */
+    MURK_KEY_BANDS,      /* 1..16 rising doubles: the scene's bands */
+    MURK_KEY_BAND_EDGES, /* 2..17 rising doubles: the scene's bands */
+    MURK_KEY_SPECTRUM,   /* one value for all bands, or a list */
+    MURK_KEY_SHARED,     /* a total spread over the bands, or a list */
+    MURK_KEY_MAP,        /* keys into the same struct; or one of `words` */
+    MURK_KEY_LIST,       /* maps: an array of structs, or (item_size 0) at most
+                            one map into the same struct */
+    MURK_KEY_NAMED       /* maps by name: an array of structs */
+} murk_key_kind;
+
+typedef struct murk_word {
+    const char *text; /* NULL ends the list */
+    int value;
+    bool is_later; /* of the contract, not supported yet */
+} murk_word;
+
+typedef struct murk_keys murk_keys;
+typedef struct murk_walk murk_walk; /* walk.h */
+
+typedef struct murk_key {
+    const char *name; /* NULL ends the table */
+    murk_key_kind kind;
+    bool required;      /* in a group: one of the group is */
+    bool above, below;  /* `least`, `most` themselves are refused */
+    double least, most; /* both 0: any finite number */
+    const char *unit;   /* NULL: none */
+    const char *preset; /* default, in YAML; NULL: none, may be absent */
+    unsigned variants;  /* bit set of the map's variants; 0: all */
+    int group;          /* not 0: at most one key of a group */
+    double factor;      /* to SI; 0: 1 */
+    const murk_word *words;
+    const murk_keys *keys; /* of the map, or of each item */
+    const char *of;        /* references: "media" or "materials" */
+    size_t at, size;       /* member; size 0: kept in no struct */
+    bool has_flag;
+    size_t flag_at; /* a bool that says whether the key is there */
+    bool lights;    /* top level: the traced light depends on it */
+} murk_key;
+
+struct murk_keys {
+    const murk_key *key;
+    const char *noun; /* "light" */
+    /* Which variant a map is: the value of the word key `selector`, or what
+     * choose() finds; without both there is but one. */
+    const char *selector;
+    murk_status (*choose)(murk_walk *walk, const murk_yaml *map, int *variant);
+    const char *const *variant_names; /* "point" */
+    bool has_variant_at, has_where;
+    size_t variant_at, where_at; /* members */
+    /* Once all members are filled: what involves several of them. */
+    murk_status (*check)(murk_walk *walk, const murk_yaml *map, void *item);
+    /* Items of lists and names: */
+    size_t item_size, array_at, count_at, most_items, name_at;
+    bool needs_item;
+    const char *first, *first_preset; /* a name built in, always item 0 */
+};
+
+extern const murk_keys murk_scene_keys;
+
+/* The row of that name, of whichever variant, or NULL. */
+const murk_key *murk_keys_find(const murk_keys *keys, const char *name);
+
+#endif

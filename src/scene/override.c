@@ -1,0 +1,289 @@
+#include "scene/override.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/keys.h"
+#include "scene/number.h"
+#include "scene/words.h"
+
+/* Where in the tree an option has come to: the node, and what the table says
+ * of it (NULL: nothing, as inside a list of numbers). */
+typedef struct spot {
+    murk_yaml *node;
+    const murk_key *key;
+} spot;
+
+typedef struct option_context {
+    const char *source;
+    const murk_yaml *root;
+    murk_error *err;
+} option_context;
+
+static murk_status fail(const option_context *option, const char *text)
+{
+    char where[256];
+    const murk_yaml node = {.source = option->source};
+    murk_yaml_place(&node, where, sizeof where);
+    return murk_fail(option->err, MURK_BAD_VALUE, where, "%s", text);
+}
+
+static murk_status no_memory(const option_context *option)
+{
+    return murk_fail(option->err, MURK_NO_MEMORY, option->source,
+                     "no memory for it");
+}
+
+/* Length of the first part of a path. A name that holds dots is taken whole
+ * where the map has it. */
+static size_t part_length(const murk_yaml *node, const char *path)
+{
+    size_t length = strcspn(path, ".");
+    for (size_t i = 0; node->kind == MURK_YAML_MAP && i < node->n; ++i) {
+        const size_t n = strlen(node->key[i]);
+        if (n > length && strncmp(path, node->key[i], n) == 0 &&
+            (path[n] == '.' || path[n] == '\0')) {
+            length = n;
+        }
+    }
+    return length;
+}
+
+static murk_status unknown(const option_context *option, const murk_key *owner,
+                           const char *part, const char *const *names, size_t n)
+{
+    char shown[MURK_SCENE_NAME_SIZE], meant_shown[MURK_SCENE_NAME_SIZE];
+    char text[256];
+    murk_words_show(shown, sizeof shown, part);
+    const char *meant = murk_words_meant(part, names, n);
+    const char *where = owner && owner->name ? owner->name : "the scene";
+    if (meant) {
+        murk_words_show(meant_shown, sizeof meant_shown, meant);
+        snprintf(text, sizeof text, "no %s in %s, did you mean %s?", shown,
+                 where, meant_shown);
+    } else {
+        snprintf(text, sizeof text, "no %s in %s", shown, where);
+    }
+    return fail(option, text);
+}
+
+static murk_status unknown_key(const option_context *option,
+                               const murk_key *owner, const char *part)
+{
+    const char *names[64];
+    size_t n = 0;
+    for (const murk_key *key = owner->keys->key; key->name && n < 64; ++key) {
+        names[n++] = key->name;
+    }
+    return unknown(option, owner, part, names, n);
+}
+
+/* What the table says of a child of this spot. Names and items are maps. */
+static const murk_key *child_key(const spot *at, const char *part,
+                                 murk_key *item)
+{
+    if (!at->key || !at->key->keys) {
+        return NULL;
+    }
+    if (at->key->kind == MURK_KEY_MAP) {
+        return murk_keys_find(at->key->keys, part);
+    }
+    *item = (murk_key){
+        .name = at->key->name, .kind = MURK_KEY_MAP, .keys = at->key->keys};
+    return item;
+}
+
+/* A key replaces those that it excludes, but two options must not fight. */
+static murk_status remove_rivals(const option_context *option, murk_yaml *map,
+                                 const murk_key *owner, const murk_key *key)
+{
+    for (const murk_key *other = owner->keys->key; key->group && other->name;
+         ++other) {
+        const murk_yaml *rival = murk_yaml_get(map, other->name);
+        if (other->group != key->group || strcmp(other->name, key->name) == 0 ||
+            !rival) {
+            continue;
+        }
+        if (rival->source != option->root->source) {
+            char text[256];
+            snprintf(text, sizeof text,
+                     "%s and %s are both on the command line, must be one of "
+                     "them",
+                     other->name, key->name);
+            return fail(option, text);
+        }
+        murk_yaml_remove(map, other->name);
+    }
+    return MURK_OK;
+}
+
+/* Turns a word (phase: isotropic) or an empty value into a map, where the
+ * table allows one. */
+static bool make_map(murk_yaml *node, const spot *at)
+{
+    const bool can =
+        node->kind == MURK_YAML_SCALAR && at->key &&
+        (at->key->kind == MURK_KEY_MAP ||
+         (at->key->kind == MURK_KEY_NAMED && murk_yaml_is_null(node)));
+    if (can) {
+        murk_yaml_clear(node);
+        node->kind = MURK_YAML_MAP;
+        node->is_quoted = false;
+    }
+    return can;
+}
+
+static murk_status step_list(const option_context *option, spot *at,
+                             const char *part, murk_yaml **value)
+{
+    murk_yaml *list = at->node;
+    uint64_t index;
+    char text[256], shown[MURK_SCENE_NAME_SIZE];
+    if (strspn(part, "0123456789") != strlen(part) ||
+        !murk_count_parse(part, &index) || index >= list->n) {
+        murk_words_show(shown, sizeof shown, part);
+        if (list->n == 0) {
+            snprintf(text, sizeof text, "item %s of an empty list", shown);
+        } else {
+            snprintf(text, sizeof text,
+                     "item %s of a list of %zu, must be 0..%zu", shown, list->n,
+                     list->n - 1);
+        }
+        return fail(option, text);
+    }
+    if (value) {
+        (*value)->key_line = 0;
+        murk_yaml_destroy(list->child[index]);
+        list->child[index] = *value;
+        *value = NULL;
+    }
+    at->node = list->child[index];
+    return MURK_OK;
+}
+
+static murk_status step_map(const option_context *option, spot *at,
+                            const char *part, const murk_key *next,
+                            murk_yaml **value)
+{
+    const murk_key *owner = at->key;
+    murk_yaml *map = at->node;
+    murk_yaml *child = murk_yaml_get(map, part);
+    if (!next && !child) {
+        return unknown_key(option, owner, part);
+    }
+    const bool is_named = owner && owner->kind == MURK_KEY_NAMED;
+    const bool is_built_in =
+        is_named && owner->keys->first && strcmp(owner->keys->first, part) == 0;
+    if (is_named && !child && !value && !is_built_in) {
+        return unknown(option, owner, part, (const char *const *)map->key,
+                       map->n);
+    }
+    if (next && owner->kind == MURK_KEY_MAP) {
+        const murk_status status = remove_rivals(option, map, owner, next);
+        if (status) {
+            return status;
+        }
+    }
+    if (value || !child) {
+        child = value ? *value : murk_yaml_make(MURK_YAML_MAP, option->source);
+        if (value) {
+            *value = NULL;
+        }
+        if (!child || !murk_yaml_put(map, part, child)) {
+            return no_memory(option);
+        }
+    }
+    at->node = child;
+    return MURK_OK;
+}
+
+/* One part of the path down; the last one puts *value there and takes it. */
+static murk_status step(const option_context *option, spot *at,
+                        const char *part, murk_key *item, murk_yaml **value)
+{
+    const murk_key *next = child_key(at, part, item);
+    murk_status status = MURK_OK;
+    if (at->node->kind == MURK_YAML_LIST) {
+        status = step_list(option, at, part, value);
+    } else if (at->node->kind == MURK_YAML_MAP || make_map(at->node, at)) {
+        if (!at->key || !at->key->keys) {
+            return fail(option, "a key that cannot be set by its path");
+        }
+        status = step_map(option, at, part, next, value);
+    } else {
+        char text[256], shown[MURK_SCENE_NAME_SIZE];
+        murk_words_show(shown, sizeof shown, part);
+        snprintf(text, sizeof text, "%s is below a single value", shown);
+        return fail(option, text);
+    }
+    at->key = next;
+    return status;
+}
+
+static murk_status descend(const option_context *option, murk_yaml *root,
+                           char *path, murk_yaml **value)
+{
+    static const murk_key whole = {
+        .name = NULL, .kind = MURK_KEY_MAP, .keys = &murk_scene_keys};
+    murk_key items[2]; /* of this step and the one before */
+    spot at = {root, &whole};
+    for (int i = 0;; i ^= 1) {
+        const size_t length = part_length(at.node, path);
+        const bool is_last = path[length] == '\0';
+        path[length] = '\0';
+        if (length == 0) {
+            return fail(option, "an empty key, must be KEY=VALUE, such as "
+                                "photons.emit=1e5");
+        }
+        const murk_status status =
+            step(option, &at, path, &items[i], is_last ? value : NULL);
+        if (status || is_last) {
+            return status;
+        }
+        path += length + 1;
+    }
+}
+
+char *murk_override_source(const murk_override *override)
+{
+    const char *prefix = override->option ? "" : "--set ";
+    const char *text = override->option ? override->option : override->text;
+    const size_t size = strlen(prefix) + strlen(text) + 1;
+    char *source = malloc(size);
+    if (source) {
+        snprintf(source, size, "%s%s", prefix, text);
+    }
+    return source;
+}
+
+murk_status murk_override_apply(murk_yaml *root, const murk_override *override,
+                                const char *source, murk_error *err)
+{
+    const option_context option = {source, root, err};
+    const char *equals = strchr(override->text, '=');
+    if (!equals) {
+        return fail(&option, "must be KEY=VALUE, such as photons.emit=1e5");
+    }
+    if (root->kind != MURK_YAML_MAP) {
+        return MURK_OK; /* the walk says what is wrong with it */
+    }
+    murk_yaml *value = NULL;
+    murk_status status =
+        murk_yaml_parse(&value, equals + 1, strlen(equals + 1), source, err);
+    if (status) {
+        return status;
+    }
+    const size_t length = (size_t)(equals - override->text);
+    char *path = malloc(length + 1);
+    if (!path) {
+        murk_yaml_destroy(value);
+        return no_memory(&option);
+    }
+    memcpy(path, override->text, length);
+    path[length] = '\0';
+    status = descend(&option, root, path, &value);
+    free(path);
+    murk_yaml_destroy(value);
+    return status;
+}

@@ -1,0 +1,140 @@
+#include "scene/print.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What may stand without quotes wherever it is and means itself: no number,
+ * no null, nothing that YAML reads otherwise. */
+static bool is_plain(const char *text)
+{
+    static const char *const words[] = {"null", "Null",  "NULL",
+                                        "true", "false", NULL};
+    const bool is_letter = (text[0] >= 'a' && text[0] <= 'z') ||
+                           (text[0] >= 'A' && text[0] <= 'Z');
+    if (!is_letter && text[0] != '/' && text[0] != '_') {
+        return false;
+    }
+    for (const char *const *word = words; *word; ++word) {
+        if (strcmp(text, *word) == 0) {
+            return false;
+        }
+    }
+    return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                        "0123456789_./-") == strlen(text);
+}
+
+static void print_text(FILE *out, const char *text)
+{
+    if (is_plain(text)) {
+        fputs(text, out);
+        return;
+    }
+    fputc('"', out);
+    for (const unsigned char *p = (const unsigned char *)text; *p; ++p) {
+        if (*p == '"' || *p == '\\') {
+            fprintf(out, "\\%c", *p);
+        } else if (*p < 0x20 || *p == 0x7F) {
+            fprintf(out, "\\x%02X", *p);
+        } else {
+            fputc(*p, out);
+        }
+    }
+    fputc('"', out);
+}
+
+static void print_flow(FILE *out, const murk_yaml *node)
+{
+    if (node->kind == MURK_YAML_SCALAR) {
+        if (node->is_quoted) {
+            print_text(out, node->text);
+        } else {
+            fputs(node->text, out);
+        }
+        return;
+    }
+    const bool is_map = node->kind == MURK_YAML_MAP;
+    fputc(is_map ? '{' : '[', out);
+    for (size_t i = 0; i < node->n; ++i) {
+        fputs(i ? ", " : "", out);
+        if (is_map) {
+            print_text(out, node->key[i]);
+            fputs(": ", out);
+        }
+        print_flow(out, node->child[i]);
+    }
+    fputc(is_map ? '}' : ']', out);
+}
+
+static bool holds_containers(const murk_yaml *node)
+{
+    for (size_t i = 0; i < node->n; ++i) {
+        const murk_yaml *child = node->child[i];
+        if (child->kind == MURK_YAML_MAP ||
+            (child->n > 0 && child->child[0]->kind != MURK_YAML_SCALAR)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void print_lines(FILE *out, const murk_yaml *node)
+{
+    for (size_t i = 0; i < node->n; ++i) {
+        if (node->kind == MURK_YAML_MAP) {
+            fputs("\n  ", out);
+            print_text(out, node->key[i]);
+            fputs(": ", out);
+        } else {
+            fputs("\n  - ", out);
+        }
+        print_flow(out, node->child[i]);
+    }
+}
+
+static char *finish(FILE *out, char **text)
+{
+    const bool failed = ferror(out) != 0;
+    if (fclose(out) != 0 || failed) {
+        free(*text);
+        return NULL;
+    }
+    return *text;
+}
+
+char *murk_print_flow(const murk_yaml *node)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
+    }
+    print_flow(out, node);
+    return finish(out, &text);
+}
+
+char *murk_print_file(const murk_yaml *map, bool (*is_wanted)(const char *key))
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
+    }
+    for (size_t i = 0; i < map->n; ++i) {
+        if (is_wanted && !is_wanted(map->key[i])) {
+            continue;
+        }
+        print_text(out, map->key[i]);
+        fputc(':', out);
+        if (holds_containers(map->child[i])) {
+            print_lines(out, map->child[i]);
+        } else {
+            fputc(' ', out);
+            print_flow(out, map->child[i]);
+        }
+        fputc('\n', out);
+    }
+    return finish(out, &text);
+}

@@ -1,0 +1,321 @@
+#include "scene/table.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/file.h"
+#include "scene/number.h"
+#include "scene/words.h"
+
+#define MOST_BYTES   256000000
+#define MOST_ROWS    10000000
+#define MOST_CELLS   20000000
+#define MOST_COLUMNS 1000
+
+typedef struct cursor {
+    const char *path;
+    char *next; /* in the text, which cells are cut from in place */
+    char *end;
+    int line;
+    murk_error *err;
+} cursor;
+
+static murk_status fail_at(const cursor *at, int line, const char *text)
+{
+    char where[320];
+    snprintf(where, sizeof where, "%.290s:%d", at->path, line);
+    return murk_fail(at->err, MURK_BAD_FILE, where, "%s", text);
+}
+
+static murk_status no_memory(const char *path, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the table");
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+/* Blank lines and comments. */
+static void skip_lines(cursor *at)
+{
+    for (;;) {
+        char *p = at->next;
+        while (p < at->end && (is_blank(*p) || *p == '\r')) {
+            ++p;
+        }
+        if (p < at->end && *p == '#') {
+            while (p < at->end && *p != '\n') {
+                ++p;
+            }
+        }
+        if (p >= at->end) {
+            at->next = at->end;
+            return;
+        }
+        if (*p != '\n') {
+            return;
+        }
+        at->next = p + 1;
+        ++at->line;
+    }
+}
+
+/* A cell in quotes, "" for one of them inside. Ends behind the closing one. */
+static murk_status read_quoted(cursor *at, char **cell)
+{
+    const int line = at->line;
+    char *from = at->next + 1, *to = from;
+    *cell = from;
+    for (;; ++from) {
+        if (from >= at->end) {
+            return fail_at(at, line, "a quote is not closed");
+        }
+        if (*from == '"') {
+            if (from + 1 >= at->end || from[1] != '"') {
+                break;
+            }
+            ++from;
+        }
+        at->line += *from == '\n';
+        *to++ = *from;
+    }
+    at->next = from + 1;
+    *to = '\0';
+    while (at->next < at->end && (is_blank(*at->next) || *at->next == '\r')) {
+        ++at->next;
+    }
+    if (at->next < at->end && *at->next != ',' && *at->next != '\n') {
+        return fail_at(at, at->line,
+                       "text behind a closing quote, must be a "
+                       "comma or the end of the line");
+    }
+    return MURK_OK;
+}
+
+/* One cell; *is_last at the end of the line. */
+static murk_status read_cell(cursor *at, char **cell, bool *is_last)
+{
+    while (at->next < at->end && is_blank(*at->next)) {
+        ++at->next;
+    }
+    char *stop = NULL;
+    if (at->next < at->end && *at->next == '"') {
+        const murk_status status = read_quoted(at, cell);
+        if (status) {
+            return status;
+        }
+    } else {
+        *cell = at->next;
+        while (at->next < at->end && *at->next != ',' && *at->next != '\n') {
+            ++at->next;
+        }
+        stop = at->next;
+        while (stop > *cell && (is_blank(stop[-1]) || stop[-1] == '\r')) {
+            --stop;
+        }
+    }
+    *is_last = at->next >= at->end || *at->next == '\n';
+    if (at->next < at->end) {
+        at->line += *at->next == '\n';
+        ++at->next;
+    }
+    if (stop) {
+        *stop = '\0'; /* the text has a '\0' behind its end */
+    }
+    return MURK_OK;
+}
+
+static murk_status read_header(murk_table *table, cursor *at)
+{
+    const int line = at->line;
+    bool is_last = false;
+    while (!is_last) {
+        if (table->columns == MOST_COLUMNS) {
+            return fail_at(at, line, "more than 1000 columns");
+        }
+        char **name = realloc(table->name, (table->columns + 1) * sizeof *name);
+        if (!name) {
+            return no_memory(at->path, at->err);
+        }
+        table->name = name;
+        char *cell;
+        const murk_status status = read_cell(at, &cell, &is_last);
+        if (status) {
+            return status;
+        }
+        char shown[48], text[128];
+        if (murk_table_column(table, cell) >= 0) {
+            murk_words_show(shown, sizeof shown, cell);
+            snprintf(text, sizeof text, "column %s is there twice", shown);
+            return fail_at(at, line, text);
+        }
+        if (cell[0] == '\0') {
+            snprintf(text, sizeof text, "column %zu has no name",
+                     table->columns + 1);
+            return fail_at(at, line, text);
+        }
+        table->name[table->columns++] = cell;
+    }
+    return MURK_OK;
+}
+
+static murk_status grow(murk_table *table, size_t *room, const cursor *at)
+{
+    if (table->rows < *room) {
+        return MURK_OK;
+    }
+    if (table->rows == MOST_ROWS ||
+        (table->rows + 1) * table->columns > MOST_CELLS) {
+        return fail_at(at, at->line,
+                       "too large, must be at most 1e7 rows and 2e7 cells");
+    }
+    *room = *room ? 2 * *room : 64;
+    if (*room > MOST_CELLS / table->columns) {
+        *room = MOST_CELLS / table->columns;
+    }
+    if (*room > MOST_ROWS) {
+        *room = MOST_ROWS;
+    }
+    char **cell = realloc(table->cell, *room * table->columns * sizeof *cell);
+    if (cell) {
+        table->cell = cell;
+    }
+    int *line = realloc(table->line, *room * sizeof *line);
+    if (line) {
+        table->line = line;
+    }
+    return cell && line ? MURK_OK : no_memory(at->path, at->err);
+}
+
+static murk_status read_row(murk_table *table, cursor *at)
+{
+    const int line = at->line;
+    char **row = table->cell + table->rows * table->columns;
+    size_t n = 0;
+    bool is_last = false;
+    while (!is_last) {
+        char *cell;
+        const murk_status status = read_cell(at, &cell, &is_last);
+        if (status) {
+            return status;
+        }
+        if (n < table->columns) {
+            row[n] = cell;
+        }
+        ++n;
+    }
+    if (n != table->columns) {
+        char text[128];
+        snprintf(text, sizeof text,
+                 "%zu cells, must be %zu: one for each column of the header", n,
+                 table->columns);
+        return fail_at(at, line, text);
+    }
+    table->line[table->rows++] = line;
+    return MURK_OK;
+}
+
+static murk_status find_nul(const cursor *at)
+{
+    const char *nul = memchr(at->next, '\0', (size_t)(at->end - at->next));
+    if (!nul) {
+        return MURK_OK;
+    }
+    int line = 1;
+    for (const char *p = at->next; p < nul; ++p) {
+        line += *p == '\n';
+    }
+    return fail_at(at, line, "a NUL byte, must be text");
+}
+
+murk_status murk_table_read(murk_table **out, const char *path, murk_error *err)
+{
+    size_t size = 0, room = 0;
+    murk_table *table = calloc(1, sizeof *table);
+    murk_status status = MURK_OK;
+    if (!table || !(table->path = strdup(path))) {
+        status = no_memory(path, err);
+        goto done;
+    }
+    status = murk_file_read(&table->text, &size, path, MOST_BYTES, err);
+    if (status) {
+        goto done;
+    }
+    cursor at = {path, table->text, table->text + size, 1, err};
+    status = find_nul(&at);
+    if (size >= 3 && memcmp(at.next, "\xEF\xBB\xBF", 3) == 0) {
+        at.next += 3; /* byte order mark */
+    }
+    skip_lines(&at);
+    if (!status && at.next == at.end) {
+        status = murk_fail(err, MURK_BAD_FILE, path,
+                           "empty, must begin with a row of column names");
+    }
+    if (!status) {
+        status = read_header(table, &at);
+    }
+    for (skip_lines(&at); !status && at.next < at.end; skip_lines(&at)) {
+        status = grow(table, &room, &at);
+        if (!status) {
+            status = read_row(table, &at);
+        }
+    }
+    if (!status) {
+        *out = table;
+        table = NULL;
+    }
+done:
+    murk_table_destroy(table);
+    return status;
+}
+
+void murk_table_destroy(murk_table *table)
+{
+    if (table) {
+        free(table->path);
+        free(table->name);
+        free(table->cell);
+        free(table->line);
+        free(table->text);
+        free(table);
+    }
+}
+
+long murk_table_column(const murk_table *table, const char *name)
+{
+    for (size_t i = 0; i < table->columns; ++i) {
+        if (strcmp(table->name[i], name) == 0) {
+            return (long)i;
+        }
+    }
+    return -1;
+}
+
+murk_status murk_table_number(const murk_table *table, size_t row, long column,
+                              double missing, double *out, murk_error *err)
+{
+    const char *cell =
+        column < 0 ? "" : table->cell[row * table->columns + (size_t)column];
+    if (cell[0] == '\0' && !isnan(missing)) {
+        *out = missing;
+        return MURK_OK;
+    }
+    if (murk_number_parse(cell, out)) {
+        return MURK_OK;
+    }
+    char where[320], name[64], found[48];
+    murk_words_show(name, sizeof name,
+                    column < 0 ? "a column" : table->name[column]);
+    murk_words_show(found, sizeof found, cell);
+    snprintf(where, sizeof where, "%.220s:%d: %s", table->path,
+             table->line[row], name);
+    return murk_fail(err, MURK_BAD_VALUE, where, "%s, must be a number",
+                     found[0] ? found : "an empty cell");
+}

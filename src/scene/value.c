@@ -1,0 +1,585 @@
+#include "scene/value.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/file.h"
+#include "scene/number.h"
+#include "scene/print.h"
+#include "scene/words.h"
+
+/* ---- words for messages ---- */
+
+void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
+{
+    if (node->kind != MURK_YAML_SCALAR) {
+        snprintf(out, MURK_FOUND_SIZE, "%s%s", node->n ? "" : "an empty ",
+                 node->kind == MURK_YAML_LIST ? node->n ? "a list" : "list"
+                 : node->n                    ? "a map"
+                                              : "map");
+    } else if (node->is_quoted) {
+        char text[MURK_FOUND_SIZE - 2];
+        murk_words_show(text, sizeof text, node->text);
+        snprintf(out, MURK_FOUND_SIZE, "\"%s\"", text);
+    } else if (node->text[0] == '\0') {
+        snprintf(out, MURK_FOUND_SIZE, "nothing");
+    } else {
+        murk_words_show(out, MURK_FOUND_SIZE, node->text);
+    }
+}
+
+/* 1e9 as 1e9, 4294967295 in full. */
+static void show_bound(char out[MURK_NUMBER_SIZE], double bound)
+{
+    murk_number_print(out, bound);
+    const char *digits = out + (out[0] == '-');
+    const size_t zeros = strlen(digits) - 1;
+    if (zeros >= 5 && digits[0] == '1' && strspn(digits + 1, "0") == zeros) {
+        snprintf(out, MURK_NUMBER_SIZE, "%s1e%zu", bound < 0 ? "-" : "", zeros);
+    } else if (strncmp(digits, "1e+", 3) == 0) {
+        snprintf(out, MURK_NUMBER_SIZE, "%s1e%ld", bound < 0 ? "-" : "",
+                 strtol(digits + 3, NULL, 10));
+    }
+}
+
+static void show_range(const murk_key *key, char *out, size_t size)
+{
+    char least[MURK_NUMBER_SIZE], most[MURK_NUMBER_SIZE];
+    show_bound(least, key->least);
+    show_bound(most, key->most);
+    const char *gap = key->unit ? " " : "", *unit = key->unit ? key->unit : "";
+    if (key->above && key->below) {
+        snprintf(out, size, "more than %s and less than %s%s%s", least, most,
+                 gap, unit);
+    } else if (key->above) {
+        snprintf(out, size, "more than %s and at most %s%s%s", least, most, gap,
+                 unit);
+    } else if (key->least < key->most) {
+        snprintf(out, size, "%s..%s%s%s", least, most, gap, unit);
+    } else {
+        snprintf(out, size, "%s%s%s", least, gap, unit);
+    }
+}
+
+static void show_words(const murk_word *words, char *out, size_t size)
+{
+    size_t length = 0;
+    out[0] = '\0';
+    for (const murk_word *word = words; word->text; ++word) {
+        if (!word->is_later && length < size) {
+            const int n = snprintf(out + length, size - length, "%s%s",
+                                   length ? ", " : "", word->text);
+            length += (size_t)n;
+        }
+    }
+}
+
+void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
+{
+    const size_t size = MURK_ALLOWED_SIZE;
+    char range[MURK_ALLOWED_SIZE / 2];
+    show_range(key, range, sizeof range);
+    switch (key->kind) {
+    case MURK_KEY_NUMBER:
+        snprintf(out, size, "a number, %s", range);
+        break;
+    case MURK_KEY_COUNT:
+        snprintf(out, size, "a whole number, %s", range);
+        break;
+    case MURK_KEY_BOOL:
+        snprintf(out, size, "true or false");
+        break;
+    case MURK_KEY_WORD:
+        show_words(key->words, out, size);
+        break;
+    case MURK_KEY_VECTOR:
+        snprintf(out, size, "[x, y, z], each %s", range);
+        break;
+    case MURK_KEY_SIZES:
+        snprintf(out, size, "[nx, ny, nz], each a whole number, %s", range);
+        break;
+    case MURK_KEY_BANDS:
+        snprintf(out, size, "a list of 1..%d rising wavelengths, each %s",
+                 MURK_BANDS_MAX, range);
+        break;
+    case MURK_KEY_BAND_EDGES:
+        snprintf(out, size, "a list of 2..%d rising wavelengths, each %s",
+                 MURK_BANDS_MAX + 1, range);
+        break;
+    case MURK_KEY_SPECTRUM:
+        snprintf(out, size, "a number, %s, or a list of them, one a band",
+                 range);
+        break;
+    case MURK_KEY_SHARED:
+        snprintf(out, size, "a number (the total), %s, or a list, one a band",
+                 range);
+        break;
+    case MURK_KEY_TEXT:
+        snprintf(out, size, "a text of 1..%d bytes", MURK_SCENE_NAME_SIZE - 1);
+        break;
+    case MURK_KEY_PATH:
+        snprintf(out, size, "the name of a file");
+        break;
+    case MURK_KEY_REFERENCE:
+        snprintf(out, size, "a name of %s", key->of);
+        break;
+    case MURK_KEY_MAP:
+        snprintf(out, size, "a map of keys");
+        if (key->words) {
+            char words[MURK_ALLOWED_SIZE / 2];
+            show_words(key->words, words, sizeof words);
+            snprintf(out, size, "%s or a map of keys", words);
+        }
+        break;
+    case MURK_KEY_LIST:
+        snprintf(out, size, "a list of maps");
+        break;
+    case MURK_KEY_NAMED:
+        snprintf(out, size, "a map of names");
+        break;
+    case MURK_KEY_LATER:
+    case MURK_KEY_ONLY:
+        snprintf(out, size, "%s", key->preset ? key->preset : "left out");
+        break;
+    }
+}
+
+static murk_status wrong(murk_walk *walk, const murk_key *key,
+                         const murk_yaml *node)
+{
+    char found[MURK_FOUND_SIZE], allowed[MURK_ALLOWED_SIZE];
+    murk_value_found(node, found);
+    murk_value_allowed(key, allowed);
+    return murk_walk_fail(walk, MURK_BAD_VALUE, node, false, "%s, must be %s",
+                          found, allowed);
+}
+
+/* ---- one number ---- */
+
+static bool is_within(const murk_key *key, double value)
+{
+    if (key->least == 0 && key->most == 0) {
+        return true;
+    }
+    return (key->above ? value > key->least : value >= key->least) &&
+           (key->below ? value < key->most : value <= key->most);
+}
+
+static murk_status out_of_range(murk_walk *walk, const murk_key *key,
+                                const murk_yaml *node)
+{
+    char found[MURK_FOUND_SIZE], range[MURK_ALLOWED_SIZE];
+    murk_value_found(node, found);
+    show_range(key, range, sizeof range);
+    return murk_walk_fail(walk, MURK_BAD_VALUE, node, false, "%s, must be %s",
+                          found, range);
+}
+
+static murk_status read_number(murk_walk *walk, const murk_key *key,
+                               murk_yaml *node, double *out)
+{
+    double value;
+    if (!murk_yaml_number(node, &value)) {
+        murk_key one = *key; /* one of a list is a number, too */
+        one.kind = MURK_KEY_NUMBER;
+        return wrong(walk, &one, node);
+    }
+    if (!is_within(key, value)) {
+        return out_of_range(walk, key, node);
+    }
+    char text[MURK_NUMBER_SIZE];
+    murk_number_print(text, value);
+    if (!murk_yaml_set_text(node, text)) {
+        return murk_walk_no_memory(walk);
+    }
+    *out = value;
+    return MURK_OK;
+}
+
+static murk_status read_count(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, uint64_t *out)
+{
+    uint64_t value;
+    double number;
+    if (!murk_yaml_count(node, &value)) {
+        if (murk_yaml_number(node, &number) && !is_within(key, number)) {
+            return out_of_range(walk, key, node);
+        }
+        murk_key one = *key;
+        one.kind = MURK_KEY_COUNT;
+        return wrong(walk, &one, node);
+    }
+    if (!is_within(key, (double)value)) {
+        return out_of_range(walk, key, node);
+    }
+    char text[MURK_NUMBER_SIZE];
+    snprintf(text, sizeof text, "%llu", (unsigned long long)value);
+    if (!murk_yaml_set_text(node, text)) {
+        return murk_walk_no_memory(walk);
+    }
+    *out = value;
+    return MURK_OK;
+}
+
+/* ---- several ---- */
+
+typedef murk_status (*item_reader)(murk_walk *walk, const murk_key *key,
+                                   murk_yaml *node, size_t index, void *out);
+
+static murk_status number_item(murk_walk *walk, const murk_key *key,
+                               murk_yaml *node, size_t index, void *out)
+{
+    return read_number(walk, key, node, (double *)out + index);
+}
+
+static murk_status count_item(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, size_t index, void *out)
+{
+    uint64_t value = 0;
+    const murk_status status = read_count(walk, key, node, &value);
+    ((size_t *)out)[index] = (size_t)value;
+    return status;
+}
+
+static murk_status read_items(murk_walk *walk, const murk_key *key,
+                              murk_yaml *list, item_reader read, void *out)
+{
+    for (size_t i = 0; i < list->n; ++i) {
+        char number[24];
+        snprintf(number, sizeof number, "%zu", i);
+        const size_t back = murk_walk_enter(walk, number);
+        const murk_status status = read(walk, key, list->child[i], i, out);
+        murk_walk_leave(walk, back);
+        if (status) {
+            return status;
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status read_vector(murk_walk *walk, const murk_key *key,
+                               murk_yaml *node, murk_vec3 *out)
+{
+    double v[3] = {0};
+    if (node->kind != MURK_YAML_LIST || node->n != 3) {
+        return wrong(walk, key, node);
+    }
+    const murk_status status = read_items(walk, key, node, number_item, v);
+    *out = murk_vec(v[0], v[1], v[2]);
+    return status;
+}
+
+static murk_status read_bands(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, double *out)
+{
+    const bool are_edges = key->kind == MURK_KEY_BAND_EDGES;
+    if (node->kind != MURK_YAML_LIST || node->n < (are_edges ? 2 : 1) ||
+        node->n > MURK_BANDS_MAX + (are_edges ? 1 : 0)) {
+        return wrong(walk, key, node);
+    }
+    const murk_status status = read_items(walk, key, node, number_item, out);
+    if (status) {
+        return status;
+    }
+    for (size_t i = 1; i < node->n; ++i) {
+        if (!(out[i] > out[i - 1])) {
+            return murk_walk_fail(walk, MURK_BAD_VALUE, node->child[i], false,
+                                  "%.9g after %.9g, must rise, nm", out[i],
+                                  out[i - 1]);
+        }
+    }
+    murk_scene *scene = walk->scene;
+    scene->has_edges = are_edges;
+    scene->bands = (int)node->n - (are_edges ? 1 : 0);
+    for (int i = 0; are_edges && i < scene->bands; ++i) {
+        scene->band_nm[i] = 0.5 * (out[i] + out[i + 1]);
+    }
+    return MURK_OK;
+}
+
+/* [0.5, 0.5] is 0.5: one form for one meaning. */
+static void join_equal(murk_yaml *list)
+{
+    for (size_t i = 1; i < list->n; ++i) {
+        if (strcmp(list->child[i]->text, list->child[0]->text) != 0) {
+            return;
+        }
+    }
+    char *text = list->child[0]->text;
+    list->child[0]->text = NULL;
+    murk_yaml_clear(list);
+    list->kind = MURK_YAML_SCALAR;
+    list->text = text;
+}
+
+static murk_status read_spectrum(murk_walk *walk, const murk_key *key,
+                                 murk_yaml *node, murk_spectrum *out)
+{
+    const int bands = walk->scene->bands;
+    if (node->kind == MURK_YAML_LIST) {
+        if (node->n != (size_t)bands) {
+            return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                                  "a list of %zu, must be one number or a list "
+                                  "of %d, one a band",
+                                  node->n, bands);
+        }
+        const murk_status status =
+            read_items(walk, key, node, number_item, out->band);
+        if (!status && (key->kind == MURK_KEY_SPECTRUM || bands == 1)) {
+            join_equal(node);
+        }
+        return status;
+    }
+    double value = 0;
+    if (!murk_yaml_number(node, &value)) {
+        return wrong(walk, key, node);
+    }
+    const murk_status status = read_number(walk, key, node, &value);
+    *out = murk_spectrum_flat(
+        key->kind == MURK_KEY_SHARED ? value / bands : value, bands);
+    return status;
+}
+
+/* ---- texts ---- */
+
+static murk_status read_text(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node, void *member)
+{
+    const bool is_text = node->kind == MURK_YAML_SCALAR &&
+                         node->text[0] != '\0' && !murk_yaml_is_null(node);
+    if (!is_text || strlen(node->text) >= MURK_SCENE_NAME_SIZE) {
+        return wrong(walk, key, node);
+    }
+    node->is_quoted = true; /* a text, also where it looks like a number */
+    if (key->size == sizeof(murk_scene_name)) {
+        memcpy(member, node->text, strlen(node->text) + 1);
+        return MURK_OK;
+    }
+    char **out = member;
+    *out = strdup(node->text);
+    return *out ? MURK_OK : murk_walk_no_memory(walk);
+}
+
+/* Files in a scene lie beside it; on the command line, from the working
+ * folder. */
+static murk_status read_path(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node, char **out)
+{
+    if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0' ||
+        murk_yaml_is_null(node)) {
+        return wrong(walk, key, node);
+    }
+    node->is_quoted = true;
+    murk_yaml **paths =
+        realloc(walk->paths, (walk->n_paths + 1) * sizeof *paths);
+    if (!paths) {
+        return murk_walk_no_memory(walk);
+    }
+    walk->paths = paths;
+    walk->paths[walk->n_paths++] = node;
+    const bool is_of_scene = node->source == walk->root->source;
+    *out = is_of_scene ? murk_path_beside(walk->scene->path, node->text)
+                       : strdup(node->text);
+    return *out ? MURK_OK : murk_walk_no_memory(walk);
+}
+
+murk_status murk_value_word(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, int *value)
+{
+    const char *text = node->kind == MURK_YAML_SCALAR ? node->text : "";
+    for (const murk_word *word = key->words; word->text; ++word) {
+        if (strcmp(word->text, text) != 0) {
+            continue;
+        }
+        if (word->is_later) {
+            char allowed[MURK_ALLOWED_SIZE];
+            murk_value_allowed(key, allowed);
+            return murk_walk_fail(walk, MURK_UNSUPPORTED, node, false,
+                                  "%s is not supported yet, must be %s", text,
+                                  allowed);
+        }
+        node->is_quoted = false; /* all our words read back plain */
+        if (value) {
+            *value = word->value;
+        }
+        return MURK_OK;
+    }
+    return wrong(walk, key, node);
+}
+
+/* The message's "did you mean", or the names there are. */
+static murk_status no_such_name(murk_walk *walk, const murk_key *key,
+                                const murk_yaml *node, const murk_yaml *names)
+{
+    char found[MURK_FOUND_SIZE];
+    murk_value_found(node, found);
+    const size_t n = names ? names->n : 0;
+    const char *meant =
+        n ? murk_words_meant(node->text, (const char *const *)names->key, n)
+          : NULL;
+    if (meant) {
+        char shown[MURK_SCENE_NAME_SIZE];
+        murk_words_show(shown, sizeof shown, meant);
+        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                              "%s is not in %s, did you mean %s?", found,
+                              key->of, shown);
+    }
+    char list[MURK_ALLOWED_SIZE] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < n && length + 80 < sizeof list; ++i) {
+        char shown[MURK_SCENE_NAME_SIZE];
+        murk_words_show(shown, sizeof shown, names->key[i]);
+        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                                   i ? ", " : "", shown);
+    }
+    return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                          "%s is not in %s, must be a name given there: %s",
+                          found, key->of, n ? list : "there are none");
+}
+
+static murk_status read_reference(murk_walk *walk, const murk_key *key,
+                                  murk_yaml *node, void *member)
+{
+    if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0') {
+        return wrong(walk, key, node);
+    }
+    const murk_yaml *names = murk_yaml_get(walk->root, key->of);
+    const size_t n = names ? names->n : 0;
+    size_t i = 0;
+    while (i < n && strcmp(names->key[i], node->text) != 0) {
+        ++i;
+    }
+    if (i == n) {
+        return no_such_name(walk, key, node, names);
+    }
+    node->is_quoted = true;
+    if (key->size == sizeof(int)) {
+        *(int *)member = (int)i;
+    } else {
+        *(size_t *)member = i;
+    }
+    return MURK_OK;
+}
+
+/* ---- what may only be its default ---- */
+
+/* Numbers and nulls in one form, so that [0.0, 1, 0] is [0, 1, 0]. */
+static bool normalise(murk_yaml *node)
+{
+    char text[MURK_NUMBER_SIZE];
+    double value;
+    if (murk_yaml_number(node, &value)) {
+        murk_number_print(text, value);
+        return murk_yaml_set_text(node, text);
+    }
+    if (murk_yaml_is_null(node)) {
+        return murk_yaml_set_text(node, "null");
+    }
+    for (size_t i = 0; i < node->n; ++i) {
+        if (!normalise(node->child[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static murk_status read_only(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node)
+{
+    char found[MURK_FOUND_SIZE];
+    murk_value_found(node, found);
+    char *printed = normalise(node) ? murk_print_flow(node) : NULL;
+    if (!printed) {
+        return murk_walk_no_memory(walk);
+    }
+    const bool is_default = strcmp(printed, key->preset) == 0;
+    free(printed);
+    return is_default ? MURK_OK
+                      : murk_walk_fail(walk, MURK_UNSUPPORTED, node, false,
+                                       "%s is not supported yet, must be %s",
+                                       found, key->preset);
+}
+
+void murk_value_store(void *item, size_t at, size_t size, int value)
+{
+    char *const member = (char *)item + at;
+    if (size == 1) {
+        *member = (char)value;
+    } else if (size == sizeof value) {
+        memcpy(member, &value, sizeof value);
+    }
+}
+
+static void store_count(void *member, size_t size, uint64_t value)
+{
+    if (size == sizeof(uint32_t)) {
+        *(uint32_t *)member = (uint32_t)value;
+    } else if (size == sizeof value) {
+        *(uint64_t *)member = value;
+    }
+}
+
+murk_status murk_value_read(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, void *item)
+{
+    void *const member = (char *)item + key->at;
+    murk_status status = MURK_OK;
+    double number = 0;
+    uint64_t count = 0;
+    int word = 0;
+    bool fact = false;
+    switch (key->kind) {
+    case MURK_KEY_NUMBER:
+        status = read_number(walk, key, node, &number);
+        if (!status && key->size) {
+            *(double *)member = number * (key->factor != 0 ? key->factor : 1);
+        }
+        return status;
+    case MURK_KEY_COUNT:
+        status = read_count(walk, key, node, &count);
+        if (!status) {
+            store_count(member, key->size, count);
+        }
+        return status;
+    case MURK_KEY_BOOL:
+        if (!murk_yaml_bool(node, &fact)) {
+            return wrong(walk, key, node);
+        }
+        murk_value_store(item, key->at, key->size, fact);
+        return MURK_OK;
+    case MURK_KEY_WORD:
+        status = murk_value_word(walk, key, node, &word);
+        if (!status) {
+            murk_value_store(item, key->at, key->size, word);
+        }
+        return status;
+    case MURK_KEY_TEXT:
+        return read_text(walk, key, node, member);
+    case MURK_KEY_PATH:
+        return read_path(walk, key, node, member);
+    case MURK_KEY_REFERENCE:
+        return read_reference(walk, key, node, member);
+    case MURK_KEY_VECTOR:
+        return read_vector(walk, key, node, member);
+    case MURK_KEY_SIZES:
+        if (node->kind != MURK_YAML_LIST || node->n != 3) {
+            return wrong(walk, key, node);
+        }
+        return read_items(walk, key, node, count_item, member);
+    case MURK_KEY_BANDS:
+    case MURK_KEY_BAND_EDGES:
+        return read_bands(walk, key, node, member);
+    case MURK_KEY_SPECTRUM:
+    case MURK_KEY_SHARED:
+        return read_spectrum(walk, key, node, member);
+    case MURK_KEY_ONLY:
+        return read_only(walk, key, node);
+    case MURK_KEY_LATER:
+    case MURK_KEY_MAP:
+    case MURK_KEY_LIST:
+    case MURK_KEY_NAMED:
+        break;
+    }
+    return wrong(walk, key, node);
+}

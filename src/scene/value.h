@@ -1,0 +1,27 @@
+/* One value of a scene: checked by its row of the table, stored in its member,
+ * and rewritten in the one form in which it prints. */
+#ifndef MURK_SCENE_VALUE_H
+#define MURK_SCENE_VALUE_H
+
+#include "scene/walk.h"
+
+/* All kinds but maps, lists and names. `item` is the struct of key->at. */
+murk_status murk_value_read(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, void *item);
+
+/* The value of the word that a node is, in *value (which may be NULL). */
+murk_status murk_value_word(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, int *value);
+
+/* Stores an enum, bool or char. */
+void murk_value_store(void *item, size_t at, size_t size, int value);
+
+/* A node for a message: its text, or "a list", "a map", "nothing". */
+#define MURK_FOUND_SIZE 48
+void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE]);
+
+/* What a row allows: "0..1", "more than 0 and at most 1e9 m". */
+#define MURK_ALLOWED_SIZE 256
+void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE]);
+
+#endif

@@ -1,0 +1,523 @@
+#include "scene/walk.h"
+
+#include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/value.h"
+#include "scene/words.h"
+
+#define MOST_KEYS 64 /* rows of one table */
+
+/* ---- places and messages ---- */
+
+size_t murk_walk_enter(murk_walk *walk, const char *part)
+{
+    const size_t length = strlen(walk->key);
+    char shown[MURK_SCENE_NAME_SIZE];
+    murk_words_show(shown, sizeof shown, part);
+    snprintf(walk->key + length, sizeof walk->key - length, "%s%s",
+             length ? "." : "", shown);
+    return length;
+}
+
+void murk_walk_leave(murk_walk *walk, size_t length)
+{
+    walk->key[length] = '\0';
+}
+
+/* Whether an option says the key itself: --set KEY=VALUE, or --seed 3. */
+static bool names_key(const char *source, const char *key)
+{
+    const size_t length = strlen(key);
+    if (strncmp(source, "--set ", 6) != 0) {
+        return strncmp(source, "--", 2) == 0;
+    }
+    return strncmp(source + 6, key, length) == 0 && source[6 + length] == '=';
+}
+
+void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,
+                     murk_scene_where out)
+{
+    char place[MURK_SCENE_WHERE_SIZE - MURK_WALK_KEY_SIZE];
+    if (at_key || node->kind != MURK_YAML_SCALAR) {
+        murk_yaml_key_place(node, place, sizeof place);
+    } else {
+        murk_yaml_place(node, place, sizeof place);
+    }
+    const bool is_said = key[0] == '\0' || names_key(node->source, key);
+    snprintf(out, MURK_SCENE_WHERE_SIZE, "%s%s%.*s", place, is_said ? "" : ": ",
+             is_said ? 0 : MURK_WALK_KEY_SIZE, key);
+}
+
+murk_status murk_walk_fail(murk_walk *walk, murk_status status,
+                           const murk_yaml *node, bool at_key,
+                           const char *format, ...)
+{
+    murk_scene_where where;
+    char text[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    murk_walk_where(node, walk->key, at_key, where);
+    return murk_fail(walk->err, status, where, "%s", text);
+}
+
+murk_status murk_walk_no_memory(murk_walk *walk)
+{
+    return murk_fail(walk->err, MURK_NO_MEMORY, walk->scene->path,
+                     "no memory to read it");
+}
+
+/* ---- the keys of one map ---- */
+
+static bool fits(const murk_key *key, int variant)
+{
+    return key->variants == 0 || (key->variants & (1u << variant)) != 0;
+}
+
+static const murk_key *find(const murk_keys *keys, const char *name,
+                            int variant)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        if (fits(key, variant) && strcmp(key->name, name) == 0) {
+            return key;
+        }
+    }
+    return NULL;
+}
+
+/* The names that may stand in a map, each once; those of later only where a
+ * word is compared. */
+static size_t list_names(const murk_keys *keys, int variant, bool with_later,
+                         const char *names[MOST_KEYS])
+{
+    size_t n = 0;
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        bool is_new = variant < 0 || fits(key, variant);
+        is_new = is_new && (with_later || key->kind != MURK_KEY_LATER);
+        for (size_t i = 0; i < n; ++i) {
+            is_new = is_new && strcmp(names[i], key->name) != 0;
+        }
+        if (is_new && n < MOST_KEYS) {
+            names[n++] = key->name;
+        }
+    }
+    return n;
+}
+
+static murk_status fail_with_names(murk_walk *walk, const murk_yaml *node,
+                                   const char *what, const char *const *names,
+                                   size_t n)
+{
+    char list[400] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < n && length < sizeof list; ++i) {
+        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                                   i ? ", " : "", names[i]);
+    }
+    return murk_walk_fail(walk, MURK_BAD_VALUE, node, true, "%s, must be %s%s",
+                          what, n > 1 ? "one of " : "", list);
+}
+
+static murk_status check_name(murk_walk *walk, const murk_keys *keys,
+                              const char *name, const murk_yaml *child)
+{
+    const murk_key *key = murk_keys_find(keys, name);
+    if (key && key->kind == MURK_KEY_LATER) {
+        return murk_walk_fail(walk, MURK_UNSUPPORTED, child, true,
+                              "not supported yet");
+    }
+    if (key) {
+        return MURK_OK;
+    }
+    const char *names[MOST_KEYS];
+    const char *meant =
+        murk_words_meant(name, names, list_names(keys, -1, true, names));
+    if (meant) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, child, true,
+                              "unknown key, did you mean %s?", meant);
+    }
+    return fail_with_names(walk, child, "unknown key", names,
+                           list_names(keys, -1, false, names));
+}
+
+static murk_status check_names(murk_walk *walk, const murk_keys *keys,
+                               const murk_yaml *map)
+{
+    for (size_t i = 0; i < map->n; ++i) {
+        const size_t back = murk_walk_enter(walk, map->key[i]);
+        const murk_status status =
+            check_name(walk, keys, map->key[i], map->child[i]);
+        murk_walk_leave(walk, back);
+        if (status) {
+            return status;
+        }
+    }
+    return MURK_OK;
+}
+
+/* Of each group at most one, and one where the group is required. */
+static murk_status check_groups(murk_walk *walk, const murk_keys *keys,
+                                const murk_yaml *map)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        if (key->group == 0) {
+            continue;
+        }
+        const murk_key *given = NULL;
+        for (const murk_key *other = keys->key; other->name; ++other) {
+            if (other->group != key->group ||
+                !murk_yaml_get(map, other->name)) {
+                continue;
+            }
+            if (given) {
+                return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                      "has %s and %s, must have one of them",
+                                      given->name, other->name);
+            }
+            given = other;
+        }
+        if (!given && key->required) {
+            const char *names[MOST_KEYS];
+            size_t n = 0;
+            for (const murk_key *other = key; other->name; ++other) {
+                if (other->group == key->group) {
+                    names[n++] = other->name;
+                }
+            }
+            char what[80];
+            snprintf(what, sizeof what, "misses a key of a %s", keys->noun);
+            return fail_with_names(walk, map, what, names, n);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status find_variant(murk_walk *walk, const murk_keys *keys,
+                                murk_yaml *map, int *variant)
+{
+    *variant = 0;
+    if (keys->choose) {
+        return keys->choose(walk, map, variant);
+    }
+    if (!keys->selector) {
+        return MURK_OK;
+    }
+    const murk_key *key = murk_keys_find(keys, keys->selector);
+    murk_yaml *node = murk_yaml_get(map, keys->selector);
+    if (!node) {
+        char allowed[MURK_ALLOWED_SIZE];
+        murk_value_allowed(key, allowed);
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "misses %s, must be %s", key->name, allowed);
+    }
+    const size_t back = murk_walk_enter(walk, key->name);
+    const murk_status status = murk_value_word(walk, key, node, variant);
+    murk_walk_leave(walk, back);
+    return status;
+}
+
+static murk_status check_variant(murk_walk *walk, const murk_keys *keys,
+                                 const murk_yaml *map, int variant)
+{
+    for (size_t i = 0; i < map->n; ++i) {
+        if (find(keys, map->key[i], variant)) {
+            continue;
+        }
+        char what[120];
+        const char *names[MOST_KEYS];
+        const size_t n = list_names(keys, variant, false, names);
+        snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
+                 keys->variant_names[variant]);
+        const size_t back = murk_walk_enter(walk, map->key[i]);
+        const murk_status status =
+            fail_with_names(walk, map->child[i], what, names, n);
+        murk_walk_leave(walk, back);
+        return status;
+    }
+    return MURK_OK;
+}
+
+static bool has_group(const murk_keys *keys, const murk_yaml *map, int group)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        if (key->group == group && murk_yaml_get(map, key->name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Defaults are parsed from their text, so that they are read as the user's
+ * values are. */
+static murk_status put_preset(murk_walk *walk, murk_yaml *map, const char *name,
+                              const char *text)
+{
+    murk_yaml *node = NULL;
+    const char *source = walk->root->source;
+    const murk_status status =
+        murk_yaml_parse(&node, text, strlen(text), source, walk->err);
+    if (status) {
+        return status;
+    }
+    node->line = node->column = 0;
+    for (size_t i = 0; i < node->n; ++i) { /* no preset nests deeper */
+        node->child[i]->line = node->child[i]->key_line = 0;
+    }
+    return murk_yaml_put(map, name, node) ? MURK_OK : murk_walk_no_memory(walk);
+}
+
+static murk_status put_presets(murk_walk *walk, const murk_keys *keys,
+                               murk_yaml *map, int variant)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        if (!fits(key, variant) || murk_yaml_get(map, key->name) ||
+            (key->group && has_group(keys, map, key->group))) {
+            continue;
+        }
+        if (key->preset) {
+            const murk_status status =
+                put_preset(walk, map, key->name, key->preset);
+            if (status) {
+                return status;
+            }
+        } else if (key->required && key->kind != MURK_KEY_LATER) {
+            char allowed[MURK_ALLOWED_SIZE];
+            murk_value_allowed(key, allowed);
+            return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                  "misses %s, must be %s", key->name, allowed);
+        }
+    }
+    return MURK_OK;
+}
+
+static void swap_children(murk_yaml *map, size_t i, size_t k)
+{
+    murk_yaml *const child = map->child[i];
+    map->child[i] = map->child[k];
+    map->child[k] = child;
+    char *const key = map->key[i];
+    map->key[i] = map->key[k];
+    map->key[k] = key;
+}
+
+static void sort_by_table(const murk_keys *keys, murk_yaml *map, int variant)
+{
+    size_t place = 0;
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        for (size_t i = place; i < map->n && fits(key, variant); ++i) {
+            if (strcmp(map->key[i], key->name) == 0) {
+                swap_children(map, place++, i);
+                break;
+            }
+        }
+    }
+}
+
+static murk_status walk_value(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, void *item);
+
+static void mark_absent(const murk_keys *keys, const murk_yaml *map,
+                        int variant, void *item)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        if (key->kind == MURK_KEY_REFERENCE && key->size == sizeof(int) &&
+            fits(key, variant) && !murk_yaml_get(map, key->name)) {
+            murk_value_store(item, key->at, key->size, -1);
+        }
+    }
+}
+
+static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
+                            murk_yaml *map, void *item)
+{
+    int variant = 0;
+    murk_status status = check_names(walk, keys, map);
+    if (status || (status = check_groups(walk, keys, map)) ||
+        (status = find_variant(walk, keys, map, &variant)) ||
+        (status = check_variant(walk, keys, map, variant)) ||
+        (status = put_presets(walk, keys, map, variant))) {
+        return status;
+    }
+    sort_by_table(keys, map, variant);
+    mark_absent(keys, map, variant, item);
+    if (keys->has_variant_at) {
+        murk_value_store(item, keys->variant_at, sizeof(int), variant);
+    }
+    if (keys->has_where) {
+        char *const where = (char *)item + keys->where_at;
+        murk_walk_where(map, walk->key, false, where);
+    }
+    for (size_t i = 0; i < map->n; ++i) {
+        const murk_key *key = find(keys, map->key[i], variant);
+        assert(key);
+        const size_t back = murk_walk_enter(walk, key->name);
+        status = walk_value(walk, key, map->child[i], item);
+        murk_walk_leave(walk, back);
+        if (status) {
+            return status;
+        }
+    }
+    return keys->check ? keys->check(walk, map, item) : MURK_OK;
+}
+
+/* ---- lists and names ---- */
+
+static murk_status check_number_of_items(murk_walk *walk, const murk_key *key,
+                                         const murk_yaml *node)
+{
+    const murk_keys *keys = key->keys;
+    if (keys->needs_item && node->n == 0) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                              "an empty list, must have at least one %s",
+                              keys->noun);
+    }
+    if (node->n > keys->most_items) {
+        const bool is_later = keys->item_size == 0;
+        return murk_walk_fail(
+            walk, is_later ? MURK_UNSUPPORTED : MURK_BAD_VALUE, node, false,
+            is_later ? "%zu %ss are not supported yet, must be %zu"
+                     : "%zu items (%s), must be at most %zu",
+            node->n, keys->noun, keys->most_items);
+    }
+    return MURK_OK;
+}
+
+static murk_status walk_items(murk_walk *walk, const murk_keys *keys,
+                              murk_yaml *node, char *items)
+{
+    for (size_t i = 0; i < node->n; ++i) {
+        char number[24];
+        snprintf(number, sizeof number, "%zu", i);
+        const bool is_named = node->kind == MURK_YAML_MAP;
+        const size_t back =
+            murk_walk_enter(walk, is_named ? node->key[i] : number);
+        char *const item = items + i * keys->item_size;
+        if (is_named) {
+            memcpy(item + keys->name_at, node->key[i],
+                   strlen(node->key[i]) + 1);
+        }
+        const murk_key one = {.name = "", .kind = MURK_KEY_MAP, .keys = keys};
+        const murk_status status = walk_value(walk, &one, node->child[i], item);
+        murk_walk_leave(walk, back);
+        if (status) {
+            return status;
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status check_item_names(murk_walk *walk, const murk_yaml *node)
+{
+    for (size_t i = 0; i < node->n; ++i) {
+        const size_t length = strlen(node->key[i]);
+        if (length == 0 || length >= MURK_SCENE_NAME_SIZE) {
+            const size_t back = murk_walk_enter(walk, node->key[i]);
+            const murk_status status =
+                murk_walk_fail(walk, MURK_BAD_VALUE, node->child[i], true,
+                               "a name of %zu bytes, must be 1..%d", length,
+                               MURK_SCENE_NAME_SIZE - 1);
+            murk_walk_leave(walk, back);
+            return status;
+        }
+    }
+    return MURK_OK;
+}
+
+/* The name that is built in comes first, given or not. */
+static murk_status put_first(murk_walk *walk, const murk_keys *keys,
+                             murk_yaml *node)
+{
+    if (!keys->first) {
+        return MURK_OK;
+    }
+    if (!murk_yaml_get(node, keys->first)) {
+        const murk_status status =
+            put_preset(walk, node, keys->first, keys->first_preset);
+        if (status) {
+            return status;
+        }
+    }
+    size_t i = 0;
+    while (strcmp(node->key[i], keys->first) != 0) {
+        ++i;
+    }
+    for (; i > 0; --i) { /* the others keep their order */
+        swap_children(node, i, i - 1);
+    }
+    return MURK_OK;
+}
+
+static murk_status walk_array(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, void *owner)
+{
+    const murk_keys *keys = key->keys;
+    murk_status status = MURK_OK;
+    if (key->kind == MURK_KEY_NAMED) {
+        status = put_first(walk, keys, node);
+    }
+    if (status || (status = check_number_of_items(walk, key, node))) {
+        return status;
+    }
+    if (key->kind == MURK_KEY_NAMED &&
+        (status = check_item_names(walk, node))) {
+        return status;
+    }
+    if (keys->item_size == 0 || node->n == 0) {
+        return walk_items(walk, keys, node, owner);
+    }
+    char *items = calloc(node->n, keys->item_size);
+    if (!items) {
+        return murk_walk_no_memory(walk);
+    }
+    /* the scene owns them from here on, however far they are filled */
+    memcpy((char *)owner + keys->array_at, &items, sizeof items);
+    memcpy((char *)owner + keys->count_at, &node->n, sizeof node->n);
+    return walk_items(walk, keys, node, items);
+}
+
+static murk_status walk_value(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, void *item)
+{
+    if (key->has_flag) {
+        murk_value_store(item, key->flag_at, sizeof(bool), true);
+    }
+    if (key->kind == MURK_KEY_MAP && key->words &&
+        node->kind == MURK_YAML_SCALAR) {
+        int word = 0;
+        const murk_status status = murk_value_word(walk, key, node, &word);
+        if (!status) {
+            murk_value_store(item, key->at, key->size, word);
+        }
+        return status;
+    }
+    const bool wants_map =
+        key->kind == MURK_KEY_MAP || key->kind == MURK_KEY_NAMED;
+    if (!wants_map && key->kind != MURK_KEY_LIST) {
+        return murk_value_read(walk, key, node, item);
+    }
+    if (node->kind != (wants_map ? MURK_YAML_MAP : MURK_YAML_LIST)) {
+        char found[MURK_FOUND_SIZE], allowed[MURK_ALLOWED_SIZE];
+        murk_value_found(node, found);
+        murk_value_allowed(key, allowed);
+        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                              "%s, must be %s", found, allowed);
+    }
+    return key->kind == MURK_KEY_MAP ? walk_map(walk, key->keys, node, item)
+                                     : walk_array(walk, key, node, item);
+}
+
+murk_status murk_walk_scene(murk_walk *walk)
+{
+    if (walk->root->kind != MURK_YAML_MAP) {
+        char found[MURK_FOUND_SIZE];
+        murk_value_found(walk->root, found);
+        return murk_walk_fail(walk, MURK_BAD_VALUE, walk->root, false,
+                              "%s, must be a scene: a map of keys", found);
+    }
+    return walk_map(walk, &murk_scene_keys, walk->root, walk->scene);
+}

@@ -1,0 +1,83 @@
+#include "scene/words.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+#define MOST_LETTERS 64 /* longer words are not compared */
+
+void murk_words_show(char *out, size_t size, const char *text)
+{
+    size_t length = strlen(text);
+    const bool is_cut = length >= size;
+    if (is_cut) {
+        length = size - 4;
+        while (length > 0 && ((unsigned char)text[length] & 0xC0) == 0x80) {
+            --length;
+        }
+    }
+    for (size_t i = 0; i < length; ++i) {
+        const unsigned char c = (unsigned char)text[i];
+        out[i] = c < 0x20 || c == 0x7F ? '?' : text[i];
+    }
+    strcpy(out + length, is_cut ? "..." : "");
+}
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Optimal string alignment distance, row by row. */
+static size_t distance(const char *a, size_t n, const char *b, size_t m)
+{
+    size_t rows[3][MOST_LETTERS + 1];
+    size_t *before = rows[0], *above = rows[1], *row = rows[2];
+    for (size_t j = 0; j <= m; ++j) {
+        before[j] = 0; /* read only from the second row on */
+        above[j] = j;
+    }
+    for (size_t i = 1; i <= n; ++i) {
+        row[0] = i;
+        for (size_t j = 1; j <= m; ++j) {
+            const size_t change = above[j - 1] + (a[i - 1] != b[j - 1]);
+            row[j] = least(change, least(above[j], row[j - 1]) + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] &&
+                a[i - 2] == b[j - 1]) {
+                row[j] = least(row[j], before[j - 2] + 1);
+            }
+        }
+        size_t *const free_row = before;
+        before = above;
+        above = row;
+        row = free_row;
+    }
+    return above[m];
+}
+
+const char *murk_words_meant(const char *word, const char *const *known,
+                             size_t n)
+{
+    const size_t length = strlen(word);
+    const char *meant = NULL;
+    size_t nearest = (length < 3 ? 1 : length / 3) + 1; /* one too far */
+    if (length == 0 || length > MOST_LETTERS) {
+        return NULL;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const size_t other = known[i] ? strlen(known[i]) : 0;
+        if (other == 0 || other > MOST_LETTERS) {
+            continue;
+        }
+        const size_t d = distance(word, length, known[i], other);
+        if (d < nearest) {
+            nearest = d;
+            meant = known[i];
+        }
+    }
+    for (size_t i = 0; i < n && !meant && length >= 3; ++i) {
+        if (known[i] && strncmp(known[i], word, length) == 0) {
+            meant = known[i];
+        }
+    }
+    return meant;
+}

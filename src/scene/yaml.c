@@ -1,0 +1,759 @@
+/* Events of libyaml, one at a time, so that a limit is noticed before much has
+ * been read: its document API would build the whole tree first, and takes 20 s
+ * for 200,000 open brackets. */
+#include "scene/yaml.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <yaml.h>
+
+#include "base/file.h"
+#include "scene/number.h"
+#include "scene/words.h"
+
+#define MOST_DEPTH   64
+#define MOST_NODES   1000000
+#define MOST_TEXT    (2 * MURK_YAML_MOST_BYTES)
+#define MOST_ANCHORS 1000
+#define MOST_SOURCE  120 /* of a name shown in a message */
+#define PLACE_SIZE   256
+
+typedef struct anchor {
+    char *name;
+    const murk_yaml *node;
+} anchor;
+
+typedef struct reader {
+    yaml_parser_t parser;
+    const char *source;
+    size_t nodes, text_bytes;
+    anchor anchors[MOST_ANCHORS];
+    size_t n_anchors;
+    murk_error *err;
+    murk_status status;
+} reader;
+
+static bool is_option(const char *source)
+{
+    return strncmp(source, "--", 2) == 0;
+}
+
+static void show_place(const char *source, int line, int column, char *out,
+                       size_t size)
+{
+    char name[MOST_SOURCE + 4];
+    const size_t length = strlen(source);
+    if (length <= MOST_SOURCE) {
+        snprintf(name, sizeof name, "%s", source);
+    } else if (is_option(source)) {
+        snprintf(name, sizeof name, "%.*s...", MOST_SOURCE - 3, source);
+    } else { /* the end of a path says more than its beginning */
+        snprintf(name, sizeof name, "...%s", source + length - MOST_SOURCE + 3);
+    }
+    murk_words_show(name, sizeof name, name);
+    if (line == 0 || is_option(source)) {
+        snprintf(out, size, "%s", name);
+    } else {
+        snprintf(out, size, "%s:%d:%d", name, line, column);
+    }
+}
+
+void murk_yaml_place(const murk_yaml *node, char *out, size_t size)
+{
+    show_place(node->source, node->line, node->column, out, size);
+}
+
+void murk_yaml_key_place(const murk_yaml *child, char *out, size_t size)
+{
+    const bool has_key = child->key_line > 0;
+    show_place(child->source, has_key ? child->key_line : child->line,
+               has_key ? child->key_column : child->column, out, size);
+}
+
+static murk_yaml *fail_at(reader *r, yaml_mark_t mark, murk_status status,
+                          const char *text)
+{
+    char place[PLACE_SIZE];
+    show_place(r->source, (int)mark.line + 1, (int)mark.column + 1, place,
+               sizeof place);
+    r->status = murk_fail(r->err, status, place, "%s", text);
+    return NULL;
+}
+
+static murk_yaml *no_memory(reader *r)
+{
+    r->status =
+        murk_fail(r->err, MURK_NO_MEMORY, r->source, "no memory to read it");
+    return NULL;
+}
+
+/* ---- trees ---- */
+
+void murk_yaml_clear(murk_yaml *node)
+{
+    for (size_t i = 0; i < node->n; ++i) {
+        murk_yaml_destroy(node->child[i]);
+        if (node->key) {
+            free(node->key[i]);
+        }
+    }
+    free(node->key);
+    free(node->child);
+    free(node->text);
+    node->n = 0;
+    node->key = NULL;
+    node->child = NULL;
+    node->text = NULL;
+}
+
+void murk_yaml_destroy(murk_yaml *root)
+{
+    if (root) {
+        murk_yaml_clear(root);
+        free(root);
+    }
+}
+
+murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source)
+{
+    murk_yaml *node = calloc(1, sizeof *node);
+    if (node) {
+        node->kind = kind;
+        node->source = source;
+        if (kind == MURK_YAML_SCALAR && !(node->text = strdup(""))) {
+            free(node);
+            node = NULL;
+        }
+    }
+    return node;
+}
+
+/* Room for one child more: sizes grow by doubling, at powers of two. */
+static bool grow(murk_yaml *node)
+{
+    const size_t n = node->n;
+    if (n != 0 && (n & (n - 1)) != 0) {
+        return true;
+    }
+    const size_t room = n ? 2 * n : 1;
+    murk_yaml **child = realloc(node->child, room * sizeof *child);
+    if (!child) {
+        return false;
+    }
+    node->child = child;
+    if (node->kind == MURK_YAML_MAP) {
+        char **key = realloc(node->key, room * sizeof *key);
+        if (!key) {
+            return false;
+        }
+        node->key = key;
+    }
+    return true;
+}
+
+/* Takes key (NULL in a list) and child, also when it fails. */
+static bool append(murk_yaml *node, char *key, murk_yaml *child)
+{
+    if (!grow(node)) {
+        free(key);
+        murk_yaml_destroy(child);
+        return false;
+    }
+    if (node->kind == MURK_YAML_MAP) {
+        node->key[node->n] = key;
+    }
+    node->child[node->n++] = child;
+    return true;
+}
+
+static size_t find_key(const murk_yaml *map, const char *key)
+{
+    size_t i = 0;
+    while (i < map->n && strcmp(map->key[i], key) != 0) {
+        ++i;
+    }
+    return i;
+}
+
+murk_yaml *murk_yaml_get(const murk_yaml *map, const char *key)
+{
+    if (map->kind != MURK_YAML_MAP) {
+        return NULL;
+    }
+    const size_t i = find_key(map, key);
+    return i < map->n ? map->child[i] : NULL;
+}
+
+bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child)
+{
+    const size_t i = find_key(map, key);
+    if (i < map->n) {
+        murk_yaml_destroy(map->child[i]);
+        map->child[i] = child;
+        return true;
+    }
+    char *name = strdup(key);
+    if (!name) {
+        murk_yaml_destroy(child);
+        return false;
+    }
+    return append(map, name, child);
+}
+
+void murk_yaml_remove(murk_yaml *map, const char *key)
+{
+    const size_t i = find_key(map, key);
+    if (i == map->n) {
+        return;
+    }
+    free(map->key[i]);
+    murk_yaml_destroy(map->child[i]);
+    for (size_t k = i + 1; k < map->n; ++k) {
+        map->key[k - 1] = map->key[k];
+        map->child[k - 1] = map->child[k];
+    }
+    --map->n;
+}
+
+bool murk_yaml_set_text(murk_yaml *scalar, const char *text)
+{
+    char *copy = strdup(text);
+    if (!copy) {
+        return false;
+    }
+    free(scalar->text);
+    scalar->text = copy;
+    return true;
+}
+
+/* ---- reading ---- */
+
+static bool next_event(reader *r, yaml_event_t *event)
+{
+    if (yaml_parser_parse(&r->parser, event)) {
+        return true;
+    }
+    if (r->parser.error == YAML_MEMORY_ERROR) {
+        no_memory(r);
+        return false;
+    }
+    char text[256];
+    snprintf(text, sizeof text, "not YAML: %s",
+             r->parser.problem ? r->parser.problem : "cannot be read");
+    fail_at(r, r->parser.problem_mark, MURK_BAD_FILE, text);
+    return false;
+}
+
+/* Every node passes here, also those that an alias repeats. */
+static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
+                            const char *text, size_t length)
+{
+    if (++r->nodes > MOST_NODES) {
+        return fail_at(r, mark, MURK_BAD_FILE,
+                       "too large, must be at most 1e6 nodes with all aliases "
+                       "written out");
+    }
+    r->text_bytes += length;
+    if (r->text_bytes > MOST_TEXT) {
+        return fail_at(r, mark, MURK_BAD_FILE,
+                       "too large, must be at most 32 MB with all aliases "
+                       "written out");
+    }
+    murk_yaml *node = calloc(1, sizeof *node);
+    if (!node) {
+        return no_memory(r);
+    }
+    node->kind = kind;
+    node->line = (int)mark.line + 1;
+    node->column = (int)mark.column + 1;
+    node->source = r->source;
+    if (kind == MURK_YAML_SCALAR) {
+        node->text = malloc(length + 1);
+        if (!node->text) {
+            free(node);
+            return no_memory(r);
+        }
+        memcpy(node->text, text, length);
+        node->text[length] = '\0';
+    }
+    return node;
+}
+
+static bool is_in_depth(reader *r, yaml_mark_t mark, int depth)
+{
+    if (depth > MOST_DEPTH) {
+        fail_at(r, mark, MURK_BAD_FILE,
+                "nested too deep, must be at most 64 levels");
+        return false;
+    }
+    return true;
+}
+
+static murk_yaml *copy_node(reader *r, const murk_yaml *from, yaml_mark_t mark,
+                            int depth)
+{
+    if (!is_in_depth(r, mark, depth)) {
+        return NULL;
+    }
+    murk_yaml *node = make_node(r, from->kind, mark, from->text,
+                                from->text ? strlen(from->text) : 0);
+    if (!node) {
+        return NULL;
+    }
+    node->line = from->line;
+    node->column = from->column;
+    node->key_line = from->key_line;
+    node->key_column = from->key_column;
+    node->is_quoted = from->is_quoted;
+    for (size_t i = 0; i < from->n; ++i) {
+        murk_yaml *child = copy_node(r, from->child[i], mark, depth + 1);
+        char *key = NULL;
+        if (child && from->key) {
+            r->text_bytes += strlen(from->key[i]);
+            key = strdup(from->key[i]);
+        }
+        if (!child || (from->key && !key)) {
+            murk_yaml_destroy(child);
+            murk_yaml_destroy(node);
+            return r->status ? NULL : no_memory(r);
+        }
+        if (!append(node, key, child)) {
+            murk_yaml_destroy(node);
+            return no_memory(r);
+        }
+    }
+    return node;
+}
+
+static murk_yaml *read_alias(reader *r, const yaml_event_t *event, int depth)
+{
+    const char *name = (const char *)event->data.alias.anchor;
+    for (size_t i = r->n_anchors; i-- > 0;) {
+        if (strcmp(r->anchors[i].name, name) == 0) {
+            if (!r->anchors[i].node) {
+                return fail_at(r, event->start_mark, MURK_BAD_FILE,
+                               "an alias inside its own anchor");
+            }
+            murk_yaml *node =
+                copy_node(r, r->anchors[i].node, event->start_mark, depth);
+            if (node) {
+                node->line = (int)event->start_mark.line + 1;
+                node->column = (int)event->start_mark.column + 1;
+            }
+            return node;
+        }
+    }
+    return fail_at(r, event->start_mark, MURK_BAD_FILE,
+                   "an alias without its anchor");
+}
+
+/* The number of the new anchor, or SIZE_MAX: none, or failed. */
+static size_t add_anchor(reader *r, const yaml_char_t *name, yaml_mark_t mark)
+{
+    if (!name) {
+        return SIZE_MAX;
+    }
+    if (r->n_anchors == MOST_ANCHORS) {
+        fail_at(r, mark, MURK_BAD_FILE, "more than 1000 anchors");
+        return SIZE_MAX;
+    }
+    char *copy = strdup((const char *)name);
+    if (!copy) {
+        no_memory(r);
+        return SIZE_MAX;
+    }
+    r->anchors[r->n_anchors] = (anchor){copy, NULL};
+    return r->n_anchors++;
+}
+
+typedef struct key_order {
+    const char *key;
+    size_t index;
+} key_order;
+
+static int compare_keys(const void *a, const void *b)
+{
+    const key_order *left = a, *right = b;
+    const int order = strcmp(left->key, right->key);
+    return order ? order
+                 : (left->index > right->index) - (left->index < right->index);
+}
+
+/* By sorting: a million keys must not take a million squared. */
+static bool has_unique_keys(reader *r, const murk_yaml *map)
+{
+    if (map->n < 2) {
+        return true;
+    }
+    key_order *order = malloc(map->n * sizeof *order);
+    if (!order) {
+        no_memory(r);
+        return false;
+    }
+    for (size_t i = 0; i < map->n; ++i) {
+        order[i] = (key_order){map->key[i], i};
+    }
+    qsort(order, map->n, sizeof *order, compare_keys);
+    size_t second = SIZE_MAX, first = 0;
+    for (size_t i = 1; i < map->n; ++i) {
+        if (strcmp(order[i - 1].key, order[i].key) == 0 &&
+            order[i].index < second) {
+            second = order[i].index;
+            first = order[i - 1].index;
+        }
+    }
+    free(order);
+    if (second == SIZE_MAX) {
+        return true;
+    }
+    char place[PLACE_SIZE];
+    char key[64];
+    murk_yaml_key_place(map->child[second], place, sizeof place);
+    murk_words_show(key, sizeof key, map->key[second]);
+    r->status = murk_fail(r->err, MURK_BAD_FILE, place,
+                          "%s is given twice, first in line %d", key,
+                          map->child[first]->key_line);
+    return false;
+}
+
+static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth);
+
+static murk_yaml *read_next(reader *r, int depth)
+{
+    yaml_event_t event;
+    if (!next_event(r, &event)) {
+        return NULL;
+    }
+    murk_yaml *node = read_node(r, &event, depth);
+    yaml_event_delete(&event);
+    return node;
+}
+
+static bool read_list(reader *r, murk_yaml *list, int depth)
+{
+    for (;;) {
+        yaml_event_t event;
+        if (!next_event(r, &event)) {
+            return false;
+        }
+        const bool ends = event.type == YAML_SEQUENCE_END_EVENT;
+        murk_yaml *child = ends ? NULL : read_node(r, &event, depth + 1);
+        yaml_event_delete(&event);
+        if (ends) {
+            return true;
+        }
+        if (!child) {
+            return false;
+        }
+        if (!append(list, NULL, child)) {
+            no_memory(r);
+            return false;
+        }
+    }
+}
+
+/* The text of a map's key, or NULL. */
+static char *read_key(reader *r, const yaml_event_t *event)
+{
+    if (event->type != YAML_SCALAR_EVENT) {
+        fail_at(r, event->start_mark, MURK_BAD_FILE,
+                "not a key, must be a plain text");
+        return NULL;
+    }
+    const char *text = (const char *)event->data.scalar.value;
+    if (event->data.scalar.tag || event->data.scalar.anchor) {
+        fail_at(r, event->start_mark, MURK_BAD_FILE,
+                "a tag or anchor at a key, must be a plain text");
+        return NULL;
+    }
+    if (strlen(text) != event->data.scalar.length) {
+        fail_at(r, event->start_mark, MURK_BAD_FILE,
+                "a NUL character, must be text");
+        return NULL;
+    }
+    if (strcmp(text, "<<") == 0 &&
+        event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE) {
+        fail_at(r, event->start_mark, MURK_BAD_FILE,
+                "a merge key (<<) is not allowed, write its keys out");
+        return NULL;
+    }
+    r->text_bytes += event->data.scalar.length;
+    char *key = strdup(text);
+    if (!key) {
+        no_memory(r);
+    }
+    return key;
+}
+
+static bool read_map(reader *r, murk_yaml *map, int depth)
+{
+    for (;;) {
+        yaml_event_t event;
+        if (!next_event(r, &event)) {
+            return false;
+        }
+        const bool ends = event.type == YAML_MAPPING_END_EVENT;
+        const yaml_mark_t mark = event.start_mark;
+        char *key = ends ? NULL : read_key(r, &event);
+        yaml_event_delete(&event);
+        if (ends) {
+            return has_unique_keys(r, map);
+        }
+        murk_yaml *child = key ? read_next(r, depth + 1) : NULL;
+        if (!child) {
+            free(key);
+            return false;
+        }
+        child->key_line = (int)mark.line + 1;
+        child->key_column = (int)mark.column + 1;
+        if (!append(map, key, child)) {
+            no_memory(r);
+            return false;
+        }
+    }
+}
+
+static murk_yaml *read_scalar(reader *r, const yaml_event_t *event)
+{
+    const char *text = (const char *)event->data.scalar.value;
+    const size_t length = event->data.scalar.length;
+    if (memchr(text, '\0', length)) {
+        return fail_at(r, event->start_mark, MURK_BAD_FILE,
+                       "a NUL character, must be text");
+    }
+    murk_yaml *node =
+        make_node(r, MURK_YAML_SCALAR, event->start_mark, text, length);
+    if (node) {
+        node->is_quoted = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
+    }
+    return node;
+}
+
+static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth)
+{
+    const yaml_char_t *name = NULL, *tag = NULL;
+    murk_yaml_kind kind = MURK_YAML_SCALAR;
+    switch (event->type) {
+    case YAML_ALIAS_EVENT:
+        return read_alias(r, event, depth);
+    case YAML_SCALAR_EVENT:
+        name = event->data.scalar.anchor;
+        tag = event->data.scalar.tag;
+        break;
+    case YAML_SEQUENCE_START_EVENT:
+        name = event->data.sequence_start.anchor;
+        tag = event->data.sequence_start.tag;
+        kind = MURK_YAML_LIST;
+        break;
+    case YAML_MAPPING_START_EVENT:
+        name = event->data.mapping_start.anchor;
+        tag = event->data.mapping_start.tag;
+        kind = MURK_YAML_MAP;
+        break;
+    default:
+        return fail_at(r, event->start_mark, MURK_BAD_FILE,
+                       "empty, must be a value");
+    }
+    if (tag) {
+        char text[128], shown[48];
+        murk_words_show(shown, sizeof shown, (const char *)tag);
+        snprintf(text, sizeof text, "a tag (%s) is not allowed", shown);
+        return fail_at(r, event->start_mark, MURK_BAD_FILE, text);
+    }
+    if (!is_in_depth(r, event->start_mark, depth)) {
+        return NULL;
+    }
+    const size_t number = add_anchor(r, name, event->start_mark);
+    if (r->status) {
+        return NULL;
+    }
+    murk_yaml *node = kind == MURK_YAML_SCALAR
+                          ? read_scalar(r, event)
+                          : make_node(r, kind, event->start_mark, NULL, 0);
+    if (node && ((kind == MURK_YAML_LIST && !read_list(r, node, depth)) ||
+                 (kind == MURK_YAML_MAP && !read_map(r, node, depth)))) {
+        murk_yaml_destroy(node);
+        node = NULL;
+    }
+    if (node && number != SIZE_MAX) {
+        r->anchors[number].node = node;
+    }
+    return node;
+}
+
+/* Length of the well-formed UTF-8 character at p, or 0. */
+static size_t utf8_length(const unsigned char *p, size_t left)
+{
+    if (p[0] < 0x80) {
+        return 1;
+    }
+    const size_t n = p[0] >= 0xC2 && p[0] <= 0xDF   ? 2
+                     : p[0] >= 0xE0 && p[0] <= 0xEF ? 3
+                     : p[0] >= 0xF0 && p[0] <= 0xF4 ? 4
+                                                    : 0;
+    if (n == 0 || n > left) {
+        return 0;
+    }
+    for (size_t i = 1; i < n; ++i) {
+        if ((p[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    const bool is_overlong =
+        (p[0] == 0xE0 && p[1] < 0xA0) || (p[0] == 0xF0 && p[1] < 0x90);
+    const bool is_surrogate = p[0] == 0xED && p[1] > 0x9F;
+    const bool is_beyond = p[0] == 0xF4 && p[1] > 0x8F;
+    return is_overlong || is_surrogate || is_beyond ? 0 : n;
+}
+
+static murk_status check_text(const char *text, size_t size, const char *source,
+                              murk_error *err)
+{
+    int line = 1, column = 1;
+    for (size_t i = 0; i < size;) {
+        const unsigned char *p = (const unsigned char *)text + i;
+        const size_t n = utf8_length(p, size - i);
+        const bool is_control =
+            (*p < 0x20 && *p != '\t' && *p != '\n' && *p != '\r') || *p == 0x7F;
+        if (n == 0 || is_control) {
+            char place[PLACE_SIZE];
+            show_place(source, line, column, place, sizeof place);
+            return murk_fail(err, MURK_BAD_FILE, place,
+                             n == 0 ? "byte 0x%02X, must be UTF-8 text"
+                                    : "control character 0x%02X, must be text",
+                             *p);
+        }
+        ++column;
+        if (*p == '\n') {
+            ++line;
+            column = 1;
+        }
+        i += n;
+    }
+    return MURK_OK;
+}
+
+static murk_yaml *read_document(reader *r)
+{
+    murk_yaml *root = NULL;
+    bool has_ended = false;
+    while (!has_ended) {
+        yaml_event_t event;
+        if (!next_event(r, &event)) {
+            break;
+        }
+        const yaml_mark_t mark = event.start_mark;
+        const yaml_event_type_t type = event.type;
+        if (type == YAML_STREAM_END_EVENT) {
+            has_ended = true;
+        } else if (type == YAML_DOCUMENT_START_EVENT && root) {
+            fail_at(r, mark, MURK_BAD_FILE,
+                    "a second document, must be only one");
+        } else if (type == YAML_DOCUMENT_START_EVENT) {
+            root = read_next(r, 1);
+        }
+        yaml_event_delete(&event);
+        if (r->status) {
+            break;
+        }
+    }
+    if (!r->status && !root) {
+        r->status =
+            murk_fail(r->err, MURK_BAD_FILE, r->source, "empty, must be YAML");
+    }
+    if (r->status) {
+        murk_yaml_destroy(root);
+        root = NULL;
+    }
+    return root;
+}
+
+murk_status murk_yaml_parse(murk_yaml **out, const char *text, size_t size,
+                            const char *source, murk_error *err)
+{
+    if (size > MURK_YAML_MOST_BYTES) {
+        return murk_fail(err, MURK_BAD_FILE, source,
+                         "%.4g MB, must be at most 16 MB", (double)size / 1e6);
+    }
+    if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
+        text += 3; /* byte order mark */
+        size -= 3;
+    }
+    murk_status status = check_text(text, size, source, err);
+    if (status) {
+        return status;
+    }
+    reader *r = calloc(1, sizeof *r);
+    if (!r || !yaml_parser_initialize(&r->parser)) {
+        free(r);
+        return murk_fail(err, MURK_NO_MEMORY, source, "no memory to read it");
+    }
+    r->source = source;
+    r->err = err;
+    yaml_parser_set_encoding(&r->parser, YAML_UTF8_ENCODING);
+    yaml_parser_set_input_string(&r->parser, (const unsigned char *)text, size);
+    murk_yaml *root = read_document(r);
+    status = r->status;
+    for (size_t i = 0; i < r->n_anchors; ++i) {
+        free(r->anchors[i].name);
+    }
+    yaml_parser_delete(&r->parser);
+    free(r);
+    if (!status) {
+        *out = root;
+    }
+    return status;
+}
+
+murk_status murk_yaml_read(murk_yaml **out, const char *path, murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    murk_status status =
+        murk_file_read(&text, &size, path, MURK_YAML_MOST_BYTES, err);
+    if (!status) {
+        status = murk_yaml_parse(out, text, size, path, err);
+    }
+    free(text);
+    return status;
+}
+
+/* ---- scalars ---- */
+
+static bool is_plain(const murk_yaml *node)
+{
+    return node->kind == MURK_YAML_SCALAR && !node->is_quoted;
+}
+
+bool murk_yaml_number(const murk_yaml *node, double *out)
+{
+    return is_plain(node) && murk_number_parse(node->text, out);
+}
+
+bool murk_yaml_count(const murk_yaml *node, uint64_t *out)
+{
+    return is_plain(node) && murk_count_parse(node->text, out);
+}
+
+bool murk_yaml_bool(const murk_yaml *node, bool *out)
+{
+    if (!is_plain(node)) {
+        return false;
+    }
+    const bool is_true = strcmp(node->text, "true") == 0;
+    if (!is_true && strcmp(node->text, "false") != 0) {
+        return false;
+    }
+    *out = is_true;
+    return true;
+}
+
+bool murk_yaml_is_null(const murk_yaml *node)
+{
+    return is_plain(node) &&
+           (node->text[0] == '\0' || strcmp(node->text, "~") == 0 ||
+            strcmp(node->text, "null") == 0 ||
+            strcmp(node->text, "Null") == 0 || strcmp(node->text, "NULL") == 0);
+}

@@ -1,0 +1,431 @@
+/* Every refusal of a scene: its place and its words, to the letter. Nothing
+ * here is random. */
+#define _DEFAULT_SOURCE /* P_tmpdir */
+#include "full_scene.h"
+#include "scene_files.h"
+
+#define HEAD  "murk: 1\n"
+#define LAMP  "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n"
+#define ROOM  "sensors: {types: [{name: a, range_m: 1}], "
+#define VALUE MURK_BAD_VALUE
+#define LATER MURK_UNSUPPORTED
+
+typedef struct refusal {
+    const char *scene; /* from line 2 on, without lights */
+    murk_status status;
+    const char *where, *text;
+} refusal;
+
+static const refusal REFUSALS[] = {
+    /* wrong types and numbers */
+    {"seed: -3\n", VALUE, "fog.yaml:2:7: seed", "-3, must be 0..4294967295"},
+    {"seed: 12abc\n", VALUE, "fog.yaml:2:7: seed",
+     "12abc, must be a whole number, 0..4294967295"},
+    {"seed: 1.5\n", VALUE, "fog.yaml:2:7: seed",
+     "1.5, must be a whole number, 0..4294967295"},
+    {"seed: \"1\"\n", VALUE, "fog.yaml:2:7: seed",
+     "\"1\", must be a whole number, 0..4294967295"},
+    {"seed: 0x10\n", VALUE, "fog.yaml:2:7: seed",
+     "0x10, must be a whole number, 0..4294967295"},
+    {"seed:\n", VALUE, "fog.yaml:2:6: seed",
+     "nothing, must be a whole number, 0..4294967295"},
+    {"seed: [1]\n", VALUE, "fog.yaml:2:1: seed",
+     "a list, must be a whole number, 0..4294967295"},
+    {"geometry: {}\n", VALUE, "fog.yaml:2:1: geometry",
+     "an empty map, must be a list of maps"},
+    {"media: []\n", VALUE, "fog.yaml:2:1: media",
+     "an empty list, must be a map of names"},
+    {"photons: 5\n", VALUE, "fog.yaml:2:10: photons",
+     "5, must be a map of keys"},
+    {"geometry: [wall]\n", VALUE, "fog.yaml:2:12: geometry.0",
+     "wall, must be a map of keys"},
+    /* bands and domain */
+    {"bands_nm: []\n", VALUE, "fog.yaml:2:1: bands_nm",
+     "an empty list, must be a list of 1..16 rising wavelengths, each more "
+     "than 0 and at most 1e9 nm"},
+    {"bands_nm: [500, 400]\n", VALUE, "fog.yaml:2:17: bands_nm",
+     "400 after 500, must rise, nm"},
+    {"bands_nm: [0]\n", VALUE, "fog.yaml:2:12: bands_nm.0",
+     "0, must be more than 0 and at most 1e9 nm"},
+    {"bands_nm: [5]\nband_edges_nm: [1, 2]\n", VALUE, "fog.yaml:1:1",
+     "has bands_nm and band_edges_nm, must have one of them"},
+    {"domain: {min_m: [0, 0, 0], max_m: [1, 1, 0]}\n", VALUE,
+     "fog.yaml:2:1: domain",
+     "min_m [0, 0, 0] and max_m [1, 1, 0], min must be less than max on each "
+     "axis, m"},
+    {"domain: {min_m: [0, 0], max_m: [1, 1, 0]}\n", VALUE,
+     "fog.yaml:2:10: domain.min_m",
+     "a list, must be [x, y, z], each -1e9..1e9 m"},
+    {"domain: {min_m: [0, nan, 0], max_m: [1, 1, 0]}\n", VALUE,
+     "fog.yaml:2:21: domain.min_m.1", "nan, must be a number, -1e9..1e9 m"},
+    {"domain: {min_m: [0, 0, 0], max_m: [1, 1, 1], sides: closed}\n", VALUE,
+     "fog.yaml:2:53: domain.sides", "closed, must be open, periodic"},
+    {"north: [1, 0, 0]\n", LATER, "fog.yaml:2:1: north",
+     "a list is not supported yet, must be [0, 1, 0]"},
+    /* geometry */
+    {"geometry:\n  - {box: {min_m: [0, 0, 0], max_m: [1, 1, 1]}, file: a}\n",
+     VALUE, "fog.yaml:3:5: geometry.0",
+     "has file and box, must have one of them"},
+    {"geometry:\n  - {scale: 2}\n", VALUE, "fog.yaml:3:5: geometry.0",
+     "misses a key of a geometry, must be one of file, box, rect, sphere"},
+    {"geometry:\n  - {file: a, scale: 0}\n", VALUE,
+     "fog.yaml:3:22: geometry.0.scale",
+     "0, must be more than 0 and at most 1e9"},
+    {"geometry:\n  - {file: a, material: wod}\nmaterials: {wood: {}}\n", VALUE,
+     "fog.yaml:3:25: geometry.0.material",
+     "wod is not in materials, did you mean wood?"},
+    {"geometry:\n  - {file: a, material: gold}\nmaterials: {wood: {}}\n", VALUE,
+     "fog.yaml:3:25: geometry.0.material",
+     "gold is not in materials, must be a name given there: default, wood"},
+    {"geometry:\n  - {sphere: {center_m: [0, 0, 0], radius_m: 1}, up: z}\n",
+     VALUE, "fog.yaml:3:50: geometry.0.up",
+     "not a key of a geometry (sphere), must be one of file, box, rect, "
+     "sphere, scale, rotate_deg, translate_m, material"},
+    {"geometry:\n  - {rect: {corner_m: [0, 0, 0], edge1_m: [1, 2, 3], "
+     "edge2_m: [2, 4, 6]}}\n",
+     VALUE, "fog.yaml:3:6: geometry.0.rect",
+     "edge1_m and edge2_m span no area, must not be zero or parallel"},
+    {"geometry:\n  - {sphere: {center_m: [0, 0, 0]}}\n", VALUE,
+     "fog.yaml:3:6: geometry.0.sphere",
+     "misses radius_m, must be a number, more than 0 and at most 1e9 m"},
+    /* materials */
+    {"materials:\n  wood: {diffuse: 0.6, specular: 0.5}\n", VALUE,
+     "fog.yaml:3:3: materials.wood",
+     "diffuse + specular + transmit is 1.1 at 550 nm, must be at most 1"},
+    {"materials:\n  wood: {diffuse: [0.6, 0.5]}\n", VALUE,
+     "fog.yaml:3:10: materials.wood.diffuse",
+     "a list of 2, must be one number or a list of 1, one a band"},
+    {"materials:\n  wood: {difuse: 0.6}\n", VALUE,
+     "fog.yaml:3:10: materials.wood.difuse",
+     "unknown key, did you mean diffuse?"},
+    {"materials:\n  wood: {colour: 0.6}\n", VALUE,
+     "fog.yaml:3:10: materials.wood.colour",
+     "unknown key, must be one of diffuse, specular, transmit, ior"},
+    {"materials:\n  wood: {ior: 0.5}\n", VALUE,
+     "fog.yaml:3:15: materials.wood.ior", "0.5, must be 1..10"},
+    /* media */
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1.2}\n", VALUE,
+     "fog.yaml:3:38: media.fog.albedo", "1.2, must be 0..1"},
+    {"media:\n  fog: {extinction_per_m: -1, albedo: 1}\n", VALUE,
+     "fog.yaml:3:27: media.fog.extinction_per_m", "-1, must be 0..1e9 1/m"},
+    {"media:\n  fog: {albedo: 1}\n", VALUE, "fog.yaml:3:3: media.fog",
+     "misses extinction_per_m, must be a number, 0..1e9 1/m, or a list of "
+     "them, one a band"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {hg: 1}}\n", VALUE,
+     "fog.yaml:3:53: media.fog.phase.hg",
+     "1, must be more than -1 and less than 1"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: isotrop}\n", VALUE,
+     "fog.yaml:3:48: media.fog.phase",
+     "isotrop, must be isotropic or a map of keys"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {}}\n", VALUE,
+     "fog.yaml:3:41: media.fog.phase", "misses a key of a phase, must be hg"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, grid: a}\n", VALUE,
+     "fog.yaml:3:41: media.fog.grid",
+     "not a key of a medium (homogeneous), must be one of vdb, "
+     "extinction_per_m, albedo, phase"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: rayleigh}\n",
+     LATER, "fog.yaml:3:48: media.fog.phase",
+     "rayleigh is not supported yet, must be isotropic or a map of keys"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, 0, "
+     "1]}}\n",
+     LATER, "fog.yaml:3:49: media.fog.phase.two_hg", "not supported yet"},
+    {"media:\n  fog: {preset: fog/radiation}\n", LATER,
+     "fog.yaml:3:9: media.fog.preset", "not supported yet"},
+    {"media:\n  a: {vdb: x, extinction_per_m: 1, albedo: 1, interpolation: "
+     "linear}\n",
+     LATER, "fog.yaml:3:62: media.a.interpolation",
+     "linear is not supported yet, must be nearest"},
+    /* regions */
+    {"regions:\n  - {medium: fog}\n", VALUE, "fog.yaml:3:14: regions.0.medium",
+     "fog is not in media, must be a name given there: there are none"},
+    {"regions:\n  - {medium: fog, below_z_m: 0}\n", LATER,
+     "fog.yaml:3:19: regions.0.below_z_m", "not supported yet"},
+    {"regions:\n  - {medium: fog, scale: 2}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:19: regions.0.scale",
+     "not a key of a region (everywhere), must be one of medium, box, sphere, "
+     "replace"},
+    {"regions:\n  - {medium: a, sphere: {center_m: [0, 0, 0], radius_m: 1}}\n"
+     "media: {a: {vdb: x, extinction_per_m: 1, albedo: 1}}\n",
+     LATER, "fog.yaml:3:5: regions.0",
+     "a sphere around a grid medium is not supported yet, must be the grid "
+     "alone"},
+    {"regions:\n  - {medium: fog, replace: yes}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:28: regions.0.replace", "yes, must be true or false"},
+    /* photons */
+    {"photons: {emit: 0}\n", VALUE, "fog.yaml:2:17: photons.emit",
+     "0, must be 1..4294967295 photons"},
+    {"photons: {emit: 1152921504606846976}\n", VALUE,
+     "fog.yaml:2:17: photons.emit",
+     "1152921504606846976, must be 1..4294967295 photons"},
+    {"photons: {emit: -5}\n", VALUE, "fog.yaml:2:17: photons.emit",
+     "-5, must be 1..4294967295 photons"},
+    {"photons: {emit: 5, store: 5}\n", VALUE, "fog.yaml:2:1: photons",
+     "has emit and store, must have one of them"},
+    {"photons: {store: 5, max_stored: 4}\n", VALUE, "fog.yaml:2:1: photons",
+     "store 5 is more than max_stored 4"},
+    {"photons: {store: 5, maps: none}\n", VALUE, "fog.yaml:2:1: photons",
+     "store 5 with maps: none, must be emit where nothing is stored"},
+    /* sensors */
+    {"sensors: {count: 3}\n", VALUE, "fog.yaml:2:1: sensors",
+     "misses types, must be a list of maps"},
+    {"sensors: {types: []}\n", VALUE, "fog.yaml:2:11: sensors.types",
+     "an empty list, must have at least one sensor type"},
+    {"sensors: {types: [{name: a, range_m: 1}, {name: b, range_m: 2}]}\n",
+     LATER, "fog.yaml:2:11: sensors.types",
+     "2 sensor types are not supported yet, must be 1"},
+    {"sensors: {types: [{name: a, range_m: 1, view: {}}]}\n", LATER,
+     "fog.yaml:2:41: sensors.types.0.view", "not supported yet"},
+    {ROOM "target: 0.95}\n", LATER, "fog.yaml:2:43: sensors.target",
+     "not supported yet"},
+    {ROOM "fixed: [1]}\n", LATER, "fog.yaml:2:43: sensors.fixed",
+     "a list is not supported yet, must be []"},
+    {ROOM "count: 0}\n", VALUE, "fog.yaml:2:50: sensors.count",
+     "0, must be 1..1e6 sensors"},
+    {ROOM "candidates: {grid: {min_m: [0, 0, 0], max_m: [1, 1, 1], "
+          "size: [2, 0, 2]}}}\n",
+     VALUE, "fog.yaml:2:109: sensors.candidates.grid.size.1",
+     "0, must be 1..1e7 points"},
+    {ROOM "candidates: {grid: {min_m: [0, 0, 0], max_m: [1, 1, 1], "
+          "size: [1e4, 1e4, 2]}}}\n",
+     VALUE, "fog.yaml:2:56: sensors.candidates.grid",
+     "200000000 points, must be at most 1e7"},
+    {ROOM "candidates: {grid: {min_m: [0, 0, 0], max_m: [1, 1, 1], "
+          "spacing_m: 1e-9}}}\n",
+     VALUE, "fog.yaml:2:56: sensors.candidates.grid",
+     "1.0000003e+21 points, must be at most 1e7"},
+    {ROOM "candidates: {grid: {min_m: [0, 0, 2], max_m: [1, 1, 1], "
+          "size: [2, 1, 2]}}}\n",
+     VALUE, "fog.yaml:2:56: sensors.candidates.grid",
+     "min_m [0, 0, 2] and max_m [1, 1, 1], min must be at most max on each "
+     "axis, m"},
+    {ROOM "candidates: {grid: {min_m: [0, 0, 1], max_m: [1, 1, 1], "
+          "size: [2, 1, 2]}}}\n",
+     VALUE, "fog.yaml:2:56: sensors.candidates.grid",
+     "size 2 along z where min_m is max_m, must be 1"},
+    {ROOM "count: 5, candidates: {grid: {min_m: [0, 0, 0], max_m: [1, 1, 1], "
+          "size: [2, 1, 2]}}}\n",
+     VALUE, "fog.yaml:2:1: sensors",
+     "count is 5, must be 1..4: the points of the grid"},
+    {ROOM "candidates: {mount: wall}}\n", LATER,
+     "fog.yaml:2:63: sensors.candidates.mount",
+     "wall is not supported yet, must be free"},
+    /* placement and the rest */
+    {"placement: {method: exact}\n", LATER, "fog.yaml:2:21: placement.method",
+     "exact is not supported yet, must be best, spoq, greedy"},
+    {"placement: {method: bset}\n", VALUE, "fog.yaml:2:21: placement.method",
+     "bset, must be best, spoq, greedy"},
+    {"placement: {detection: power}\n", LATER,
+     "fog.yaml:2:24: placement.detection",
+     "power is not supported yet, must be weighted"},
+    {"placement: {redundancy: 2}\n", LATER,
+     "fog.yaml:2:25: placement.redundancy",
+     "2 is not supported yet, must be 1"},
+    {"placement: {over: worst}\n", LATER, "fog.yaml:2:19: placement.over",
+     "worst is not supported yet, must be null"},
+    {"placement: {weights: {surface: 0, volume: 0}}\n", VALUE,
+     "fog.yaml:2:13: placement.weights",
+     "surface and volume are both 0, one must be more than 0"},
+    {"placement: {restarts: 0}\n", VALUE, "fog.yaml:2:23: placement.restarts",
+     "0, must be 1..1e6"},
+    {"flight: delta\n", LATER, "fog.yaml:2:9: flight",
+     "delta is not supported yet, must be march"},
+    {"cameras: [{name: a}]\n", LATER, "fog.yaml:2:1: cameras",
+     "a list is not supported yet, must be []"},
+    {"tallies: [{name: a}]\n", LATER, "fog.yaml:2:1: tallies",
+     "a list is not supported yet, must be []"},
+    {"conditions: {fog: {}}\n", LATER, "fog.yaml:2:1: conditions",
+     "a map is not supported yet, must be {}"},
+    {"photon: {}\n", VALUE, "fog.yaml:2:1: photon",
+     "unknown key, did you mean photons?"},
+};
+
+static void test_refusals(void)
+{
+    char text[1000];
+    for (size_t i = 0; i < sizeof REFUSALS / sizeof *REFUSALS; ++i) {
+        const refusal *r = &REFUSALS[i];
+        snprintf(text, sizeof text, HEAD "%s" LAMP, r->scene);
+        CHECK_REFUSED(text, r->status, r->where, r->text);
+    }
+}
+
+static void test_lights(void)
+{
+    CHECK_REFUSED(HEAD "lights: []\n", VALUE, "fog.yaml:2:1: lights",
+                  "an empty list, must have at least one light");
+    CHECK_REFUSED(HEAD, VALUE, "fog.yaml:1:1",
+                  "misses lights, must be a list of maps");
+    CHECK_REFUSED(
+        HEAD "lights:\n  - {power_w: 1}\n", VALUE, "fog.yaml:3:5: lights.0",
+        "misses type, must be sphere, rect, point, beam, directional");
+    CHECK_REFUSED(HEAD "lights:\n  - {type: sun, latitude_deg: 5}\n", LATER,
+                  "fog.yaml:3:17: lights.0.latitude_deg", "not supported yet");
+    CHECK_REFUSED(HEAD "lights:\n  - {type: sky}\n", LATER,
+                  "fog.yaml:3:12: lights.0.type",
+                  "sky is not supported yet, must be sphere, rect, point, "
+                  "beam, directional");
+    CHECK_REFUSED(HEAD "lights:\n  - {type: point, position_m: [0, 0, 0]}\n",
+                  VALUE, "fog.yaml:3:5: lights.0",
+                  "misses power_w, must be a number (the total), 0..1e15 W, or "
+                  "a list, one a band");
+    CHECK_REFUSED(HEAD "lights:\n  - {type: point, position_m: [0, 0, 0], "
+                       "power_w: 1, radius_m: 1}\n",
+                  VALUE, "fog.yaml:3:54: lights.0.radius_m",
+                  "not a key of a light (point), must be one of type, "
+                  "position_m, power_w");
+    CHECK_REFUSED(HEAD "lights:\n  - {type: directional, direction: [0, 0, 0], "
+                       "irradiance_w_per_m2: 1}\n",
+                  VALUE, "fog.yaml:3:5: lights.0",
+                  "direction is [0, 0, 0], must point somewhere");
+    CHECK_REFUSED(HEAD "lights:\n  - {type: point, position_m: [0, 0, 0], "
+                       "power_w: 1, schedule: night}\n",
+                  LATER, "fog.yaml:3:54: lights.0.schedule",
+                  "not supported yet");
+}
+
+static void test_the_file_itself(void)
+{
+    CHECK_REFUSED("", MURK_BAD_FILE, "fog.yaml", "empty, must be YAML");
+    CHECK_REFUSED("[1]", VALUE, "fog.yaml:1:1",
+                  "a list, must be a scene: a map of keys");
+    CHECK_REFUSED(LAMP, VALUE, "fog.yaml:1:1",
+                  "misses murk, must be a whole number, 1");
+    CHECK_REFUSED("murk: 2\n" LAMP, VALUE, "fog.yaml:1:7: murk",
+                  "2, must be 1");
+    murk_scene *scene = NULL;
+    murk_error err = {0};
+    CHECK(murk_scene_read(&scene, "none.yaml", NULL, 0, &err) == MURK_BAD_FILE);
+    CHECK_TEXT(err.where, "none.yaml");
+    CHECK_TEXT(err.text, "cannot read: No such file or directory");
+    err = (murk_error){0};
+    CHECK(murk_scene_read(&scene, ".", NULL, 0, &err) == MURK_BAD_FILE);
+    CHECK_MENTIONS(err.text, "a folder, must be a regular file");
+}
+
+/* ---- options ---- */
+
+typedef struct option_refusal {
+    const char *option, *where, *text;
+} option_refusal;
+
+static const option_refusal OPTIONS[] = {
+    {"lights.9.power_w=1", "--set lights.9.power_w=1",
+     "item 9 of a list of 5, must be 0..4"},
+    {"lights.x.power_w=1", "--set lights.x.power_w=1",
+     "item x of a list of 5, must be 0..4"},
+    {"lights.0.power_w=1W", "--set lights.0.power_w=1W",
+     "1W, must be a number (the total), 0..1e15 W, or a list, one a band"},
+    {"lights.0.powr_w=1", "--set lights.0.powr_w=1",
+     "no powr_w in lights, did you mean power_w?"},
+    {"media.hase.albedo=1", "--set media.hase.albedo=1",
+     "no hase in media, did you mean haze?"},
+    {"media.fog={albedo: 1}", "--set media.fog={albedo: 1}",
+     "misses extinction_per_m, must be a number, 0..1e9 1/m, or a list of "
+     "them, one a band"},
+    {"media.haze={extinction_per_m: 1, albedo: 3}",
+     "--set media.haze={extinction_per_m: 1, albedo: 3}: media.haze.albedo",
+     "3, must be 0..1"},
+    {"media.haze.preset=x", "--set media.haze.preset=x", "not supported yet"},
+    {"photons", "--set photons", "must be KEY=VALUE, such as photons.emit=1e5"},
+    {"=3", "--set =3",
+     "an empty key, must be KEY=VALUE, such as photons.emit=1e5"},
+    {"photons..emit=3", "--set photons..emit=3",
+     "an empty key, must be KEY=VALUE, such as photons.emit=1e5"},
+    {"seed=", "--set seed=", "empty, must be YAML"},
+    {"seed=[1", "--set seed=[1", "not YAML: did not find expected ',' or ']'"},
+    {"seed.x=1", "--set seed.x=1", "x is below a single value"},
+    {"sed=1", "--set sed=1", "no sed in the scene, did you mean seed?"},
+    {"placement.method.x=1", "--set placement.method.x=1",
+     "x is below a single value"},
+    {"domain.min_m.3=1", "--set domain.min_m.3=1",
+     "item 3 of a list of 3, must be 0..2"},
+};
+
+static void test_option_refusals(void)
+{
+    for (size_t i = 0; i < sizeof OPTIONS / sizeof *OPTIONS; ++i) {
+        const murk_override option = {.text = OPTIONS[i].option};
+        murk_scene *scene;
+        murk_error err;
+        CHECK(scene_of(&scene, FULL_SCENE, &option, 1, &err) != MURK_OK);
+        CHECK_TEXT(err.where, OPTIONS[i].where);
+        CHECK_TEXT(err.text, OPTIONS[i].text);
+        murk_scene_destroy(scene);
+    }
+}
+
+static void test_options_of_other_names(void)
+{
+    const murk_override option = {.text = "seed=-3", .option = "--seed -3"};
+    murk_scene *scene;
+    murk_error err;
+    CHECK(scene_of(&scene, FULL_SCENE, &option, 1, &err) == MURK_BAD_VALUE);
+    CHECK_TEXT(err.where, "--seed -3");
+    CHECK_TEXT(err.text, "-3, must be 0..4294967295");
+}
+
+static void test_options_apply(void)
+{
+    static const murk_override options[] = {
+        {.text = "media.haze.phase=isotropic"},
+        {.text = "media.thin.phase.hg=0.5"}, /* was a word: now a map */
+        {.text = "lights.1.power_w.0=11"},
+        {.text = "photons.emit=1e6"}, /* in place of store */
+        {.text = "photons.emit=2e6"}, /* the last of equals wins */
+        {.text = "placement.weights=balanced"},
+        {.text = "media.new={extinction_per_m: 1, albedo: 0}"},
+        {.text = "regions.0.medium=new"},
+        {.text = "materials.default.diffuse=0.25"},
+        {.text = "sensors.candidates.grid.spacing_m=2"},
+    };
+    murk_scene *scene;
+    murk_error err;
+    const murk_status status = scene_of(&scene, FULL_SCENE, options,
+                                        sizeof options / sizeof *options, &err);
+    CHECK(status == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    if (status) {
+        return;
+    }
+    CHECK(scene->media[0].mean_cosine.band[0] == 0);
+    CHECK(scene->media[2].mean_cosine.band[1] == 0.5);
+    CHECK(scene->lights[1].power_w.band[0] == 11);
+    CHECK(scene->lights[1].power_w.band[1] == 30);
+    CHECK(scene->photons.emit == 2000000 && scene->photons.store == 0);
+    CHECK(scene->photons.store_hits);
+    CHECK(scene->placement.balanced);
+    CHECK(scene->n_media == 4 && scene->regions[0].medium == 3);
+    CHECK(scene->materials[0].diffuse.band[0] == 0.25);
+    CHECK(scene->sensors.grid_size[0] == 15);
+    murk_scene_destroy(scene);
+}
+
+static void test_emit_and_store_exclude_each_other(void)
+{
+    const murk_override both[] = {{.text = "photons.store=5"},
+                                  {.text = "photons.emit=5"}};
+    murk_scene *scene;
+    murk_error err;
+    CHECK(scene_of(&scene, FULL_SCENE, both, 2, &err) == MURK_BAD_VALUE);
+    CHECK_TEXT(err.where, "--set photons.emit=5");
+    CHECK_TEXT(err.text, "store and emit are both on the command line, must be "
+                         "one of them");
+}
+
+int main(void)
+{
+    if (!folder_enter()) {
+        check_skip("no folder for temporary files");
+    }
+    test_refusals();
+    test_lights();
+    test_the_file_itself();
+    test_option_refusals();
+    test_options_of_other_names();
+    test_options_apply();
+    test_emit_and_store_exclude_each_other();
+    folder_leave((const char *const[]){"fog.yaml", NULL});
+    return check_done();
+}

@@ -1,0 +1,330 @@
+/* A scene file becomes structs, and the scene as resolved reads back the
+ * same. Nothing here is random but the bytes that the last test flips: it
+ * checks for no crash, so no luck can fail it. */
+#define _DEFAULT_SOURCE /* P_tmpdir */
+#include "base/rng.h"
+#include "full_scene.h"
+#include "scene_files.h"
+
+static murk_scene *must_read(const char *text, const murk_override *overrides,
+                             size_t n)
+{
+    murk_scene *scene;
+    murk_error err;
+    if (scene_of(&scene, text, overrides, n, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        CHECK(!"a good scene was refused");
+        exit(check_done());
+    }
+    return scene;
+}
+
+static void test_surfaces_and_materials(const murk_scene *scene)
+{
+    CHECK(scene->n_materials == 3);
+    CHECK_TEXT(scene->materials[0].name, "default");
+    CHECK(scene->materials[0].diffuse.band[1] == 0.7);
+    CHECK_TEXT(scene->materials[1].name, "wood");
+    CHECK(scene->materials[1].ior == 0 && scene->materials[2].ior == 1.5);
+    CHECK(scene->materials[2].transmit.band[1] == 0.91);
+    CHECK(scene->materials[2].transmit.band[2] == 0);
+
+    CHECK(scene->geometries == 4);
+    const murk_scene_geometry *file = &scene->geometry[0];
+    CHECK(file->shape == MURK_SCENE_FILE && file->unit_m == 0.01);
+    CHECK(file->up == 'y' && file->scale == 2 && file->material == 1);
+    CHECK(file->rotate_deg.z == 90 && file->translate_m.y == 2);
+    CHECK_TEXT(file->file, "m/yard.dae");
+    CHECK_TEXT(file->where, "fog.yaml:7:5: geometry.0");
+    const murk_scene_geometry *box = &scene->geometry[1];
+    CHECK(box->shape == MURK_SCENE_BOX && box->box.max.z == 3);
+    CHECK(box->scale == 1 && box->file == NULL && box->unit_m == 0);
+    CHECK(scene->geometry[2].shape == MURK_SCENE_RECT);
+    CHECK(scene->geometry[2].edge2.y == 1 && scene->geometry[2].up == 0);
+    CHECK(scene->geometry[2].material == -1);
+    CHECK(scene->geometry[3].shape == MURK_SCENE_SPHERE);
+    CHECK(scene->geometry[3].radius_m == 0.5);
+    CHECK(scene->geometry[3].material == 2);
+}
+
+static void test_media_and_regions(const murk_scene *scene)
+{
+    CHECK(scene->n_media == 3);
+    CHECK_TEXT(scene->media[0].name, "haze");
+    CHECK_TEXT(scene->media[0].where, "fog.yaml:18:3: media.haze");
+    CHECK(scene->media[0].mean_cosine.band[1] == 0.8);
+    CHECK(scene->media[0].vdb == NULL && scene->media[0].grid == NULL);
+    CHECK_TEXT(scene->media[1].vdb, "smoke.vdb");
+    CHECK_TEXT(scene->media[1].grid, "density");
+    CHECK(scene->media[1].mean_cosine.band[1] == -0.5);
+    CHECK(scene->media[2].extinction_per_m.band[0] == 1e-3);
+    CHECK(scene->media[2].mean_cosine.band[0] == 0);
+
+    CHECK(scene->n_regions == 4);
+    CHECK(scene->regions[0].shape == MURK_SCENE_EVERYWHERE);
+    CHECK(scene->regions[0].scale == 1 && scene->regions[0].medium == 0);
+    CHECK(scene->regions[1].shape == MURK_SCENE_IN_GRID);
+    CHECK(scene->regions[1].rotate_deg.z == 30);
+    CHECK(scene->regions[2].shape == MURK_SCENE_IN_BOX);
+    CHECK(scene->regions[2].replaces && !scene->regions[3].replaces);
+    CHECK(scene->regions[3].shape == MURK_SCENE_IN_SPHERE);
+    CHECK(scene->regions[3].center.x == 5 && scene->regions[3].medium == 2);
+}
+
+static void test_lights(const murk_scene *scene)
+{
+    CHECK(scene->n_lights == 5);
+    const murk_scene_light *light = scene->lights;
+    CHECK(light[0].type == MURK_SCENE_LIGHT_SPHERE && light[0].radius_m == 0.1);
+    CHECK(light[0].power_w.band[0] == 50 && light[0].power_w.band[1] == 50);
+    CHECK(light[1].type == MURK_SCENE_LIGHT_RECT && light[1].edge1.y == 1);
+    CHECK(light[1].power_w.band[0] == 10 && light[1].power_w.band[1] == 30);
+    CHECK(light[2].type == MURK_SCENE_LIGHT_POINT && light[2].position.z == 1);
+    CHECK(light[3].type == MURK_SCENE_LIGHT_BEAM);
+    CHECK(light[3].divergence_rad == MURK_PI / 2);
+    CHECK(light[4].type == MURK_SCENE_LIGHT_DIRECTIONAL);
+    CHECK(light[4].direction.z == -1 && light[4].power_w.band[1] == 500);
+}
+
+static void test_the_rest(const murk_scene *scene)
+{
+    CHECK_TEXT(scene->path, "fog.yaml");
+    CHECK(strlen(scene->sha256) == 64);
+    CHECK(scene->bands == 2 && scene->band_nm[1] == 532 && !scene->has_edges);
+    CHECK(scene->seed == 7 && scene->has_domain && scene->domain.is_periodic);
+    CHECK(scene->domain.box.max.x == 30);
+    CHECK_TEXT(scene->domain_where, "fog.yaml:5:1: domain");
+
+    CHECK(scene->photons.store == 5000 && scene->photons.emit == 0);
+    CHECK(scene->photons.store_hits && scene->photons.max_stored == 1000000);
+    CHECK(scene->photons.maps == MURK_SCENE_MAPS_VOLUME);
+
+    const murk_scene_sensors *sensors = &scene->sensors;
+    CHECK(sensors->given && sensors->has_grid && sensors->count == 3);
+    CHECK_TEXT(sensors->type_name, "node");
+    CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
+    CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
+    CHECK(sensors->grid_max.y == 19);
+    CHECK_TEXT(sensors->grid_where, "fog.yaml:46:5: sensors.candidates.grid");
+
+    const murk_scene_placement *placement = &scene->placement;
+    CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
+    CHECK(placement->by_normal && placement->block && placement->unknown);
+    CHECK(!placement->balanced && !placement->hold_out);
+    CHECK(placement->weight_surface == 1 && placement->weight_volume == 2);
+}
+
+static void test_defaults(void)
+{
+    murk_scene *scene =
+        must_read("{murk: 1, lights: [{type: point, position_m: [0, 0, 0], "
+                  "power_w: 3}]}",
+                  NULL, 0);
+    CHECK(scene->bands == 1 && scene->band_nm[0] == 550 && scene->seed == 1);
+    CHECK(!scene->has_domain && scene->geometries == 0 &&
+          !scene->sensors.given);
+    CHECK(scene->n_materials == 1);
+    CHECK_TEXT(scene->materials[0].name, "default");
+    CHECK(scene->materials[0].diffuse.band[0] == 0.5);
+    CHECK(scene->photons.emit == 100000 && scene->photons.store == 0);
+    CHECK(!scene->photons.store_hits);
+    CHECK(scene->photons.max_stored == 100000000);
+    CHECK_TEXT(scene->photons.where, "fog.yaml: photons");
+    CHECK(scene->placement.method == MURK_SCENE_BEST);
+    CHECK(scene->placement.balanced && scene->placement.hold_out);
+    CHECK(scene->placement.restarts == 200 && !scene->placement.block);
+    CHECK(scene->sensors.count == 0 && !scene->sensors.has_grid);
+    murk_scene_destroy(scene);
+}
+
+static void test_band_edges(void)
+{
+    murk_scene *scene = must_read(
+        "{murk: 1, band_edges_nm: [400, 500, 700], lights: [{type: point, "
+        "position_m: [0, 0, 0], power_w: 3}]}",
+        NULL, 0);
+    CHECK(scene->bands == 2 && scene->has_edges);
+    CHECK(scene->band_nm[0] == 450 && scene->band_nm[1] == 600);
+    CHECK(scene->band_edge_nm[2] == 700);
+    murk_scene_destroy(scene);
+}
+
+/* 1.2 m in steps of 0.4: four points, though 1.2 / 0.4 rounds below 3. */
+static void test_spacing_fills_the_grid(void)
+{
+    const murk_override spacing = {
+        .text = "sensors.candidates.grid={min_m: [0, 0, 1], max_m: "
+                "[1.2, 1.5, 1], spacing_m: 0.4}"};
+    murk_scene *scene = must_read(FULL_SCENE, &spacing, 1);
+    CHECK(scene->sensors.grid_size[0] == 4);
+    CHECK(scene->sensors.grid_size[1] == 4);
+    CHECK(scene->sensors.grid_size[2] == 1);
+    CHECK_NEAR(scene->sensors.grid_max.y, 1.2, 1e-12);
+    CHECK(scene->sensors.grid_max.z == 1);
+    murk_scene_destroy(scene);
+}
+
+static void test_resolved_reads_back(const char *text)
+{
+    murk_scene *scene = must_read(text, NULL, 0);
+    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    CHECK_TEXT(again->resolved, scene->resolved);
+    CHECK_TEXT(again->light_key, scene->light_key);
+    CHECK(again->n_lights == scene->n_lights);
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        CHECK(memcmp(&again->lights[i].power_w, &scene->lights[i].power_w,
+                     sizeof(murk_spectrum)) == 0);
+    }
+    murk_scene_destroy(again);
+    murk_scene_destroy(scene);
+}
+
+static void test_resolved_names_files_fully(void)
+{
+    char want[600];
+    murk_scene *scene = must_read(FULL_SCENE, NULL, 0);
+    char here[400];
+    CHECK(getcwd(here, sizeof here) != NULL);
+    snprintf(want, sizeof want, "vdb: %s/smoke.vdb", here);
+    CHECK_MENTIONS(scene->resolved, want);
+    murk_scene_destroy(scene);
+}
+
+/* A file of --set lies in the working folder, one of the scene beside it. */
+static void test_paths(void)
+{
+    murk_scene *scene = NULL;
+    murk_error err = {0};
+    const murk_override option = {.text = "media.smoke.vdb=other.vdb"};
+    char path[400];
+    snprintf(path, sizeof path, "%s/fog.yaml", folder_path);
+    put_file("fog.yaml", FULL_SCENE, strlen(FULL_SCENE));
+    CHECK(murk_scene_read(&scene, path, &option, 1, &err) == MURK_OK);
+    if (scene) {
+        CHECK_TEXT(scene->media[1].vdb, "other.vdb");
+        CHECK_MENTIONS(scene->geometry[0].file, "/m/yard.dae");
+        CHECK(scene->geometry[0].file[0] == '/');
+    }
+    murk_scene_destroy(scene);
+}
+
+/* ---- what the light depends on ---- */
+
+static bool has_same_light(const char *option)
+{
+    const murk_override override = {.text = option};
+    murk_scene *plain = must_read(FULL_SCENE, NULL, 0);
+    murk_scene *changed = must_read(FULL_SCENE, &override, 1);
+    const bool is_same = strcmp(plain->light_key, changed->light_key) == 0;
+    murk_scene_destroy(plain);
+    murk_scene_destroy(changed);
+    return is_same;
+}
+
+static void test_light_key(void)
+{
+    static const char *const sensors[] = {"sensors.count=5",
+                                          "sensors.types.0.range_m=3",
+                                          "placement.method=best",
+                                          "placement.restarts=7",
+                                          "sensors.candidates.clearance_m=1",
+                                          "photons.store=5e3",
+                                          "materials.wood.diffuse=3.5e-1",
+                                          "media.haze.albedo=[.99, .99]"};
+    static const char *const light[] = {"seed=8",
+                                        "lights.0.power_w=101",
+                                        "materials.wood.diffuse=0.3",
+                                        "media.haze.albedo=0.98",
+                                        "regions.1.translate_m=[10, 8, 1]",
+                                        "photons.store=5001",
+                                        "domain.sides=open",
+                                        "bands_nm=[450, 533]",
+                                        "geometry.1.material=glass",
+                                        "photons.maps=both",
+                                        "media.smoke.vdb=other.vdb"};
+    for (size_t i = 0; i < sizeof sensors / sizeof *sensors; ++i) {
+        CHECK(has_same_light(sensors[i]));
+    }
+    for (size_t i = 0; i < sizeof light / sizeof *light; ++i) {
+        CHECK(!has_same_light(light[i]));
+    }
+}
+
+/* Other bytes in a file are another light; the file elsewhere is not. */
+static void test_light_key_knows_files(void)
+{
+    put_file("smoke.vdb", "one", 3);
+    murk_scene *one = must_read(FULL_SCENE, NULL, 0);
+    put_file("smoke.vdb", "two", 3);
+    murk_scene *two = must_read(FULL_SCENE, NULL, 0);
+    CHECK(strcmp(one->light_key, two->light_key) != 0);
+    CHECK_TEXT(one->resolved, two->resolved);
+    put_file("smoke.vdb", "one", 3);
+    murk_scene *again = must_read(FULL_SCENE, NULL, 0);
+    CHECK_TEXT(one->light_key, again->light_key);
+    murk_scene_destroy(one);
+    murk_scene_destroy(two);
+    murk_scene_destroy(again);
+}
+
+/* ---- hostile bytes ---- */
+
+/* Neither a cut nor a changed byte may crash or leave a message out. */
+static void read_any(const char *bytes, size_t size)
+{
+    murk_scene *scene = NULL;
+    murk_error err = {0};
+    put_file("fog.yaml", bytes, size);
+    const murk_status status =
+        murk_scene_read(&scene, "fog.yaml", NULL, 0, &err);
+    CHECK((status == MURK_OK) == (scene != NULL));
+    CHECK((status == MURK_OK) == (err.text[0] == '\0'));
+    CHECK(strchr(err.text, '\n') == NULL && strchr(err.where, '\n') == NULL);
+    murk_scene_destroy(scene);
+}
+
+static void test_broken_bytes(void)
+{
+    char bytes[sizeof FULL_SCENE];
+    const size_t size = sizeof FULL_SCENE - 1;
+    for (size_t cut = 0; cut < size; cut += 7) {
+        read_any(FULL_SCENE, cut);
+    }
+    for (uint64_t i = 0; i < 1500; ++i) {
+        const murk_random4 u = murk_random(1, MURK_EMIT, i, 0, 0);
+        memcpy(bytes, FULL_SCENE, size);
+        bytes[(size_t)(u.u[0] * (double)size)] =
+            (char)(int)(256 * u.u[1] - 128);
+        if (u.u[2] < 0.5) { /* two at a time reach further */
+            bytes[(size_t)(u.u[3] * (double)size)] = "[]{}:,-&*!\n 0"[i % 13];
+        }
+        read_any(bytes, size);
+    }
+}
+
+int main(void)
+{
+    if (!folder_enter()) {
+        check_skip("no folder for temporary files");
+    }
+    murk_scene *scene = must_read(FULL_SCENE, NULL, 0);
+    test_surfaces_and_materials(scene);
+    test_media_and_regions(scene);
+    test_lights(scene);
+    test_the_rest(scene);
+    murk_scene_destroy(scene);
+    test_defaults();
+    test_band_edges();
+    test_spacing_fills_the_grid();
+    test_resolved_reads_back(FULL_SCENE);
+    test_resolved_reads_back("{murk: 1, band_edges_nm: [1, 2, 3, 5.5], lights: "
+                             "[{type: point, position_m: [0, 0, 0], "
+                             "power_w: 10}]}");
+    test_resolved_names_files_fully();
+    test_paths();
+    test_light_key();
+    test_light_key_knows_files();
+    test_broken_bytes();
+    folder_leave((const char *const[]){"fog.yaml", "smoke.vdb", NULL});
+    return check_done();
+}
