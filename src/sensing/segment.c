@@ -1,14 +1,19 @@
 #include "sensing/segment.h"
 
-double murk_hair(const murk_surfaces *surfaces, const murk_domain *domain)
+double murk_domain_extent(const murk_domain *domain)
 {
-    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
-    const double step = murk_length(murk_surfaces_leave(surfaces, zero, up));
     const murk_vec3 a = domain->box.min, b = domain->box.max;
     const double x = fmax(fabs(a.x), fabs(b.x));
     const double y = fmax(fabs(a.y), fabs(b.y));
     const double z = fmax(fabs(a.z), fabs(b.z));
-    return fmax(0x1p-18 * fmax(x, fmax(y, z)), 2 * step);
+    return fmax(x, fmax(y, z));
+}
+
+double murk_hair(const murk_surfaces *surfaces, const murk_domain *domain)
+{
+    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    const double step = murk_length(murk_surfaces_leave(surfaces, zero, up));
+    return fmax(0x1p-18 * murk_domain_extent(domain), 2 * step);
 }
 
 static double nearest(double value, double to, double period)

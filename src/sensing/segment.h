@@ -9,6 +9,9 @@
 #include "base/vector.h"
 #include "geometry/surfaces.h"
 
+/* The domain's largest coordinate [m], without sign. */
+double murk_domain_extent(const murk_domain *domain);
+
 /* What is nearer to a surface than this [m] lies on it: rounding of single
  * precision coordinates, with room. 2^-18 of the domain's largest coordinate,
  * some 32 to 64 steps of a float (38 micrometres at 10 m), or twice what

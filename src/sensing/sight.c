@@ -1,6 +1,7 @@
 #include "sensing/sight.h"
 
 #include "base/bands.h"
+#include "sensing/nearby.h"
 #include "sensing/segment.h"
 #include "sensing/weights.h"
 
@@ -10,8 +11,8 @@
 /* Sightlines tested together: neighbours of one map that share the sensor. */
 #define BLOCK 512
 
-/* How far a stored position may be off its surface, as a share of its largest
- * coordinate: rounding of the ray's hit and of storing it, with room. */
+/* How far a stored position may be off its surface, as a share of the domain's
+ * largest coordinate: rounding of vertices and of storing it, with room. */
 #define POSITION_ERROR 0x1p-20
 
 typedef struct scratch {
@@ -22,6 +23,7 @@ typedef struct scratch {
 struct murk_sight {
     murk_sight_desc desc;
     double range_m; /* finite */
+    double position_error_m;
     bool has_media;
     bool has_sheets; /* that let light through */
     uint32_t *weight;
@@ -130,6 +132,8 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     /* Twice the diagonal holds every image, and its square is finite. */
     sight->range_m =
         fmin(desc->range_m, 2 * murk_length(murk_sub(box->max, box->min)));
+    sight->position_error_m =
+        POSITION_ERROR * murk_domain_extent(&desc->domain);
     sight->has_media = murk_media_any(desc->media);
     sight->has_sheets = desc->through_sheets &&
                         desc->visibility == MURK_VISIBILITY_RAY &&
@@ -166,8 +170,6 @@ void murk_sight_destroy(murk_sight *sight)
     free(sight);
 }
 
-/* ---- within range ---- */
-
 static murk_vec3 position_of(const murk_photon *photon)
 {
     return murk_vec((double)photon->position_m[0],
@@ -175,78 +177,43 @@ static murk_vec3 position_of(const murk_photon *photon)
                     (double)photon->position_m[2]);
 }
 
-static bool reaches(const murk_box *box, murk_vec3 center, double range_m)
-{
-    const double x =
-        fmax(0, fmax(box->min.x - center.x, center.x - box->max.x));
-    const double y =
-        fmax(0, fmax(box->min.y - center.y, center.y - box->max.y));
-    return x <= range_m && y <= range_m;
-}
-
-static int by_number(const void *a, const void *b)
-{
-    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return (x > y) - (x < y);
-}
-
-/* Asks the map around each image of the sensor and keeps a photon where that
- * image is the nearest one. found[] has room for twice the map. */
-static size_t find_periodic(const murk_sight *sight, const murk_photon_map *map,
-                            murk_vec3 sensor, uint32_t *found)
-{
-    const murk_domain *domain = &sight->desc.domain;
-    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
-    const murk_photon *photon = murk_photon_map_photons(map);
-    size_t kept = 0;
-    for (int k = 0; k < 9; ++k) {
-        const double i = k % 3 - 1, j = k / 3 - 1;
-        const murk_vec3 image = {sensor.x + i * period.x,
-                                 sensor.y + j * period.y, sensor.z};
-        if (!reaches(&domain->box, image, sight->range_m)) {
-            continue;
-        }
-        const size_t end = kept + murk_photon_map_within(
-                                      map, image, sight->range_m, found + kept);
-        for (size_t f = kept; f < end; ++f) {
-            const murk_vec3 nearest = murk_nearest_image(
-                domain, sensor, position_of(&photon[found[f]]));
-            /* Half a period decides; images are a whole one apart. */
-            if (fabs(nearest.x - image.x) < period.x / 2 &&
-                fabs(nearest.y - image.y) < period.y / 2) {
-                found[kept++] = found[f];
-            }
-        }
-    }
-    qsort(found, kept, sizeof *found, by_number);
-    return kept;
-}
-
-static size_t find(const murk_sight *sight, const murk_photon_map *map,
-                   murk_vec3 sensor, uint32_t *found)
-{
-    return sight->desc.domain.is_periodic
-               ? find_periodic(sight, map, sensor, found)
-               : murk_photon_map_within(map, sensor, sight->range_m, found);
-}
-
 /* ---- culling ---- */
 
-static bool is_along_axis(murk_vec3 n)
+/* A normal unpacked. Built places have few, so those met last are kept. */
+typedef struct side {
+    uint32_t packed;
+    murk_vec3 normal;
+    double tilt2; /* squared sine of what storing may have turned it by */
+} side;
+
+static side side_of(uint32_t packed)
 {
-    return (n.x == 0) + (n.y == 0) + (n.z == 0) == 2;
+    const murk_vec3 n = murk_direction_unpack(packed);
+    const bool is_along_axis = (n.x == 0) + (n.y == 0) + (n.z == 0) == 2;
+    const double tilt = is_along_axis ? 0 : MURK_DIRECTION_ERROR_RAD;
+    return (side){packed, n, tilt * tilt};
+}
+
+/* Where among SIDES a normal is kept: its hash's upper bits (Fibonacci). */
+#define SIDES_LOG2 6
+#define SIDES      (1 << SIDES_LOG2)
+
+static const side *recall(side *sides, uint32_t packed)
+{
+    side *s = &sides[(packed * UINT32_C(2654435769)) >> (32 - SIDES_LOG2)];
+    if (s->packed != packed) {
+        *s = side_of(packed);
+    }
+    return s;
 }
 
 /* normal . (sensor - photon) > what storage may have moved it by. */
-static bool faces(const murk_photon *photon, murk_vec3 normal, murk_vec3 sensor)
+static bool faces(const side *s, murk_vec3 photon, murk_vec3 sensor,
+                  double position_error_m)
 {
-    const float *x = photon->position_m;
-    const double size =
-        (double)fmaxf(fabsf(x[0]), fmaxf(fabsf(x[1]), fabsf(x[2])));
-    const murk_vec3 way = murk_sub(sensor, position_of(photon));
-    const double above = murk_dot(normal, way) - POSITION_ERROR * size;
-    const double tilt = is_along_axis(normal) ? 0 : MURK_DIRECTION_ERROR_RAD;
-    return above > 0 && above * above > tilt * tilt * murk_dot(way, way);
+    const murk_vec3 way = murk_sub(sensor, photon);
+    const double above = murk_dot(s->normal, way) - position_error_m;
+    return above > 0 && above * above > s->tilt2 * murk_dot(way, way);
 }
 
 /* ---- sightlines ---- */
@@ -327,23 +294,27 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
     const murk_sight_desc *desc = &l->sight->desc;
     const murk_photon *photon = murk_photon_map_photons(map);
     uint32_t *found = l->photon + l->seen;
-    const size_t n = find(l->sight, map, l->sensor, found);
+    const size_t n = murk_photons_nearby(map, &desc->domain, l->sensor,
+                                         l->sight->range_m, found);
+    const bool is_periodic = desc->domain.is_periodic;
     murk_vec3 from[BLOCK];
     uint32_t number[BLOCK];
+    side sides[SIDES] = {{0}}; /* 0 is nothing's normal, and sees nothing */
     size_t filled = 0;
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = &photon[found[i]];
-        from[filled] = position_of(p);
+        murk_vec3 at = position_of(p);
         if (!murk_photon_is_volume(p)) {
-            const murk_vec3 normal = murk_direction_unpack(p->normal);
+            const side *facing = recall(sides, p->normal);
             const murk_vec3 sensor =
-                murk_nearest_image(&desc->domain, l->sensor, from[filled]);
-            if (!faces(p, normal, sensor)) {
+                is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
+                            : l->sensor;
+            if (!faces(facing, at, sensor, l->sight->position_error_m)) {
                 continue;
             }
-            from[filled] =
-                murk_surfaces_leave(desc->surfaces, from[filled], normal);
+            at = murk_surfaces_leave(desc->surfaces, at, facing->normal);
         }
+        from[filled] = at;
         number[filled++] = found[i];
         if (filled == BLOCK) {
             keep_seen(l, photon, first, number, from, filled);

@@ -7,9 +7,9 @@
  * order. Immutable but for its counters.
  *
  * Grazing is not seen. "> 0" means above what storing a photon may move it
- * by: 2^-20 of its coordinates' size, and MURK_DIRECTION_ERROR_RAD where its
- * normal is not along an axis (axes are stored exactly). So a sensor in the
- * plane of a wall sees nothing of it; the cost is the sliver within that
+ * by: 2^-20 of the domain's largest coordinate, and MURK_DIRECTION_ERROR_RAD
+ * where its normal is not along an axis (axes are stored exactly). So a sensor
+ * in the plane of a wall sees nothing of it; the cost is the sliver within that
  * height or angle of the plane. */
 #ifndef MURK_SENSING_SIGHT_H
 #define MURK_SENSING_SIGHT_H

@@ -149,9 +149,10 @@ static void test_grazing_is_not_seen(void)
         murk_look look;
         murk_sight_look(w.sight, 0, center, &look);
         CHECK(look.seen == 0);
-        /* Storing moves a position by 2^-20 of 6 m at most, a normal by 1e-4
-         * of the 1.7 m between. */
-        const double height = k == 0 ? 2 * 6 * 0x1p-20 : 3 * 1.7e-4;
+        /* Storing moves a position by 2^-20 of 10 m at most, a normal by its
+         * error times the 1.7 m between; twice, and some room. */
+        const double height =
+            k == 0 ? 2 * 10 * 0x1p-20 : 3 * 1.7 * MURK_DIRECTION_ERROR_RAD;
         murk_sight_look(w.sight, 0, murk_along(center, height, n), &look);
         CHECK(look.seen == 64);
         tear_down(&w);

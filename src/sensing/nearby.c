@@ -1,0 +1,70 @@
+#include "sensing/nearby.h"
+
+#include "sensing/segment.h"
+
+#include <stdlib.h>
+
+static bool reaches(const murk_box *box, murk_vec3 center, double range_m)
+{
+    const double x =
+        fmax(0, fmax(box->min.x - center.x, center.x - box->max.x));
+    const double y =
+        fmax(0, fmax(box->min.y - center.y, center.y - box->max.y));
+    return x <= range_m && y <= range_m;
+}
+
+static int by_number(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Drops what has another image of the sensor nearer; returns how many stay. */
+static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
+                           const murk_domain *domain, murk_vec3 sensor,
+                           murk_vec3 image)
+{
+    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
+    size_t kept = 0;
+    for (size_t f = 0; f < n; ++f) {
+        const float *x = photon[found[f]].position_m;
+        const murk_vec3 nearest = murk_nearest_image(
+            domain, sensor, murk_vec((double)x[0], (double)x[1], (double)x[2]));
+        /* Half a period decides; images are a whole one apart. */
+        if (fabs(nearest.x - image.x) < period.x / 2 &&
+            fabs(nearest.y - image.y) < period.y / 2) {
+            found[kept++] = found[f];
+        }
+    }
+    return kept;
+}
+
+static size_t find_periodic(const murk_photon_map *map,
+                            const murk_domain *domain, murk_vec3 sensor,
+                            double range_m, uint32_t *found)
+{
+    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
+    const murk_photon *photon = murk_photon_map_photons(map);
+    size_t kept = 0;
+    for (int k = 0; k < 9; ++k) {
+        const murk_vec3 image = {sensor.x + (k % 3 - 1) * period.x,
+                                 sensor.y + (k / 3 - 1) * period.y, sensor.z};
+        if (reaches(&domain->box, image, range_m)) {
+            const size_t n =
+                murk_photon_map_within(map, image, range_m, found + kept);
+            kept +=
+                keep_nearest(found + kept, n, photon, domain, sensor, image);
+        }
+    }
+    qsort(found, kept, sizeof *found, by_number);
+    return kept;
+}
+
+size_t murk_photons_nearby(const murk_photon_map *map,
+                           const murk_domain *domain, murk_vec3 sensor,
+                           double range_m, uint32_t *found)
+{
+    return domain->is_periodic
+               ? find_periodic(map, domain, sensor, range_m, found)
+               : murk_photon_map_within(map, sensor, range_m, found);
+}
