@@ -7,6 +7,25 @@
 
 #define POINTS_MAX 1e8
 
+static double coordinate(double min, double max, size_t i, size_t n)
+{
+    if (n == 1) {
+        return min + (max - min) / 2;
+    }
+    return i + 1 == n ? max : min + (max - min) * (double)i / (double)(n - 1);
+}
+
+murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
+                                    size_t index)
+{
+    const size_t *n = grid->size;
+    const size_t i = index % n[0], j = index / n[0] % n[1],
+                 k = index / n[0] / n[1];
+    return murk_vec(coordinate(grid->min.x, grid->max.x, i, n[0]),
+                    coordinate(grid->min.y, grid->max.y, j, n[1]),
+                    coordinate(grid->min.z, grid->max.z, k, n[2]));
+}
+
 static murk_status check_size(const murk_candidate_grid *grid,
                               const char *where, murk_error *err)
 {

@@ -27,6 +27,11 @@ typedef struct murk_candidate_grid {
     double clearance_m;
 } murk_candidate_grid;
 
+/* Where the grid has its point `index`, below the product of sizes; x fastest,
+ * then y, z. */
+murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
+                                    size_t index);
+
 /* Where free space is entered from. */
 typedef struct murk_reach {
     const murk_vec3 *lamps; /* [n_lamps] points from which light starts. One on

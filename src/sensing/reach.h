@@ -29,10 +29,6 @@ typedef struct murk_free_space {
     size_t doubtful;     /* unreached, but for an open diagonal step */
 } murk_free_space;
 
-/* Where the grid has its point `index`; x fastest. */
-murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
-                                    size_t index);
-
 /* Fills *out for a grid already checked. Fails with MURK_NO_MEMORY or
  * MURK_INTERRUPTED, leaving nothing to release. */
 murk_status murk_free_space_find(murk_free_space *out,

@@ -23,7 +23,7 @@ typedef struct scratch {
 struct murk_sight {
     murk_sight_desc desc;
     double range_m; /* finite */
-    double position_error_m;
+    double position_error_m, hair_m;
     bool has_media;
     bool has_sheets; /* that let light through */
     uint32_t *weight;
@@ -134,6 +134,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
         fmin(desc->range_m, 2 * murk_length(murk_sub(box->max, box->min)));
     sight->position_error_m =
         POSITION_ERROR * murk_domain_extent(&desc->domain);
+    sight->hair_m = murk_hair(desc->surfaces, &desc->domain);
     sight->has_media = murk_media_any(desc->media);
     sight->has_sheets = desc->through_sheets &&
                         desc->visibility == MURK_VISIBILITY_RAY &&
@@ -242,25 +243,46 @@ static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
     }
 }
 
-static double transmittance(const look *l, murk_vec3 from, int band)
+/* Pieces overlap a periodic side by a hair, so a sheet there counts once. */
+static double through_sheets(const look *l, murk_vec3 from, murk_vec3 to,
+                             int band)
 {
-    const murk_sight *sight = l->sight;
-    const murk_sight_desc *desc = &sight->desc;
-    const murk_vec3 to = murk_nearest_image(&desc->domain, l->sensor, from);
+    const murk_sight_desc *desc = &l->sight->desc;
+    murk_segment piece[MURK_SEGMENT_PIECES];
+    const int n =
+        murk_segment_cut(&desc->domain, from, to, l->sight->hair_m, piece);
+    double through = 1;
+    for (int i = 0; i < n; ++i) {
+        through *= murk_surfaces_sheet_transmittance(
+            desc->surfaces, piece[i].from, piece[i].to, band);
+    }
+    return through;
+}
+
+static double through_media(const look *l, murk_vec3 from, murk_vec3 to,
+                            int band)
+{
+    const murk_sight_desc *desc = &l->sight->desc;
     murk_segment piece[MURK_SEGMENT_PIECES];
     const int n = murk_segment_cut(&desc->domain, from, to, 0, piece);
     double through = 1;
     for (int i = 0; i < n; ++i) {
-        if (sight->has_sheets) {
-            through *= murk_surfaces_sheet_transmittance(
-                desc->surfaces, piece[i].from, piece[i].to, band);
-        }
-        if (sight->has_media && through > 0) {
-            through *= murk_media_transmittance(desc->media, band,
-                                                piece[i].from, piece[i].to);
-        }
+        through *= murk_media_transmittance(desc->media, band, piece[i].from,
+                                            piece[i].to);
     }
     return through;
+}
+
+static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
+{
+    const murk_sight *sight = l->sight;
+    const murk_vec3 to =
+        murk_nearest_image(&sight->desc.domain, l->sensor, from);
+    double through = sight->has_sheets ? through_sheets(l, from, to, band) : 1;
+    if (sight->has_media && through > 0) {
+        through *= through_media(l, from, to, band);
+    }
+    return (uint16_t)floor(through * MURK_CLEAR + 0.5);
 }
 
 /* Takes up n photons (numbers within their map, sightlines from `from`) in
@@ -275,10 +297,8 @@ static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
             continue;
         }
         if (l->clarity) {
-            const double through =
-                transmittance(l, from[i], photon[number[i]].band);
             const uint16_t clarity =
-                (uint16_t)floor(through * MURK_CLEAR + 0.5);
+                clarity_of(l, from[i], photon[number[i]].band);
             if (clarity == 0) {
                 continue;
             }

@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "base/rng.h"
 #include "peer_occlusion.h"
-#include "sensing/reach.h"
+#include "sensing/candidates.h"
 #include "sensing/sight.h"
 
 #include <stdio.h>

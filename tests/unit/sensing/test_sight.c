@@ -376,7 +376,7 @@ static void test_periodic_sightlines_go_to_the_nearest_image(void)
         a_rect(murk_vec(5, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4), WALL),
         a_rect(murk_vec(9.75, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4),
                WALL)};
-    const murk_surface_desc at_side =
+    murk_surface_desc at_side =
         a_rect(murk_vec(10, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4), WALL);
     murk_sight_desc desc = plain(&around);
     desc.range_m = 2;
@@ -394,6 +394,10 @@ static void test_periodic_sightlines_go_to_the_nearest_image(void)
     w = build(&at_side, 1, clear_air(&around), photon, 4, desc);
     CHECK(seen_from(&w, level, 0) == 0);
     CHECK(seen_from(&w, sensor, 1) == 0);
+    tear_down(&w);
+    at_side.material = GLASS;
+    w = build(&at_side, 1, clear_air(&around), photon, 4, desc);
+    CHECK(seen_from(&w, level, 0) == clarity(GLASS_TRANSMIT));
     tear_down(&w);
 }
 
