@@ -8,6 +8,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -82,6 +83,23 @@ static void set_limit(int what, uint64_t value)
     (void)setrlimit(what, &limit);
 }
 
+#ifndef UNDER_SANITIZER
+/* Address space that the process has already: a child starts with all of its
+ * parent's, which is not the file's doing. */
+static uint64_t address_space_now(void)
+{
+    unsigned long pages = 0;
+    FILE *statm = fopen("/proc/self/statm", "r");
+    if (statm) {
+        if (fscanf(statm, "%lu", &pages) != 1) {
+            pages = 0;
+        }
+        fclose(statm);
+    }
+    return (uint64_t)pages * (uint64_t)sysconf(_SC_PAGESIZE);
+}
+#endif
+
 static _Noreturn void be_child(int fd, murk_child_work work, void *context,
                                const murk_child_limits *limits)
 {
@@ -95,7 +113,7 @@ static _Noreturn void be_child(int fd, murk_child_work work, void *context,
     set_limit(RLIMIT_CORE, 0);
     set_limit(RLIMIT_CPU, limits->seconds);
 #ifndef UNDER_SANITIZER
-    set_limit(RLIMIT_AS, limits->memory_bytes);
+    set_limit(RLIMIT_AS, address_space_now() + limits->memory_bytes);
 #endif
     murk_child child = {fd};
     murk_error err = {0};

@@ -19,7 +19,8 @@ typedef murk_status (*murk_child_work)(murk_child *child, void *context,
 murk_status murk_child_send(murk_child *child, const void *bytes, size_t size);
 
 typedef struct murk_child_limits {
-    uint64_t memory_bytes; /* address space; ignored under sanitizers */
+    uint64_t memory_bytes; /* address space, beside what the parent has;
+                              ignored under sanitizers */
     uint64_t handed_bytes; /* most that the child may send */
     unsigned seconds;      /* processor time; wall time is twice that */
 } murk_child_limits;

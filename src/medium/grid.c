@@ -14,6 +14,12 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* A sparse tree unfolds: a node of 4096 voxels takes some 8 kB in a file and
+ * 262 kB here, twice while it is converted. Three times that is plenty, and
+ * keeps a small hostile file from costing seconds. */
+#define LEAST_BYTES         UINT64_C(400000000)
+#define BYTES_PER_FILE_BYTE 200
+
 #define ALIGNMENT 64 /* what NanoVDB asks of its buffers, at least 32 */
 
 struct murk_grid {
@@ -143,7 +149,11 @@ done:
 static murk_status run(murk_grid **out, murk_child_work work, job *j,
                        uint64_t input_bytes, murk_error *err)
 {
-    const murk_child_limits limits = murk_child_limits_for(input_bytes);
+    murk_child_limits limits = murk_child_limits_for(input_bytes);
+    if (input_bytes <
+        (limits.memory_bytes - LEAST_BYTES) / BYTES_PER_FILE_BYTE) {
+        limits.memory_bytes = LEAST_BYTES + BYTES_PER_FILE_BYTE * input_bytes;
+    }
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =

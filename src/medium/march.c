@@ -11,12 +11,24 @@
 
 #include "medium/nodes.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
 /* With few root cells (nearly every grid) the next one is found by trying all;
  * with more, only where walking cell by cell would take longer. */
 #define FEW_ROOT_CELLS 64
+
+/* One instruction each, where fmin() and fmax() are calls. */
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
 
 /* 1 / d, or 0 for a ray that never meets the faces of this axis. */
 static double invert(double d)
@@ -115,7 +127,7 @@ static void cross_cell(murk_march *m, int32_t size, double value)
         leave[axis] = m->inverse[axis] == 0
                           ? INFINITY
                           : (face - m->origin[axis]) * m->inverse[axis];
-        least = fmin(least, leave[axis]);
+        least = smaller(least, leave[axis]);
     }
     place_in_cell(m, first, size, least);
     for (int axis = 0; axis < 3; ++axis) {
@@ -124,7 +136,7 @@ static void cross_cell(murk_march *m, int32_t size, double value)
                 m->inverse[axis] > 0 ? first[axis] + size : first[axis] - 1;
         }
     }
-    m->to = fmin(fmax(least, m->from), m->end);
+    m->to = smaller(larger(least, m->from), m->end);
     m->value = value;
 }
 
@@ -134,10 +146,9 @@ static inline void cross_voxel(murk_march *m)
     const int *in = m->in_leaf, *mirror = m->mirror;
     m->value = m->leaf[((in[0] ^ mirror[0]) << 6) | ((in[1] ^ mirror[1]) << 3) |
                        (in[2] ^ mirror[2])];
-    const double xy = m->cross[0] < m->cross[1] ? m->cross[0] : m->cross[1];
-    const double least = xy < m->cross[2] ? xy : m->cross[2];
-    const double ahead = least > m->from ? least : m->from;
-    m->to = ahead < m->end ? ahead : m->end;
+    const double least =
+        smaller(smaller(m->cross[0], m->cross[1]), m->cross[2]);
+    m->to = smaller(larger(least, m->from), m->end);
 }
 
 static void enter_leaf(murk_march *m, const unsigned char *node)
@@ -281,7 +292,7 @@ void murk_march_begin(murk_march *march, const murk_tree *tree,
     *m = (murk_march){.tree = tree,
                       .origin = {origin.x, origin.y, origin.z},
                       .direction = {direction.x, direction.y, direction.z},
-                      .end = t1,
+                      .end = fmin(t1, DBL_MAX), /* so that 0 * length is 0 */
                       .from = t0,
                       .to = t0};
     for (int axis = 0; axis < 3; ++axis) {
@@ -298,25 +309,86 @@ bool murk_march_next(murk_march *march)
     return next(march);
 }
 
+/* What an integration carries from segment to segment. */
+typedef struct tally {
+    double scale, offset, limit, reached;
+} tally;
+
+/* Adds an even segment; true, with *to drawn back, where the limit is met. */
+static inline bool add_segment(tally *sum, double from, double *to,
+                               double value)
+{
+    const double density = sum->scale * value + sum->offset;
+    const double more = sum->reached + density * (*to - from);
+    if (more >= sum->limit && density > 0) {
+        *to = smaller(*to, from + (sum->limit - sum->reached) / density);
+        sum->reached = sum->limit;
+        return true;
+    }
+    sum->reached = more;
+    return false;
+}
+
+/* The rest of a leaf: cross_voxel() and step_in_leaf() over and over, without
+ * a branch that depends on which face comes first. */
+static bool integrate_leaf(murk_march *m, tally *sum)
+{
+    const float *leaf = m->leaf;
+    const double end = m->end;
+    const double dx = m->stride[0], dy = m->stride[1], dz = m->stride[2];
+    const int mx = m->mirror[0], my = m->mirror[1], mz = m->mirror[2];
+    double from = m->from, to, value;
+    double tx = larger(m->cross[0], from), ty = larger(m->cross[1], from);
+    double tz = larger(m->cross[2], from);
+    int x = m->in_leaf[0], y = m->in_leaf[1], z = m->in_leaf[2];
+    tally t = *sum;
+    bool stops;
+    for (;;) {
+        value = (double)leaf[((x ^ mx) << 6) | ((y ^ my) << 3) | (z ^ mz)];
+        const double face = smaller(smaller(tx, ty), tz);
+        to = smaller(face, end);
+        stops = add_segment(&t, from, &to, value);
+        if (stops || face >= end) {
+            break;
+        }
+        from = to;
+        const bool bx = tx <= face, by = ty <= face, bz = tz <= face;
+        tx += bx ? dx : 0;
+        ty += by ? dy : 0;
+        tz += bz ? dz : 0;
+        x += bx;
+        y += by;
+        z += bz;
+        if ((x | y | z) & 8) {
+            break;
+        }
+    }
+    *sum = t;
+    m->from = from;
+    m->to = to;
+    m->value = value;
+    m->in_leaf[0] = x;
+    m->in_leaf[1] = y;
+    m->in_leaf[2] = z;
+    return stops;
+}
+
 bool murk_march_integrate(murk_march *march, double scale, double offset,
                           double limit, double *sum)
 {
-    murk_march m = *march; /* a local copy can live in registers */
-    double reached = *sum;
+    murk_march *m = march;
+    tally t = {scale, offset, limit, *sum};
     bool stops = false;
-    while (!stops && next(&m)) {
-        const double density = scale * m.value + offset;
-        if (!(density > 0)) {
-            continue;
+    while (!stops && m->to < m->end) {
+        m->from = m->to;
+        cross_at(m);
+        if (m->leaf) {
+            stops = integrate_leaf(m, &t);
+            leave_leaf(m);
+        } else {
+            stops = add_segment(&t, m->from, &m->to, m->value);
         }
-        const double more = reached + density * (m.to - m.from);
-        stops = more >= limit;
-        if (stops) {
-            m.to = fmin(m.to, m.from + (limit - reached) / density);
-        }
-        reached = stops ? limit : more;
     }
-    *march = m;
-    *sum = reached;
+    *sum = t.reached;
     return stops;
 }

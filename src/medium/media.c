@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Times any float density it stays finite, so that no optical depth is NaN. */
+#define EXTINCTION_MAX 1e30
+
 static const char *place_of(const char *where, const char *otherwise)
 {
     return where ? where : otherwise;
@@ -21,11 +24,11 @@ static murk_status check_medium(const murk_medium *medium, murk_error *err)
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
         const double g = medium->mean_cosine.band[band];
-        if (!(extinction >= 0 && isfinite(extinction))) {
+        if (!(extinction >= 0 && extinction <= EXTINCTION_MAX)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
-                             "extinction_per_m is %g (band %d), must be 0 or "
-                             "more [1/m]",
-                             extinction, band);
+                             "extinction_per_m is %g (band %d), must be "
+                             "0..%g [1/m]",
+                             extinction, band, EXTINCTION_MAX);
         }
         if (!(albedo >= 0 && albedo <= 1)) {
             return murk_fail(err, MURK_BAD_VALUE, where,

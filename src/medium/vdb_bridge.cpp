@@ -42,7 +42,7 @@ std::vector<Entry> list_grids(openvdb::io::File &file)
 {
     std::vector<Entry> entries;
     for (auto it = file.beginName(); it != file.endName(); ++it) {
-        Entry entry{*it, *it, "unknown type", false, true};
+        Entry entry{*it, *it, "unreadable values", false, true};
         try {
             const auto grid = file.readGridMetadata(*it);
             entry.name = grid->getName();

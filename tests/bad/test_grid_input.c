@@ -1,0 +1,195 @@
+/* Broken OpenVDB files: cut off anywhere, with flipped bits, with noise in the
+ * header, or not files at all. Whatever they are: a grid that is sane or one
+ * line of error, within bounded time and memory, and the program goes on.
+ * Deterministic. */
+#include "base/log.h"
+#include "base/progress.h"
+#include "base/rng.h"
+#include "check.h"
+#include "medium/grid.h"
+
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define FOLDER    "tests/unit/medium/grids/"
+#define SLOWEST_S 10.0     /* the project's bound for any bad input */
+#define MOST_KB   2000000L /* likewise */
+
+static char folder[] = "/tmp/murk-grids-XXXXXX";
+static char path[64];
+
+typedef struct bytes {
+    unsigned char *at;
+    size_t size;
+} bytes;
+
+static bytes load(const char *file)
+{
+    bytes b = {NULL, 0};
+    FILE *from = fopen(file, "rb");
+    CHECK(from != NULL);
+    if (from) {
+        fseek(from, 0, SEEK_END);
+        b.size = (size_t)ftell(from);
+        rewind(from);
+        b.at = malloc(b.size);
+        CHECK(b.at && fread(b.at, 1, b.size, from) == b.size);
+        fclose(from);
+    }
+    return b;
+}
+
+static void store(const unsigned char *from, size_t size)
+{
+    FILE *to = fopen(path, "wb");
+    CHECK(to && fwrite(from, 1, size, to) == size);
+    if (to) {
+        fclose(to);
+    }
+}
+
+/* True when the file still gives a grid. */
+static bool survives(void)
+{
+    const double start_s = murk_clock_s();
+    murk_grid *grid = NULL;
+    murk_error err = {0};
+    const murk_status status =
+        murk_grid_read(&grid, path, NULL, "bad.yaml:1:1: media.m.vdb", &err);
+    CHECK(murk_clock_s() - start_s < SLOWEST_S);
+    if (status) {
+        CHECK(grid == NULL);
+        CHECK(status == MURK_BAD_FILE || status == MURK_BAD_VALUE);
+        CHECK_MENTIONS(err.where, "bad.yaml:1:1: media.m.vdb: ");
+        CHECK(err.text[0] != '\0' && !strchr(err.text, '\n'));
+        return false;
+    }
+    const murk_grid_facts *facts = murk_grid_describe(grid);
+    CHECK(facts->minimum >= 0 && facts->maximum >= facts->minimum);
+    CHECK(isfinite(facts->maximum) && isfinite(facts->sum));
+    const double integral = murk_grid_line_integral(
+        grid, murk_vec(-100, 0, 0), murk_unit(murk_vec(1, 0.01, 0.02)), 1e4);
+    CHECK(integral >= 0 && isfinite(integral));
+    murk_grid_destroy(grid);
+    return true;
+}
+
+static void test_cut_off_anywhere(const char *file, size_t cuts)
+{
+    const bytes whole = load(file);
+    store(whole.at, whole.size);
+    CHECK(survives());
+    for (size_t i = 0; i < cuts; ++i) {
+        store(whole.at, whole.size * i / cuts);
+        CHECK(!survives());
+    }
+    store(whole.at, whole.size - 1);
+    (void)survives();
+    free(whole.at);
+}
+
+/* One to eight bits somewhere among the first `among` bytes. */
+static void test_flipped_bits(const char *file, size_t among, uint64_t flips)
+{
+    const bytes whole = load(file);
+    among = among < whole.size ? among : whole.size;
+    int refused = 0;
+    for (uint64_t i = 0; i < flips; ++i) {
+        unsigned char *copy = malloc(whole.size);
+        CHECK(copy != NULL);
+        memcpy(copy, whole.at, whole.size);
+        for (uint32_t k = 0; k <= i % 8; ++k) {
+            uint32_t word[4];
+            murk_random_words(7, MURK_TEST, i, k, 0, word);
+            copy[murk_random_below(word[0], (uint32_t)among)] ^=
+                (unsigned char)(1u << (word[1] & 7));
+        }
+        store(copy, whole.size);
+        refused += !survives();
+        free(copy);
+    }
+    CHECK(refused > 0);
+    free(whole.at);
+}
+
+/* Whole words of the header set to what hurts most. */
+static void test_hostile_words(const char *file, size_t words)
+{
+    static const unsigned char worst[][4] = {{0xff, 0xff, 0xff, 0xff},
+                                             {0xff, 0xff, 0xff, 0x7f},
+                                             {0x00, 0x00, 0x00, 0x80},
+                                             {0x00, 0x00, 0x00, 0x10}};
+    const bytes whole = load(file);
+    unsigned char *copy = malloc(whole.size);
+    CHECK(copy != NULL);
+    for (size_t i = 0; i < words; ++i) {
+        const size_t at = 8 + i * 5;
+        if (at + 4 <= whole.size) {
+            memcpy(copy, whole.at, whole.size);
+            memcpy(copy + at, worst[i % 4], 4);
+            store(copy, whole.size);
+            (void)survives();
+        }
+    }
+    free(copy);
+    free(whole.at);
+}
+
+static void refuses(const char *file, const char *part)
+{
+    murk_grid *grid = NULL;
+    murk_error err = {0};
+    CHECK(murk_grid_read(&grid, file, NULL, "test", &err) == MURK_BAD_FILE);
+    CHECK(grid == NULL);
+    CHECK_MENTIONS(err.text, part);
+}
+
+static void test_no_file_at_all(void)
+{
+    refuses("/nowhere/at/all.vdb", "No such file");
+    refuses(folder, "is a folder");
+    store((const unsigned char *)"", 0);
+    refuses(path, "is empty");
+    store((const unsigned char *)" BDV", 4);
+    refuses(path, "is not an OpenVDB file");
+    store((const unsigned char *)"NanoVDB0 and so on", 18);
+    refuses(path, "is a NanoVDB file");
+    unlink(path);
+    CHECK(mkfifo(path, 0600) == 0); /* opening it would wait for ever */
+    refuses(path, "is not a regular file");
+    unlink(path);
+
+    /* A billion bytes of something else. */
+    store((const unsigned char *)"text", 4);
+    CHECK(truncate(path, 1000000000) == 0);
+    refuses(path, "is not an OpenVDB file");
+
+    /* Behind a good magic, nothing but zeros. */
+    store((const unsigned char *)" BDV\0\0\0\0", 8);
+    CHECK(truncate(path, 100000000) == 0);
+    CHECK(!survives());
+}
+
+int main(void)
+{
+    CHECK(mkdtemp(folder) != NULL);
+    snprintf(path, sizeof path, "%s/grid.vdb", folder);
+    murk_warn_to(NULL);
+
+    test_no_file_at_all();
+    test_cut_off_anywhere(FOLDER "tiles.vdb", 80);
+    test_cut_off_anywhere(FOLDER "moved.vdb", 80);
+    test_flipped_bits(FOLDER "tiles.vdb", 1000, 150);
+    test_flipped_bits(FOLDER "moved.vdb", 100000, 100);
+    test_hostile_words(FOLDER "moved.vdb", 150);
+
+    struct rusage children;
+    CHECK(getrusage(RUSAGE_CHILDREN, &children) == 0);
+    CHECK(children.ru_maxrss < MOST_KB);
+
+    unlink(path);
+    rmdir(folder);
+    return check_done();
+}
