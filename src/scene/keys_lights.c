@@ -1,0 +1,147 @@
+/* Lights and the photons that they send out. */
+#include "scene/keys_rows.h"
+
+static murk_status check_light(murk_walk *walk, const murk_yaml *map,
+                               void *item)
+{
+    const murk_scene_light *light = item;
+    if (light->type == MURK_SCENE_LIGHT_RECT) {
+        return murk_check_edges(walk, map, light->edge1, light->edge2);
+    }
+    if ((light->type == MURK_SCENE_LIGHT_BEAM ||
+         light->type == MURK_SCENE_LIGHT_DIRECTIONAL) &&
+        !(murk_length(light->direction) > 0)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "direction is [0, 0, 0], must point somewhere");
+    }
+    return MURK_OK;
+}
+
+static const char *const LIGHT_VARIANTS[] = {"sphere", "rect", "point", "beam",
+                                             "directional"};
+
+#define SPHERE      BIT(MURK_SCENE_LIGHT_SPHERE)
+#define RECT        BIT(MURK_SCENE_LIGHT_RECT)
+#define POINT       BIT(MURK_SCENE_LIGHT_POINT)
+#define BEAM        BIT(MURK_SCENE_LIGHT_BEAM)
+#define DIRECTIONAL BIT(MURK_SCENE_LIGHT_DIRECTIONAL)
+
+static const murk_word TYPE_WORDS[] = {
+    {"sphere", MURK_SCENE_LIGHT_SPHERE, false},
+    {"rect", MURK_SCENE_LIGHT_RECT, false},
+    {"point", MURK_SCENE_LIGHT_POINT, false},
+    {"beam", MURK_SCENE_LIGHT_BEAM, false},
+    {"directional", MURK_SCENE_LIGHT_DIRECTIONAL, false},
+    {"sun", 0, true},
+    {"moon", 0, true},
+    {"sky", 0, true},
+    {"night_sky", 0, true},
+    WORDS_END,
+};
+
+static const murk_key LIGHT_ROWS[] = {
+    ROW("type", WORD, NEEDED, .words = TYPE_WORDS),
+    ROW("center_m", VECTOR, NEEDED, LONG_M, .variants = SPHERE,
+        AT(murk_scene_light, position)),
+    ROW("corner_m", VECTOR, NEEDED, LONG_M, .variants = RECT,
+        AT(murk_scene_light, position)),
+    ROW("edge1_m", VECTOR, NEEDED, LONG_M, .variants = RECT,
+        AT(murk_scene_light, edge1)),
+    ROW("edge2_m", VECTOR, NEEDED, LONG_M, .variants = RECT,
+        AT(murk_scene_light, edge2)),
+    ROW("position_m", VECTOR, NEEDED, LONG_M, .variants = POINT,
+        AT(murk_scene_light, position)),
+    ROW("origin_m", VECTOR, NEEDED, LONG_M, .variants = BEAM,
+        AT(murk_scene_light, position)),
+    ROW("direction", VECTOR, NEEDED, ANY_UNIT, .variants = BEAM | DIRECTIONAL,
+        AT(murk_scene_light, direction)),
+    ROW("radius_m", NUMBER, NEEDED, SIZE_M, .variants = SPHERE,
+        AT(murk_scene_light, radius_m)),
+    ROW("radius_m", NUMBER, .most = 1e9, .unit = "m", .variants = BEAM,
+        .preset = "0", AT(murk_scene_light, radius_m)),
+    ROW("divergence_deg", NUMBER, .most = 90, .unit = "degrees",
+        .variants = BEAM, .preset = "0", .factor = MURK_PI / 180,
+        AT(murk_scene_light, divergence_rad)),
+    ROW("power_w", SHARED, NEEDED, .most = 1e15, .unit = "W",
+        .variants = SPHERE | RECT | POINT | BEAM,
+        AT(murk_scene_light, power_w)),
+    ROW("irradiance_w_per_m2", SHARED, NEEDED, .most = 1e15, .unit = "W/m2",
+        .variants = DIRECTIONAL, AT(murk_scene_light, power_w)),
+    LATER("schedule"),
+    LATER("latitude_deg"),
+    LATER("longitude_deg"),
+    LATER("altitude_m"),
+    LATER("time"),
+    LATER("linke_turbidity"),
+    END,
+};
+
+const murk_keys murk_light_keys = {
+    .noun = "light",
+    .selector = "type",
+    .check = check_light,
+    .variant_names = LIGHT_VARIANTS,
+    VARIANT(murk_scene_light, type),
+    WHERE(murk_scene_light, where),
+    ITEMS(murk_scene_light, lights, n_lights),
+    .most_items = 256,
+    .needs_item = true,
+    .key = LIGHT_ROWS,
+};
+
+/* ---- photons ---- */
+
+static murk_status check_photons(murk_walk *walk, const murk_yaml *map,
+                                 void *item)
+{
+    const murk_scene_photons *photons = &((murk_scene *)item)->photons;
+    if (photons->store > photons->max_stored) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "store %llu is more than max_stored %llu",
+                              (unsigned long long)photons->store,
+                              (unsigned long long)photons->max_stored);
+    }
+    if (photons->store > 0 && photons->maps == MURK_SCENE_MAPS_NONE) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "store %llu with maps: none, must be emit where "
+                              "nothing is stored",
+                              (unsigned long long)photons->store);
+    }
+    return MURK_OK;
+}
+
+static const murk_word STORE_WHEN_WORDS[] = {
+    {"reflected", 0, false},
+    {"hit", 1, false},
+    WORDS_END,
+};
+
+static const murk_word MAPS_WORDS[] = {
+    {"both", MURK_SCENE_MAPS_BOTH, false},
+    {"surface", MURK_SCENE_MAPS_SURFACE, false},
+    {"volume", MURK_SCENE_MAPS_VOLUME, false},
+    {"none", MURK_SCENE_MAPS_NONE, false},
+    WORDS_END,
+};
+
+static const murk_key PHOTONS_ROWS[] = {
+    ROW("emit", COUNT, .group = 1, .least = 1, .most = 4294967295.0,
+        .unit = "photons", .preset = "100000", AT(murk_scene, photons.emit)),
+    ROW("store", COUNT, .group = 1, .least = 1, .most = 4294967295.0,
+        .unit = "records", AT(murk_scene, photons.store)),
+    ROW("store_when", WORD, .preset = "reflected", .words = STORE_WHEN_WORDS,
+        AT(murk_scene, photons.store_hits)),
+    ROW("maps", WORD, .preset = "both", .words = MAPS_WORDS,
+        AT(murk_scene, photons.maps)),
+    ROW("max_stored", COUNT, .least = 1, .most = 4294967295.0,
+        .unit = "records", .preset = "100000000",
+        AT(murk_scene, photons.max_stored)),
+    END,
+};
+
+const murk_keys murk_photon_keys = {
+    .noun = "photons",
+    .check = check_photons,
+    WHERE(murk_scene, photons.where),
+    .key = PHOTONS_ROWS,
+};

@@ -1,0 +1,170 @@
+/* Media and the regions that they fill. */
+#include "scene/keys_rows.h"
+
+enum { MEDIUM_HOMOGENEOUS, MEDIUM_GRID };
+
+static murk_status choose_medium(murk_walk *walk, const murk_yaml *map,
+                                 int *variant)
+{
+    (void)walk;
+    *variant = murk_yaml_get(map, "vdb") ? MEDIUM_GRID : MEDIUM_HOMOGENEOUS;
+    return MURK_OK;
+}
+
+static const murk_key PHASE_ROWS[] = {
+    ROW("hg", SPECTRUM, .group = 1, NEEDED, .least = -1, .most = 1,
+        .above = true, .below = true, AT(murk_scene_medium, mean_cosine)),
+    LATER("two_hg"),
+    LATER("fournier_forand"),
+    LATER("table"),
+    END,
+};
+
+static const murk_keys PHASE = {
+    .noun = "phase",
+    .key = PHASE_ROWS,
+};
+
+static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid"};
+
+static const murk_word INTERPOLATION_WORDS[] = {
+    {"nearest", 0, false},
+    {"linear", 1, true},
+    WORDS_END,
+};
+
+static const murk_word PHASE_WORDS[] = {
+    {"isotropic", 0, false},
+    {"rayleigh", 1, true},
+    WORDS_END,
+};
+
+static const murk_key MEDIUM_ROWS[] = {
+    ROW("vdb", PATH, AT(murk_scene_medium, vdb)),
+    ROW("grid", TEXT, .variants = BIT(MEDIUM_GRID),
+        AT(murk_scene_medium, grid)),
+    ROW("interpolation", WORD, .variants = BIT(MEDIUM_GRID),
+        .preset = "nearest", .words = INTERPOLATION_WORDS),
+    ROW("extinction_per_m", SPECTRUM, NEEDED, .most = 1e9, .unit = "1/m",
+        AT(murk_scene_medium, extinction_per_m)),
+    ROW("albedo", SPECTRUM, NEEDED, SHARE, AT(murk_scene_medium, albedo)),
+    ROW("phase", MAP, .keys = &PHASE, .preset = "isotropic",
+        .words = PHASE_WORDS),
+    LATER("preset"),
+    LATER("visibility_m"),
+    LATER("mor_m"),
+    LATER("profile"),
+    END,
+};
+
+const murk_keys murk_medium_keys = {
+    .noun = "medium",
+    .choose = choose_medium,
+    .variant_names = MEDIUM_VARIANTS,
+    WHERE(murk_scene_medium, where),
+    ITEMS(murk_scene_medium, media, n_media),
+    .most_items = 256,
+    .name_at = offsetof(murk_scene_medium, name),
+    .key = MEDIUM_ROWS,
+};
+
+static murk_status check_region_box(murk_walk *walk, const murk_yaml *map,
+                                    void *item)
+{
+    return murk_check_box(walk, map, ((murk_scene_region *)item)->box);
+}
+
+static const murk_key REGION_BOX_ROWS[] = {
+    ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_region, box.min)),
+    ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_region, box.max)),
+    END,
+};
+
+static const murk_keys REGION_BOX = {
+    .noun = "box",
+    .check = check_region_box,
+    .key = REGION_BOX_ROWS,
+};
+
+static const murk_key REGION_SPHERE_ROWS[] = {
+    ROW("center_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_region, center)),
+    ROW("radius_m", NUMBER, NEEDED, SIZE_M, AT(murk_scene_region, radius_m)),
+    END,
+};
+
+static const murk_keys REGION_SPHERE = {
+    .noun = "sphere",
+    .key = REGION_SPHERE_ROWS,
+};
+
+static const char *const REGION_VARIANTS[] = {"everywhere", "box", "sphere",
+                                              "grid"};
+
+/* A region without a shape is everywhere, or where its medium's grid lies. */
+static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
+                                 int *variant)
+{
+    const murk_yaml *media = murk_yaml_get(walk->root, "media");
+    const murk_yaml *name = murk_yaml_get(map, "medium");
+    const murk_yaml *medium =
+        media && name && name->text ? murk_yaml_get(media, name->text) : NULL;
+    const bool has_grid = medium && murk_yaml_get(medium, "vdb");
+    *variant = murk_yaml_get(map, "box")      ? MURK_SCENE_IN_BOX
+               : murk_yaml_get(map, "sphere") ? MURK_SCENE_IN_SPHERE
+               : has_grid                     ? MURK_SCENE_IN_GRID
+                                              : MURK_SCENE_EVERYWHERE;
+    if (has_grid && *variant != MURK_SCENE_IN_GRID) {
+        return murk_walk_fail(walk, MURK_UNSUPPORTED, map, false,
+                              "a %s around a grid medium is not supported yet, "
+                              "must be the grid alone",
+                              REGION_VARIANTS[*variant]);
+    }
+    return MURK_OK;
+}
+
+#define MOVABLE                                                      \
+    .variants = BIT(MURK_SCENE_IN_BOX) | BIT(MURK_SCENE_IN_SPHERE) | \
+                BIT(MURK_SCENE_IN_GRID)
+
+/* A region everywhere is not moved; its members still hold the identity. */
+static murk_status check_region(murk_walk *walk, const murk_yaml *map,
+                                void *item)
+{
+    murk_scene_region *region = item;
+    (void)walk;
+    (void)map;
+    if (region->shape == MURK_SCENE_EVERYWHERE) {
+        region->scale = 1;
+    }
+    return MURK_OK;
+}
+
+static const murk_key REGION_ROWS[] = {
+    ROW("medium", REFERENCE, .of = "media", NEEDED,
+        AT(murk_scene_region, medium)),
+    ROW("box", MAP, .group = 1, .keys = &REGION_BOX),
+    ROW("sphere", MAP, .group = 1, .keys = &REGION_SPHERE),
+    ROW("scale", NUMBER, .above = true, .most = 1e9, MOVABLE, .preset = "1",
+        AT(murk_scene_region, scale)),
+    ROW("rotate_deg", VECTOR, ANY_UNIT, MOVABLE, .unit = "degrees",
+        .preset = "[0, 0, 0]", AT(murk_scene_region, rotate_deg)),
+    ROW("translate_m", VECTOR, LONG_M, MOVABLE, .preset = "[0, 0, 0]",
+        AT(murk_scene_region, translate_m)),
+    ROW("replace", BOOL, .preset = "false", AT(murk_scene_region, replaces)),
+    LATER("below_z_m"),
+    LATER("mesh"),
+    LATER("ior"),
+    END,
+};
+
+const murk_keys murk_region_keys = {
+    .noun = "region",
+    .choose = choose_region,
+    .check = check_region,
+    .variant_names = REGION_VARIANTS,
+    VARIANT(murk_scene_region, shape),
+    WHERE(murk_scene_region, where),
+    ITEMS(murk_scene_region, regions, n_regions),
+    .most_items = 64,
+    .key = REGION_ROWS,
+};

@@ -1,0 +1,59 @@
+/* How the tables of keys are written: macros for their rows, and checks that
+ * several of them share. Only keys*.c include it. */
+#ifndef MURK_SCENE_KEYS_ROWS_H
+#define MURK_SCENE_KEYS_ROWS_H
+
+#include <stddef.h>
+
+#include "scene/keys.h"
+#include "scene/walk.h"
+
+#define ROW(name_, kind_, ...)                               \
+    {                                                        \
+        .name = name_, .kind = MURK_KEY_##kind_, __VA_ARGS__ \
+    }
+#define LATER(name_)                          \
+    {                                         \
+        .name = name_, .kind = MURK_KEY_LATER \
+    }
+#define END          \
+    {                \
+        .name = NULL \
+    }
+#define WORDS_END      \
+    {                  \
+        NULL, 0, false \
+    }
+
+#define NEEDED .required = true
+#define AT(type, member) \
+    .at = offsetof(type, member), .size = sizeof(((type *)0)->member)
+#define FLAG(type, member) .has_flag = true, .flag_at = offsetof(type, member)
+#define WHERE(type, member) \
+    .has_where = true, .where_at = offsetof(type, member)
+#define VARIANT(type, member) \
+    .has_variant_at = true, .variant_at = offsetof(type, member)
+#define ITEMS(type, array, count)                                       \
+    .item_size = sizeof(type), .array_at = offsetof(murk_scene, array), \
+    .count_at = offsetof(murk_scene, count)
+#define BIT(variant) (1u << (variant))
+
+/* Larger lengths, powers and so on are slips of the pen; within these, squares
+ * and products stay finite in double, and lengths in float. */
+#define LONG_M   .least = -1e9, .most = 1e9, .unit = "m"
+#define SIZE_M   .above = true, .most = 1e9, .unit = "m"
+#define ANY_UNIT .least = -1e9, .most = 1e9
+#define SHARE    .most = 1
+
+/* One table per part of a scene; keys.c joins them. */
+extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
+    murk_region_keys, murk_light_keys, murk_photon_keys;
+
+/* min less than max on each axis. */
+murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box);
+
+/* Two edges that span an area. */
+murk_status murk_check_edges(murk_walk *walk, const murk_yaml *map,
+                             murk_vec3 edge1, murk_vec3 edge2);
+
+#endif

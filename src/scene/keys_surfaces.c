@@ -1,0 +1,152 @@
+/* Geometry and its materials. */
+#include <float.h>
+
+#include "scene/keys_rows.h"
+
+/* One of the shapes is there; the walk has checked that they exclude each
+ * other and that one is given. */
+static murk_status choose_geometry(murk_walk *walk, const murk_yaml *map,
+                                   int *variant)
+{
+    (void)walk;
+    *variant = murk_yaml_get(map, "box")      ? MURK_SCENE_BOX
+               : murk_yaml_get(map, "rect")   ? MURK_SCENE_RECT
+               : murk_yaml_get(map, "sphere") ? MURK_SCENE_SPHERE
+                                              : MURK_SCENE_FILE;
+    return MURK_OK;
+}
+
+static murk_status check_geometry_box(murk_walk *walk, const murk_yaml *map,
+                                      void *item)
+{
+    return murk_check_box(walk, map, ((murk_scene_geometry *)item)->box);
+}
+
+static murk_status check_geometry_rect(murk_walk *walk, const murk_yaml *map,
+                                       void *item)
+{
+    const murk_scene_geometry *rect = item;
+    return murk_check_edges(walk, map, rect->edge1, rect->edge2);
+}
+
+static const murk_key GEOMETRY_BOX_ROWS[] = {
+    ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_geometry, box.min)),
+    ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_geometry, box.max)),
+    END,
+};
+
+static const murk_keys GEOMETRY_BOX = {
+    .noun = "box",
+    .check = check_geometry_box,
+    .key = GEOMETRY_BOX_ROWS,
+};
+
+static const murk_key GEOMETRY_RECT_ROWS[] = {
+    ROW("corner_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_geometry, corner)),
+    ROW("edge1_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_geometry, edge1)),
+    ROW("edge2_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_geometry, edge2)),
+    END,
+};
+
+static const murk_keys GEOMETRY_RECT = {
+    .noun = "rect",
+    .check = check_geometry_rect,
+    .key = GEOMETRY_RECT_ROWS,
+};
+
+static const murk_key GEOMETRY_SPHERE_ROWS[] = {
+    ROW("center_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_geometry, center)),
+    ROW("radius_m", NUMBER, NEEDED, SIZE_M, AT(murk_scene_geometry, radius_m)),
+    END,
+};
+
+static const murk_keys GEOMETRY_SPHERE = {
+    .noun = "sphere",
+    .key = GEOMETRY_SPHERE_ROWS,
+};
+
+static const char *const GEOMETRY_VARIANTS[] = {"file", "box", "rect",
+                                                "sphere"};
+
+static const murk_word UP_WORDS[] = {
+    {"x", 'x', false},
+    {"y", 'y', false},
+    {"z", 'z', false},
+    WORDS_END,
+};
+
+static const murk_key GEOMETRY_ROWS[] = {
+    ROW("file", PATH, .group = 1, NEEDED, AT(murk_scene_geometry, file)),
+    ROW("box", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_BOX),
+    ROW("rect", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_RECT),
+    ROW("sphere", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_SPHERE),
+    ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SCENE_FILE),
+        AT(murk_scene_geometry, unit_m)),
+    ROW("up", WORD, .variants = BIT(MURK_SCENE_FILE), .words = UP_WORDS,
+        AT(murk_scene_geometry, up)),
+    ROW("scale", NUMBER, .above = true, .most = 1e9, .preset = "1",
+        AT(murk_scene_geometry, scale)),
+    ROW("rotate_deg", VECTOR, ANY_UNIT, .unit = "degrees",
+        .preset = "[0, 0, 0]", AT(murk_scene_geometry, rotate_deg)),
+    ROW("translate_m", VECTOR, LONG_M, .preset = "[0, 0, 0]",
+        AT(murk_scene_geometry, translate_m)),
+    ROW("material", REFERENCE, .of = "materials",
+        AT(murk_scene_geometry, material)),
+    END,
+};
+
+const murk_keys murk_geometry_keys = {
+    .noun = "geometry",
+    .choose = choose_geometry,
+    .variant_names = GEOMETRY_VARIANTS,
+    VARIANT(murk_scene_geometry, shape),
+    WHERE(murk_scene_geometry, where),
+    ITEMS(murk_scene_geometry, geometry, geometries),
+    .most_items = 10000,
+    .key = GEOMETRY_ROWS,
+};
+
+/* ---- materials ---- */
+
+static murk_status check_material(murk_walk *walk, const murk_yaml *map,
+                                  void *item)
+{
+    const murk_scene_material *material = item;
+    for (int i = 0; i < walk->scene->bands; ++i) {
+        const double sum = material->diffuse.band[i] +
+                           material->specular.band[i] +
+                           material->transmit.band[i];
+        /* three decimal fractions and two sums may round up: 0.35 + 0.6 +
+         * 0.05 */
+        if (!(sum <= 1 + 4 * DBL_EPSILON)) {
+            return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                  "diffuse + specular + transmit is %.9g at "
+                                  "%.9g nm, must be at most 1",
+                                  sum, walk->scene->band_nm[i]);
+        }
+    }
+    return MURK_OK;
+}
+
+static const murk_key MATERIAL_ROWS[] = {
+    ROW("diffuse", SPECTRUM, SHARE, .preset = "0",
+        AT(murk_scene_material, diffuse)),
+    ROW("specular", SPECTRUM, SHARE, .preset = "0",
+        AT(murk_scene_material, specular)),
+    ROW("transmit", SPECTRUM, SHARE, .preset = "0",
+        AT(murk_scene_material, transmit)),
+    ROW("ior", NUMBER, .least = 1, .most = 10, AT(murk_scene_material, ior)),
+    END,
+};
+
+const murk_keys murk_material_keys = {
+    .noun = "material",
+    .check = check_material,
+    WHERE(murk_scene_material, where),
+    ITEMS(murk_scene_material, materials, n_materials),
+    .most_items = 256,
+    .name_at = offsetof(murk_scene_material, name),
+    .first = "default",
+    .first_preset = "{diffuse: 0.5}",
+    .key = MATERIAL_ROWS,
+};
