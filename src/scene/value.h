@@ -20,8 +20,10 @@ void murk_value_store(void *item, size_t at, size_t size, int value);
 #define MURK_FOUND_SIZE 48
 void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE]);
 
-/* What a row allows: "0..1", "more than 0 and at most 1e9 m". */
+/* What a row allows: "a number, 0..1", "[x, y, z], each -1e9..1e9 m". */
 #define MURK_ALLOWED_SIZE 256
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE]);
+/* Its range alone: "0..1". */
+void murk_value_range(const murk_key *key, char *out, size_t size);
 
 #endif

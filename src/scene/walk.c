@@ -7,9 +7,8 @@
 #include <string.h>
 
 #include "scene/value.h"
+#include "scene/walk_names.h"
 #include "scene/words.h"
-
-#define MOST_KEYS 64 /* rows of one table */
 
 /* ---- places and messages ---- */
 
@@ -74,129 +73,6 @@ murk_status murk_walk_no_memory(murk_walk *walk)
 
 /* ---- the keys of one map ---- */
 
-static bool fits(const murk_key *key, int variant)
-{
-    return key->variants == 0 || (key->variants & (1u << variant)) != 0;
-}
-
-static const murk_key *find(const murk_keys *keys, const char *name,
-                            int variant)
-{
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        if (fits(key, variant) && strcmp(key->name, name) == 0) {
-            return key;
-        }
-    }
-    return NULL;
-}
-
-/* The names that may stand in a map, each once; those of later only where a
- * word is compared. */
-static size_t list_names(const murk_keys *keys, int variant, bool with_later,
-                         const char *names[MOST_KEYS])
-{
-    size_t n = 0;
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        bool is_new = variant < 0 || fits(key, variant);
-        is_new = is_new && (with_later || key->kind != MURK_KEY_LATER);
-        for (size_t i = 0; i < n; ++i) {
-            is_new = is_new && strcmp(names[i], key->name) != 0;
-        }
-        if (is_new && n < MOST_KEYS) {
-            names[n++] = key->name;
-        }
-    }
-    return n;
-}
-
-static murk_status fail_with_names(murk_walk *walk, const murk_yaml *node,
-                                   const char *what, const char *const *names,
-                                   size_t n)
-{
-    char list[400] = "";
-    size_t length = 0;
-    for (size_t i = 0; i < n && length < sizeof list; ++i) {
-        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                   i ? ", " : "", names[i]);
-    }
-    return murk_walk_fail(walk, MURK_BAD_VALUE, node, true, "%s, must be %s%s",
-                          what, n > 1 ? "one of " : "", list);
-}
-
-static murk_status check_name(murk_walk *walk, const murk_keys *keys,
-                              const char *name, const murk_yaml *child)
-{
-    const murk_key *key = murk_keys_find(keys, name);
-    if (key && key->kind == MURK_KEY_LATER) {
-        return murk_walk_fail(walk, MURK_UNSUPPORTED, child, true,
-                              "not supported yet");
-    }
-    if (key) {
-        return MURK_OK;
-    }
-    const char *names[MOST_KEYS];
-    const char *meant =
-        murk_words_meant(name, names, list_names(keys, -1, true, names));
-    if (meant) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, child, true,
-                              "unknown key, did you mean %s?", meant);
-    }
-    return fail_with_names(walk, child, "unknown key", names,
-                           list_names(keys, -1, false, names));
-}
-
-static murk_status check_names(murk_walk *walk, const murk_keys *keys,
-                               const murk_yaml *map)
-{
-    for (size_t i = 0; i < map->n; ++i) {
-        const size_t back = murk_walk_enter(walk, map->key[i]);
-        const murk_status status =
-            check_name(walk, keys, map->key[i], map->child[i]);
-        murk_walk_leave(walk, back);
-        if (status) {
-            return status;
-        }
-    }
-    return MURK_OK;
-}
-
-/* Of each group at most one, and one where the group is required. */
-static murk_status check_groups(murk_walk *walk, const murk_keys *keys,
-                                const murk_yaml *map)
-{
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        if (key->group == 0) {
-            continue;
-        }
-        const murk_key *given = NULL;
-        for (const murk_key *other = keys->key; other->name; ++other) {
-            if (other->group != key->group ||
-                !murk_yaml_get(map, other->name)) {
-                continue;
-            }
-            if (given) {
-                return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                                      "has %s and %s, must have one of them",
-                                      given->name, other->name);
-            }
-            given = other;
-        }
-        if (!given && key->required) {
-            const char *names[MOST_KEYS];
-            size_t n = 0;
-            for (const murk_key *other = key; other->name; ++other) {
-                if (other->group == key->group) {
-                    names[n++] = other->name;
-                }
-            }
-            char what[80];
-            snprintf(what, sizeof what, "misses a key of a %s", keys->noun);
-            return fail_with_names(walk, map, what, names, n);
-        }
-    }
-    return MURK_OK;
-}
-
 static murk_status find_variant(murk_walk *walk, const murk_keys *keys,
                                 murk_yaml *map, int *variant)
 {
@@ -219,27 +95,6 @@ static murk_status find_variant(murk_walk *walk, const murk_keys *keys,
     const murk_status status = murk_value_word(walk, key, node, variant);
     murk_walk_leave(walk, back);
     return status;
-}
-
-static murk_status check_variant(murk_walk *walk, const murk_keys *keys,
-                                 const murk_yaml *map, int variant)
-{
-    for (size_t i = 0; i < map->n; ++i) {
-        if (find(keys, map->key[i], variant)) {
-            continue;
-        }
-        char what[120];
-        const char *names[MOST_KEYS];
-        const size_t n = list_names(keys, variant, false, names);
-        snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
-                 keys->variant_names[variant]);
-        const size_t back = murk_walk_enter(walk, map->key[i]);
-        const murk_status status =
-            fail_with_names(walk, map->child[i], what, names, n);
-        murk_walk_leave(walk, back);
-        return status;
-    }
-    return MURK_OK;
 }
 
 static bool has_group(const murk_keys *keys, const murk_yaml *map, int group)
@@ -275,7 +130,7 @@ static murk_status put_presets(murk_walk *walk, const murk_keys *keys,
                                murk_yaml *map, int variant)
 {
     for (const murk_key *key = keys->key; key->name; ++key) {
-        if (!fits(key, variant) || murk_yaml_get(map, key->name) ||
+        if (!murk_walk_fits(key, variant) || murk_yaml_get(map, key->name) ||
             (key->group && has_group(keys, map, key->group))) {
             continue;
         }
@@ -309,7 +164,8 @@ static void sort_by_table(const murk_keys *keys, murk_yaml *map, int variant)
 {
     size_t place = 0;
     for (const murk_key *key = keys->key; key->name; ++key) {
-        for (size_t i = place; i < map->n && fits(key, variant); ++i) {
+        for (size_t i = place; i < map->n && murk_walk_fits(key, variant);
+             ++i) {
             if (strcmp(map->key[i], key->name) == 0) {
                 swap_children(map, place++, i);
                 break;
@@ -326,7 +182,7 @@ static void mark_absent(const murk_keys *keys, const murk_yaml *map,
 {
     for (const murk_key *key = keys->key; key->name; ++key) {
         if (key->kind == MURK_KEY_REFERENCE && key->size == sizeof(int) &&
-            fits(key, variant) && !murk_yaml_get(map, key->name)) {
+            murk_walk_fits(key, variant) && !murk_yaml_get(map, key->name)) {
             murk_value_store(item, key->at, key->size, -1);
         }
     }
@@ -336,10 +192,10 @@ static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
                             murk_yaml *map, void *item)
 {
     int variant = 0;
-    murk_status status = check_names(walk, keys, map);
-    if (status || (status = check_groups(walk, keys, map)) ||
+    murk_status status = murk_walk_check_names(walk, keys, map);
+    if (status || (status = murk_walk_check_groups(walk, keys, map)) ||
         (status = find_variant(walk, keys, map, &variant)) ||
-        (status = check_variant(walk, keys, map, variant)) ||
+        (status = murk_walk_check_variant(walk, keys, map, variant)) ||
         (status = put_presets(walk, keys, map, variant))) {
         return status;
     }
@@ -353,7 +209,7 @@ static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
         murk_walk_where(map, walk->key, false, where);
     }
     for (size_t i = 0; i < map->n; ++i) {
-        const murk_key *key = find(keys, map->key[i], variant);
+        const murk_key *key = murk_walk_find(keys, map->key[i], variant);
         assert(key);
         const size_t back = murk_walk_enter(walk, key->name);
         status = walk_value(walk, key, map->child[i], item);

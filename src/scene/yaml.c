@@ -10,14 +10,12 @@
 #include <yaml.h>
 
 #include "base/file.h"
-#include "scene/number.h"
 #include "scene/words.h"
 
 #define MOST_DEPTH   64
 #define MOST_NODES   1000000
 #define MOST_TEXT    (2 * MURK_YAML_MOST_BYTES)
 #define MOST_ANCHORS 1000
-#define MOST_SOURCE  120 /* of a name shown in a message */
 #define PLACE_SIZE   256
 
 typedef struct anchor {
@@ -35,49 +33,12 @@ typedef struct reader {
     murk_status status;
 } reader;
 
-static bool is_option(const char *source)
-{
-    return strncmp(source, "--", 2) == 0;
-}
-
-static void show_place(const char *source, int line, int column, char *out,
-                       size_t size)
-{
-    char name[MOST_SOURCE + 4];
-    const size_t length = strlen(source);
-    if (length <= MOST_SOURCE) {
-        snprintf(name, sizeof name, "%s", source);
-    } else if (is_option(source)) {
-        snprintf(name, sizeof name, "%.*s...", MOST_SOURCE - 3, source);
-    } else { /* the end of a path says more than its beginning */
-        snprintf(name, sizeof name, "...%s", source + length - MOST_SOURCE + 3);
-    }
-    murk_words_show(name, sizeof name, name);
-    if (line == 0 || is_option(source)) {
-        snprintf(out, size, "%s", name);
-    } else {
-        snprintf(out, size, "%s:%d:%d", name, line, column);
-    }
-}
-
-void murk_yaml_place(const murk_yaml *node, char *out, size_t size)
-{
-    show_place(node->source, node->line, node->column, out, size);
-}
-
-void murk_yaml_key_place(const murk_yaml *child, char *out, size_t size)
-{
-    const bool has_key = child->key_line > 0;
-    show_place(child->source, has_key ? child->key_line : child->line,
-               has_key ? child->key_column : child->column, out, size);
-}
-
 static murk_yaml *fail_at(reader *r, yaml_mark_t mark, murk_status status,
                           const char *text)
 {
     char place[PLACE_SIZE];
-    show_place(r->source, (int)mark.line + 1, (int)mark.column + 1, place,
-               sizeof place);
+    murk_yaml_show_place(r->source, (int)mark.line + 1, (int)mark.column + 1,
+                         place, sizeof place);
     r->status = murk_fail(r->err, status, place, "%s", text);
     return NULL;
 }
@@ -88,147 +49,6 @@ static murk_yaml *no_memory(reader *r)
         murk_fail(r->err, MURK_NO_MEMORY, r->source, "no memory to read it");
     return NULL;
 }
-
-/* ---- trees ---- */
-
-void murk_yaml_clear(murk_yaml *node)
-{
-    for (size_t i = 0; i < node->n; ++i) {
-        murk_yaml_destroy(node->child[i]);
-        if (node->key) {
-            free(node->key[i]);
-        }
-    }
-    free(node->key);
-    free(node->child);
-    free(node->text);
-    node->n = 0;
-    node->key = NULL;
-    node->child = NULL;
-    node->text = NULL;
-}
-
-void murk_yaml_destroy(murk_yaml *root)
-{
-    if (root) {
-        murk_yaml_clear(root);
-        free(root);
-    }
-}
-
-murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source)
-{
-    murk_yaml *node = calloc(1, sizeof *node);
-    if (node) {
-        node->kind = kind;
-        node->source = source;
-        if (kind == MURK_YAML_SCALAR && !(node->text = strdup(""))) {
-            free(node);
-            node = NULL;
-        }
-    }
-    return node;
-}
-
-/* Room for one child more: sizes grow by doubling, at powers of two. */
-static bool grow(murk_yaml *node)
-{
-    const size_t n = node->n;
-    if (n != 0 && (n & (n - 1)) != 0) {
-        return true;
-    }
-    const size_t room = n ? 2 * n : 1;
-    murk_yaml **child = realloc(node->child, room * sizeof *child);
-    if (!child) {
-        return false;
-    }
-    node->child = child;
-    if (node->kind == MURK_YAML_MAP) {
-        char **key = realloc(node->key, room * sizeof *key);
-        if (!key) {
-            return false;
-        }
-        node->key = key;
-    }
-    return true;
-}
-
-/* Takes key (NULL in a list) and child, also when it fails. */
-static bool append(murk_yaml *node, char *key, murk_yaml *child)
-{
-    if (!grow(node)) {
-        free(key);
-        murk_yaml_destroy(child);
-        return false;
-    }
-    if (node->kind == MURK_YAML_MAP) {
-        node->key[node->n] = key;
-    }
-    node->child[node->n++] = child;
-    return true;
-}
-
-static size_t find_key(const murk_yaml *map, const char *key)
-{
-    size_t i = 0;
-    while (i < map->n && strcmp(map->key[i], key) != 0) {
-        ++i;
-    }
-    return i;
-}
-
-murk_yaml *murk_yaml_get(const murk_yaml *map, const char *key)
-{
-    if (map->kind != MURK_YAML_MAP) {
-        return NULL;
-    }
-    const size_t i = find_key(map, key);
-    return i < map->n ? map->child[i] : NULL;
-}
-
-bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child)
-{
-    const size_t i = find_key(map, key);
-    if (i < map->n) {
-        murk_yaml_destroy(map->child[i]);
-        map->child[i] = child;
-        return true;
-    }
-    char *name = strdup(key);
-    if (!name) {
-        murk_yaml_destroy(child);
-        return false;
-    }
-    return append(map, name, child);
-}
-
-void murk_yaml_remove(murk_yaml *map, const char *key)
-{
-    const size_t i = find_key(map, key);
-    if (i == map->n) {
-        return;
-    }
-    free(map->key[i]);
-    murk_yaml_destroy(map->child[i]);
-    for (size_t k = i + 1; k < map->n; ++k) {
-        map->key[k - 1] = map->key[k];
-        map->child[k - 1] = map->child[k];
-    }
-    --map->n;
-}
-
-bool murk_yaml_set_text(murk_yaml *scalar, const char *text)
-{
-    char *copy = strdup(text);
-    if (!copy) {
-        return false;
-    }
-    free(scalar->text);
-    scalar->text = copy;
-    return true;
-}
-
-/* ---- reading ---- */
 
 static bool next_event(reader *r, yaml_event_t *event)
 {
@@ -319,7 +139,7 @@ static murk_yaml *copy_node(reader *r, const murk_yaml *from, yaml_mark_t mark,
             murk_yaml_destroy(node);
             return r->status ? NULL : no_memory(r);
         }
-        if (!append(node, key, child)) {
+        if (!murk_yaml_append(node, key, child)) {
             murk_yaml_destroy(node);
             return no_memory(r);
         }
@@ -447,7 +267,7 @@ static bool read_list(reader *r, murk_yaml *list, int depth)
         if (!child) {
             return false;
         }
-        if (!append(list, NULL, child)) {
+        if (!murk_yaml_append(list, NULL, child)) {
             no_memory(r);
             return false;
         }
@@ -508,7 +328,7 @@ static bool read_map(reader *r, murk_yaml *map, int depth)
         }
         child->key_line = (int)mark.line + 1;
         child->key_column = (int)mark.column + 1;
-        if (!append(map, key, child)) {
+        if (!murk_yaml_append(map, key, child)) {
             no_memory(r);
             return false;
         }
@@ -619,7 +439,7 @@ static murk_status check_text(const char *text, size_t size, const char *source,
             (*p < 0x20 && *p != '\t' && *p != '\n' && *p != '\r') || *p == 0x7F;
         if (n == 0 || is_control) {
             char place[PLACE_SIZE];
-            show_place(source, line, column, place, sizeof place);
+            murk_yaml_show_place(source, line, column, place, sizeof place);
             return murk_fail(err, MURK_BAD_FILE, place,
                              n == 0 ? "byte 0x%02X, must be UTF-8 text"
                                     : "control character 0x%02X, must be text",
@@ -718,42 +538,4 @@ murk_status murk_yaml_read(murk_yaml **out, const char *path, murk_error *err)
     }
     free(text);
     return status;
-}
-
-/* ---- scalars ---- */
-
-static bool is_plain(const murk_yaml *node)
-{
-    return node->kind == MURK_YAML_SCALAR && !node->is_quoted;
-}
-
-bool murk_yaml_number(const murk_yaml *node, double *out)
-{
-    return is_plain(node) && murk_number_parse(node->text, out);
-}
-
-bool murk_yaml_count(const murk_yaml *node, uint64_t *out)
-{
-    return is_plain(node) && murk_count_parse(node->text, out);
-}
-
-bool murk_yaml_bool(const murk_yaml *node, bool *out)
-{
-    if (!is_plain(node)) {
-        return false;
-    }
-    const bool is_true = strcmp(node->text, "true") == 0;
-    if (!is_true && strcmp(node->text, "false") != 0) {
-        return false;
-    }
-    *out = is_true;
-    return true;
-}
-
-bool murk_yaml_is_null(const murk_yaml *node)
-{
-    return is_plain(node) &&
-           (node->text[0] == '\0' || strcmp(node->text, "~") == 0 ||
-            strcmp(node->text, "null") == 0 ||
-            strcmp(node->text, "Null") == 0 || strcmp(node->text, "NULL") == 0);
 }

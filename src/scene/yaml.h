@@ -53,10 +53,11 @@ bool murk_yaml_count(const murk_yaml *node, uint64_t *out); /* 0, 3, 1e6 */
 bool murk_yaml_bool(const murk_yaml *node, bool *out);      /* true, false */
 bool murk_yaml_is_null(const murk_yaml *node); /* empty, ~ or null */
 
-/* Changing a tree. put() takes `child` in any case and replaces what stood
- * under that key; false when out of memory. remove() of a missing key is
- * fine. */
+/* Changing a tree. append() takes `key` (NULL in a list) and `child`, put()
+ * `child`, also where they fail: false when out of memory. put() replaces what
+ * stood under that key; remove() of a missing key is fine. */
 murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source);
+bool murk_yaml_append(murk_yaml *node, char *key, murk_yaml *child);
 bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child);
 void murk_yaml_remove(murk_yaml *map, const char *key);
 void murk_yaml_clear(murk_yaml *node); /* no children, no text */
@@ -65,6 +66,8 @@ bool murk_yaml_set_text(murk_yaml *scalar, const char *text);
 /* "fog.yaml:12:5", or the file alone for a made node, or the option; long
  * names are cut, control characters shown as '?'. */
 void murk_yaml_place(const murk_yaml *node, char *out, size_t size);
+void murk_yaml_show_place(const char *source, int line, int column, char *out,
+                          size_t size);
 /* The same for the key of a map's child. */
 void murk_yaml_key_place(const murk_yaml *child, char *out, size_t size);
 

@@ -1,0 +1,143 @@
+/* Values in messages: what was found, what is allowed. */
+#include "scene/value.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/number.h"
+#include "scene/words.h"
+
+void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
+{
+    if (node->kind != MURK_YAML_SCALAR) {
+        snprintf(out, MURK_FOUND_SIZE, "%s%s", node->n ? "" : "an empty ",
+                 node->kind == MURK_YAML_LIST ? node->n ? "a list" : "list"
+                 : node->n                    ? "a map"
+                                              : "map");
+    } else if (node->is_quoted) {
+        char text[MURK_FOUND_SIZE - 2];
+        murk_words_show(text, sizeof text, node->text);
+        snprintf(out, MURK_FOUND_SIZE, "\"%s\"", text);
+    } else if (node->text[0] == '\0') {
+        snprintf(out, MURK_FOUND_SIZE, "nothing");
+    } else {
+        murk_words_show(out, MURK_FOUND_SIZE, node->text);
+    }
+}
+
+/* 1e9 as 1e9, 4294967295 in full. */
+static void show_bound(char out[MURK_NUMBER_SIZE], double bound)
+{
+    murk_number_print(out, bound);
+    const char *digits = out + (out[0] == '-');
+    const size_t zeros = strlen(digits) - 1;
+    if (zeros >= 5 && digits[0] == '1' && strspn(digits + 1, "0") == zeros) {
+        snprintf(out, MURK_NUMBER_SIZE, "%s1e%zu", bound < 0 ? "-" : "", zeros);
+    } else if (strncmp(digits, "1e+", 3) == 0) {
+        snprintf(out, MURK_NUMBER_SIZE, "%s1e%ld", bound < 0 ? "-" : "",
+                 strtol(digits + 3, NULL, 10));
+    }
+}
+
+void murk_value_range(const murk_key *key, char *out, size_t size)
+{
+    char least[MURK_NUMBER_SIZE], most[MURK_NUMBER_SIZE];
+    show_bound(least, key->least);
+    show_bound(most, key->most);
+    const char *gap = key->unit ? " " : "", *unit = key->unit ? key->unit : "";
+    if (key->above && key->below) {
+        snprintf(out, size, "more than %s and less than %s%s%s", least, most,
+                 gap, unit);
+    } else if (key->above) {
+        snprintf(out, size, "more than %s and at most %s%s%s", least, most, gap,
+                 unit);
+    } else if (key->least < key->most) {
+        snprintf(out, size, "%s..%s%s%s", least, most, gap, unit);
+    } else {
+        snprintf(out, size, "%s%s%s", least, gap, unit);
+    }
+}
+
+static void show_words(const murk_word *words, char *out, size_t size)
+{
+    size_t length = 0;
+    out[0] = '\0';
+    for (const murk_word *word = words; word->text; ++word) {
+        if (!word->is_later && length < size) {
+            const int n = snprintf(out + length, size - length, "%s%s",
+                                   length ? ", " : "", word->text);
+            length += (size_t)n;
+        }
+    }
+}
+
+void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
+{
+    const size_t size = MURK_ALLOWED_SIZE;
+    char range[MURK_ALLOWED_SIZE / 2];
+    murk_value_range(key, range, sizeof range);
+    switch (key->kind) {
+    case MURK_KEY_NUMBER:
+        snprintf(out, size, "a number, %s", range);
+        break;
+    case MURK_KEY_COUNT:
+        snprintf(out, size, "a whole number, %s", range);
+        break;
+    case MURK_KEY_BOOL:
+        snprintf(out, size, "true or false");
+        break;
+    case MURK_KEY_WORD:
+        show_words(key->words, out, size);
+        break;
+    case MURK_KEY_VECTOR:
+        snprintf(out, size, "[x, y, z], each %s", range);
+        break;
+    case MURK_KEY_SIZES:
+        snprintf(out, size, "[nx, ny, nz], each a whole number, %s", range);
+        break;
+    case MURK_KEY_BANDS:
+        snprintf(out, size, "a list of 1..%d rising wavelengths, each %s",
+                 MURK_BANDS_MAX, range);
+        break;
+    case MURK_KEY_BAND_EDGES:
+        snprintf(out, size, "a list of 2..%d rising wavelengths, each %s",
+                 MURK_BANDS_MAX + 1, range);
+        break;
+    case MURK_KEY_SPECTRUM:
+        snprintf(out, size, "a number, %s, or a list of them, one a band",
+                 range);
+        break;
+    case MURK_KEY_SHARED:
+        snprintf(out, size, "a number (the total), %s, or a list, one a band",
+                 range);
+        break;
+    case MURK_KEY_TEXT:
+        snprintf(out, size, "a text of 1..%d bytes", MURK_SCENE_NAME_SIZE - 1);
+        break;
+    case MURK_KEY_PATH:
+        snprintf(out, size, "the name of a file");
+        break;
+    case MURK_KEY_REFERENCE:
+        snprintf(out, size, "a name of %s", key->of);
+        break;
+    case MURK_KEY_MAP:
+        snprintf(out, size, "a map of keys");
+        if (key->words) {
+            char words[MURK_ALLOWED_SIZE / 2];
+            show_words(key->words, words, sizeof words);
+            snprintf(out, size, "%s or a map of keys", words);
+        }
+        break;
+    case MURK_KEY_LIST:
+        snprintf(out, size, "a list of maps");
+        break;
+    case MURK_KEY_NAMED:
+        snprintf(out, size, "a map of names");
+        break;
+    case MURK_KEY_LATER:
+    case MURK_KEY_ONLY:
+        snprintf(out, size, "%s", key->preset ? key->preset : "left out");
+        break;
+    }
+}

@@ -1,0 +1,222 @@
+/* Trees of YAML once they are read: places, children, scalars. */
+#include "scene/yaml.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/number.h"
+#include "scene/words.h"
+
+#define MOST_SOURCE 120 /* bytes of a name shown in a message */
+
+static bool is_option(const char *source)
+{
+    return strncmp(source, "--", 2) == 0;
+}
+
+void murk_yaml_show_place(const char *source, int line, int column, char *out,
+                          size_t size)
+{
+    char name[MOST_SOURCE + 4];
+    const size_t length = strlen(source);
+    if (length <= MOST_SOURCE) {
+        snprintf(name, sizeof name, "%s", source);
+    } else if (is_option(source)) {
+        snprintf(name, sizeof name, "%.*s...", MOST_SOURCE - 3, source);
+    } else { /* the end of a path says more than its beginning */
+        snprintf(name, sizeof name, "...%s", source + length - MOST_SOURCE + 3);
+    }
+    murk_words_show(name, sizeof name, name);
+    if (line == 0 || is_option(source)) {
+        snprintf(out, size, "%s", name);
+    } else {
+        snprintf(out, size, "%s:%d:%d", name, line, column);
+    }
+}
+
+void murk_yaml_place(const murk_yaml *node, char *out, size_t size)
+{
+    murk_yaml_show_place(node->source, node->line, node->column, out, size);
+}
+
+void murk_yaml_key_place(const murk_yaml *child, char *out, size_t size)
+{
+    const bool has_key = child->key_line > 0;
+    murk_yaml_show_place(child->source, has_key ? child->key_line : child->line,
+                         has_key ? child->key_column : child->column, out,
+                         size);
+}
+
+void murk_yaml_clear(murk_yaml *node)
+{
+    for (size_t i = 0; i < node->n; ++i) {
+        murk_yaml_destroy(node->child[i]);
+        if (node->key) {
+            free(node->key[i]);
+        }
+    }
+    free(node->key);
+    free(node->child);
+    free(node->text);
+    node->n = 0;
+    node->key = NULL;
+    node->child = NULL;
+    node->text = NULL;
+}
+
+void murk_yaml_destroy(murk_yaml *root)
+{
+    if (root) {
+        murk_yaml_clear(root);
+        free(root);
+    }
+}
+
+murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source)
+{
+    murk_yaml *node = calloc(1, sizeof *node);
+    if (node) {
+        node->kind = kind;
+        node->source = source;
+        if (kind == MURK_YAML_SCALAR && !(node->text = strdup(""))) {
+            free(node);
+            node = NULL;
+        }
+    }
+    return node;
+}
+
+/* Room for one child more: sizes grow by doubling, at powers of two. */
+static bool grow(murk_yaml *node)
+{
+    const size_t n = node->n;
+    if (n != 0 && (n & (n - 1)) != 0) {
+        return true;
+    }
+    const size_t room = n ? 2 * n : 1;
+    murk_yaml **child = realloc(node->child, room * sizeof *child);
+    if (!child) {
+        return false;
+    }
+    node->child = child;
+    if (node->kind == MURK_YAML_MAP) {
+        char **key = realloc(node->key, room * sizeof *key);
+        if (!key) {
+            return false;
+        }
+        node->key = key;
+    }
+    return true;
+}
+
+/* Takes key (NULL in a list) and child, also when it fails. */
+bool murk_yaml_append(murk_yaml *node, char *key, murk_yaml *child)
+{
+    if (!grow(node)) {
+        free(key);
+        murk_yaml_destroy(child);
+        return false;
+    }
+    if (node->kind == MURK_YAML_MAP) {
+        node->key[node->n] = key;
+    }
+    node->child[node->n++] = child;
+    return true;
+}
+
+static size_t find_key(const murk_yaml *map, const char *key)
+{
+    size_t i = 0;
+    while (i < map->n && strcmp(map->key[i], key) != 0) {
+        ++i;
+    }
+    return i;
+}
+
+murk_yaml *murk_yaml_get(const murk_yaml *map, const char *key)
+{
+    if (map->kind != MURK_YAML_MAP) {
+        return NULL;
+    }
+    const size_t i = find_key(map, key);
+    return i < map->n ? map->child[i] : NULL;
+}
+
+bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child)
+{
+    const size_t i = find_key(map, key);
+    if (i < map->n) {
+        murk_yaml_destroy(map->child[i]);
+        map->child[i] = child;
+        return true;
+    }
+    char *name = strdup(key);
+    if (!name) {
+        murk_yaml_destroy(child);
+        return false;
+    }
+    return murk_yaml_append(map, name, child);
+}
+
+void murk_yaml_remove(murk_yaml *map, const char *key)
+{
+    const size_t i = find_key(map, key);
+    if (i == map->n) {
+        return;
+    }
+    free(map->key[i]);
+    murk_yaml_destroy(map->child[i]);
+    for (size_t k = i + 1; k < map->n; ++k) {
+        map->key[k - 1] = map->key[k];
+        map->child[k - 1] = map->child[k];
+    }
+    --map->n;
+}
+
+bool murk_yaml_set_text(murk_yaml *scalar, const char *text)
+{
+    char *copy = strdup(text);
+    if (!copy) {
+        return false;
+    }
+    free(scalar->text);
+    scalar->text = copy;
+    return true;
+}
+
+static bool is_plain(const murk_yaml *node)
+{
+    return node->kind == MURK_YAML_SCALAR && !node->is_quoted;
+}
+
+bool murk_yaml_number(const murk_yaml *node, double *out)
+{
+    return is_plain(node) && murk_number_parse(node->text, out);
+}
+
+bool murk_yaml_count(const murk_yaml *node, uint64_t *out)
+{
+    return is_plain(node) && murk_count_parse(node->text, out);
+}
+
+bool murk_yaml_bool(const murk_yaml *node, bool *out)
+{
+    if (!is_plain(node)) {
+        return false;
+    }
+    const bool is_true = strcmp(node->text, "true") == 0;
+    if (!is_true && strcmp(node->text, "false") != 0) {
+        return false;
+    }
+    *out = is_true;
+    return true;
+}
+
+bool murk_yaml_is_null(const murk_yaml *node)
+{
+    return is_plain(node) &&
+           (node->text[0] == '\0' || strcmp(node->text, "~") == 0 ||
+            strcmp(node->text, "null") == 0 ||
+            strcmp(node->text, "Null") == 0 || strcmp(node->text, "NULL") == 0);
+}
