@@ -15,8 +15,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MURK_SCENE_NAME_SIZE  64
-#define MURK_SCENE_WHERE_SIZE 320
+#define MURK_SCENE_NAME_SIZE      64
+#define MURK_SCENE_WHERE_SIZE     320
+#define MURK_SCENE_LONG_NAME_SIZE 256 /* of grids */
 
 typedef char murk_scene_name[MURK_SCENE_NAME_SIZE];
 typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];

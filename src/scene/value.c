@@ -212,7 +212,7 @@ static murk_status read_text(murk_walk *walk, const murk_key *key,
 {
     const bool is_text = node->kind == MURK_YAML_SCALAR &&
                          node->text[0] != '\0' && !murk_yaml_is_null(node);
-    if (!is_text || strlen(node->text) >= MURK_SCENE_NAME_SIZE) {
+    if (!is_text || strlen(node->text) > murk_value_most_bytes(key)) {
         return wrong(walk, key, node);
     }
     node->is_quoted = true; /* a text, also where it looks like a number */

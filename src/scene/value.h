@@ -23,6 +23,8 @@ void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE]);
 /* What a row allows: "a number, 0..1", "[x, y, z], each -1e9..1e9 m". */
 #define MURK_ALLOWED_SIZE 256
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE]);
+/* Of a text: 63 for names, more for those of files' parts. */
+size_t murk_value_most_bytes(const murk_key *key);
 /* Its range alone: "0..1". */
 void murk_value_range(const murk_key *key, char *out, size_t size);
 

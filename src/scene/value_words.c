@@ -72,6 +72,13 @@ static void show_words(const murk_word *words, char *out, size_t size)
     }
 }
 
+size_t murk_value_most_bytes(const murk_key *key)
+{
+    return (key->size == sizeof(murk_scene_name) ? MURK_SCENE_NAME_SIZE
+                                                 : MURK_SCENE_LONG_NAME_SIZE) -
+           1;
+}
+
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
 {
     const size_t size = MURK_ALLOWED_SIZE;
@@ -113,7 +120,8 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
                  range);
         break;
     case MURK_KEY_TEXT:
-        snprintf(out, size, "a text of 1..%d bytes", MURK_SCENE_NAME_SIZE - 1);
+        snprintf(out, size, "a text of 1..%zu bytes",
+                 murk_value_most_bytes(key));
         break;
     case MURK_KEY_PATH:
         snprintf(out, size, "the name of a file");
@@ -130,7 +138,11 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
         }
         break;
     case MURK_KEY_LIST:
-        snprintf(out, size, "a list of maps");
+        if (key->keys->needs_item) {
+            snprintf(out, size, "a list of at least one %s", key->keys->noun);
+        } else {
+            snprintf(out, size, "a list of maps");
+        }
         break;
     case MURK_KEY_NAMED:
         snprintf(out, size, "a map of names");

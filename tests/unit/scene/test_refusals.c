@@ -169,7 +169,7 @@ static const refusal REFUSALS[] = {
      "store 5 with maps: none, must be emit where nothing is stored"},
     /* sensors */
     {"sensors: {count: 3}\n", VALUE, "fog.yaml:2:1: sensors",
-     "misses types, must be a list of maps"},
+     "misses types, must be a list of at least one sensor type"},
     {"sensors: {types: []}\n", VALUE, "fog.yaml:2:11: sensors.types",
      "an empty list, must have at least one sensor type"},
     {"sensors: {types: [{name: a, range_m: 1}, {name: b, range_m: 2}]}\n",
@@ -256,7 +256,7 @@ static void test_lights(void)
     CHECK_REFUSED(HEAD "lights: []\n", VALUE, "fog.yaml:2:1: lights",
                   "an empty list, must have at least one light");
     CHECK_REFUSED(HEAD, VALUE, "fog.yaml:1:1",
-                  "misses lights, must be a list of maps");
+                  "misses lights, must be a list of at least one light");
     CHECK_REFUSED(
         HEAD "lights:\n  - {power_w: 1}\n", VALUE, "fog.yaml:3:5: lights.0",
         "misses type, must be sphere, rect, point, beam, directional");

@@ -1,0 +1,85 @@
+/* scenes/README.md and the table of keys say the same: every key with what is
+ * allowed and its default, every key that is not supported yet by name, and an
+ * example that is a scene. Nothing here is random. */
+#define _DEFAULT_SOURCE /* P_tmpdir */
+#include "base/file.h"
+#include "scene/keys.h"
+#include "scene/value.h"
+#include "scene_files.h"
+
+static char *readme;
+
+/* A line of the text that begins so and holds that part. */
+static bool has_line(const char *begin, const char *part)
+{
+    for (const char *at = readme; (at = strstr(at, begin)); ++at) {
+        const size_t length = strcspn(at, "\n");
+        const char *found = strstr(at, part);
+        if ((at == readme || at[-1] == '\n') && found && found < at + length) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void check_keys(const murk_keys *keys)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        char begin[400], part[64], allowed[MURK_ALLOWED_SIZE];
+        bool is_said;
+        if (key->kind == MURK_KEY_LATER) {
+            snprintf(part, sizeof part, "`%s`", key->name);
+            is_said = has_line("Not supported yet: ", part);
+        } else {
+            murk_value_allowed(key, allowed);
+            snprintf(begin, sizeof begin, "| `%s` | %s | ", key->name, allowed);
+            snprintf(part, sizeof part, key->preset ? " | `%s` | " : "%s",
+                     key->preset ? key->preset : "");
+            is_said = has_line(begin, part);
+        }
+        if (!is_said) {
+            printf("%s of a %s is not in the README as it is\n", key->name,
+                   keys->noun);
+        }
+        CHECK(is_said);
+        if (key->keys) {
+            check_keys(key->keys);
+        }
+    }
+}
+
+static void test_the_example_is_a_scene(void)
+{
+    const char *fence = strstr(readme, "```yaml\n");
+    const char *end = fence ? strstr(fence + 8, "```") : NULL;
+    CHECK(end != NULL);
+    if (!end) {
+        return;
+    }
+    murk_scene *scene = NULL;
+    murk_error err = {0};
+    put_file("fog.yaml", fence + 8, (size_t)(end - fence - 8));
+    CHECK(murk_scene_read(&scene, "fog.yaml", NULL, 0, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    murk_scene_destroy(scene);
+}
+
+int main(void)
+{
+    size_t size = 0;
+    murk_error err = {0};
+    CHECK(murk_file_read(&readme, &size, "scenes/README.md", 1000000, &err) ==
+          MURK_OK);
+    CHECK_TEXT(err.text, "");
+    if (!readme) {
+        return check_done();
+    }
+    check_keys(&murk_scene_keys);
+    CHECK(!has_line("| `seed` | a whole number, 0..5 | ", "")); /* teeth */
+    if (folder_enter()) {
+        test_the_example_is_a_scene();
+        folder_leave((const char *const[]){"fog.yaml", NULL});
+    }
+    free(readme);
+    return check_done();
+}
