@@ -1,0 +1,130 @@
+/* Selecting and sorting records, and orders that are slow for careless
+ * selections. Work is counted in seconds only against hanging: each case needs
+ * some milliseconds, a quadratic one minutes, and ctest's limit ends those. */
+#include "check.h"
+#include "sets.h"
+
+#include "photonmap/order.h"
+
+static bool is_after(const murk_photon *a, const murk_photon *b, int axis)
+{
+    const float x = a->position_m[axis], y = b->position_m[axis];
+    return x > y || (x == y && memcmp(a, b, sizeof *a) > 0);
+}
+
+static bool is_sorted(const murk_photon *photons, size_t n, int axis)
+{
+    for (size_t i = 1; i < n; ++i) {
+        if (is_after(&photons[i - 1], &photons[i], axis)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void test_sort_sorts(void)
+{
+    for (int set = 0; set < PHOTON_SETS; ++set) {
+        for (size_t n = 0; n < 3000; n = 2 * n + 1) {
+            murk_photon *photons = make_photons((photon_set)set, n, 2);
+            murk_order_sort(photons, n, set % 3);
+            CHECK(is_sorted(photons, n, set % 3));
+            free(photons);
+        }
+    }
+}
+
+/* Against the sorted order. */
+static void test_select_puts_the_right_record_in_place(void)
+{
+    for (uint32_t i = 0; i < 600; ++i) {
+        const photon_set set = (photon_set)(i % PHOTON_SETS);
+        const int axis = (int)(i % 3);
+        const murk_random4 r = murk_random(4, MURK_TEST, i, 0, 0);
+        const size_t n = 1 + (size_t)(2000 * r.u[0] * r.u[0]);
+        const size_t k = (size_t)(r.u[1] * (double)n);
+        murk_photon *photons = make_photons(set, n, i);
+        murk_photon *sorted = make_photons(set, n, i);
+        murk_order_sort(sorted, n, axis);
+        murk_order_select(photons, n, k, axis);
+        CHECK(memcmp(&photons[k], &sorted[k], sizeof *sorted) == 0);
+        bool is_split = true;
+        for (size_t j = 0; j < n; ++j) {
+            is_split =
+                is_split && !(j < k ? is_after(&photons[j], &photons[k], axis)
+                                    : is_after(&photons[k], &photons[j], axis));
+        }
+        CHECK(is_split);
+        free(photons);
+        free(sorted);
+    }
+}
+
+typedef enum arrangement {
+    ALL_EQUAL,  /* every byte */
+    SAME_PLACE, /* but other bytes differ */
+    TWO_PLACES,
+    INCREASING,
+    DECREASING,
+    PIPES, /* up and down again */
+    SAWTOOTH,
+    ARRANGEMENTS
+} arrangement;
+
+static murk_photon *arrange(arrangement how, size_t n)
+{
+    murk_photon *photons = calloc(n, sizeof *photons);
+    if (!photons) {
+        abort();
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const size_t x[ARRANGEMENTS] = {
+            5, 5, i % 2, i, n - i, i < n / 2 ? i : n - i, i % 1000};
+        for (int a = 0; a < 3; ++a) {
+            photons[i].position_m[a] = (float)x[how];
+        }
+        photons[i].emitted = how == ALL_EQUAL ? 0 : (uint32_t)i;
+    }
+    return photons;
+}
+
+static void test_odd_arrangements_take_no_longer(void)
+{
+    const size_t n = 300000;
+    for (int how = 0; how < ARRANGEMENTS; ++how) {
+        murk_photon *photons = arrange((arrangement)how, n);
+        CHECK(murk_order(photons, n, 2));
+        for (size_t i = 0; i < n; i += 32) { /* leaves are sorted */
+            CHECK(is_sorted(photons + i, n - i < 32 ? n - i : 32, 0));
+        }
+        free(photons);
+    }
+}
+
+/* A million photons in one place make a map that answers. */
+static void test_a_million_copies(void)
+{
+    const size_t n = 1000000;
+    murk_photon *photons = arrange(SAME_PLACE, n);
+    murk_photon_map *map = make_map(photons, n, 2);
+    uint32_t found[5];
+    double distance2[5];
+    CHECK(murk_photon_map_count_within(map, murk_vec(5, 5, 5), 0) == n);
+    CHECK(murk_photon_map_count_within(map, murk_vec(5, 5, 5.5), 0.4) == 0);
+    CHECK(murk_photon_map_nearest(map, murk_vec(5, 5, 6), 5, found,
+                                  distance2) == 5);
+    for (uint32_t i = 0; i < 5; ++i) {
+        CHECK(found[i] == i && distance2[i] == 1);
+    }
+    murk_photon_map_destroy(map);
+    free(photons);
+}
+
+int main(void)
+{
+    test_sort_sorts();
+    test_select_puts_the_right_record_in_place();
+    test_odd_arrangements_take_no_longer();
+    test_a_million_copies();
+    return check_done();
+}
