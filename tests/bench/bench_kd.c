@@ -1,0 +1,351 @@
+/* kd-query and kd-build: the photon map against nanoflann.
+ *
+ *   bench_kd [light.murk]
+ *
+ * On the surface and volume maps of the file, else on 1e6 photon-like points:
+ * walls of rooms and clusters in the air. Queries are at the maps' own photons
+ * in random order, with the radius of each map that finds about 50. nanoflann
+ * gets its points packed, its best leaf size of those tried (for queries and
+ * for building apart), and unsorted results. Timings of both alternate; the
+ * figure is the median. */
+#include "base/crew.h"
+#include "base/progress.h"
+#include "base/rng.h"
+#include "peer_kd.h"
+#include "photonmap/light_file.h"
+#include "photonmap/map.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define POINTS  1000000
+#define HITS    50.0
+#define QUERIES 65536
+#define BATCH   1024
+#define REPEATS 7
+#define WORKERS 2
+
+static const size_t leaf_sizes[] = {10, 16, 24, 32, 64};
+#define LEAF_SIZES (sizeof leaf_sizes / sizeof leaf_sizes[0])
+
+/* One map, ours and the peer's, and its queries. */
+typedef struct contest {
+    murk_photon *photons; /* as given */
+    size_t n;
+    float *points; /* [3 n] */
+    murk_photon_map *map;
+    peer_kd *peer;
+    float *centers; /* [3 QUERIES] */
+    double radius_m;
+    uint32_t *found[WORKERS]; /* [n] each */
+    size_t hits[QUERIES / BATCH];
+} contest;
+
+static _Noreturn void stop(const char *why)
+{
+    fprintf(stderr, "bench_kd: %s\n", why);
+    exit(1);
+}
+
+static void *allocate(size_t size)
+{
+    void *memory = malloc(size + 1);
+    if (!memory) {
+        stop("out of memory");
+    }
+    return memory;
+}
+
+/* ---- the points ---- */
+
+/* Six in ten on floors, ceilings and walls of 4 x 4 rooms of 6 x 5 x 3 m, the
+ * others in 24 clouds of different sizes. */
+static void place(float p[3], uint64_t i)
+{
+    const double size[3] = {6, 5, 3};
+    const murk_random4 r = murk_random(1, MURK_TEST, i, 0, 0);
+    const murk_random4 s = murk_random(1, MURK_TEST, i, 1, 0);
+    if (i % 10 < 6) {
+        const int side = (int)(6 * s.u[0]);
+        for (int a = 0; a < 3; ++a) {
+            const double u = side / 2 == a ? side % 2 : r.u[a];
+            const double room = a < 2 ? (double)(int)(4 * s.u[a + 1]) : 0;
+            p[a] = (float)(size[a] * (room + u));
+        }
+        return;
+    }
+    const uint64_t cloud = (uint64_t)(24 * s.u[3]);
+    const murk_random4 c = murk_random(1, MURK_TEST, cloud, 2, 0);
+    for (int a = 0; a < 3; ++a) {
+        const double spread = r.u[a] + s.u[a] - 1; /* a triangle's density */
+        p[a] = (float)(size[a] * ((a < 2 ? 4 : 1) * c.u[a] + c.u[3] * spread));
+    }
+}
+
+static void make_points(contest *c)
+{
+    c->n = POINTS;
+    c->photons = allocate(c->n * sizeof *c->photons);
+    memset(c->photons, 0, c->n * sizeof *c->photons);
+    for (size_t i = 0; i < c->n; ++i) {
+        place(c->photons[i].position_m, i);
+        c->photons[i].emitted = (uint32_t)i;
+    }
+}
+
+static size_t read_maps(contest contests[2], const char *path)
+{
+    murk_section *sections = NULL;
+    size_t n_sections = 0, n = 0;
+    murk_error err = {0};
+    if (murk_light_file_read(&sections, &n_sections, path, &err)) {
+        fprintf(stderr, "bench_kd: %s: %s\n", err.where, err.text);
+        exit(2);
+    }
+    const char *names[] = {"surface", "volume"};
+    for (int i = 0; i < 2; ++i) {
+        const murk_section *section =
+            murk_light_file_find(sections, n_sections, names[i]);
+        if (section && section->size >= 1000 * sizeof(murk_photon)) {
+            contest *c = &contests[n++];
+            c->n = section->size / sizeof(murk_photon);
+            c->photons = allocate(section->size);
+            memcpy(c->photons, section->bytes, section->size);
+        }
+    }
+    murk_light_file_release(sections, n_sections);
+    return n;
+}
+
+/* ---- one map ---- */
+
+static murk_photon_map *build(const contest *c, unsigned threads,
+                              double *seconds)
+{
+    murk_photon *photons = allocate(c->n * sizeof *photons);
+    murk_photon_map *map = NULL;
+    memcpy(photons, c->photons, c->n * sizeof *photons);
+    const double start = murk_clock_s();
+    if (murk_photon_map_create(&map, photons, c->n, threads, NULL)) {
+        stop("no map");
+    }
+    *seconds = murk_clock_s() - start;
+    return map;
+}
+
+static murk_vec3 center_of(const contest *c, size_t query)
+{
+    const float *p = c->centers + 3 * query;
+    return murk_vec((double)p[0], (double)p[1], (double)p[2]);
+}
+
+static void find_radius(contest *c)
+{
+    double low = 1e-6, high = 1e3;
+    for (int step = 0; step < 40; ++step) {
+        double hits = 0;
+        c->radius_m = sqrt(low * high);
+        for (size_t i = 0; i < 4096; ++i) {
+            hits += (double)murk_photon_map_count_within(
+                c->map, center_of(c, i), c->radius_m);
+        }
+        *(hits > HITS * 4096 ? &high : &low) = c->radius_m;
+    }
+}
+
+static void batch_of_map(void *context, unsigned worker, uint64_t batch)
+{
+    contest *c = context;
+    size_t hits = 0;
+    for (size_t i = batch * BATCH; i < (batch + 1) * BATCH; ++i) {
+        hits += murk_photon_map_within(c->map, center_of(c, i), c->radius_m,
+                                       c->found[worker]);
+    }
+    c->hits[batch] = hits;
+}
+
+static void batch_of_peer(void *context, unsigned worker, uint64_t batch)
+{
+    contest *c = context;
+    (void)worker;
+    c->hits[batch] = peer_kd_within(c->peer, c->centers + 3 * batch * BATCH,
+                                    BATCH, (float)c->radius_m);
+}
+
+/* Seconds for all queries; the photons found in all go to *hits. */
+static double time_queries(contest *c, murk_worker_job job, unsigned threads,
+                           size_t *hits)
+{
+    const double start = murk_clock_s();
+    murk_crew_run_workers(threads, QUERIES / BATCH, job, c);
+    const double seconds = murk_clock_s() - start;
+    *hits = 0;
+    for (size_t i = 0; i < QUERIES / BATCH; ++i) {
+        *hits += c->hits[i];
+    }
+    return seconds;
+}
+
+/* Builds ours, then the peer's with each leaf size, and keeps the one that
+ * answers fastest. Returns that leaf size. */
+static size_t prepare(contest *c)
+{
+    double seconds, best_s = INFINITY;
+    size_t best = 0, hits;
+    c->points = allocate(3 * c->n * sizeof *c->points);
+    c->centers = allocate((size_t)3 * QUERIES * sizeof *c->centers);
+    for (size_t i = 0; i < c->n; ++i) {
+        memcpy(c->points + 3 * i, c->photons[i].position_m,
+               3 * sizeof *c->points);
+    }
+    for (size_t i = 0; i < QUERIES; ++i) {
+        const murk_random4 r = murk_random(2, MURK_TEST, i, 0, 0);
+        memcpy(c->centers + 3 * i,
+               c->points + 3 * (size_t)(r.u[0] * (double)c->n),
+               3 * sizeof *c->centers);
+    }
+    for (int i = 0; i < WORKERS; ++i) {
+        c->found[i] = allocate(c->n * sizeof *c->found[i]);
+    }
+    c->map = build(c, 1, &seconds);
+    find_radius(c);
+    for (size_t i = 0; i < LEAF_SIZES; ++i) {
+        peer_kd *kept = c->peer;
+        c->peer = peer_kd_create(c->points, c->n, leaf_sizes[i]);
+        time_queries(c, batch_of_peer, 1, &hits);
+        seconds = time_queries(c, batch_of_peer, 1, &hits);
+        if (seconds < best_s) {
+            best_s = seconds;
+            best = leaf_sizes[i];
+            peer_kd_destroy(kept);
+        } else {
+            peer_kd_destroy(c->peer);
+            c->peer = kept;
+        }
+    }
+    return best;
+}
+
+static void release(contest *c)
+{
+    free(c->photons);
+    free(c->points);
+    free(c->centers);
+    for (int i = 0; i < WORKERS; ++i) {
+        free(c->found[i]);
+    }
+    murk_photon_map_destroy(c->map);
+    peer_kd_destroy(c->peer);
+}
+
+/* ---- the cases ---- */
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double values[REPEATS])
+{
+    qsort(values, REPEATS, sizeof *values, compare);
+    return values[REPEATS / 2];
+}
+
+static void print_case(const char *name, double value, const char *unit,
+                       size_t leaf, double reference, unsigned threads)
+{
+    printf("{\"case\": \"%s\", \"value\": %.4g, \"unit\": \"%s\", "
+           "\"reference\": \"nanoflann, leaf size %zu\", "
+           "\"reference_value\": %.4g, \"ratio\": %.3f, \"threads\": %u}\n",
+           name, value, unit, leaf, reference, value / reference, threads);
+    fflush(stdout);
+}
+
+static void query_case(contest *contests, size_t n, size_t leaf,
+                       unsigned threads)
+{
+    double ours[REPEATS] = {0}, peers[REPEATS] = {0};
+    for (int repeat = 0; repeat < REPEATS; ++repeat) {
+        for (size_t i = 0; i < n; ++i) {
+            contest *c = &contests[i];
+            size_t our_hits, peer_hits;
+            ours[repeat] += time_queries(c, batch_of_map, threads, &our_hits);
+            peers[repeat] +=
+                time_queries(c, batch_of_peer, threads, &peer_hits);
+            /* nanoflann's ball is open, and where it puts the rounding of a
+             * square is its own: a photon in a million may differ. */
+            const double off = (double)our_hits - (double)peer_hits;
+            if (fabs(off) > 1e-5 * (double)our_hits) {
+                stop("nanoflann found other photons");
+            }
+        }
+    }
+    const double queries = (double)n * QUERIES;
+    print_case("kd-query", queries / median(ours), "queries/s", leaf,
+               queries / median(peers), threads);
+}
+
+/* nanoflann 1.4 builds on one thread. */
+static void build_case(contest *contests, size_t n, unsigned threads)
+{
+    double ours[REPEATS] = {0}, peers[LEAF_SIZES][REPEATS] = {{0}};
+    double photons = 0;
+    for (size_t i = 0; i < n; ++i) {
+        photons += (double)contests[i].n;
+    }
+    for (int repeat = 0; repeat < REPEATS; ++repeat) {
+        for (size_t i = 0; i < n; ++i) {
+            double seconds;
+            murk_photon_map_destroy(build(&contests[i], threads, &seconds));
+            ours[repeat] += seconds;
+            for (size_t j = 0; j < LEAF_SIZES; ++j) {
+                const double start = murk_clock_s();
+                peer_kd *peer = peer_kd_create(contests[i].points,
+                                               contests[i].n, leaf_sizes[j]);
+                peers[j][repeat] += murk_clock_s() - start;
+                peer_kd_destroy(peer);
+            }
+        }
+    }
+    double best_s = INFINITY;
+    size_t leaf = 0;
+    for (size_t j = 0; j < LEAF_SIZES; ++j) {
+        const double seconds = median(peers[j]);
+        if (seconds < best_s) {
+            best_s = seconds;
+            leaf = leaf_sizes[j];
+        }
+    }
+    print_case("kd-build", photons / median(ours), "photons/s", leaf,
+               photons / best_s, threads);
+}
+
+int main(int argc, char **argv)
+{
+    static contest contests[2];
+    size_t n = 1, leaf = 0;
+    if (argc > 1) {
+        n = read_maps(contests, argv[1]);
+    } else {
+        make_points(&contests[0]);
+    }
+    if (n == 0) {
+        stop("both maps have fewer than 1000 photons");
+    }
+    for (size_t i = 0; i < n; ++i) {
+        leaf = prepare(&contests[i]);
+    }
+    for (unsigned threads = 1; threads <= WORKERS; ++threads) {
+        query_case(contests, n, leaf, threads);
+    }
+    for (unsigned threads = 1; threads <= WORKERS; ++threads) {
+        build_case(contests, n, threads);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        release(&contests[i]);
+    }
+    return 0;
+}
