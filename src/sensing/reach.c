@@ -24,7 +24,7 @@ typedef struct search {
     size_t points;
     size_t stride[3];
     double hair_m;
-    murk_vec3 aside[2]; /* half a hair, to either side */
+    murk_vec3 aside[2]; /* half a hair */
     uint8_t *closeness;
     uint8_t *open; /* bit `axis`: the step onward along the axis is open */
     uint8_t *reached;
@@ -364,10 +364,13 @@ murk_status murk_free_space_find(murk_free_space *out,
                 .points = n[0] * n[1] * n[2],
                 .stride = {1, n[0], n[0] * n[1]},
                 .hair_m = murk_hair(surfaces, &reach->domain)};
-    /* No way is parallel to it: its components have no simple ratio. */
-    const murk_vec3 tilted = murk_unit(murk_vec(0.537, 0.781, 0.319));
-    s.aside[0] = murk_scale(0.5 * s.hair_m, tilted);
-    s.aside[1] = murk_scale(-0.5 * s.hair_m, tilted);
+    /* At right angles, so that no seam runs along both; tilted, so that no way
+     * along an axis does. */
+    murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
+    aside[0] = murk_unit(aside[0]);
+    murk_frame(aside[0], &aside[1], &aside[2]);
+    s.aside[0] = murk_scale(0.5 * s.hair_m, aside[0]);
+    s.aside[1] = murk_scale(0.5 * s.hair_m, aside[1]);
     s.closeness = malloc(s.points);
     s.open = malloc(s.points);
     s.reached = calloc(s.points, 1);

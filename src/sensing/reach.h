@@ -5,8 +5,9 @@
  * whatever unblocked steps between grid neighbours lead to. The answer is a
  * closure, so it does not depend on the order of steps or on threads.
  *
- * A ray aimed exactly at a vertex or seam of a mesh may slip through it, and
- * grids and boxes at round coordinates do aim so. A way is therefore open only
+ * A ray aimed exactly at a seam of a mesh may slip through (one in 500, where a
+ * vertex lies on another triangle's edge), and grids and walls at round
+ * coordinates do aim so. A way is therefore open only
  * when two more, their far end moved aside by half a hair, are open too. */
 #ifndef MURK_SENSING_REACH_H
 #define MURK_SENSING_REACH_H

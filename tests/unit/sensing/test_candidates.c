@@ -1,6 +1,7 @@
 /* Where sensors may stand: what light reaches, and nothing else.
  *
  * Deterministic: never cries wolf. */
+#include "base/rng.h"
 #include "sensing/candidates.h"
 #include "world.h"
 
@@ -185,6 +186,51 @@ static void test_nothing_slips_in_through_a_corner(void)
     }
 }
 
+/* A tilted wall of three pieces: along the seam a corner of two lies on the
+ * edge of the third, so rounding leaves cracks. Every lamp looks at the
+ * candidate exactly through the seam. */
+#define SEAM_LAMPS 400
+static void check_seam(uint32_t number)
+{
+    const murk_random4 r = murk_random(1, MURK_TEST, number, 0, 0);
+    const murk_random4 q = murk_random(1, MURK_TEST, number, 0, 1);
+    const murk_vec3 from = {4 + r.u[0], 4 + r.u[1], 0.5 * r.u[2]};
+    const murk_vec3 to = {4 + q.u[0], 4 + q.u[1], 3 + q.u[2]};
+    const murk_vec3 seam = murk_sub(to, from), edge = {3, -0.9, 0.3};
+    const double share = 0.37;
+    const murk_surface_desc d[3] = {
+        a_rect(from, seam, murk_scale(-1, edge), WALL),
+        a_rect(from, murk_scale(share, seam), edge, WALL),
+        a_rect(murk_along(from, share, seam), murk_scale(1 - share, seam), edge,
+               WALL)};
+    const murk_vec3 behind = murk_unit(murk_cross(seam, edge));
+    const murk_vec3 at = murk_along(murk_along(from, 0.5, seam), -1.1, behind);
+    murk_vec3 lamps[SEAM_LAMPS];
+    for (int i = 0; i < SEAM_LAMPS; ++i) {
+        const double t = i % 4 == 0 ? share : 0.2 + 0.6 * i / SEAM_LAMPS;
+        const murk_vec3 on = murk_along(from, t, seam);
+        lamps[i] = murk_along(at, 2, murk_sub(on, at));
+    }
+    const murk_candidate_grid grid = {.min = at, .max = at, .size = {1, 1, 1}};
+    const murk_reach reach = {
+        .lamps = lamps, .n_lamps = SEAM_LAMPS, .domain = room};
+    murk_surfaces *surfaces = surfaces_of(d, 3);
+    murk_candidates *c = NULL;
+    murk_error err = {0};
+    CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
+                                 &err) == MURK_BAD_VALUE);
+    CHECK_MENTIONS(err.text, "1 out of reach");
+    murk_candidates_destroy(c);
+    murk_surfaces_destroy(surfaces);
+}
+
+static void test_nothing_slips_in_through_a_seam(void)
+{
+    for (uint32_t i = 0; i < 100; ++i) {
+        check_seam(i);
+    }
+}
+
 /* A wall at x = 5.25 with a door, y 7..9, z 0..2; door filled by `door`. */
 static size_t add_wall(murk_surface_desc *d, size_t n, double x, int door)
 {
@@ -229,6 +275,21 @@ static void test_a_wall_in_a_plane_of_the_grid(void)
     CHECK(c && c->too_close == 19 * 7 && c->unreached == 0);
     CHECK(c && c->doubtful == 0);
     CHECK(!has(c, murk_vec(5, 0.5, 0.5)) && has(c, murk_vec(5.5, 0.5, 0.5)));
+    murk_candidates_destroy(c);
+}
+
+/* The same, with a screen between lamp and window: only steps lead there, and
+ * they pass over the points on the glass. */
+static void test_steps_cross_a_sheet_in_a_plane_of_the_grid(void)
+{
+    const murk_candidate_grid grid = half_metres();
+    const murk_reach reach = by_lamp();
+    murk_surface_desc d[N_MAX];
+    size_t n = add_wall(d, add_room(d, 0), 5, GLASS);
+    d[n++] = a_rect(murk_vec(0, 5.75, 0), murk_vec(4.4, 0, 0),
+                    murk_vec(0, 0, 4), WALL);
+    murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+    CHECK(c && c->too_close == 19 * 7 && c->unreached == 0);
     murk_candidates_destroy(c);
 }
 
@@ -430,8 +491,10 @@ int main(void)
     test_inside_an_open_crate_on_the_floor_is_dropped();
     test_winding_means_nothing();
     test_nothing_slips_in_through_a_corner();
+    test_nothing_slips_in_through_a_seam();
     test_light_goes_through_doors_and_windows();
     test_a_wall_in_a_plane_of_the_grid();
+    test_steps_cross_a_sheet_in_a_plane_of_the_grid();
     test_points_on_the_room_itself_are_dropped();
     test_clearance();
     test_ways_lead_through_points_too_close();
