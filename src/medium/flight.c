@@ -198,13 +198,17 @@ static bool follow(ray *r, double length_m)
 {
     stretch stretches[MURK_REGIONS_MAX];
     size_t n = 0;
+    const murk_vec3 o = r->origin, d = r->direction;
+    if (isnan(o.x + o.y + o.z + d.x + d.y + d.z + length_m)) {
+        return false; /* meets nothing; no clipping has to think of it */
+    }
     for (size_t i = 0; i < r->media->n_places; ++i) {
         const murk_place *place = &r->media->places[i];
         if (!place->replaces && !(extinction_of(r, place) > 0)) {
             continue;
         }
         double from = 0, to = length_m;
-        if (murk_place_clip(place, r->origin, r->direction, &from, &to)) {
+        if (murk_place_clip(place, &r->origin, &r->direction, &from, &to)) {
             stretches[n++] = (stretch){from, to, place};
         }
     }

@@ -94,37 +94,42 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     return true;
 }
 
-/* One pair of faces. Written so that NaN leaves nothing. */
-static inline bool clip_axis(double low, double high, double origin,
+/* The stretch in which one coordinate lies in [low, high). */
+static inline void clip_axis(double low, double high, double origin,
                              double direction, double *t0, double *t1)
 {
     if (direction == 0) {
-        return origin >= low && origin < high;
+        *t1 = origin >= low && origin < high ? *t1 : -INFINITY;
+        return;
     }
     const double inverse = 1 / direction;
     const double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    const double enter = a < b ? a : b, leave = a < b ? b : a;
+    const double enter = inverse > 0 ? a : b, leave = inverse > 0 ? b : a;
     *t0 = *t0 > enter ? *t0 : enter;
     *t1 = *t1 < leave ? *t1 : leave;
-    return *t0 < *t1;
 }
 
-static inline bool clip_box(const murk_box *box, murk_vec3 o, murk_vec3 d,
-                            double *t0, double *t1)
+/* No way out before the end: the three axes are worked out side by side. */
+static inline bool clip_box(const murk_box *box, const murk_vec3 *o,
+                            const murk_vec3 *d, double *t0, double *t1)
 {
-    return clip_axis(box->min.x, box->max.x, o.x, d.x, t0, t1) &&
-           clip_axis(box->min.y, box->max.y, o.y, d.y, t0, t1) &&
-           clip_axis(box->min.z, box->max.z, o.z, d.z, t0, t1);
+    double from = *t0, to = *t1;
+    clip_axis(box->min.x, box->max.x, o->x, d->x, &from, &to);
+    clip_axis(box->min.y, box->max.y, o->y, d->y, &from, &to);
+    clip_axis(box->min.z, box->max.z, o->z, d->z, &from, &to);
+    *t0 = from;
+    *t1 = to;
+    return from < to;
 }
 
 /* Measured from the point of the line nearest to the centre: far origins cost
  * no digits of the chord. */
-static bool clip_sphere(murk_vec3 center, double radius, murk_vec3 o,
-                        murk_vec3 d, double *t0, double *t1)
+static bool clip_sphere(murk_vec3 center, double radius, const murk_vec3 *o,
+                        const murk_vec3 *d, double *t0, double *t1)
 {
-    const double square = murk_dot(d, d);
-    const double nearest = murk_dot(murk_sub(center, o), d) / square;
-    const murk_vec3 off = murk_sub(murk_along(o, nearest, d), center);
+    const double square = murk_dot(*d, *d);
+    const double nearest = murk_dot(murk_sub(center, *o), *d) / square;
+    const murk_vec3 off = murk_sub(murk_along(*o, nearest, *d), center);
     const double left = radius * radius - murk_dot(off, off);
     if (!(left > 0)) {
         return false;
@@ -135,13 +140,16 @@ static bool clip_sphere(murk_vec3 center, double radius, murk_vec3 o,
     return *t0 < *t1;
 }
 
-bool murk_place_clip(const murk_place *place, murk_vec3 origin,
-                     murk_vec3 direction, double *t0, double *t1)
+bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
+                     const murk_vec3 *direction, double *t0, double *t1)
 {
-    murk_vec3 o = origin, d = direction;
+    const murk_vec3 *o = origin, *d = direction;
+    murk_vec3 moved_o, moved_d;
     if (place->is_moved) {
-        o = murk_affine_point(&place->to_local, origin);
-        d = murk_affine_direction(&place->to_local, direction);
+        moved_o = murk_affine_point(&place->to_local, *origin);
+        moved_d = murk_affine_direction(&place->to_local, *direction);
+        o = &moved_o;
+        d = &moved_d;
     }
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
@@ -151,7 +159,7 @@ bool murk_place_clip(const murk_place *place, murk_vec3 origin,
     case MURK_REGION_SPHERE:
         return clip_sphere(place->center, place->radius, o, d, t0, t1);
     case MURK_REGION_GRID:
-        return murk_march_clip(place->tree, o, d, t0, t1);
+        return murk_march_clip(place->tree, *o, *d, t0, t1);
     }
     return false;
 }

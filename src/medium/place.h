@@ -32,9 +32,9 @@ bool murk_place_make(murk_place *place, const murk_region *region,
                      const murk_grid *grid);
 
 /* The part of the ray inside, cut to [*t0, *t1] as given. False when nothing
- * is left or a number is NaN. */
-bool murk_place_clip(const murk_place *place, murk_vec3 origin,
-                     murk_vec3 direction, double *t0, double *t1);
+ * is left. */
+bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
+                     const murk_vec3 *direction, double *t0, double *t1);
 
 /* Sets out through a grid's place, for t0 and t1 from murk_place_clip(). */
 void murk_place_march(const murk_place *place, murk_vec3 origin,

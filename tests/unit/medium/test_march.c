@@ -199,6 +199,42 @@ static void test_uniform_grid_is_its_chord(uint32_t seed)
     murk_grid_destroy(grid);
 }
 
+/* So many cells of 4096 voxels side by side that walking from cell to cell is
+ * cheaper than trying all, with a gap to walk through. */
+static void test_many_root_cells_and_a_gap(void)
+{
+    enum { CELLS = 72, GAP = 35, EDGE = 4096 };
+    const size_t size[3] = {(size_t)CELLS * EDGE, 1, 1};
+    float *row = calloc(size[0], sizeof *row);
+    CHECK(row != NULL);
+    if (!row) {
+        return;
+    }
+    for (size_t i = 0; i < CELLS; ++i) {
+        row[i * EDGE + 17 * i] = i == GAP ? 0 : 1;
+    }
+    const murk_affine identity = murk_affine_identity();
+    murk_grid *grid = NULL;
+    CHECK(murk_grid_from_samples(&grid, size, row, &identity, "test", NULL) ==
+          MURK_OK);
+    free(row);
+    if (!grid) {
+        return;
+    }
+    CHECK(murk_grid_tree(grid)->n_cells == CELLS - 1);
+    const double length = (double)size[0] + 100;
+    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(-50, 0, 0),
+                                       murk_vec(1, 0, 0), length),
+               CELLS - 1, 1e-8);
+    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(length - 50, 0, 0),
+                                       murk_vec(-1, 0, 0), length),
+               CELLS - 1, 1e-8);
+    const double from = GAP * EDGE + 5.0;
+    CHECK(murk_grid_line_integral(grid, murk_vec(from, 0, 0), murk_vec(1, 0, 0),
+                                  EDGE) == 0);
+    murk_grid_destroy(grid);
+}
+
 /* What makes no sense ends, and is a number. */
 static void test_odd_rays_end(void)
 {
@@ -233,6 +269,7 @@ int main(int argc, char **argv)
     test_additive_along_a_ray(seed);
     test_faces_edges_and_corners();
     test_uniform_grid_is_its_chord(seed);
+    test_many_root_cells_and_a_gap();
     test_odd_rays_end();
     return check_done();
 }

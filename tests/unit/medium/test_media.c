@@ -294,6 +294,13 @@ static void test_odd_rays_end(void)
                                            murk_vec(1, odd[j], 0), 5);
         }
     }
+    for (int i = 0; i < 7; ++i) {
+        double number[7] = {0, 0, 0, 1, 0, 0, 5};
+        number[i] = NAN;
+        CHECK(murk_media_optical_depth(
+                  media, 0, murk_vec(number[0], number[1], number[2]),
+                  murk_vec(number[3], number[4], number[5]), number[6]) == 0);
+    }
     CHECK(murk_media_optical_depth(media, 0, murk_vec(0, 0, 0),
                                    murk_vec(1, 0, 0), INFINITY) == INFINITY);
     CHECK(murk_media_optical_depth(media, 0, murk_vec(0, 0, 0),
