@@ -186,40 +186,41 @@ static void test_nothing_slips_in_through_a_corner(void)
     }
 }
 
-/* A tilted wall of three pieces: along the seam a corner of two lies on the
- * edge of the third, so rounding leaves cracks. Every lamp looks at the
- * candidate exactly through the seam. */
-#define SEAM_LAMPS 400
+/* A tilted wall of three pieces: a corner of two lies on the edge of the third,
+ * where rounding leaves cracks. Behind it a row of candidates, and before it a
+ * lamp for each of them, which it sees exactly through that corner. */
+#define ROW 64
 static void check_seam(uint32_t number)
 {
     const murk_random4 r = murk_random(1, MURK_TEST, number, 0, 0);
     const murk_random4 q = murk_random(1, MURK_TEST, number, 0, 1);
-    const murk_vec3 from = {4 + r.u[0], 4 + r.u[1], 0.5 * r.u[2]};
-    const murk_vec3 to = {4 + q.u[0], 4 + q.u[1], 3 + q.u[2]};
-    const murk_vec3 seam = murk_sub(to, from), edge = {3, -0.9, 0.3};
+    const murk_vec3 from = {5 + r.u[0], 5 + r.u[1], r.u[2]};
+    const murk_vec3 to = {5 + q.u[0], 5 + q.u[1], 3 + q.u[2]};
+    const murk_vec3 seam = murk_sub(to, from), edge = {1, -0.3, 0.1};
     const double share = 0.37;
+    const murk_vec3 corner = murk_along(from, share, seam);
     const murk_surface_desc d[3] = {
         a_rect(from, seam, murk_scale(-1, edge), WALL),
         a_rect(from, murk_scale(share, seam), edge, WALL),
-        a_rect(murk_along(from, share, seam), murk_scale(1 - share, seam), edge,
-               WALL)};
+        a_rect(corner, murk_scale(1 - share, seam), edge, WALL)};
     const murk_vec3 behind = murk_unit(murk_cross(seam, edge));
-    const murk_vec3 at = murk_along(murk_along(from, 0.5, seam), -1.1, behind);
-    murk_vec3 lamps[SEAM_LAMPS];
-    for (int i = 0; i < SEAM_LAMPS; ++i) {
-        const double t = i % 4 == 0 ? share : 0.2 + 0.6 * i / SEAM_LAMPS;
-        const murk_vec3 on = murk_along(from, t, seam);
-        lamps[i] = murk_along(at, 2, murk_sub(on, at));
+    const murk_vec3 middle = murk_along(corner, -1.1, behind);
+    const murk_candidate_grid grid = {
+        .min = {middle.x - 0.3, middle.y, middle.z},
+        .max = {middle.x + 0.3, middle.y, middle.z},
+        .size = {ROW, 1, 1}};
+    murk_vec3 lamps[ROW];
+    for (size_t i = 0; i < ROW; ++i) {
+        const murk_vec3 at = murk_candidate_grid_point(&grid, i);
+        lamps[i] = murk_along(at, 2, murk_sub(corner, at));
     }
-    const murk_candidate_grid grid = {.min = at, .max = at, .size = {1, 1, 1}};
-    const murk_reach reach = {
-        .lamps = lamps, .n_lamps = SEAM_LAMPS, .domain = room};
+    const murk_reach reach = {.lamps = lamps, .n_lamps = ROW, .domain = room};
     murk_surfaces *surfaces = surfaces_of(d, 3);
     murk_candidates *c = NULL;
     murk_error err = {0};
     CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
                                  &err) == MURK_BAD_VALUE);
-    CHECK_MENTIONS(err.text, "1 out of reach");
+    CHECK_MENTIONS(err.text, "64 out of reach");
     murk_candidates_destroy(c);
     murk_surfaces_destroy(surfaces);
 }
