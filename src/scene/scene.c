@@ -14,6 +14,9 @@
 #include "scene/walk.h"
 
 #define SUM_BLOCK 1048576 /* bytes of a file summed at a time */
+#define SUM_MOST                                                   \
+    (4096 * 1048576ull) /* of a larger file only these, so that no \
+                       file takes more than seconds */
 
 /* What lives as long as the tree does. */
 typedef struct reading {
@@ -101,8 +104,8 @@ static char *absolute(const char *path)
     return out;
 }
 
-/* The checksum of a file's bytes, block by block: of the blocks' sums and the
- * one before. False when it cannot be read. */
+/* The size of a file and the checksum of its bytes, block by block: of the
+ * block's sum and the chain before it. False when it cannot be read. */
 static bool sum_file(const char *path, uint64_t *size, uint64_t sum[2])
 {
     struct stat info;
@@ -111,20 +114,20 @@ static bool sum_file(const char *path, uint64_t *size, uint64_t sum[2])
     char *block = malloc(SUM_BLOCK);
     bool is_good =
         fd >= 0 && block && fstat(fd, &info) == 0 && S_ISREG(info.st_mode);
-    uint64_t chain[4] = {0};
-    *size = 0;
-    while (is_good) {
+    uint64_t chain[4] = {0}, done = 0;
+    while (is_good && done < SUM_MOST) {
         const ssize_t n = read(fd, block, SUM_BLOCK);
         is_good = n >= 0;
         if (n <= 0) {
             break;
         }
-        *size += (uint64_t)n;
+        done += (uint64_t)n;
         murk_checksum(block, (size_t)n, chain + 2);
         murk_checksum(chain, sizeof chain, sum);
         memcpy(chain, sum, 2 * sizeof *sum);
     }
     memcpy(sum, chain, 2 * sizeof *sum);
+    *size = is_good ? (uint64_t)info.st_size : 0;
     free(block);
     if (fd >= 0) {
         close(fd);

@@ -168,8 +168,8 @@ typedef struct murk_scene {
                         written out, files by absolute path, as YAML that reads
                         back the same from any folder */
     char *light_key; /* the part of it that the traced light depends on, files
-                        by name, size and checksum: two scenes give the same
-                        light when these are equal */
+                        by name, size and checksum (of their first 4 GiB): two
+                        scenes give the same light when these are equal */
 } murk_scene;
 
 /* One --set, or an option that is one ("seed=3"). */

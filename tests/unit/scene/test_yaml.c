@@ -138,8 +138,26 @@ static void test_words(void)
     CHECK_TEXT(shown, "abc...");
 }
 
+/* A long path keeps its end, a long option its beginning. */
+static void test_long_names_are_cut(void)
+{
+    char name[400], place[256], want[256];
+    memset(name, 'p', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    memcpy(name + sizeof name - 8, "/f.yaml", 7);
+    murk_yaml node = {.source = name, .line = 3, .column = 4};
+    murk_yaml_place(&node, place, sizeof place);
+    snprintf(want, sizeof want, "...%s:3:4", name + sizeof name - 1 - 117);
+    CHECK_TEXT(place, want);
+    memcpy(name, "--set a\nb=", 10);
+    murk_yaml_place(&node, place, sizeof place);
+    CHECK(strncmp(place, "--set a?b=ppp", 13) == 0 && strlen(place) == 120);
+    CHECK_TEXT(place + 115, "pp...");
+}
+
 int main(void)
 {
+    test_long_names_are_cut();
     test_places();
     test_aliases_are_copies();
     test_booleans_and_nulls();
