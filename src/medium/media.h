@@ -3,7 +3,9 @@
  * sigma_t(x) = density(x) * extinction_per_m. Media of overlapping regions add
  * (extinctions sum, the partner of a collision is drawn in proportion to its
  * extinction), except that a region that replaces takes the place of those
- * listed before it.
+ * listed before it. A grid's region is the box of its active voxels, moved
+ * with it. Lower faces belong to a region, upper ones do not, so that regions
+ * that share a face never count twice.
  *
  * Free flight and optical depth march exactly, region by region and, in
  * grids, voxel by voxel through the tree (nearest-voxel values), so that
@@ -45,15 +47,18 @@ typedef struct murk_region {
     murk_box box;     /* box */
     murk_vec3 center; /* sphere */
     double radius_m;
-    murk_affine to_world; /* moves shape (and grid) as a whole */
+    murk_affine to_world; /* moves shape (and grid) as a whole; unused where
+                             everywhere */
     bool replaces;
     const char *where;
 } murk_region;
 
 typedef struct murk_media murk_media;
 
-/* n_regions may be 0: clear air. `domain` bounds what is everywhere. *out is
- * the caller's: murk_media_destroy(). */
+/* n_regions may be 0: clear air. What is everywhere has no bounds of its own:
+ * light does not leave the domain. Warns of regions that lie outside of the
+ * domain. Fails with MURK_BAD_VALUE at the `where` of a medium or region. *out
+ * is the caller's: murk_media_destroy(). */
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
                               size_t n_media, const murk_region *regions,
                               size_t n_regions, const murk_box *domain,

@@ -90,6 +90,12 @@ bool murk_place_make(murk_place *place, const murk_region *region,
         }
         break;
     }
+    const bool is_bounded = made.shape != MURK_REGION_EVERYWHERE &&
+                            !(made.tree && made.tree->n_cells == 0);
+    if (is_bounded &&
+        !(murk_is_finite(made.bounds.min) && murk_is_finite(made.bounds.max))) {
+        return false; /* overflow or NaN somewhere in the placement */
+    }
     *place = made;
     return true;
 }

@@ -343,6 +343,16 @@ static void test_bad_values_are_named(void)
     region = box(0, 0, 1);
     region.to_world = murk_affine_place(murk_vec(0, 0, 0), 0, region.center);
     refuses(&good, &region, at.where, "cannot be inverted");
+    const double bad_number[] = {NAN, INFINITY, 1e308};
+    for (int i = 0; i < 3; ++i) {
+        region = box(0, 0, 1);
+        region.to_world.matrix[0][0] = bad_number[i];
+        region.to_world.matrix[0][1] = bad_number[i];
+        refuses(&good, &region, at.where, "cannot be inverted");
+        region = box(0, 0, 1);
+        region.to_world.shift.y = 2 * bad_number[i];
+        refuses(&good, &region, at.where, "cannot be inverted");
+    }
     region.shape = MURK_REGION_GRID;
     refuses(&good, &region, at.where, "has no grid");
 
