@@ -1,22 +1,15 @@
 #include "scene/scene.h"
 
-#include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/file.h"
 #include "scene/override.h"
 #include "scene/print.h"
 #include "scene/walk.h"
-
-#define SUM_BLOCK 1048576 /* bytes of a file summed at a time */
-#define SUM_MOST                                                   \
-    (4096 * 1048576ull) /* of a larger file only these, so that no \
-                       file takes more than seconds */
 
 /* What lives as long as the tree does. */
 typedef struct reading {
@@ -104,53 +97,14 @@ static char *absolute(const char *path)
     return out;
 }
 
-/* The size of a file and the checksum of its bytes, block by block: of the
- * block's sum and the chain before it. False when it cannot be read. */
-static bool sum_file(const char *path, uint64_t *size, uint64_t sum[2])
+/* The name alone: a scene may move with its files. */
+static murk_status drop_folder(murk_yaml *node)
 {
-    struct stat info;
-    /* not blocking: a pipe without a writer must not hang us */
-    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    char *block = malloc(SUM_BLOCK);
-    bool is_good =
-        fd >= 0 && block && fstat(fd, &info) == 0 && S_ISREG(info.st_mode);
-    uint64_t chain[4] = {0}, done = 0;
-    while (is_good && done < SUM_MOST) {
-        const ssize_t n = read(fd, block, SUM_BLOCK);
-        is_good = n >= 0;
-        if (n <= 0) {
-            break;
-        }
-        done += (uint64_t)n;
-        murk_checksum(block, (size_t)n, chain + 2);
-        murk_checksum(chain, sizeof chain, sum);
-        memcpy(chain, sum, 2 * sizeof *sum);
-    }
-    memcpy(sum, chain, 2 * sizeof *sum);
-    *size = is_good ? (uint64_t)info.st_size : 0;
-    free(block);
-    if (fd >= 0) {
-        close(fd);
-    }
-    return is_good;
-}
-
-/* Name, size and checksum, so that moving a scene with its files changes
- * nothing and changing a file does. */
-static murk_status identify_file(murk_yaml *node)
-{
-    char text[512];
-    uint64_t size, sum[2];
     const char *slash = strrchr(node->text, '/');
-    const char *name = slash ? slash + 1 : node->text;
-    if (sum_file(node->text, &size, sum)) {
-        snprintf(text, sizeof text, "%.255s, %llu bytes, xxh3 %016llx%016llx",
-                 name, (unsigned long long)size, (unsigned long long)sum[0],
-                 (unsigned long long)sum[1]);
-    } else {
-        snprintf(text, sizeof text, "%.255s, not read", name);
-    }
-    return murk_yaml_set_text(node, text) ? MURK_OK : MURK_NO_MEMORY;
+    char *name = strdup(slash ? slash + 1 : node->text);
+    const bool is_set = name && murk_yaml_set_text(node, name);
+    free(name);
+    return is_set ? MURK_OK : MURK_NO_MEMORY;
 }
 
 static murk_status make_absolute(murk_yaml *node, const murk_yaml *root,
@@ -183,7 +137,7 @@ static murk_status print_texts(reading *r, murk_scene *scene)
     }
     scene->resolved = murk_print_file(r->root, NULL);
     for (size_t i = 0; i < r->walk.n_paths; ++i) {
-        if (identify_file(r->walk.paths[i])) {
+        if (drop_folder(r->walk.paths[i])) {
             return MURK_NO_MEMORY;
         }
     }

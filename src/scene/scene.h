@@ -168,8 +168,9 @@ typedef struct murk_scene {
                         written out, files by absolute path, as YAML that reads
                         back the same from any folder */
     char *light_key; /* the part of it that the traced light depends on, files
-                        by name, size and checksum (of their first 4 GiB): two
-                        scenes give the same light when these are equal */
+                        by their name without folder: with the checksums of
+                        those files, two scenes give the same light when these
+                        are equal */
 } murk_scene;
 
 /* One --set, or an option that is one ("seed=3"). */
@@ -184,8 +185,7 @@ typedef struct murk_override {
  * exclude each other (photons.emit, photons.store) the one on the command line
  * replaces the scene's; both there are refused. Paths in the scene are
  * relative to it, those of overrides to the working folder. Files named in the
- * scene are summed for light_key, not parsed: a missing one is no error here.
- */
+ * scene are not opened. */
 murk_status murk_scene_read(murk_scene **out, const char *path,
                             const murk_override *overrides, size_t n_overrides,
                             murk_error *err);
