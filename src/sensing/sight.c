@@ -184,26 +184,29 @@ static murk_vec3 position_of(const murk_photon *photon)
 typedef struct side {
     uint32_t packed;
     murk_vec3 normal;
-    double tilt2; /* squared sine of what storing may have turned it by */
+    murk_vec3 off; /* the step off the surface, the same wherever it lies */
+    double tilt2;  /* squared sine of what storing may have turned it by */
 } side;
 
-static side side_of(uint32_t packed)
+static side side_of(const murk_surfaces *surfaces, uint32_t packed)
 {
-    const murk_vec3 n = murk_direction_unpack(packed);
+    const murk_vec3 n = murk_direction_unpack(packed), zero = {0, 0, 0};
     const bool is_along_axis = (n.x == 0) + (n.y == 0) + (n.z == 0) == 2;
     const double tilt = is_along_axis ? 0 : MURK_DIRECTION_ERROR_RAD;
-    return (side){packed, n, tilt * tilt};
+    return (side){packed, n, murk_surfaces_leave(surfaces, zero, n),
+                  tilt * tilt};
 }
 
 /* Where among SIDES a normal is kept: its hash's upper bits (Fibonacci). */
 #define SIDES_LOG2 6
 #define SIDES      (1 << SIDES_LOG2)
 
-static const side *recall(side *sides, uint32_t packed)
+static const side *recall(side *sides, const murk_surfaces *surfaces,
+                          uint32_t packed)
 {
     side *s = &sides[(packed * UINT32_C(2654435769)) >> (32 - SIDES_LOG2)];
     if (s->packed != packed) {
-        *s = side_of(packed);
+        *s = side_of(surfaces, packed);
     }
     return s;
 }
@@ -325,14 +328,14 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
         const murk_photon *p = &photon[found[i]];
         murk_vec3 at = position_of(p);
         if (!murk_photon_is_volume(p)) {
-            const side *facing = recall(sides, p->normal);
+            const side *facing = recall(sides, desc->surfaces, p->normal);
             const murk_vec3 sensor =
                 is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
                             : l->sensor;
             if (!faces(facing, at, sensor, l->sight->position_error_m)) {
                 continue;
             }
-            at = murk_surfaces_leave(desc->surfaces, at, facing->normal);
+            at = murk_add(at, facing->off);
         }
         from[filled] = at;
         number[filled++] = found[i];

@@ -346,6 +346,23 @@ static void test_agrees_with_the_plain_twin(void)
     }
 }
 
+/* What looks rely on: the step off a surface depends on its normal alone. */
+static void test_the_step_off_is_the_same_everywhere(void)
+{
+    const murk_surface_desc d = a_box(hall.box.min, hall.box.max);
+    murk_surfaces *surfaces = surfaces_of(&d, 1);
+    const murk_vec3 n = murk_unit(murk_vec(0.3, -0.5, 0.8));
+    const murk_vec3 off = murk_surfaces_leave(surfaces, none, n);
+    CHECK(murk_length(off) > 0);
+    for (int i = 0; i < 8; ++i) {
+        const murk_vec3 p = {i & 1 ? 9.9 : 0.1, i & 2 ? 7.9 : 0.1,
+                             i & 4 ? 3.9 : 0.1};
+        const murk_vec3 q = murk_surfaces_leave(surfaces, p, n);
+        CHECK(murk_length(murk_sub(q, murk_add(p, off))) == 0);
+    }
+    murk_surfaces_destroy(surfaces);
+}
+
 static void test_no_extinction_is_clear_air(void)
 {
     static murk_photon photon[MANY];
@@ -499,6 +516,7 @@ int main(void)
     test_regions_dim_where_they_are();
     test_sheets_dim_or_block();
     test_agrees_with_the_plain_twin();
+    test_the_step_off_is_the_same_everywhere();
     test_no_extinction_is_clear_air();
     test_periodic_sightlines_go_to_the_nearest_image();
     test_periodic_photons_are_found_once();
