@@ -261,6 +261,26 @@ static void test_partner_by_extinction(void)
     murk_media_destroy(all);
 }
 
+/* A flight that uses up its depth exactly at the far face collides there, in
+ * the region that it is leaving; from there on nothing is left. */
+static void test_a_flight_may_end_on_the_face(void)
+{
+    const murk_medium fog = even(0.25, 0.5);
+    const murk_region region = box(0, 1, 5);
+    murk_media *media = build(&fog, 1, &region, 1);
+    const murk_vec3 from = {-3, 3, 3}, x = {1, 0, 0};
+    murk_collision c;
+    CHECK(murk_media_fly(media, 0, from, x, 20, 1, 0.5, &c));
+    CHECK(c.distance_m == 8);
+    CHECK(c.scattering_per_m == 0.125);
+    const murk_vec3 face = murk_along(from, c.distance_m, x);
+    CHECK(!murk_media_fly(media, 0, face, x, 20, 1e-300, 0.5, &c));
+    CHECK(murk_media_fly(media, 0, face, murk_vec(-1, 0, 0), 20, 0.5, 0.5, &c));
+    CHECK(c.distance_m == 2);
+    CHECK(!murk_media_fly(media, 0, from, x, 7, 1, 0.5, &c));
+    murk_media_destroy(media);
+}
+
 static void test_bands_are_apart(void)
 {
     murk_medium dye = even(0, 1);
@@ -393,6 +413,7 @@ int main(int argc, char **argv)
     test_regions_add_and_replace();
     test_random_regions_against_fine_steps(seed);
     test_partner_by_extinction();
+    test_a_flight_may_end_on_the_face();
     test_bands_are_apart();
     test_odd_rays_end();
     test_bad_values_are_named();
