@@ -94,8 +94,7 @@ int main()
     auto inactive = fog("density");
     set(inactive, 0, 0, 0, 1);
     inactive->tree().setValueOff(Coord(1, 0, 0), 5);
-    inactive->tree().fill(CoordBBox(Coord(8, 0, 0), Coord(15, 7, 7)), 5,
-                          false);
+    inactive->tree().fill(CoordBBox(Coord(8, 0, 0), Coord(15, 7, 7)), 5, false);
     write("inactive.vdb", {inactive});
 
     auto frustum = fog("density");
@@ -126,9 +125,10 @@ int main()
     write("none.vdb", {});
 
     const std::vector<openvdb::Vec3d> positions = {{0, 0, 0}, {1, 1, 1}};
-    auto points = openvdb::points::createPointDataGrid<
-        openvdb::points::NullCodec, openvdb::points::PointDataGrid>(
-        positions, *openvdb::math::Transform::createLinearTransform(1));
+    auto points =
+        openvdb::points::createPointDataGrid<openvdb::points::NullCodec,
+                                             openvdb::points::PointDataGrid>(
+            positions, *openvdb::math::Transform::createLinearTransform(1));
     points->setName("points");
     write("points.vdb", {points});
 }
