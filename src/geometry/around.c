@@ -98,19 +98,21 @@ static bool look_near(struct RTCPointQueryFunctionArguments *args)
 bool murk_surfaces_near(const murk_surfaces *s, murk_vec3 point,
                         double radius_m)
 {
-    if (!s->scene || !(radius_m > 0)) {
+    const double radius = fmin(radius_m, MURK_RAY_MAX_M);
+    if (!s->scene || !(radius_m > 0) ||
+        !murk_ray_is_sound(point, murk_vec(0, 0, 1))) {
         return false;
     }
     nearness near = {
         .s = s, .point = murk_sub(point, s->soup.anchor), .radius_m = radius_m};
     /* Float rounding of the query must not lose a surface at the rim. */
     const double size =
-        fabs(near.point.x) + fabs(near.point.y) + fabs(near.point.z) + radius_m;
+        fabs(near.point.x) + fabs(near.point.y) + fabs(near.point.z) + radius;
     struct RTCPointQuery query = {
         .x = (float)near.point.x,
         .y = (float)near.point.y,
         .z = (float)near.point.z,
-        .radius = (float)(radius_m + s->leave_m + size * (double)FLT_EPSILON)};
+        .radius = (float)(radius + s->leave_m + size * (double)FLT_EPSILON)};
     struct RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(s->scene, &query, &context, look_near, &near);

@@ -8,6 +8,10 @@
 #if __has_include(<embree3/rtcore.h>)
 #include <embree3/rtcore.h>
 
+/* Robust, and a filter may come with each query. */
+#define MURK_EMBREE_FLAGS \
+    (RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION)
+
 typedef struct RTCIntersectContext murk_embree_context;
 
 static inline void murk_embree_context_init(murk_embree_context *context)
@@ -24,13 +28,18 @@ static inline void murk_embree_intersect(RTCScene scene,
 
 static inline void murk_embree_occluded(RTCScene scene,
                                         murk_embree_context *context,
-                                        struct RTCRay *ray)
+                                        struct RTCRay *ray,
+                                        RTCFilterFunctionN filter)
 {
+    context->filter = filter;
     rtcOccluded1(scene, context, ray);
 }
 
 #else
 #include <embree4/rtcore.h>
+
+#define MURK_EMBREE_FLAGS \
+    (RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS)
 
 typedef struct RTCRayQueryContext murk_embree_context;
 
@@ -51,10 +60,13 @@ static inline void murk_embree_intersect(RTCScene scene,
 
 static inline void murk_embree_occluded(RTCScene scene,
                                         murk_embree_context *context,
-                                        struct RTCRay *ray)
+                                        struct RTCRay *ray,
+                                        RTCFilterFunctionN filter)
 {
     struct RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    arguments.filter = filter;
     arguments.context = context;
     rtcOccluded1(scene, ray, &arguments);
 }

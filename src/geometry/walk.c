@@ -32,6 +32,10 @@ bool murk_walk_begin(murk_walk *w, const murk_surfaces *s, murk_vec3 origin,
     murk_embree_context_init(&w->context.embree);
     w->context.origin = murk_along(w->origin, w->start_m, direction);
     w->context.direction = direction;
+    if (!murk_is_finite(origin) ||
+        !murk_ray_is_sound(w->context.origin, direction)) {
+        return false;
+    }
     /* Infinite max_m stays so; else rounding must not lose the last hit. */
     const double reach_m = (max_m - w->start_m) * (1 + (double)FLT_EPSILON);
     murk_ray_set(&w->ray.ray, w->context.origin, direction, (float)reach_m,

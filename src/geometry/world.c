@@ -160,7 +160,7 @@ murk_status murk_world_commit(murk_surfaces *s, murk_error *err)
                                       &s->embree_bytes);
     s->scene = rtcNewScene(s->device);
     if (s->scene) {
-        rtcSetSceneFlags(s->scene, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneFlags(s->scene, MURK_EMBREE_FLAGS);
         rtcSetSceneBuildQuality(s->scene, RTC_BUILD_QUALITY_MEDIUM);
         for (int face = 0; face < MURK_FACES; ++face) {
             attach_triangles(s, (murk_face)face);

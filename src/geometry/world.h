@@ -64,6 +64,22 @@ static inline murk_primitive murk_primitive_of(const murk_soup *soup,
     return (murk_primitive){is_ball, (uint32_t)first + hit->primID};
 }
 
+/* Embree's own limit is 1.8e18; beyond it, and for what is not finite, some of
+ * its builds stop the program. */
+#define MURK_RAY_MAX_M 1e17
+
+static inline bool murk_ray_is_sound(murk_vec3 origin, murk_vec3 direction)
+{
+    const murk_vec3 v[2] = {origin, direction};
+    for (int i = 0; i < 2; ++i) {
+        if (!(fabs(v[i].x) < MURK_RAY_MAX_M && fabs(v[i].y) < MURK_RAY_MAX_M &&
+              fabs(v[i].z) < MURK_RAY_MAX_M)) {
+            return false;
+        }
+    }
+    return murk_dot(direction, direction) > 0;
+}
+
 static inline void murk_ray_set(struct RTCRay *ray, murk_vec3 origin,
                                 murk_vec3 direction, float tfar, unsigned mask)
 {
