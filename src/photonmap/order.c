@@ -102,6 +102,29 @@ static size_t place_pivot(murk_photon *photons, size_t n, size_t k, int axis)
     return (size_t)rank;
 }
 
+/* Moves the records before the pivot (with is_closed: and those equal to it)
+ * to the front and returns how many. Every record is moved, whether it must or
+ * not: that is cheaper than branches that nobody can foretell. */
+static size_t partition(murk_photon *photons, size_t n,
+                        const murk_photon *pivot, int axis, int is_closed)
+{
+    const float x = pivot->position_m[axis];
+    size_t front = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon moved = photons[i];
+        const float y = moved.position_m[axis];
+        int is_before = y < x;
+        if (y == x) {
+            is_before = is_closed ? !bytes_less(pivot, &moved)
+                                  : bytes_less(&moved, pivot);
+        }
+        photons[i] = photons[front];
+        photons[front] = moved;
+        front += (size_t)is_before;
+    }
+    return front;
+}
+
 void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
 {
     size_t left = PATIENCE * n;
@@ -112,28 +135,22 @@ void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
         }
         left -= n;
         const murk_photon pivot = photons[place_pivot(photons, n, k, axis)];
-        /* Both scans stop at equal records: many of them split evenly. */
-        ptrdiff_t i = 0, j = (ptrdiff_t)n - 1;
-        while (i <= j) {
-            while (is_less(&photons[i], &pivot, axis)) {
-                ++i;
-            }
-            while (is_less(&pivot, &photons[j], axis)) {
-                --j;
-            }
-            if (i <= j) {
-                swap(&photons[i++], &photons[j--]);
-            }
+        const size_t front = partition(photons, n, &pivot, axis, 0);
+        if (k < front) {
+            n = front;
+            continue;
         }
-        /* [0, j] <= pivot, [i, n) >= pivot, what is between equals it. */
-        if ((ptrdiff_t)k <= j) {
-            n = (size_t)j + 1;
-        } else if ((ptrdiff_t)k >= i) {
-            photons += i;
-            n -= (size_t)i;
-            k -= (size_t)i;
-        } else {
-            return;
+        photons += front;
+        n -= front;
+        k -= front;
+        if (front == 0) { /* the pivot is the least, so this gets on */
+            const size_t same = partition(photons, n, &pivot, axis, 1);
+            if (k < same) {
+                return;
+            }
+            photons += same;
+            n -= same;
+            k -= same;
         }
     }
     sort_small(photons, n, axis);
