@@ -17,17 +17,17 @@
 #define MURK_LIGHTS_MAX 256
 
 typedef enum murk_light_type {
-    MURK_LIGHT_SPHERE,      /* every point of the surface shines by cosine law */
-    MURK_LIGHT_RECT,        /* cosine law, to the side of edge1 x edge2 */
-    MURK_LIGHT_POINT,       /* isotropic */
-    MURK_LIGHT_BEAM,        /* a disc of parallel rays, or spread evenly over the
-                               cone of half angle divergence */
-    MURK_LIGHT_DIRECTIONAL  /* distant: parallel rays onto the domain */
+    MURK_LIGHT_SPHERE,     /* every point of the surface shines by cosine law */
+    MURK_LIGHT_RECT,       /* cosine law, to the side of edge1 x edge2 */
+    MURK_LIGHT_POINT,      /* isotropic */
+    MURK_LIGHT_BEAM,       /* a disc of parallel rays, or spread evenly over the
+                              cone of half angle divergence */
+    MURK_LIGHT_DIRECTIONAL /* distant: parallel rays onto the domain */
 } murk_light_type;
 
 typedef struct murk_light {
     murk_light_type type;
-    murk_vec3 position; /* sphere's center, rect's corner, point, beam's origin */
+    murk_vec3 position;     /* center, corner, the point, the beam's origin */
     murk_vec3 edge1, edge2; /* rect */
     murk_vec3 direction;    /* beam, directional: of travel, need not be unit */
     double radius_m;        /* sphere, beam */

@@ -29,7 +29,8 @@ typedef enum murk_event_kind {
     MURK_EVENT_EMITTED,
     MURK_EVENT_SURFACE, /* met a material; `outcome` says what came of it */
     MURK_EVENT_MEDIUM,  /* a real collision */
-    MURK_EVENT_WRAPPED, /* left one side of a periodic domain, entered another */
+    MURK_EVENT_WRAPPED, /* left one side of a periodic domain, entered another
+                         */
     MURK_EVENT_ESCAPED,
     MURK_EVENT_LOST
 } murk_event_kind;
@@ -65,12 +66,12 @@ typedef struct murk_event {
     uint16_t light;
     uint8_t band;
     uint8_t material_or_medium;
-    murk_vec3 position;
-    murk_vec3 direction_in;  /* unit, of travel, arriving */
-    murk_vec3 direction_out; /* unit, leaving; zero when absorbed */
+    murk_vec3 position;      /* wrapped: where it left */
+    murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
+    murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
     murk_vec3 normal;        /* surfaces: unit, faces where it came from */
-    double reflectance; /* surfaces: diffuse share; media: albedo */
-    double path_m;      /* since the event before */
+    double reflectance;      /* surfaces: diffuse share; media: albedo */
+    double path_m;           /* since the event before */
     double scattering_per_m; /* media: of all media at the place */
     murk_loss loss;
 } murk_event;
@@ -80,12 +81,14 @@ typedef struct murk_event {
 typedef void (*murk_event_sink)(void *context, uint64_t batch,
                                 const murk_event *event);
 
-#define MURK_BATCH_PHOTONS 1024 /* fixed, so that no result knows of threads */
+#define MURK_BATCH_PHOTONS                            \
+    1024 /* fixed, so that no result knows of threads \
+          */
 
 typedef struct murk_trace {
     const murk_world *world;
     uint32_t seed;
-    uint32_t stream;      /* 0: the map that chooses; 1: held out; 2: confirms */
+    uint32_t stream; /* 0: the map that chooses; 1: held out; 2: confirms */
     uint64_t first, last; /* photons [first, last); first a multiple of
                              MURK_BATCH_PHOTONS; batch 0 starts at first */
     unsigned threads;
@@ -94,13 +97,14 @@ typedef struct murk_trace {
     void *context;
 } murk_trace;
 
-murk_trace murk_trace_defaults(void); /* threads 1; caps 1e5 events, 1e4 wraps */
+murk_trace
+murk_trace_defaults(void); /* threads 1; caps 1e5 events, 1e4 wraps */
 
 /* Energy by channel (light * bands + band), in quanta. */
 typedef struct murk_ledger {
     size_t channels;
     murk_tally *emitted, *absorbed_surfaces, *absorbed_media, *escaped,
-        *lost;                     /* [channels] each */
+        *lost; /* [channels] each */
     murk_tally lost_photons[MURK_LOSSES];
     murk_tally photons, collisions; /* plain counts; collisions: real ones */
 } murk_ledger;

@@ -1,0 +1,84 @@
+#include "transport/bounce.h"
+
+#define TWO_PI (2 * MURK_PI)
+
+double murk_fresnel(double n_from, double n_to, double cosine,
+                    double *cosine_refracted)
+{
+    const double ratio = n_from / n_to;
+    const double sine2 = ratio * ratio * (1 - cosine * cosine);
+    *cosine_refracted = 0;
+    if (!(sine2 < 1)) {
+        return 1;
+    }
+    const double c = cosine, t = sqrt(1 - sine2);
+    const double s_wave = (n_from * c - n_to * t) / (n_from * c + n_to * t);
+    const double p_wave = (n_from * t - n_to * c) / (n_from * t + n_to * c);
+    *cosine_refracted = t;
+    return (s_wave * s_wave + p_wave * p_wave) / 2;
+}
+
+/* One Newton step towards length 1: exact to the square of what rounding has
+ * left it off by, and cheaper than a root and a division. */
+static murk_vec3 trimmed(murk_vec3 d)
+{
+    return murk_scale(1.5 - 0.5 * murk_dot(d, d), d);
+}
+
+murk_vec3 murk_turned(murk_vec3 d, double mu, double u_phi)
+{
+    murk_vec3 t, b;
+    murk_frame(d, &t, &b);
+    const double phi = TWO_PI * u_phi, s2 = 1 - mu * mu;
+    const double s = sqrt(s2 > 0 ? s2 : 0);
+    const double along_t = s * cos(phi), along_b = s * sin(phi);
+    return trimmed(murk_vec(mu * d.x + along_t * t.x + along_b * b.x,
+                            mu * d.y + along_t * t.y + along_b * b.y,
+                            mu * d.z + along_t * t.z + along_b * b.z));
+}
+
+murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi)
+{
+    return murk_turned(n, sqrt(u_mu), u_phi);
+}
+
+static murk_vec3 mirrored(murk_vec3 d, murk_vec3 normal)
+{
+    return trimmed(murk_along(d, -2 * murk_dot(d, normal), normal));
+}
+
+static murk_bounce bend(double n_from, double n_to, murk_vec3 direction,
+                        murk_vec3 normal, double u)
+{
+    const double cosine = fmin(1, fabs(murk_dot(direction, normal)));
+    double refracted;
+    if (u <= murk_fresnel(n_from, n_to, cosine, &refracted)) {
+        return (murk_bounce){MURK_MIRRORED, mirrored(direction, normal)};
+    }
+    const double ratio = n_from / n_to;
+    const murk_vec3 d = murk_along(murk_scale(ratio, direction),
+                                   ratio * cosine - refracted, normal);
+    return (murk_bounce){MURK_TRANSMITTED, murk_unit(d)};
+}
+
+murk_bounce murk_surface_bounce(const murk_material *material, int band,
+                                double n_from, double n_to, murk_vec3 direction,
+                                murk_vec3 normal, const double u[4])
+{
+    const double d = material->diffuse.band[band];
+    const double s = material->specular.band[band];
+    const double t = material->transmit.band[band];
+    if (u[0] <= d) {
+        return (murk_bounce){MURK_DIFFUSE, murk_cosine_law(normal, u[1], u[2])};
+    }
+    if (u[0] > d + s + t) {
+        return (murk_bounce){MURK_ABSORBED, murk_vec(0, 0, 0)};
+    }
+    if (n_to > 0) {
+        return bend(n_from, n_to, direction, normal, u[3]);
+    }
+    if (u[0] <= d + s) {
+        return (murk_bounce){MURK_MIRRORED, mirrored(direction, normal)};
+    }
+    return (murk_bounce){MURK_TRANSMITTED, direction};
+}

@@ -1,0 +1,32 @@
+/* What becomes of light that meets a surface: the roulette of trace.h, and at
+ * the boundary of a solid Snell's law with Fresnel's exact reflectance for
+ * unpolarised light (Born and Wolf, Principles of Optics, 7th ed., 1.5.2).
+ * Private to this room. */
+#ifndef MURK_TRANSPORT_BOUNCE_H
+#define MURK_TRANSPORT_BOUNCE_H
+
+#include "transport/trace.h"
+
+/* Reflectance from index n_from into n_to at the cosine of incidence 0..1.
+ * Fills the cosine of refraction: 0 where all is reflected. */
+double murk_fresnel(double n_from, double n_to, double cosine,
+                    double *cosine_refracted);
+
+/* A direction by cosine law about unit n. */
+murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi);
+
+/* Unit d turned by the angle of cosine mu, at azimuth 2 pi u_phi about it. */
+murk_vec3 murk_turned(murk_vec3 d, double mu, double u_phi);
+
+typedef struct murk_bounce {
+    murk_outcome outcome;
+    murk_vec3 direction; /* unit, leaving; zero when absorbed */
+} murk_bounce;
+
+/* Unit direction of travel, unit normal facing where it came from. A surface
+ * that does not bend has n_from = n_to = 0. u: four numbers in (0, 1). */
+murk_bounce murk_surface_bounce(const murk_material *material, int band,
+                                double n_from, double n_to, murk_vec3 direction,
+                                murk_vec3 normal, const double u[4]);
+
+#endif

@@ -1,0 +1,74 @@
+#include "transport/solids.h"
+
+/* Boundaries of solids looked at along the ray, and surfaces of all kinds: a
+ * ray that meets more has its count cut, which matters only where the point is
+ * inside one of the last. */
+#define BOUNDARIES_MAX 64
+#define STEPS_MAX      1024
+
+double murk_solids_ior(const murk_solids *solids)
+{
+    return solids->n > 0 ? solids->ior[solids->n - 1] : 1;
+}
+
+static int find(const murk_solids *solids, uint16_t solid)
+{
+    for (int i = solids->n - 1; i >= 0; --i) {
+        if (solids->solid[i] == solid) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+bool murk_solids_cross(murk_solids *solids, uint16_t solid, double ior)
+{
+    const int found = find(solids, solid);
+    if (found >= 0) {
+        --solids->n;
+        for (int i = found; i < solids->n; ++i) {
+            solids->solid[i] = solids->solid[i + 1];
+            solids->ior[i] = solids->ior[i + 1];
+        }
+        return true;
+    }
+    if (solids->n == MURK_SOLIDS_DEEP) {
+        return false;
+    }
+    solids->solid[solids->n] = solid;
+    solids->ior[solids->n++] = ior;
+    return true;
+}
+
+/* Walks outwards, noting each boundary of a solid: a solid whose boundary is
+ * met an odd number of times is around the point. Read from the far end, the
+ * first boundary met of each such solid is the one that leaves it last; those
+ * are put on the stack, and even counts take themselves off again. */
+murk_solids murk_solids_around(const murk_surfaces *surfaces, murk_vec3 point,
+                               murk_vec3 direction)
+{
+    murk_solids around = {0};
+    if (murk_surfaces_solid_at(surfaces, point) == 0) {
+        return around;
+    }
+    uint16_t solid[BOUNDARIES_MAX];
+    double ior[BOUNDARIES_MAX];
+    int n = 0;
+    for (int step = 0; step < STEPS_MAX && n < BOUNDARIES_MAX; ++step) {
+        murk_hit hit;
+        if (!murk_surfaces_hit(surfaces, point, direction, INFINITY, &hit)) {
+            break;
+        }
+        if (hit.solid) {
+            solid[n] = hit.solid;
+            ior[n++] = murk_surfaces_material(surfaces, hit.material)->ior;
+        }
+        point = murk_surfaces_leave(
+            surfaces, murk_along(point, hit.distance_m, direction),
+            murk_scale(-1, hit.normal));
+    }
+    while (n-- > 0) {
+        murk_solids_cross(&around, solid[n], ior[n]);
+    }
+    return around;
+}

@@ -1,0 +1,386 @@
+/* One photon at a time, leg by leg: find the nearest surface up to the side of
+ * the domain, let the media stop the flight before it, deal with what was met.
+ *
+ * A surface that lies in a side of the domain is part of the world, though
+ * rounding may put it a little outside: surfaces are looked for in a slightly
+ * grown box. `probe` is the place that the next surface is looked for from; it
+ * differs from `position` where a photon starts: light that enters through a
+ * side must not miss a surface lying in it, and a lamp's own ceiling must not
+ * stop its light. */
+#include "transport/walk.h"
+
+#include "base/rng.h"
+#include "medium/phase.h"
+#include "transport/bounce.h"
+#include "transport/solids.h"
+
+/* Share of the domain's largest coordinate by which the box for surfaces is
+ * grown: some times what rays in single precision are off by, and what
+ * murk_surfaces_leave() moves by. */
+#define GROWN_BY 4e-6
+
+/* A photon under way. */
+typedef struct walk {
+    const murk_course *course;
+    murk_sums *sums;
+    uint64_t batch, photon;
+    size_t light;
+    int band;
+    uint32_t number, wraps;
+    murk_event_class event_class;
+    murk_vec3 position, direction, probe;
+    murk_solids solids;
+} walk;
+
+static murk_random4 draw(const walk *w, murk_purpose purpose)
+{
+    return murk_random(w->course->trace->seed,
+                       (uint32_t)purpose + w->course->purpose_shift, w->photon,
+                       w->number, 0);
+}
+
+/* What all events tell. */
+static murk_event event_of(const walk *w, murk_event_kind kind)
+{
+    return (murk_event){.kind = kind,
+                        .event_class = w->event_class,
+                        .photon = w->photon,
+                        .number = w->number,
+                        .light = (uint16_t)w->light,
+                        .band = (uint8_t)w->band,
+                        .position = w->position,
+                        .direction_in = w->direction};
+}
+
+static void tell(const walk *w, const murk_event *event)
+{
+    w->course->trace->sink(w->course->trace->context, w->batch, event);
+}
+
+static bool is_heard(const walk *w)
+{
+    return w->course->trace->sink != NULL;
+}
+
+static murk_fate lose(walk *w, murk_loss loss)
+{
+    ++w->sums->lost[loss];
+    if (is_heard(w)) {
+        murk_event event = event_of(w, MURK_EVENT_LOST);
+        event.loss = loss;
+        tell(w, &event);
+    }
+    return MURK_FATE_LOST;
+}
+
+/* Distance to the wall ahead along one axis; INFINITY or NaN where there is no
+ * motion along it (+ 0.0 makes -0 a 0). Free of branches: which way a photon
+ * flies cannot be foretold. */
+static inline double wall_ahead(double p, double d, const double wall[2])
+{
+    return (wall[!(d < 0)] - p) / (d + 0.0);
+}
+
+static inline double nearer(double a, double b)
+{
+    return a < b ? a : b; /* b where a is NaN */
+}
+
+/* Distance [m] to the side ahead, not below 0; INFINITY where the direction
+ * has no length. */
+static double side_ahead(const murk_walls *walls, murk_vec3 p, murk_vec3 d)
+{
+    const double x = wall_ahead(p.x, d.x, walls->x);
+    const double y = wall_ahead(p.y, d.y, walls->y);
+    const double z = wall_ahead(p.z, d.z, walls->z);
+    const double distance = nearer(x, nearer(y, nearer(z, INFINITY)));
+    return distance > 0 ? distance : 0;
+}
+
+/* The axis that the side ahead lies across. */
+static int axis_ahead(const murk_walls *walls, murk_vec3 p, murk_vec3 d)
+{
+    const double x = wall_ahead(p.x, d.x, walls->x);
+    const double y = wall_ahead(p.y, d.y, walls->y);
+    const double z = wall_ahead(p.z, d.z, walls->z);
+    const double distance = nearer(x, nearer(y, nearer(z, INFINITY)));
+    return z == distance ? 2 : y == distance ? 1 : 0;
+}
+
+static inline double held(double x, const double wall[2])
+{
+    return x < wall[0] ? wall[0] : x > wall[1] ? wall[1] : x;
+}
+
+static inline murk_vec3 held_inside(const murk_walls *walls, murk_vec3 p)
+{
+    return murk_vec(held(p.x, walls->x), held(p.y, walls->y),
+                    held(p.z, walls->z));
+}
+
+static bool is_between(const murk_walls *walls, murk_vec3 p)
+{
+    return p.x >= walls->x[0] && p.x <= walls->x[1] && p.y >= walls->y[0] &&
+           p.y <= walls->y[1] && p.z >= walls->z[0] && p.z <= walls->z[1];
+}
+
+/* The nearest surface; *distance_m is along the leg from w->position. */
+static bool meets_surface(const walk *w, murk_hit *hit, double *distance_m)
+{
+    const double most = side_ahead(&w->course->grown, w->probe, w->direction);
+    if (!murk_surfaces_hit(w->course->world->surfaces, w->probe, w->direction,
+                           most, hit)) {
+        return false;
+    }
+    const double ahead =
+        murk_dot(murk_sub(w->probe, w->position), w->direction);
+    *distance_m = fmax(0, hit->distance_m + ahead);
+    return true;
+}
+
+/* False when the photon ends there. */
+static bool scatter(walk *w, const murk_collision *c)
+{
+    const murk_random4 random = draw(w, MURK_SCATTER);
+    const bool scatters = random.u[0] < c->albedo;
+    const murk_vec3 arriving = w->direction;
+    ++w->sums->collisions;
+    w->position = w->probe =
+        held_inside(&w->course->walls,
+                    murk_along(w->position, c->distance_m, w->direction));
+    if (scatters) {
+        w->direction = murk_turned(
+            arriving, murk_hg_sample(c->mean_cosine, random.u[1]), random.u[2]);
+    }
+    if (is_heard(w)) {
+        murk_event event = event_of(w, MURK_EVENT_MEDIUM);
+        event.outcome = scatters ? MURK_SCATTERED : MURK_ABSORBED;
+        event.material_or_medium = (uint8_t)c->medium;
+        event.direction_in = arriving;
+        event.direction_out = scatters ? w->direction : murk_vec(0, 0, 0);
+        event.reflectance = c->albedo;
+        event.path_m = c->distance_m;
+        event.scattering_per_m = c->scattering_per_m;
+        tell(w, &event);
+    }
+    w->event_class = MURK_CLASS_LATER;
+    w->wraps = 0;
+    return scatters;
+}
+
+/* Steps over to where the photon goes on. False when it ends there, *ended
+ * telling how. */
+static bool bounce(walk *w, const murk_hit *hit, double path_m,
+                   murk_fate *ended)
+{
+    const murk_surfaces *surfaces = w->course->world->surfaces;
+    const murk_material *material =
+        murk_surfaces_material(surfaces, hit->material);
+    murk_solids beyond = w->solids;
+    double n_from = 0, n_to = 0;
+    if (hit->solid && material->ior > 0) {
+        if (!murk_solids_cross(&beyond, hit->solid, material->ior)) {
+            *ended = lose(w, MURK_LOSS_NUMERICAL);
+            return false;
+        }
+        n_from = murk_solids_ior(&w->solids);
+        n_to = murk_solids_ior(&beyond);
+    }
+    const murk_random4 random = draw(w, MURK_SURFACE);
+    const murk_bounce b = murk_surface_bounce(
+        material, w->band, n_from, n_to, w->direction, hit->normal, random.u);
+    w->position = murk_along(w->probe, hit->distance_m, w->direction);
+    if (is_heard(w)) {
+        murk_event event = event_of(w, MURK_EVENT_SURFACE);
+        event.outcome = b.outcome;
+        event.material_or_medium = hit->material;
+        event.direction_out = b.direction;
+        event.normal = hit->normal;
+        event.reflectance = material->diffuse.band[w->band];
+        event.path_m = path_m;
+        tell(w, &event);
+    }
+    *ended = MURK_FATE_SURFACES;
+    if (b.outcome == MURK_ABSORBED) {
+        return false;
+    }
+    const bool through = b.outcome == MURK_TRANSMITTED;
+    if (through) {
+        w->solids = beyond;
+    }
+    w->direction = b.direction;
+    w->position = w->probe = murk_surfaces_leave(
+        surfaces, w->position,
+        through ? murk_scale(-1, hit->normal) : hit->normal);
+    if (b.outcome == MURK_DIFFUSE) {
+        w->event_class = MURK_CLASS_LATER;
+    } else if (w->event_class == MURK_CLASS_FIRST) {
+        w->event_class = MURK_CLASS_SPECULAR;
+    }
+    w->wraps = 0;
+    return true;
+}
+
+/* Enters at w->position, through a side of the domain. */
+static void enter(walk *w)
+{
+    w->probe = murk_along(w->position, -w->course->margin_m, w->direction);
+    if (w->course->any_solids) {
+        w->solids = murk_solids_around(w->course->world->surfaces, w->probe,
+                                       w->direction);
+    }
+}
+
+/* Puts p onto the lower or the upper wall across the axis. */
+static void put_on_wall(const murk_walls *walls, int axis, bool upper,
+                        murk_vec3 *p)
+{
+    if (axis == 0) {
+        p->x = walls->x[upper];
+    } else if (axis == 1) {
+        p->y = walls->y[upper];
+    } else {
+        p->z = walls->z[upper];
+    }
+}
+
+/* False when the photon has left the world, *ended telling how. */
+static bool pass_side(walk *w, double path_m, murk_fate *ended)
+{
+    const murk_walls *walls = &w->course->walls;
+    const murk_vec3 d = w->direction;
+    const int axis = axis_ahead(walls, w->position, d);
+    const bool upper = (axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0;
+    const bool wraps = w->course->world->domain.is_periodic && axis != 2;
+    w->position = held_inside(walls, murk_along(w->position, path_m, d));
+    put_on_wall(walls, axis, upper, &w->position);
+    if (wraps && w->wraps >= w->course->trace->wraps_max) {
+        *ended = lose(w, MURK_LOSS_WRAPS);
+        return false;
+    }
+    if (is_heard(w)) {
+        murk_event event =
+            event_of(w, wraps ? MURK_EVENT_WRAPPED : MURK_EVENT_ESCAPED);
+        event.direction_out = d;
+        event.path_m = path_m;
+        tell(w, &event);
+    }
+    *ended = MURK_FATE_ESCAPED;
+    if (!wraps) {
+        return false;
+    }
+    ++w->wraps;
+    put_on_wall(walls, axis, !upper, &w->position);
+    enter(w);
+    return true;
+}
+
+static murk_fate follow(walk *w)
+{
+    const murk_course *r = w->course;
+    for (;;) {
+        ++w->number;
+        if (w->number > r->trace->events_max) {
+            return lose(w, MURK_LOSS_EVENTS);
+        }
+        double length_m = side_ahead(&r->walls, w->position, w->direction);
+        /* Also false for what is not a number. */
+        if (!(is_between(&r->grown, w->position) && length_m < INFINITY)) {
+            return lose(w, MURK_LOSS_NUMERICAL);
+        }
+        murk_hit hit;
+        const bool met = r->any_surfaces && meets_surface(w, &hit, &length_m);
+        if (r->any_media && w->solids.n == 0) {
+            const murk_random4 random = draw(w, MURK_FLIGHT);
+            murk_collision collision;
+            if (murk_media_fly(r->world->media, w->band, w->position,
+                               w->direction, length_m, -log(random.u[0]),
+                               random.u[1], &collision)) {
+                if (!scatter(w, &collision)) {
+                    return MURK_FATE_MEDIA;
+                }
+                continue;
+            }
+        }
+        murk_fate ended;
+        if (met ? !bounce(w, &hit, length_m, &ended)
+                : !pass_side(w, length_m, &ended)) {
+            return ended;
+        }
+    }
+}
+
+static void start(walk *w, murk_ray ray)
+{
+    const murk_course *r = w->course;
+    const murk_light *light = murk_lights_get(r->world->lights, w->light);
+    w->position = w->probe = ray.origin;
+    w->direction = ray.direction;
+    if (!r->any_surfaces) {
+        return;
+    }
+    if (light->type == MURK_LIGHT_DIRECTIONAL) {
+        enter(w);
+        return;
+    }
+    const murk_vec3 off =
+        light->type == MURK_LIGHT_RECT
+            ? murk_unit(murk_cross(light->edge1, light->edge2))
+            : ray.direction;
+    w->probe = murk_surfaces_leave(r->world->surfaces, ray.origin, off);
+    if (r->any_solids) {
+        w->solids =
+            murk_solids_around(r->world->surfaces, w->probe, w->direction);
+    }
+}
+
+static murk_walls walls_of(const murk_box *box, double grow)
+{
+    return (murk_walls){{box->min.x - grow, box->max.x + grow},
+                        {box->min.y - grow, box->max.y + grow},
+                        {box->min.z - grow, box->max.z + grow}};
+}
+
+murk_course murk_course_of(const murk_trace *trace)
+{
+    const murk_world *world = trace->world;
+    const murk_surfaces_facts facts = murk_surfaces_describe(world->surfaces);
+    const murk_box box = world->domain.box;
+    const double size =
+        fmax(fmax(fmax(fabs(box.min.x), fabs(box.min.y)), fabs(box.min.z)),
+             fmax(fmax(fabs(box.max.x), fabs(box.max.y)), fabs(box.max.z)));
+    const double grow = GROWN_BY * size;
+    return (murk_course){.trace = trace,
+                         .world = world,
+                         .walls = walls_of(&box, 0),
+                         .grown = walls_of(&box, grow),
+                         .margin_m = grow,
+                         .any_surfaces = facts.triangles + facts.spheres > 0,
+                         .any_solids = facts.solids > 0,
+                         .any_media = murk_media_any(world->media),
+                         .purpose_shift = MURK_STREAM * trace->stream};
+}
+
+void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
+                      uint64_t photon)
+{
+    const murk_world *world = r->world;
+    const size_t channel = murk_lights_channel_of(world->lights, photon);
+    walk w = {.course = r,
+              .sums = s,
+              .batch = batch,
+              .photon = photon,
+              .light = channel / (size_t)world->bands,
+              .band = (int)(channel % (size_t)world->bands),
+              .event_class = MURK_CLASS_FIRST};
+    ++s->emitted[channel];
+    start(&w, murk_lights_emit(world->lights, r->trace->seed, r->trace->stream,
+                               photon));
+    if (is_heard(&w)) {
+        murk_event event = event_of(&w, MURK_EVENT_EMITTED);
+        event.direction_in = murk_vec(0, 0, 0);
+        event.direction_out = w.direction;
+        tell(&w, &event);
+    }
+    ++s->ended[channel][follow(&w)];
+}

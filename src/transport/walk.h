@@ -1,0 +1,48 @@
+/* The way of one photon, from its lamp to its end. Private to this room. */
+#ifndef MURK_TRANSPORT_WALK_H
+#define MURK_TRANSPORT_WALK_H
+
+#include "transport/trace.h"
+
+#define MURK_CHANNELS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
+
+typedef enum murk_fate {
+    MURK_FATE_SURFACES, /* absorbed there */
+    MURK_FATE_MEDIA,    /* likewise */
+    MURK_FATE_ESCAPED,
+    MURK_FATE_LOST,
+    MURK_FATES
+} murk_fate;
+
+/* A box, by axis: the lower wall, the upper. */
+typedef struct murk_walls {
+    double x[2], y[2], z[2];
+} murk_walls;
+
+/* What all photons of a run share. */
+typedef struct murk_course {
+    const murk_trace *trace;
+    const murk_world *world;
+    murk_walls walls; /* the domain's */
+    murk_walls grown; /* where surfaces are looked for */
+    double margin_m;  /* by how much it is grown */
+    bool any_surfaces, any_solids, any_media;
+    uint32_t purpose_shift;
+} murk_course;
+
+murk_course murk_course_of(const murk_trace *trace);
+
+/* Sums of one batch, at most MURK_BATCH_PHOTONS in a cell: adding to the
+ * shared ledger photon by photon would make the threads wait for each other. */
+typedef struct murk_sums {
+    uint16_t emitted[MURK_CHANNELS_MAX];
+    uint16_t ended[MURK_CHANNELS_MAX][MURK_FATES];
+    uint16_t lost[MURK_LOSSES];
+    uint64_t collisions;
+} murk_sums;
+
+/* Traces one photon, tells its events to the trace's sink, adds to sums. */
+void murk_walk_photon(const murk_course *course, murk_sums *sums,
+                      uint64_t batch, uint64_t photon);
+
+#endif

@@ -1,0 +1,148 @@
+/* The tracer and its simple twin (tests/support/plain_tracer.h) agree on where
+ * photons end in a box of fog, and both with the published answers for the cube
+ * B1: absorbed .17700, back through the lit face .81498, through the far face
+ * .000125 (an independent voxel tracer's, 1e8 photons).
+ *
+ * The z-tests of a run share a 1e-6 chance of a false alarm (Sidak). */
+#include "base/stats.h"
+#include "check.h"
+#include "plain_tracer.h"
+#include "worlds.h"
+
+#include <stdlib.h>
+
+#define PHOTONS 40000
+#define Z_TESTS 17
+
+typedef struct ends {
+    double escaped[6]; /* below and above on x, y, z */
+} ends;
+
+static void count_end(void *context, uint64_t batch, const murk_event *event)
+{
+    (void)batch;
+    ends *e = context;
+    if (event->kind != MURK_EVENT_ESCAPED) {
+        return;
+    }
+    const murk_vec3 p = event->position;
+    const bool at[6] = {p.x == 0,  p.x == 60, p.y == 0,
+                        p.y == 60, p.z == 0,  p.z == 60};
+    for (int side = 0; side < 6; ++side) {
+        if (at[side]) {
+            ++e->escaped[side];
+            return;
+        }
+    }
+}
+
+typedef struct answer {
+    double absorbed, collisions;
+    ends ends;
+} answer;
+
+static answer murk_answer(const plain_box *b, uint32_t seed)
+{
+    const double extinction = b->absorption_per_m + b->scattering_per_m;
+    const murk_light beam =
+        test_beam(murk_vec(b->start_m[0], b->start_m[1], b->start_m[2]),
+                  murk_vec(b->direction[0], b->direction[1], b->direction[2]));
+    const murk_medium medium = test_medium(
+        extinction, b->scattering_per_m / extinction, b->mean_cosine);
+    const murk_region region = test_everywhere(0);
+    test_world w = test_world_made(
+        &(test_setup){.domain = {{{0, 0, 0}, {60, 60, 60}}, false},
+                      .lights = &beam,
+                      .n_lights = 1,
+                      .media = &medium,
+                      .n_media = 1,
+                      .regions = &region,
+                      .n_regions = 1});
+    answer out = {0};
+    test_world_trace(&w, PHOTONS, seed, count_end, &out.ends);
+    out.absorbed = test_photons(&w, w.ledger->absorbed_media);
+    out.collisions = (double)murk_tally_read(&w.ledger->collisions);
+    double escaped = 0;
+    for (int side = 0; side < 6; ++side) {
+        escaped += out.ends.escaped[side];
+    }
+    CHECK(out.absorbed + escaped == PHOTONS);
+    test_world_unmade(&w);
+    return out;
+}
+
+/* Two independent counts of n photons each. */
+static double sigmas_apart(double a, double b)
+{
+    const double p = (a + b) / (2. * PHOTONS);
+    return a == b ? 0 : fabs(a - b) / sqrt(2 * PHOTONS * p * (1 - p));
+}
+
+static double limit(void)
+{
+    return murk_sidak_limit(1e-6, Z_TESTS);
+}
+
+static void test_cube_b1(uint32_t seed)
+{
+    const plain_box cube = {.size_m = {60, 60, 60},
+                            .start_m = {30.1, 30.2, 0},
+                            .direction = {0, 0, 1},
+                            .absorption_per_m = .005,
+                            .scattering_per_m = 1,
+                            .mean_cosine = .01,
+                            .majorant_per_m = 1.005};
+    const answer a = murk_answer(&cube, seed);
+    const double n = PHOTONS;
+    CHECK_WITHIN(limit(), a.absorbed / n, .17700, sqrt(.177 * .823 / n));
+    CHECK_WITHIN(limit(), a.ends.escaped[4] / n, .81498,
+                 sqrt(.81498 * .18502 / n));
+    /* Each collision absorbs with probability 1 / 201: given the collisions,
+     * the absorbed count is nearly Poisson. */
+    CHECK_WITHIN(limit(), a.absorbed, a.collisions / 201,
+                 sqrt(a.collisions / 201));
+    /* Teeth: absorption 20 % higher. */
+    plain_box wrong = cube;
+    wrong.absorption_per_m = .006;
+    CHECK(sigmas_off(murk_answer(&wrong, seed).absorbed / n, .17700,
+                     sqrt(.177 * .823 / n)) > limit());
+}
+
+/* Slanted into forward-scattering fog, off the middle, with null collisions in
+ * the twin: all sides get their part. */
+static void test_twin_agrees(uint32_t seed)
+{
+    const plain_box fog = {.size_m = {60, 60, 60},
+                           .start_m = {20, 35, 10},
+                           .direction = {0.6, 0.48, 0.64},
+                           .absorption_per_m = .004,
+                           .scattering_per_m = .06,
+                           .mean_cosine = .7,
+                           .majorant_per_m = .08};
+    const answer a = murk_answer(&fog, seed);
+    const plain_result b = plain_trace(&fog, PHOTONS, seed);
+    CHECK(sigmas_apart(a.absorbed, (double)b.absorbed) < limit());
+    for (int side = 0; side < 6; ++side) {
+        CHECK(sigmas_apart(a.ends.escaped[side],
+                           (double)b.escaped[side / 2][side % 2]) < limit());
+    }
+    /* Teeth: g off by .1 shows in the light that goes on upwards. */
+    plain_box wrong = fog;
+    wrong.mean_cosine = .6;
+    const answer c = murk_answer(&wrong, seed);
+    double worst = 0;
+    for (int side = 0; side < 6; ++side) {
+        worst =
+            fmax(worst, sigmas_apart(c.ends.escaped[side],
+                                     (double)b.escaped[side / 2][side % 2]));
+    }
+    CHECK(worst > limit());
+}
+
+int main(int argc, char **argv)
+{
+    const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
+    test_cube_b1(seed);
+    test_twin_agrees(seed);
+    return check_done();
+}

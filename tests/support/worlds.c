@@ -1,0 +1,153 @@
+#include "worlds.h"
+
+#include <stdlib.h>
+
+#include "check.h"
+
+static void must(murk_status status, const murk_error *err)
+{
+    if (status) {
+        printf("cannot make the world: %s: %s\n", err->where, err->text);
+        exit(1);
+    }
+}
+
+test_world test_world_made(const test_setup *setup)
+{
+    static const murk_material black = {.name = "default"};
+    test_world made = {0};
+    murk_error err = {0};
+    must(
+        murk_surfaces_create(&made.surfaces, setup->surfaces, setup->n_surfaces,
+                             setup->n_materials ? setup->materials : &black,
+                             setup->n_materials ? setup->n_materials : 1, &err),
+        &err);
+    must(murk_media_create(&made.media, setup->media, setup->n_media,
+                           setup->regions, setup->n_regions, &setup->domain.box,
+                           &err),
+         &err);
+    must(murk_lights_create(&made.lights, setup->lights, setup->n_lights, 1,
+                            &setup->domain, &err),
+         &err);
+    must(murk_ledger_create(&made.ledger, setup->n_lights, &err), &err);
+    made.world =
+        (murk_world){made.surfaces, made.media, made.lights, setup->domain, 1};
+    return made;
+}
+
+void test_world_unmade(test_world *world)
+{
+    murk_ledger_destroy(world->ledger);
+    murk_lights_destroy(world->lights);
+    murk_media_destroy(world->media);
+    murk_surfaces_destroy(world->surfaces);
+}
+
+void test_world_trace(test_world *world, uint64_t n, uint32_t seed,
+                      murk_event_sink sink, void *context)
+{
+    murk_trace trace = murk_trace_defaults();
+    trace.world = &world->world;
+    trace.seed = seed;
+    trace.last = n;
+    trace.sink = sink;
+    trace.context = context;
+    murk_trace_run(&trace, world->ledger);
+    CHECK(murk_ledger_imbalance(world->ledger) == 0);
+    CHECK(murk_tally_read(&world->ledger->photons) == (int64_t)n);
+}
+
+double test_photons(const test_world *world, const murk_tally *account)
+{
+    int64_t quanta = 0;
+    for (size_t c = 0; c < world->ledger->channels; ++c) {
+        quanta += murk_tally_read(&account[c]);
+    }
+    return (double)(quanta / MURK_PACKET);
+}
+
+murk_light test_beam(murk_vec3 origin, murk_vec3 direction)
+{
+    return (murk_light){.type = MURK_LIGHT_BEAM,
+                        .position = origin,
+                        .direction = direction,
+                        .power_w = {{1}},
+                        .where = "beam"};
+}
+
+murk_light test_point(murk_vec3 position)
+{
+    return (murk_light){.type = MURK_LIGHT_POINT,
+                        .position = position,
+                        .power_w = {{1}},
+                        .where = "point"};
+}
+
+murk_medium test_medium(double extinction_per_m, double albedo,
+                        double mean_cosine)
+{
+    return (murk_medium){.extinction_per_m = {{extinction_per_m}},
+                         .albedo = {{albedo}},
+                         .mean_cosine = {{mean_cosine}},
+                         .where = "medium"};
+}
+
+murk_region test_everywhere(size_t medium)
+{
+    return (murk_region){.medium = medium,
+                         .shape = MURK_REGION_EVERYWHERE,
+                         .to_world = murk_affine_identity(),
+                         .where = "everywhere"};
+}
+
+murk_region test_box_region(size_t medium, murk_vec3 min, murk_vec3 max)
+{
+    return (murk_region){.medium = medium,
+                         .shape = MURK_REGION_BOX,
+                         .box = {min, max},
+                         .to_world = murk_affine_identity(),
+                         .where = "box region"};
+}
+
+murk_material test_material(double diffuse, double specular, double transmit,
+                            double ior)
+{
+    return (murk_material){.name = "test",
+                           .diffuse = {{diffuse}},
+                           .specular = {{specular}},
+                           .transmit = {{transmit}},
+                           .ior = ior};
+}
+
+static murk_surface_desc surface(murk_shape shape, int material)
+{
+    return (murk_surface_desc){.shape = shape,
+                               .to_world = murk_affine_identity(),
+                               .material = material,
+                               .where = "surface"};
+}
+
+murk_surface_desc test_box(murk_vec3 min, murk_vec3 max, int material)
+{
+    murk_surface_desc s = surface(MURK_SHAPE_BOX, material);
+    s.box = (murk_box){min, max};
+    return s;
+}
+
+murk_surface_desc test_rect(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2,
+                            int material)
+{
+    murk_surface_desc s = surface(MURK_SHAPE_RECT, material);
+    s.corner = corner;
+    s.edge1 = edge1;
+    s.edge2 = edge2;
+    return s;
+}
+
+murk_surface_desc test_sphere(murk_vec3 center, double radius_m, int material)
+{
+    murk_surface_desc s = surface(MURK_SHAPE_SPHERE, material);
+    s.center = center;
+    s.radius_m = radius_m;
+    return s;
+}
