@@ -8,13 +8,13 @@
 /* The Polyak step aims at the best known plan, which the bound may never
  * reach: the step shrinks by SHRINK after PATIENCE rounds without gain, and
  * steps below LEAST_STEP change nothing that matters. */
-#define FIRST_STEP 1.0
-#define SHRINK     0.7
+#define FIRST_STEP 0.5
+#define SHRINK     0.8
 #define PATIENCE   8
 #define LEAST_STEP 1e-4
 
 /* Share of the last direction kept: damps the zigzag of plain subgradients. */
-#define MEMORY 0.6F
+#define MEMORY 0.7F
 
 murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
                             murk_error *err)

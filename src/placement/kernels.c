@@ -66,14 +66,48 @@ static uint64_t weigh_above(const uint16_t *row, const uint16_t *best,
     return sum;
 }
 
-static const murk_kernels plain = {count_new, sum_missing, weigh_missing,
-                                   sum_above, weigh_above};
+static uint64_t sum_packed(const uint64_t *row, const uint16_t *clarity,
+                           const uint16_t *best, size_t words, size_t *used)
+{
+    uint64_t sum = 0;
+    const uint16_t *p = clarity;
+    for (size_t k = 0; k < words; ++k) {
+        for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
+            const uint16_t b = best[64 * k + (size_t)__builtin_ctzll(left)];
+            sum += *p > b ? (uint64_t)(*p - b) : 0;
+        }
+    }
+    *used = (size_t)(p - clarity);
+    return sum;
+}
+
+static uint64_t weigh_packed(const uint64_t *row, const uint16_t *clarity,
+                             const uint16_t *best, const uint32_t *weight,
+                             size_t words, size_t *used)
+{
+    uint64_t sum = 0;
+    const uint16_t *p = clarity;
+    for (size_t k = 0; k < words; ++k) {
+        for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
+            const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+            sum += *p > best[i] ? (uint64_t)(*p - best[i]) * weight[i] : 0;
+        }
+    }
+    *used = (size_t)(p - clarity);
+    return sum;
+}
+
+static const murk_kernels plain = {count_new,   sum_missing, weigh_missing,
+                                   sum_above,   weigh_above, sum_packed,
+                                   weigh_packed};
 
 #ifdef HAS_WIDE
 
 #define POPCNT __attribute__((target("popcnt")))
 #define AVX2   __attribute__((target("avx2,popcnt")))
-#define WIDE   __attribute__((target("avx512f,avx512bw,avx512vpopcntdq")))
+#define WIDE        \
+    __attribute__(( \
+        target("avx512f,avx512bw,avx512vbmi2,avx512vpopcntdq,popcnt")))
 
 POPCNT static uint64_t count_new_popcnt(const uint64_t *row,
                                         const uint64_t *full, size_t words)
@@ -110,7 +144,8 @@ AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
 }
 
 static const murk_kernels avx2 = {count_new_popcnt, sum_missing, weigh_missing,
-                                  sum_above_avx2, weigh_above};
+                                  sum_above_avx2,   weigh_above, sum_packed,
+                                  weigh_packed};
 
 WIDE static uint64_t count_new_wide(const uint64_t *row, const uint64_t *full,
                                     size_t words)
@@ -236,9 +271,66 @@ WIDE static uint64_t weigh_missing_wide(const uint64_t *row,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-static const murk_kernels wide = {count_new_wide, sum_missing_wide,
-                                  weigh_missing_wide, sum_above_wide,
-                                  weigh_above_wide};
+/* The packed clarities at p, put where the bits of mask are, less best. */
+WIDE static inline __m512i unpack_above(const uint16_t *p, uint32_t mask,
+                                        const uint16_t *best)
+{
+    return _mm512_subs_epu16(
+        _mm512_maskz_expand_epi16(mask, _mm512_loadu_si512(p)),
+        _mm512_loadu_si512(best));
+}
+
+WIDE static uint64_t sum_packed_wide(const uint64_t *row,
+                                     const uint16_t *clarity,
+                                     const uint16_t *best, size_t words,
+                                     size_t *used)
+{
+    uint64_t total = 0;
+    const uint16_t *p = clarity;
+    for (size_t k = 0; k < words;) {
+        const size_t end =
+            words - k < STEPS_PER_FLUSH / 2 ? words : k + STEPS_PER_FLUSH / 2;
+        __m512i sum = _mm512_setzero_si512();
+        for (; k < end; ++k) {
+            for (size_t half = 0; half < 2 && row[k]; ++half) {
+                const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
+                sum = fold_u16(
+                    sum, unpack_above(p, mask, best + 64 * k + 32 * half));
+                p += __builtin_popcount(mask);
+            }
+        }
+        total += reduce_u32(sum);
+    }
+    *used = (size_t)(p - clarity);
+    return total;
+}
+
+WIDE static uint64_t weigh_packed_wide(const uint64_t *row,
+                                       const uint16_t *clarity,
+                                       const uint16_t *best,
+                                       const uint32_t *weight, size_t words,
+                                       size_t *used)
+{
+    const uint16_t *p = clarity;
+    __m512i sum = _mm512_setzero_si512();
+    for (size_t k = 0; k < words; ++k) {
+        for (size_t half = 0; half < 2 && row[k]; ++half) {
+            const size_t i = 64 * k + 32 * half;
+            const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
+            const __m512i d = unpack_above(p, mask, best + i);
+            sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
+            sum = add_products(sum, _mm512_extracti64x4_epi64(d, 1),
+                               weight + i + 16);
+            p += __builtin_popcount(mask);
+        }
+    }
+    *used = (size_t)(p - clarity);
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+static const murk_kernels wide = {
+    count_new_wide,   sum_missing_wide, weigh_missing_wide, sum_above_wide,
+    weigh_above_wide, sum_packed_wide,  weigh_packed_wide};
 
 #endif
 
@@ -252,6 +344,7 @@ const murk_kernels *murk_kernels_fastest(void)
 #ifdef HAS_WIDE
     if (__builtin_cpu_supports("avx512f") &&
         __builtin_cpu_supports("avx512bw") &&
+        __builtin_cpu_supports("avx512vbmi2") &&
         __builtin_cpu_supports("avx512vpopcntdq")) {
         return &wide;
     }

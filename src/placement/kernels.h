@@ -24,6 +24,15 @@ typedef struct murk_kernels {
     /* The same, each photon times its weight. */
     uint64_t (*weigh_above)(const uint16_t *row, const uint16_t *best,
                             const uint32_t *weight, size_t n);
+    /* sum of max(0, clarity - best) over the row's photons, whose clarities
+     * are packed one behind the other (64 bytes behind them may be read);
+     * *used: how many. */
+    uint64_t (*sum_packed)(const uint64_t *row, const uint16_t *clarity,
+                           const uint16_t *best, size_t words, size_t *used);
+    /* The same, each photon times its weight. */
+    uint64_t (*weigh_packed)(const uint64_t *row, const uint16_t *clarity,
+                             const uint16_t *best, const uint32_t *weight,
+                             size_t words, size_t *used);
 } murk_kernels;
 
 const murk_kernels *murk_kernels_plain(void);

@@ -22,8 +22,10 @@
  * each costs a look at every candidate: one is made. */
 #define ROUNDS_MOST        400
 #define ROUNDS_LEAST       40
-#define CURVE_ROUNDS       150
 #define PAIRS_WEIGHED_MOST 20000000000.0
+
+/* A curve point gets one round for each of so many of the plan's own. */
+#define ROUNDS_PER_CURVE_ROUND 3
 
 /* Starts in a row on the way, worker by worker. */
 typedef struct starts {
@@ -165,6 +167,12 @@ static size_t curve_starts(size_t restarts)
     return share < CURVE_STARTS_MOST ? share : CURVE_STARTS_MOST;
 }
 
+static size_t curve_rounds(size_t rounds)
+{
+    return rounds > ROUNDS_PER_CURVE_ROUND ? rounds / ROUNDS_PER_CURVE_ROUND
+                                           : rounds;
+}
+
 static void find_all(placing *p)
 {
     murk_place_result *result = p->result;
@@ -178,8 +186,7 @@ static void find_all(placing *p)
     for (size_t k = p->desc->with_curve ? 1 : n; k <= n && !murk_interrupted();
          ++k) {
         const bool is_plan = k == n;
-        const size_t rounds =
-            is_plan || p->rounds < CURVE_ROUNDS ? p->rounds : CURVE_ROUNDS;
+        const size_t rounds = is_plan ? p->rounds : curve_rounds(p->rounds);
         size_t extra = 0;
         size_t *made = is_plan ? &result->restarts : &extra;
         const size_t most =

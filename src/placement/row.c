@@ -17,23 +17,33 @@ static bool is_all_clear(const murk_look *look)
     return true;
 }
 
-/* Bits cost slots / 8 bytes, a clear list 4 a photon: even at 1/32 seen.
- * Dense costs 2 a slot, a list 6 a photon: even at 1/3. */
+/* The wide loops may read this far behind packed clarities. */
+#define PACKED_PADDING 64
+
+/* Bits cost slots / 8 bytes, a clear list 4 a photon seen: even at 1/32 seen.
+ * Packed costs slots / 8 and 2 a photon, a list 6: even at 1/32, too. Dense
+ * costs 2 a slot, hardly more than packed where most is seen, and is quicker.
+ */
 static murk_row_kind kind_for(const murk_layout *layout, const murk_look *look)
 {
+    const bool is_sparse = look->seen <= layout->slots / 32;
     if (is_all_clear(look)) {
-        return look->seen > layout->slots / 32 ? MURK_ROW_BITS
-                                               : MURK_ROW_CLEAR_LIST;
+        return is_sparse ? MURK_ROW_CLEAR_LIST : MURK_ROW_BITS;
     }
-    return look->seen > layout->slots / 3 ? MURK_ROW_DENSE : MURK_ROW_LIST;
+    return is_sparse                        ? MURK_ROW_LIST
+           : look->seen > layout->slots / 2 ? MURK_ROW_DENSE
+                                            : MURK_ROW_PACKED;
 }
 
 static size_t bytes_for(murk_row_kind kind, const murk_layout *layout,
                         size_t seen)
 {
+    const size_t bits = layout->words * sizeof(uint64_t);
     switch (kind) {
     case MURK_ROW_BITS:
-        return layout->words * sizeof(uint64_t);
+        return bits;
+    case MURK_ROW_PACKED:
+        return bits + seen * sizeof(uint16_t) + PACKED_PADDING;
     case MURK_ROW_DENSE:
         return layout->slots * sizeof(uint16_t);
     case MURK_ROW_LIST:
@@ -58,13 +68,45 @@ size_t murk_row_bytes(const murk_layout *layout, const murk_look *look)
     return bytes_for(kind_for(layout, look), layout, look->seen);
 }
 
+static void fill_bits(uint64_t *bits, const murk_layout *layout,
+                      const murk_look *look)
+{
+    for (size_t k = 0; k < look->seen; ++k) {
+        const size_t at = murk_layout_slot(layout, look->photon[k]);
+        bits[at / 64] |= UINT64_C(1) << (at % 64);
+    }
+}
+
+/* Clarities in the order of their slots. first[words] is scratch. */
+static void fill_packed(uint16_t *clarity, const uint64_t *bits,
+                        uint32_t *first, const murk_layout *layout,
+                        const murk_look *look)
+{
+    uint32_t before = 0;
+    for (size_t k = 0; k < layout->words; ++k) {
+        first[k] = before;
+        before += (uint32_t)__builtin_popcountll(bits[k]);
+    }
+    for (size_t k = 0; k < look->seen; ++k) {
+        const size_t at = murk_layout_slot(layout, look->photon[k]);
+        const uint64_t below = bits[at / 64] & ((UINT64_C(1) << (at % 64)) - 1);
+        clarity[first[at / 64] + (size_t)__builtin_popcountll(below)] =
+            look->clarity[k];
+    }
+}
+
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_look *look)
 {
     const murk_row_kind kind = kind_for(layout, look);
     const size_t bytes = bytes_for(kind, layout, look->seen);
     void *memory = murk_aligned_zeros(bytes);
-    if (!memory) {
+    uint32_t *first = NULL;
+    if (memory && kind == MURK_ROW_PACKED) {
+        first = malloc(layout->words * sizeof *first);
+    }
+    if (!memory || (kind == MURK_ROW_PACKED && !first)) {
+        free(memory);
         return false;
     }
     murk_row row = {.kind = kind,
@@ -74,32 +116,40 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
     uint64_t *bits = memory;
     uint16_t *dense = memory;
     uint32_t *slot = memory;
-    uint16_t *clarity = (uint16_t *)(slot + look->seen);
     for (size_t k = 0; k < look->seen; ++k) {
         assert(look->photon[k] < layout->photons);
-        const size_t at = murk_layout_slot(layout, look->photon[k]);
-        switch (kind) {
-        case MURK_ROW_BITS:
-            bits[at / 64] |= UINT64_C(1) << (at % 64);
-            break;
-        case MURK_ROW_DENSE:
-            dense[at] = look->clarity[k];
-            break;
-        case MURK_ROW_LIST:
-            slot[k] = (uint32_t)at;
-            clarity[k] = look->clarity[k];
-            break;
-        case MURK_ROW_CLEAR_LIST:
-            slot[k] = (uint32_t)at;
-            break;
-        }
     }
-    row.bits = kind == MURK_ROW_BITS ? bits : NULL;
-    row.clarity = kind == MURK_ROW_DENSE  ? dense
-                  : kind == MURK_ROW_LIST ? clarity
-                                          : NULL;
-    row.slot =
-        kind == MURK_ROW_LIST || kind == MURK_ROW_CLEAR_LIST ? slot : NULL;
+    switch (kind) {
+    case MURK_ROW_BITS:
+        fill_bits(bits, layout, look);
+        row.bits = bits;
+        break;
+    case MURK_ROW_PACKED:
+        dense = (uint16_t *)(bits + layout->words);
+        fill_bits(bits, layout, look);
+        fill_packed(dense, bits, first, layout, look);
+        row.bits = bits;
+        row.clarity = dense;
+        break;
+    case MURK_ROW_DENSE:
+        for (size_t k = 0; k < look->seen; ++k) {
+            dense[murk_layout_slot(layout, look->photon[k])] = look->clarity[k];
+        }
+        row.clarity = dense;
+        break;
+    case MURK_ROW_LIST:
+        dense = (uint16_t *)(slot + look->seen);
+        memcpy(dense, look->clarity, look->seen * sizeof *dense);
+        row.clarity = dense;
+        /* fall through */
+    case MURK_ROW_CLEAR_LIST:
+        for (size_t k = 0; k < look->seen; ++k) {
+            slot[k] = (uint32_t)murk_layout_slot(layout, look->photon[k]);
+        }
+        row.slot = slot;
+        break;
+    }
+    free(first);
     *out = row;
     return true;
 }
@@ -162,6 +212,16 @@ static void add_to_best(uint16_t *best, const murk_layout *layout,
             }
         }
         break;
+    case MURK_ROW_PACKED: {
+        const uint16_t *p = row->clarity;
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
+                uint16_t *at = &best[64 * k + (size_t)__builtin_ctzll(left)];
+                *at = *p > *at ? *p : *at;
+            }
+        }
+        break;
+    }
     case MURK_ROW_DENSE:
         for (size_t i = 0; i < layout->slots; ++i) {
             best[i] = row->clarity[i] > best[i] ? row->clarity[i] : best[i];
@@ -276,6 +336,29 @@ static uint64_t gain_of_dense(const murk_layout *layout,
     return sum;
 }
 
+static uint64_t gain_of_packed(const murk_layout *layout, const murk_row *row,
+                               const uint16_t *best)
+{
+    const murk_kernels *kernels = layout->kernels;
+    const uint16_t *clarity = row->clarity;
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const murk_segment *at = &layout->segment[s];
+        const uint64_t *bits = row->bits + at->first_word;
+        const size_t first = 64 * at->first_word;
+        size_t used = 0;
+        sum +=
+            at->is_mixed
+                ? kernels->weigh_packed(bits, clarity, best + first,
+                                        layout->weight + first, at->words,
+                                        &used)
+                : at->weight * kernels->sum_packed(bits, clarity, best + first,
+                                                   at->words, &used);
+        clarity += used;
+    }
+    return sum;
+}
+
 static uint64_t gain_of_list(const murk_layout *layout, const murk_row *row,
                              const uint16_t *best)
 {
@@ -308,6 +391,8 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
     switch (row->kind) {
     case MURK_ROW_BITS:
         return gain_of_bits(layout, row->bits, cover);
+    case MURK_ROW_PACKED:
+        return gain_of_packed(layout, row, cover->best);
     case MURK_ROW_DENSE:
         return gain_of_dense(layout, row->clarity, cover->best);
     case MURK_ROW_LIST:
@@ -330,6 +415,16 @@ void murk_row_count_above(const murk_layout *layout, const murk_row *row,
             }
         }
         break;
+    case MURK_ROW_PACKED: {
+        const uint16_t *p = row->clarity;
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
+                const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+                count[i] = (uint16_t)(count[i] + (*p > best[i]));
+            }
+        }
+        break;
+    }
     case MURK_ROW_DENSE:
         for (size_t i = 0; i < layout->slots; ++i) {
             count[i] = (uint16_t)(count[i] + (row->clarity[i] > best[i]));
@@ -366,6 +461,17 @@ bool murk_row_within(const murk_layout *layout, const murk_row *row,
             }
         }
         return true;
+    case MURK_ROW_PACKED: {
+        const uint16_t *p = row->clarity;
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
+                if (*p > cover->best[64 * k + (size_t)__builtin_ctzll(left)]) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
     case MURK_ROW_DENSE:
         for (size_t i = 0; i < layout->slots; ++i) {
             if (row->clarity[i] > cover->best[i]) {

@@ -7,6 +7,7 @@
 
 typedef enum murk_row_kind {
     MURK_ROW_BITS,      /* a bit a slot: seen clearly or not at all */
+    MURK_ROW_PACKED,    /* a bit a slot, and the clarities of those seen */
     MURK_ROW_DENSE,     /* a clarity a slot */
     MURK_ROW_LIST,      /* seen slots with their clarities */
     MURK_ROW_CLEAR_LIST /* seen slots, all clearly */
@@ -15,8 +16,8 @@ typedef enum murk_row_kind {
 typedef struct murk_row {
     murk_row_kind kind;
     size_t seen;
-    const uint64_t *bits;    /* [words] */
-    const uint16_t *clarity; /* DENSE: [slots], LIST: [seen] */
+    const uint64_t *bits;    /* [words]: BITS, PACKED */
+    const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
     const uint32_t *slot;    /* [seen], distinct */
     void *memory;            /* what free() takes; NULL where borrowed */
     size_t memory_bytes;
