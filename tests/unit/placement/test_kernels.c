@@ -1,0 +1,125 @@
+/* The wide loops agree with the plain ones in every bit, at lengths around
+ * their strides, at the largest terms, and beyond a lane's capacity. */
+#include "placement/kernels.h"
+
+#include "base/rng.h"
+#include "check.h"
+#include "placement/problem.h"
+
+#include <stdlib.h>
+
+typedef struct arrays {
+    uint64_t *row, *full;
+    uint16_t *dense, *packed, *best;
+    uint32_t *weight;
+} arrays;
+
+static uint32_t word_at(uint64_t i, uint32_t slot)
+{
+    uint32_t word[4];
+    murk_random_words(1, MURK_TEST, i, 0, slot, word);
+    return word[0];
+}
+
+/* Weights add up to less than 2^47 (placement/problem.h). */
+static uint32_t largest_weight(size_t photons)
+{
+    const uint64_t share = (((uint64_t)1 << 47) - 1) / (photons + 1);
+    return share < UINT32_MAX ? (uint32_t)share : UINT32_MAX;
+}
+
+static arrays arrays_create(size_t words, bool is_extreme)
+{
+    const size_t n = 64 * words;
+    arrays a = {aligned_alloc(64, (words / 8 + 1) * 64),
+                aligned_alloc(64, (words / 8 + 1) * 64),
+                aligned_alloc(64, 2 * n + 64),
+                aligned_alloc(64, 2 * n + 128),
+                aligned_alloc(64, 2 * n + 64),
+                aligned_alloc(64, 4 * n + 64)};
+    for (size_t k = 0; k < words; ++k) {
+        a.row[k] = (uint64_t)word_at(k, 0) << 32 | word_at(k, 1);
+        a.full[k] = (uint64_t)word_at(k, 2) << 32 | word_at(k, 3);
+        if (is_extreme) {
+            a.row[k] = UINT64_MAX;
+            a.full[k] = 0;
+        } else if (k % 3 == 1) {
+            a.row[k] = 0;
+        }
+    }
+    memset(a.packed, 0, 2 * n + 128);
+    for (size_t i = 0; i < n; ++i) {
+        a.dense[i] = is_extreme ? MURK_CLEAR : (uint16_t)word_at(i, 4);
+        a.packed[i] = is_extreme ? MURK_CLEAR : (uint16_t)word_at(i, 5);
+        a.best[i] = is_extreme ? 0 : (uint16_t)word_at(i, 6);
+        a.weight[i] = is_extreme ? largest_weight(n) : word_at(i, 7);
+    }
+    return a;
+}
+
+static void arrays_release(arrays *a)
+{
+    free(a->row);
+    free(a->full);
+    free(a->dense);
+    free(a->packed);
+    free(a->best);
+    free(a->weight);
+}
+
+static void check_same(size_t words, bool is_extreme)
+{
+    const murk_kernels *p = murk_kernels_plain(), *f = murk_kernels_fastest();
+    arrays a = arrays_create(words, is_extreme);
+    const size_t n = 64 * words;
+    CHECK(p->count_new(a.row, a.full, words) ==
+          f->count_new(a.row, a.full, words));
+    CHECK(p->sum_missing(a.row, a.best, words) ==
+          f->sum_missing(a.row, a.best, words));
+    CHECK(p->weigh_missing(a.row, a.best, a.weight, words) ==
+          f->weigh_missing(a.row, a.best, a.weight, words));
+    CHECK(p->sum_above(a.dense, a.best, n) == f->sum_above(a.dense, a.best, n));
+    CHECK(p->weigh_above(a.dense, a.best, a.weight, n) ==
+          f->weigh_above(a.dense, a.best, a.weight, n));
+    size_t used[2] = {0};
+    CHECK(p->sum_packed(a.row, a.packed, a.best, words, &used[0]) ==
+          f->sum_packed(a.row, a.packed, a.best, words, &used[1]));
+    CHECK(used[0] == used[1]);
+    CHECK(p->weigh_packed(a.row, a.packed, a.best, a.weight, words, &used[0]) ==
+          f->weigh_packed(a.row, a.packed, a.best, a.weight, words, &used[1]));
+    CHECK(used[0] == used[1]);
+    arrays_release(&a);
+}
+
+/* The plain loops against sums known beforehand. */
+static void test_plain_sums(void)
+{
+    const murk_kernels *p = murk_kernels_plain();
+    arrays a = arrays_create(2, true);
+    const uint64_t all = (uint64_t)128 * MURK_CLEAR;
+    size_t used = 0;
+    a.full[0] = 7;
+    CHECK(p->count_new(a.row, a.full, 2) == 125);
+    CHECK(p->sum_missing(a.row, a.best, 2) == all);
+    CHECK(p->sum_above(a.dense, a.best, 128) == all);
+    CHECK(p->weigh_above(a.dense, a.best, a.weight, 128) == all * UINT32_MAX);
+    a.best[3] = MURK_CLEAR - 1;
+    a.row[1] = 1;
+    CHECK(p->sum_missing(a.row, a.best, 2) == (uint64_t)64 * MURK_CLEAR + 1);
+    CHECK(p->sum_packed(a.row, a.packed, a.best, 2, &used) ==
+          (uint64_t)64 * MURK_CLEAR + 1);
+    CHECK(used == 65);
+    arrays_release(&a);
+}
+
+int main(void)
+{
+    test_plain_sums();
+    for (size_t words = 0; words < 20; ++words) {
+        check_same(words, false);
+        check_same(words, true);
+    }
+    check_same(40000, true); /* lanes of 32 bits must be emptied in time */
+    check_same(3001, false);
+    return check_done();
+}
