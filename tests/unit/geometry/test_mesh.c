@@ -1,0 +1,216 @@
+/* Meshes arrive in metres with z up, with their materials' names, and what is
+ * wrong with a file is said in one line. Deterministic. */
+#include "check.h"
+#include "geometry/mesh.h"
+#include "geometry/surfaces.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/murk-mesh-XXXXXX";
+static char path[64];
+
+static const char *written(const char *name, const char *text)
+{
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *f = fopen(path, "w");
+    if (f) {
+        fputs(text, f);
+        fclose(f);
+    }
+    return path;
+}
+
+static murk_mesh *read_mesh(const char *file, double unit_m, char up,
+                            murk_error *err)
+{
+    const murk_mesh_import import = {unit_m, up};
+    murk_mesh *m = NULL;
+    *err = (murk_error){0};
+    murk_mesh_read(&m, file, &import, "scene.yaml:3:5", err);
+    return m;
+}
+
+/* A tetrahedron 1 x 2 x 3; one degenerate face, one line, one point. */
+static const char OBJ[] = "mtllib none.mtl\n"
+                          "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nv 2 0 0\n"
+                          "usemtl glass\nf 1 2 3\nf 1 2 4\n"
+                          "usemtl steel\nf 1 3 4\nf 2 3 4\n"
+                          "f 1 2 5\nl 1 2\np 1\n";
+
+static void test_obj_is_metres_with_z_up(void)
+{
+    murk_error err;
+    murk_mesh *m = read_mesh(written("a.obj", OBJ), 0, 0, &err);
+    CHECK_TEXT(err.text, "");
+    if (!m) {
+        return;
+    }
+    CHECK(m->triangles == 4);
+    CHECK(m->degenerate == 1);
+    CHECK(m->bounds_m.min.x == 0 && m->bounds_m.max.x == 1);
+    CHECK(m->bounds_m.max.y == 2 && m->bounds_m.max.z == 3);
+    size_t glass = 0;
+    for (size_t i = 0; i < m->triangles; ++i) {
+        glass += strcmp(m->material_name[m->material[i]], "glass") == 0;
+    }
+    CHECK(glass == 2);
+    murk_mesh_destroy(m);
+}
+
+static void test_unit_and_up_axis_as_asked(void)
+{
+    murk_error err;
+    murk_mesh *m = read_mesh(written("a.obj", OBJ), 0.5, 'y', &err);
+    CHECK(m && m->bounds_m.max.x == 0.5 && m->bounds_m.max.z == 1);
+    CHECK(m && m->bounds_m.min.y == -1.5 && m->bounds_m.max.y == 0);
+    murk_mesh_destroy(m);
+    m = read_mesh(written("a.obj", OBJ), 0, 'x', &err);
+    CHECK(m && m->bounds_m.max.z == 1 && m->bounds_m.min.x == -2 &&
+          m->bounds_m.min.y == -3);
+    murk_mesh_destroy(m);
+}
+
+static void collada(char *text, size_t size, const char *unit, const char *up)
+{
+    snprintf(
+        text, size,
+        "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/"
+        "11/COLLADASchema\" version=\"1.4.1\"><asset><unit name=\"u\" "
+        "meter=\"%s\"/><up_axis>%s</up_axis></asset><library_geometries>"
+        "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
+        "count=\"12\">0 0 0 1 0 0 0 2 0 0 0 3</float_array><technique_common>"
+        "<accessor source=\"#pa\" count=\"4\" stride=\"3\"><param name=\"X\" "
+        "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+        "type=\"float\"/></accessor></technique_common></source><vertices "
+        "id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+        "<triangles count=\"2\"><input semantic=\"VERTEX\" source=\"#v\" "
+        "offset=\"0\"/><p>0 1 2 0 1 3</p></triangles></mesh></geometry>"
+        "</library_geometries><library_visual_scenes><visual_scene id=\"s\">"
+        "<node id=\"n\"><translate>10 0 0</translate><instance_geometry "
+        "url=\"#g\"/></node></visual_scene></library_visual_scenes><scene>"
+        "<instance_visual_scene url=\"#s\"/></scene></COLLADA>",
+        unit, up);
+}
+
+static void check_box(const murk_mesh *m, murk_vec3 min, murk_vec3 max)
+{
+    CHECK(m != NULL);
+    if (m) {
+        CHECK_NEAR(murk_length(murk_sub(m->bounds_m.min, min)), 0, 1e-6);
+        CHECK_NEAR(murk_length(murk_sub(m->bounds_m.max, max)), 0, 1e-6);
+    }
+}
+
+/* What the file says holds, unless the scene says otherwise. */
+static void test_collada_unit_and_up_axis(void)
+{
+    char text[4096];
+    murk_error err;
+    collada(text, sizeof text, "0.1", "Z_UP");
+    const char *file = written("a.dae", text);
+    murk_mesh *m = read_mesh(file, 0, 0, &err);
+    check_box(m, murk_vec(1, 0, 0), murk_vec(1.1, 0.2, 0.3));
+    murk_mesh_destroy(m);
+    m = read_mesh(file, 1, 0, &err);
+    check_box(m, murk_vec(10, 0, 0), murk_vec(11, 2, 3));
+    murk_mesh_destroy(m);
+    m = read_mesh(file, 1, 'y', &err);
+    check_box(m, murk_vec(10, -3, 0), murk_vec(11, 0, 2));
+    murk_mesh_destroy(m);
+    collada(text, sizeof text, "1", "Y_UP");
+    file = written("a.dae", text);
+    m = read_mesh(file, 0, 0, &err);
+    check_box(m, murk_vec(10, -3, 0), murk_vec(11, 0, 2));
+    murk_mesh_destroy(m);
+    m = read_mesh(file, 0, 'z', &err);
+    check_box(m, murk_vec(10, 0, 0), murk_vec(11, 2, 3));
+    murk_mesh_destroy(m);
+    collada(text, sizeof text, "1", "X_UP");
+    file = written("a.dae", text);
+    m = read_mesh(file, 0, 0, &err);
+    check_box(m, murk_vec(-2, -3, 10), murk_vec(0, 0, 11));
+    murk_mesh_destroy(m);
+    m = read_mesh(file, 0, 'x', &err);
+    check_box(m, murk_vec(-2, -3, 10), murk_vec(0, 0, 11));
+    murk_mesh_destroy(m);
+}
+
+static void check_refused(const char *file, const char *part)
+{
+    murk_error err;
+    murk_mesh *m = read_mesh(file, 0, 0, &err);
+    CHECK(m == NULL);
+    CHECK(err.status == MURK_BAD_FILE);
+    CHECK_TEXT(err.where, "scene.yaml:3:5");
+    CHECK_MENTIONS(err.text, part);
+    CHECK(strchr(err.text, '\n') == NULL);
+    murk_mesh_destroy(m);
+}
+
+static void test_what_is_no_mesh_is_refused(void)
+{
+    check_refused("/nowhere/a.obj", "No such file");
+    check_refused(folder, "is a folder");
+    check_refused(written("empty.obj", ""), "is empty");
+    check_refused(written("a.txt", "hello"), "no mesh that can be read");
+    check_refused(written("points.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"),
+                  "no triangles");
+    check_refused(written("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"),
+                  "has an area");
+    check_refused(written("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"),
+                  "");
+    snprintf(path, sizeof path, "%s/pipe.obj", folder);
+    CHECK(mkfifo(path, 0600) == 0);
+    check_refused(path, "not a regular file");
+    char text[256];
+    snprintf(text, sizeof text, "mtllib %s/pipe.obj\n%s", folder,
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    murk_error err; /* a pipe named inside must not make the reader wait */
+    murk_mesh *m = read_mesh(written("pipes.obj", text), 0, 0, &err);
+    CHECK(m != NULL);
+    murk_mesh_destroy(m);
+}
+
+static void test_materials_are_found_by_name(void)
+{
+    murk_error err;
+    murk_mesh *m = read_mesh(written("a.obj", OBJ), 0, 0, &err);
+    const murk_material materials[3] = {
+        {.name = "default"}, {.name = "Glass"}, {.name = "glass"}};
+    const murk_surface_desc desc = {.shape = MURK_SHAPE_MESH,
+                                    .mesh = m,
+                                    .to_world = murk_affine_identity(),
+                                    .material = -1};
+    murk_surfaces *s = NULL;
+    CHECK(m &&
+          murk_surfaces_create(&s, &desc, 1, materials, 3, &err) == MURK_OK);
+    CHECK(s && murk_surfaces_material_area(s, 2) == 1 + 1.5);
+    CHECK(s && murk_surfaces_material_area(s, 1) == 0);
+    CHECK(s && murk_surfaces_material_area(s, 0) == 3 + 3.5);
+    murk_surfaces_destroy(s);
+    s = NULL; /* whatever the case, where no name is exactly so */
+    CHECK(m &&
+          murk_surfaces_create(&s, &desc, 1, materials, 2, &err) == MURK_OK);
+    CHECK(s && murk_surfaces_material_area(s, 1) == 1 + 1.5);
+    murk_surfaces_destroy(s);
+    murk_mesh_destroy(m);
+}
+
+int main(void)
+{
+    if (!mkdtemp(folder)) {
+        check_skip("no temporary folder");
+    }
+    test_obj_is_metres_with_z_up();
+    test_unit_and_up_axis_as_asked();
+    test_collada_unit_and_up_axis();
+    test_what_is_no_mesh_is_refused();
+    test_materials_are_found_by_name();
+    char clean[80];
+    snprintf(clean, sizeof clean, "rm -r %s", folder);
+    CHECK(system(clean) == 0);
+    return check_done();
+}
