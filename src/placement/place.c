@@ -13,6 +13,10 @@
 /* `best` stops after so many starts in a row without gain. */
 #define STARTS_WITHOUT_GAIN 20
 
+/* Starts handed to each thread at once: fewer would wait for threads to begin,
+ * more would be made in vain past the stop. */
+#define STARTS_PER_WORKER 4
+
 /* A curve point gets one start for each of so many of the plan's own. */
 #define RESTARTS_PER_CURVE_START 10
 #define CURVE_STARTS_MOST        20
@@ -31,8 +35,9 @@
 typedef struct starts {
     murk_search *search; /* [workers] */
     unsigned workers;
-    uint32_t *plan;                        /* [workers][n] */
-    uint64_t *value, *evaluations, *looks; /* [workers] by batch */
+    size_t wave_most; /* made between two looks at the stop */
+    uint32_t *plan;   /* [wave_most][n] */
+    uint64_t *value, *evaluations, *looks; /* [wave_most] */
     size_t n;
     uint32_t seed;
     uint64_t first; /* start number of batch 0 */
@@ -91,7 +96,7 @@ static uint64_t try_starts(placing *p, uint32_t *plan, size_t n, uint64_t value,
     while (done < most && without_gain < STARTS_WITHOUT_GAIN && value < upper &&
            !murk_interrupted()) {
         const size_t left = most - done;
-        const size_t wave = left < t->workers ? left : t->workers;
+        const size_t wave = left < t->wave_most ? left : t->wave_most;
         t->first = done;
         if (t->workers > 1) {
             murk_crew_run_workers(t->workers, wave, run_start, t);
@@ -276,12 +281,14 @@ static murk_status starts_init(starts *t, const murk_oracle *oracle,
      * scan; else each takes a start of its own. */
     const bool is_wide = oracle->wide_threads > 1 || !oracle->matrix;
     const unsigned workers = is_wide ? 1 : oracle->problem->threads;
+    const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
     *t = (starts){.seed = desc->seed,
                   .search = calloc(workers, sizeof *t->search),
-                  .plan = calloc(workers * desc->count, sizeof *t->plan),
-                  .value = calloc(workers, sizeof *t->value),
-                  .evaluations = calloc(workers, sizeof *t->evaluations),
-                  .looks = calloc(workers, sizeof *t->looks)};
+                  .wave_most = wave,
+                  .plan = calloc(wave * desc->count, sizeof *t->plan),
+                  .value = calloc(wave, sizeof *t->value),
+                  .evaluations = calloc(wave, sizeof *t->evaluations),
+                  .looks = calloc(wave, sizeof *t->looks)};
     if (!t->search || !t->plan || !t->value || !t->evaluations || !t->looks) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          desc->count);
