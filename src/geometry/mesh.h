@@ -26,10 +26,12 @@ typedef struct murk_mesh {
 } murk_mesh;
 
 typedef struct murk_mesh_import {
-    double unit_m; /* length of the file's unit; 0: what the file says (Collada,
-                      glTF), else 1 */
-    char up;       /* 'x', 'y', 'z': the file's up axis; 0: what the file says,
-                      else z */
+    /* Length of the file's unit; 0: what the file says (Collada, glTF, FBX,
+     * IFC), else 1. */
+    double unit_m;
+    /* 'x', 'y', 'z': the file's up axis; 0: what the file or its format says
+     * (Collada, glTF, FBX, IFC, 3DS, ASE, DXF, X3D), else z. */
+    char up;
 } murk_mesh_import;
 
 /* *out is the caller's: murk_mesh_destroy(). Fails with MURK_BAD_FILE (missing,

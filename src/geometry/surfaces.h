@@ -8,8 +8,12 @@
  * sheet and does not bend. A closed mesh (or box, or sphere) whose material
  * has an index of refraction is a solid: Snell and Fresnel act at its boundary
  * (there specular + transmit is the share not absorbed, split by Fresnel), and
- * no medium is inside. Winding means nothing: a normal faces the side that the
- * ray came from. */
+ * no medium is inside. Closed: each edge of a connected part of the triangles
+ * of one description and one material belongs to an even number of them, once
+ * vertices of equal place are one; all closed parts together are one solid, so
+ * a hollow shape of two shells is one. Where such a material's surface is open
+ * it does not bend, and a warning says so. Winding means nothing: a normal
+ * faces the side that the ray came from. */
 #ifndef MURK_GEOMETRY_SURFACES_H
 #define MURK_GEOMETRY_SURFACES_H
 
@@ -75,17 +79,22 @@ typedef struct murk_hit {
 } murk_hit;
 
 /* The nearest surface strictly ahead within max_m (may be INFINITY). For a ray
- * that leaves a surface, start from murk_surfaces_leave(). */
+ * that leaves a surface, start from murk_surfaces_leave(). In a corner of
+ * opaque surfaces, within 1e-6 of the largest coordinate, distance_m is short
+ * by 8e-6 of it, so that the next ray starts in the room. */
 bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit);
 
 /* A point just off the surface at `point`, on the side that `normal` points
  * to: far enough that no ray from it meets that surface again through
- * rounding, by no more than some 1e-6 of the coordinates' size. */
+ * rounding: 9.5e-7 of the largest coordinate (counted from the middle of a
+ * scene that is far from the origin). Surfaces nearer to each other than this
+ * are not told apart. */
 murk_vec3 murk_surfaces_leave(const murk_surfaces *surfaces, murk_vec3 point,
                               murk_vec3 normal);
 
-/* The solid that encloses a point: 1.., or 0. For where a lamp stands. */
+/* The solid that encloses a point, the innermost of several: 1.., or 0. For
+ * where a lamp stands. */
 uint16_t murk_surfaces_solid_at(const murk_surfaces *surfaces, murk_vec3 point);
 
 /* Whether anything but a thin transmitting sheet (or, if !through_sheets,
@@ -102,7 +111,8 @@ void murk_surfaces_blocked_many(const murk_surfaces *surfaces,
                                 bool through_sheets, bool *blocked);
 
 /* Product of the transmittances of the thin sheets between two points: 1 where
- * there are none. */
+ * there are none. The material's transmit holds at any angle; sheets nearer to
+ * each other than murk_surfaces_leave() moves count once. */
 double murk_surfaces_sheet_transmittance(const murk_surfaces *surfaces,
                                          murk_vec3 from, murk_vec3 to,
                                          int band);
