@@ -1,6 +1,6 @@
 #include "transport/bounce.h"
 
-#define TWO_PI (2 * MURK_PI)
+#include "transport/turn.h"
 
 double murk_fresnel(double n_from, double n_to, double cosine,
                     double *cosine_refracted)
@@ -18,25 +18,6 @@ double murk_fresnel(double n_from, double n_to, double cosine,
     return (s_wave * s_wave + p_wave * p_wave) / 2;
 }
 
-/* One Newton step towards length 1: exact to the square of what rounding has
- * left it off by, and cheaper than a root and a division. */
-static murk_vec3 trimmed(murk_vec3 d)
-{
-    return murk_scale(1.5 - 0.5 * murk_dot(d, d), d);
-}
-
-murk_vec3 murk_turned(murk_vec3 d, double mu, double u_phi)
-{
-    murk_vec3 t, b;
-    murk_frame(d, &t, &b);
-    const double phi = TWO_PI * u_phi, s2 = 1 - mu * mu;
-    const double s = sqrt(s2 > 0 ? s2 : 0);
-    const double along_t = s * cos(phi), along_b = s * sin(phi);
-    return trimmed(murk_vec(mu * d.x + along_t * t.x + along_b * b.x,
-                            mu * d.y + along_t * t.y + along_b * b.y,
-                            mu * d.z + along_t * t.z + along_b * b.z));
-}
-
 murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi)
 {
     return murk_turned(n, sqrt(u_mu), u_phi);
@@ -44,7 +25,7 @@ murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi)
 
 static murk_vec3 mirrored(murk_vec3 d, murk_vec3 normal)
 {
-    return trimmed(murk_along(d, -2 * murk_dot(d, normal), normal));
+    return murk_trimmed(murk_along(d, -2 * murk_dot(d, normal), normal));
 }
 
 static murk_bounce bend(double n_from, double n_to, murk_vec3 direction,

@@ -15,9 +15,6 @@ double murk_fresnel(double n_from, double n_to, double cosine,
 /* A direction by cosine law about unit n. */
 murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi);
 
-/* Unit d turned by the angle of cosine mu, at azimuth 2 pi u_phi about it. */
-murk_vec3 murk_turned(murk_vec3 d, double mu, double u_phi);
-
 typedef struct murk_bounce {
     murk_outcome outcome;
     murk_vec3 direction; /* unit, leaving; zero when absorbed */

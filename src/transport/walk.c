@@ -13,6 +13,7 @@
 #include "medium/phase.h"
 #include "transport/bounce.h"
 #include "transport/solids.h"
+#include "transport/turn.h"
 
 /* Share of the domain's largest coordinate by which the box for surfaces is
  * grown: some times what rays in single precision are off by, and what
@@ -88,7 +89,8 @@ static inline double nearer(double a, double b)
 
 /* Distance [m] to the side ahead, not below 0; INFINITY where the direction
  * has no length. */
-static double side_ahead(const murk_walls *walls, murk_vec3 p, murk_vec3 d)
+static inline double side_ahead(const murk_walls *walls, murk_vec3 p,
+                                murk_vec3 d)
 {
     const double x = wall_ahead(p.x, d.x, walls->x);
     const double y = wall_ahead(p.y, d.y, walls->y);
@@ -138,11 +140,12 @@ static bool meets_surface(const walk *w, murk_hit *hit, double *distance_m)
     return true;
 }
 
-/* False when the photon ends there. */
-static bool scatter(walk *w, const murk_collision *c)
+/* u: two numbers in (0, 1). Given that it scatters, what the roulette leaves of
+ * its number is again uniform, and serves as the azimuth: so one collision
+ * takes one draw of four. False when the photon ends there. */
+static bool scatter(walk *w, const murk_collision *c, const double u[2])
 {
-    const murk_random4 random = draw(w, MURK_SCATTER);
-    const bool scatters = random.u[0] < c->albedo;
+    const bool scatters = u[0] < c->albedo;
     const murk_vec3 arriving = w->direction;
     ++w->sums->collisions;
     w->position = w->probe =
@@ -150,7 +153,7 @@ static bool scatter(walk *w, const murk_collision *c)
                     murk_along(w->position, c->distance_m, w->direction));
     if (scatters) {
         w->direction = murk_turned(
-            arriving, murk_hg_sample(c->mean_cosine, random.u[1]), random.u[2]);
+            arriving, murk_hg_sample(c->mean_cosine, u[1]), u[0] / c->albedo);
     }
     if (is_heard(w)) {
         murk_event event = event_of(w, MURK_EVENT_MEDIUM);
@@ -296,7 +299,7 @@ static murk_fate follow(walk *w)
             if (murk_media_fly(r->world->media, w->band, w->position,
                                w->direction, length_m, -log(random.u[0]),
                                random.u[1], &collision)) {
-                if (!scatter(w, &collision)) {
+                if (!scatter(w, &collision, &random.u[2])) {
                     return MURK_FATE_MEDIA;
                 }
                 continue;

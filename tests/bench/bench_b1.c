@@ -4,16 +4,16 @@
  * reference is the plain scalar loop of tests/support/plain_tracer.c, which
  * does the same roulette, timed in turns with murk. Medians of the repeats.
  *
- * The reference runs on one thread and is counted once for each thread: plain
- * loops over photons share nothing, so that is what they would do at best. */
+ * On two threads the reference is two such loops side by side. */
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/crew.h"
 #include "base/progress.h"
 #include "plain_tracer.h"
 #include "transport/trace.h"
 
-#define REPEATS 7
+#define REPEATS 9
 #define PHOTONS UINT64_C(40960)
 
 typedef struct parts {
@@ -66,8 +66,14 @@ static double murk_rate(parts *p, uint64_t first, unsigned threads)
     return (double)PHOTONS / (murk_clock_s() - begin);
 }
 
-static double plain_rate(plain_result *result, uint64_t seed)
+typedef struct loops {
+    uint64_t photons, seed; /* of each loop */
+    plain_result result[2];
+} loops;
+
+static void loop(void *context, uint64_t i)
 {
+    loops *l = context;
     const plain_box box = {.size_m = {60, 60, 60},
                            .start_m = {30.1, 30.2, 0},
                            .direction = {0, 0, 1},
@@ -75,9 +81,19 @@ static double plain_rate(plain_result *result, uint64_t seed)
                            .scattering_per_m = 1,
                            .mean_cosine = .01,
                            .majorant_per_m = 1.005};
+    l->result[i] = plain_trace(&box, l->photons, l->seed + i);
+}
+
+static double plain_rate(uint64_t *absorbed, uint64_t seed, unsigned threads)
+{
+    loops l = {PHOTONS / threads, seed, {{0}}};
     const double begin = murk_clock_s();
-    *result = plain_trace(&box, PHOTONS, seed);
-    return (double)PHOTONS / (murk_clock_s() - begin);
+    murk_crew_run(threads, threads, loop, &l);
+    const double seconds = murk_clock_s() - begin;
+    for (unsigned i = 0; i < threads; ++i) {
+        *absorbed += l.result[i].absorbed;
+    }
+    return (double)PHOTONS / seconds;
 }
 
 static int ascending(const void *a, const void *b)
@@ -100,28 +116,26 @@ int main(void)
         fprintf(stderr, "%s: %s\n", err.where, err.text);
         return 1;
     }
-    double one[REPEATS], two[REPEATS], plain[REPEATS];
-    plain_result result = {0};
+    uint64_t absorbed = 0, first = 0;
+    double murk[2][REPEATS], plain[2][REPEATS];
     for (int i = 0; i < REPEATS; ++i) {
-        const uint64_t first = (uint64_t)i * 2 * PHOTONS;
-        plain[i] = plain_rate(&result, (uint64_t)i + 1);
-        one[i] = murk_rate(&p, first, 1);
-        two[i] = murk_rate(&p, first + PHOTONS, 2);
+        for (unsigned t = 0; t < 2; ++t, first += PHOTONS) {
+            plain[t][i] = plain_rate(&absorbed, first + 1, t + 1);
+            murk[t][i] = murk_rate(&p, first, t + 1);
+        }
     }
-    const double rate[2] = {median(one), median(two)};
-    const double reference = median(plain);
-    for (unsigned threads = 1; threads <= 2; ++threads) {
+    for (unsigned t = 0; t < 2; ++t) {
+        const double value = median(murk[t]), reference = median(plain[t]);
         printf("{\"case\": \"b1\", \"value\": %.6g, \"unit\": \"photons/s\", "
                "\"reference\": \"plain scalar C loop\", \"reference_value\": "
                "%.6g, \"ratio\": %.4f, \"threads\": %u}\n",
-               rate[threads - 1], threads * reference,
-               rate[threads - 1] / (threads * reference), threads);
+               value, reference, value / reference, t + 1);
     }
     fprintf(
         stderr, "absorbed: murk %.5f, plain %.5f\n",
         (double)(murk_tally_read(&p.ledger->absorbed_media[0]) / MURK_PACKET) /
-            (double)murk_tally_read(&p.ledger->photons),
-        (double)result.absorbed / (double)PHOTONS);
+            (double)first,
+        (double)absorbed / (double)first);
     murk_ledger_destroy(p.ledger);
     murk_lights_destroy(p.lights);
     murk_media_destroy(p.media);
