@@ -278,13 +278,40 @@ static bool pass_side(walk *w, double path_m, murk_fate *ended)
     return true;
 }
 
+/* Whether a flight of at most length_m ends in a medium; rest: two numbers left
+ * over for what happens there. */
+static inline bool collides(const walk *w, double length_m, murk_collision *c,
+                            double rest[2])
+{
+    const murk_random4 random = draw(w, MURK_FLIGHT);
+    rest[0] = random.u[2];
+    rest[1] = random.u[3];
+    return murk_media_fly(w->course->world->media, w->band, w->position,
+                          w->direction, length_m, -log(random.u[0]),
+                          random.u[1], c);
+}
+
 static murk_fate follow(walk *w)
 {
     const murk_course *r = w->course;
+    const bool only_media = r->any_media && !r->any_surfaces;
+    const bool media_too = r->any_media && r->any_surfaces;
     for (;;) {
         ++w->number;
         if (w->number > r->trace->events_max) {
             return lose(w, MURK_LOSS_EVENTS);
+        }
+        murk_collision collision;
+        double rest[2];
+        /* With no surfaces most legs end in a medium: the others alone look
+         * for the side. */
+        if (only_media && collides(w, INFINITY, &collision, rest) &&
+            is_between(&r->walls, murk_along(w->position, collision.distance_m,
+                                             w->direction))) {
+            if (!scatter(w, &collision, rest)) {
+                return MURK_FATE_MEDIA;
+            }
+            continue;
         }
         double length_m = side_ahead(&r->walls, w->position, w->direction);
         /* Also false for what is not a number. */
@@ -293,17 +320,12 @@ static murk_fate follow(walk *w)
         }
         murk_hit hit;
         const bool met = r->any_surfaces && meets_surface(w, &hit, &length_m);
-        if (r->any_media && w->solids.n == 0) {
-            const murk_random4 random = draw(w, MURK_FLIGHT);
-            murk_collision collision;
-            if (murk_media_fly(r->world->media, w->band, w->position,
-                               w->direction, length_m, -log(random.u[0]),
-                               random.u[1], &collision)) {
-                if (!scatter(w, &collision, &random.u[2])) {
-                    return MURK_FATE_MEDIA;
-                }
-                continue;
+        if (media_too && w->solids.n == 0 &&
+            collides(w, length_m, &collision, rest)) {
+            if (!scatter(w, &collision, rest)) {
+                return MURK_FATE_MEDIA;
             }
+            continue;
         }
         murk_fate ended;
         if (met ? !bounce(w, &hit, length_m, &ended)
