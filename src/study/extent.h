@@ -1,0 +1,22 @@
+/* How far the things of a scene reach, and the domain that follows. */
+#ifndef MURK_STUDY_EXTENT_H
+#define MURK_STUDY_EXTENT_H
+
+#include "geometry/mesh.h"
+#include "medium/grid.h"
+#include "scene/scene.h"
+
+/* World box of one item; mesh for files, grid for grid regions, else NULL. */
+murk_box murk_extent_geometry(const murk_scene_geometry *geometry,
+                              const murk_mesh *mesh);
+murk_box murk_extent_region(const murk_scene_region *region,
+                            const murk_grid *grid);
+
+/* The scene's own domain, else the box of geometry, finite regions and lamps,
+ * grown by 1 % of its longest side. mesh[geometries] and grid[n_media] as in
+ * murk_stage. Fails where nothing finite is there to be lit. */
+murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
+                               murk_mesh *const *mesh, murk_grid *const *grid,
+                               murk_error *err);
+
+#endif

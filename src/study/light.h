@@ -1,0 +1,59 @@
+/* Light, traced: both photon maps, the ledger, and what a packet is worth.
+ *
+ * Joins transport's events to the maps' records. A record's power is what
+ * leaves its event, so that stored when reflected and stored when hit agree in
+ * the mean (contract: Stored). */
+#ifndef MURK_STUDY_LIGHT_H
+#define MURK_STUDY_LIGHT_H
+
+#include "photonmap/map.h"
+#include "study/stage.h"
+
+typedef struct murk_traced {
+    murk_photon_map *surface, *volume; /* empty where not stored */
+    uint64_t emitted;
+    uint32_t seed, stream;
+    size_t channels;  /* light * bands + band */
+    double *packet_w; /* [channels]: power of one packet; 0 without photons */
+    murk_ledger *ledger;
+    double trace_s, map_s; /* for the run's own record */
+} murk_traced;
+
+/* A light whose lost share is above this is refused: it would not be the
+ * scene's light. */
+#define MURK_LOST_SHARE_MAX 0.01
+
+/* What a short pilot foretells. */
+typedef struct murk_forecast {
+    uint64_t pilot_photons;
+    double surface, volume; /* records at the end */
+    double emitted;         /* photons at the end */
+    double memory_bytes;    /* most that tracing and both maps take */
+} murk_forecast;
+
+murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
+                                uint32_t stream, unsigned threads,
+                                murk_error *err);
+
+/* Traces emit photons, or until `store` are stored. Refused before tracing, by
+ * forecast, when more than max_stored records or more memory than the machine
+ * has would be needed. *out is the caller's: murk_traced_destroy(). */
+murk_status murk_light_trace(murk_traced **out, const murk_stage *stage,
+                             uint32_t stream, unsigned threads,
+                             murk_error *err);
+void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
+
+/* Nothing traced yet and no maps: for murk_light_trace and murk_light_load.
+ * NULL, and err filled, when out of memory. */
+murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
+                                murk_error *err);
+
+/* light.murk. Reading refuses a file whose seed or scene keys that the light
+ * depends on differ, and names the first difference. */
+murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
+                            const char *path, murk_error *err);
+murk_status murk_light_load(murk_traced **out, const murk_stage *stage,
+                            const char *path, unsigned threads,
+                            murk_error *err);
+
+#endif

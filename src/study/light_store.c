@@ -1,0 +1,254 @@
+/* light.murk: which sections it has, and whether it belongs to a scene. */
+#include "photonmap/light_file.h"
+#include "study/light.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The section "facts", as it lies in the file. */
+typedef struct facts {
+    uint64_t emitted, channels, photons, collisions;
+    uint64_t lost_photons[MURK_LOSSES];
+    uint32_t seed, stream;
+} facts;
+
+#define LEDGER_COLUMNS 5
+
+static void ledger_columns(const murk_ledger *ledger,
+                           murk_tally *column[LEDGER_COLUMNS])
+{
+    column[0] = ledger->emitted;
+    column[1] = ledger->absorbed_surfaces;
+    column[2] = ledger->absorbed_media;
+    column[3] = ledger->escaped;
+    column[4] = ledger->lost;
+}
+
+static facts facts_of(const murk_traced *traced)
+{
+    const murk_ledger *ledger = traced->ledger;
+    facts f = {.emitted = traced->emitted,
+               .channels = traced->channels,
+               .photons = (uint64_t)murk_tally_read(&ledger->photons),
+               .collisions = (uint64_t)murk_tally_read(&ledger->collisions),
+               .seed = traced->seed,
+               .stream = traced->stream};
+    for (int i = 0; i < MURK_LOSSES; ++i) {
+        f.lost_photons[i] = (uint64_t)murk_tally_read(&ledger->lost_photons[i]);
+    }
+    return f;
+}
+
+/* Casts const away for a borrowed section: the writer only reads. */
+static murk_section section_of(const char *name, const void *bytes, size_t size)
+{
+    murk_section section = {.size = size};
+    snprintf(section.name, sizeof section.name, "%s", name);
+    memcpy(&section.bytes, &bytes, sizeof bytes);
+    return section;
+}
+
+murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
+                            const char *path, murk_error *err)
+{
+    const size_t channels = traced->channels;
+    int64_t *energy = malloc(LEDGER_COLUMNS * channels * sizeof *energy);
+    if (!energy) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    }
+    murk_tally *column[LEDGER_COLUMNS];
+    ledger_columns(traced->ledger, column);
+    for (size_t k = 0; k < LEDGER_COLUMNS; ++k) {
+        for (size_t c = 0; c < channels; ++c) {
+            energy[k * channels + c] = murk_tally_read(&column[k][c]);
+        }
+    }
+    const facts f = facts_of(traced);
+    const murk_section sections[] = {
+        section_of("key", stage->light_key, strlen(stage->light_key)),
+        section_of("facts", &f, sizeof f),
+        section_of("packet_w", traced->packet_w,
+                   channels * sizeof *traced->packet_w),
+        section_of("ledger", energy,
+                   LEDGER_COLUMNS * channels * sizeof *energy),
+        section_of("surface", murk_photon_map_photons(traced->surface),
+                   murk_photon_map_count(traced->surface) *
+                       sizeof(murk_photon)),
+        section_of("volume", murk_photon_map_photons(traced->volume),
+                   murk_photon_map_count(traced->volume) *
+                       sizeof(murk_photon))};
+    const murk_status status = murk_light_file_write(
+        path, sections, sizeof sections / sizeof *sections, err);
+    free(energy);
+    return status;
+}
+
+/* Length of the line at `text`, within [text, end). */
+static int line_length(const char *text, const char *end)
+{
+    const char *newline = memchr(text, '\n', (size_t)(end - text));
+    return (int)((newline ? newline : end) - text);
+}
+
+/* The first line in which the file's key and the scene's differ. */
+static murk_status check_key(const murk_section *key, const char *light_key,
+                             const char *path, murk_error *err)
+{
+    const char *a = key->bytes, *b = light_key;
+    const char *a_end = a + key->size, *b_end = b + strlen(b);
+    while (a < a_end || b < b_end) {
+        const int a_length = a < a_end ? line_length(a, a_end) : 0;
+        const int b_length = b < b_end ? line_length(b, b_end) : 0;
+        if (a_length != b_length || memcmp(a, b, (size_t)a_length) != 0) {
+            return murk_fail(err, MURK_BAD_VALUE, path,
+                             "made for another light: it has \"%.*s\", the "
+                             "scene has \"%.*s\"",
+                             a_length, a, b_length, b);
+        }
+        a += a_length + (a + a_length < a_end);
+        b += b_length + (b + b_length < b_end);
+    }
+    return MURK_OK;
+}
+
+static murk_status bad_section(const char *path, const char *name,
+                               murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_FILE, path,
+                     "section %s is missing or of the wrong size", name);
+}
+
+/* Everything that other rooms index by, checked against the scene. */
+static bool photons_fit(const murk_section *section, const murk_stage *stage,
+                        uint64_t emitted, int is_volume)
+{
+    const murk_photon *photon = section->bytes;
+    const size_t materials =
+        is_volume ? stage->scene->n_media : stage->scene->n_materials;
+    for (size_t i = 0; i < section->size / sizeof *photon; ++i) {
+        const murk_photon *p = &photon[i];
+        if (p->band >= stage->scene->bands ||
+            p->light >= stage->scene->n_lights || p->material >= materials ||
+            p->emitted >= emitted || !(p->power_w >= 0) ||
+            !isfinite(p->power_w) || murk_photon_class(p) > 2 ||
+            (murk_photon_is_volume(p) != 0) != (is_volume != 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static murk_status load_map(murk_photon_map **out, const murk_section *sections,
+                            size_t n, int is_volume, uint64_t emitted,
+                            const murk_stage *stage, const char *path,
+                            unsigned threads, murk_error *err)
+{
+    const char *name = is_volume ? "volume" : "surface";
+    const murk_section *section = murk_light_file_find(sections, n, name);
+    if (!section || section->size % sizeof(murk_photon) != 0) {
+        return bad_section(path, name, err);
+    }
+    if (!photons_fit(section, stage, emitted, is_volume)) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "section %s holds a record that is out of range",
+                         name);
+    }
+    murk_photon *photons = NULL;
+    if (section->size) {
+        photons = malloc(section->size);
+        if (!photons) {
+            return murk_fail(err, MURK_NO_MEMORY, path,
+                             "no memory for its photons");
+        }
+        memcpy(photons, section->bytes, section->size);
+    }
+    return murk_photon_map_create(out, photons, section->size / sizeof *photons,
+                                  threads, err);
+}
+
+static void load_ledger(murk_traced *traced, const facts *f,
+                        const murk_section *energy)
+{
+    murk_ledger *ledger = traced->ledger;
+    murk_tally *column[LEDGER_COLUMNS];
+    ledger_columns(ledger, column);
+    const int64_t *value = energy->bytes;
+    for (size_t k = 0; k < LEDGER_COLUMNS; ++k) {
+        for (size_t c = 0; c < traced->channels; ++c) {
+            murk_tally_add(&column[k][c], value[k * traced->channels + c]);
+        }
+    }
+    for (int i = 0; i < MURK_LOSSES; ++i) {
+        murk_tally_add(&ledger->lost_photons[i], (int64_t)f->lost_photons[i]);
+    }
+    murk_tally_add(&ledger->photons, (int64_t)f->photons);
+    murk_tally_add(&ledger->collisions, (int64_t)f->collisions);
+}
+
+static murk_status load(murk_traced *traced, const murk_section *sections,
+                        size_t n, const murk_stage *stage, const char *path,
+                        unsigned threads, murk_error *err)
+{
+    const murk_section *key = murk_light_file_find(sections, n, "key");
+    const murk_section *fact = murk_light_file_find(sections, n, "facts");
+    const murk_section *worth = murk_light_file_find(sections, n, "packet_w");
+    const murk_section *energy = murk_light_file_find(sections, n, "ledger");
+    if (!key) {
+        return bad_section(path, "key", err);
+    }
+    murk_status status = check_key(key, stage->light_key, path, err);
+    if (status) {
+        return status;
+    }
+    if (!fact || fact->size != sizeof(facts)) {
+        return bad_section(path, "facts", err);
+    }
+    facts f;
+    memcpy(&f, fact->bytes, sizeof f);
+    if (f.seed != stage->scene->seed || f.stream != 0) {
+        return murk_fail(err, MURK_BAD_VALUE, path,
+                         "made with seed %u, the scene has seed %u", f.seed,
+                         stage->scene->seed);
+    }
+    if (f.channels != traced->channels || f.emitted > UINT32_MAX) {
+        return bad_section(path, "facts", err);
+    }
+    if (!worth || worth->size != traced->channels * sizeof *traced->packet_w) {
+        return bad_section(path, "packet_w", err);
+    }
+    if (!energy ||
+        energy->size != LEDGER_COLUMNS * traced->channels * sizeof(int64_t)) {
+        return bad_section(path, "ledger", err);
+    }
+    traced->emitted = f.emitted;
+    memcpy(traced->packet_w, worth->bytes, worth->size);
+    load_ledger(traced, &f, energy);
+    for (int is_volume = 0; is_volume < 2 && !status; ++is_volume) {
+        status =
+            load_map(is_volume ? &traced->volume : &traced->surface, sections,
+                     n, is_volume, f.emitted, stage, path, threads, err);
+    }
+    return status;
+}
+
+murk_status murk_light_load(murk_traced **out, const murk_stage *stage,
+                            const char *path, unsigned threads, murk_error *err)
+{
+    murk_section *sections = NULL;
+    size_t n = 0;
+    murk_status status = murk_light_file_read(&sections, &n, path, err);
+    if (status) {
+        return status;
+    }
+    murk_traced *traced = murk_traced_create(stage, 0, err);
+    status = traced ? load(traced, sections, n, stage, path, threads, err)
+                    : MURK_NO_MEMORY;
+    murk_light_file_release(sections, n);
+    if (status) {
+        murk_traced_destroy(traced);
+        return status;
+    }
+    *out = traced;
+    return MURK_OK;
+}

@@ -1,0 +1,211 @@
+#include "study/plan.h"
+
+#include "base/progress.h"
+#include "study/machine.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define HELD_OUT_STREAM 1u
+#define MATRIX_SHARE    0.7 /* of the free memory, for the known matrix */
+
+murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
+                                 unsigned threads, murk_error *err)
+{
+    const murk_scene_sensors *wish = &stage->scene->sensors;
+    if (!wish->given || !wish->has_grid) {
+        return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
+                         "sensors: the scene has no %s",
+                         wish->given ? "sensors.candidates" : "sensors");
+    }
+    const size_t n = murk_lights_count(stage->lights);
+    murk_vec3 *lamp = calloc(n + 1, sizeof *lamp);
+    if (!lamp) {
+        return murk_fail(err, MURK_NO_MEMORY, wish->where,
+                         "no memory for the lamps' places");
+    }
+    murk_reach reach = {.lamps = lamp, .domain = stage->world.domain};
+    for (size_t i = 0; i < n; ++i) {
+        if (murk_lights_place(stage->lights, i, &lamp[reach.n_lamps])) {
+            ++reach.n_lamps;
+        } else {
+            reach.from_sides = true;
+        }
+    }
+    const murk_candidate_grid grid = {
+        .min = wish->grid_min,
+        .max = wish->grid_max,
+        .size = {wish->grid_size[0], wish->grid_size[1], wish->grid_size[2]},
+        .clearance_m = wish->clearance_m};
+    const murk_status status = murk_candidates_create(
+        out, &grid, stage->surfaces, &reach, threads, wish->grid_where, err);
+    free(lamp);
+    return status;
+}
+
+murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
+                            const murk_traced *traced, unsigned threads,
+                            murk_error *err)
+{
+    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_sight_desc desc = {.surfaces = stage->surfaces,
+                                  .media = stage->media,
+                                  .domain = stage->world.domain,
+                                  .surface_map = traced->surface,
+                                  .volume_map = traced->volume,
+                                  .photons_emitted = traced->emitted,
+                                  .range_m = stage->scene->sensors.range_m,
+                                  .visibility = wish->by_normal
+                                                    ? MURK_VISIBILITY_NORMAL
+                                                    : MURK_VISIBILITY_RAY,
+                                  .through_sheets = !wish->block,
+                                  .weights = {.balanced = wish->balanced,
+                                              .surface = wish->weight_surface,
+                                              .volume = wish->weight_volume},
+                                  .threads = threads};
+    return murk_sight_create(out, &desc, err);
+}
+
+static murk_place_desc place_desc(const murk_scene *scene)
+{
+    static const murk_place_method method_of[] = {
+        [MURK_SCENE_BEST] = MURK_PLACE_BEST,
+        [MURK_SCENE_SPOQ] = MURK_PLACE_SPOQ,
+        [MURK_SCENE_GREEDY] = MURK_PLACE_GREEDY};
+    murk_place_desc desc = murk_place_defaults();
+    desc.method = method_of[scene->placement.method];
+    desc.count = (size_t)scene->sensors.count;
+    desc.restarts = (size_t)scene->placement.restarts;
+    desc.seed = scene->seed;
+    return desc;
+}
+
+static murk_status check_count(const murk_plan *plan, const murk_stage *stage,
+                               murk_error *err)
+{
+    const murk_scene_sensors *wish = &stage->scene->sensors;
+    if (wish->count < 1) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "count: not given; give sensors.count or --count N");
+    }
+    if (wish->count > plan->candidates->usable) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "count: %llu sensors, but only %zu of %zu candidates "
+                         "are usable",
+                         (unsigned long long)wish->count,
+                         plan->candidates->usable, plan->candidates->asked);
+    }
+    return MURK_OK;
+}
+
+/* Chooses, by matrix (known) or by looking again and again (unknown). */
+static murk_status choose(murk_plan *plan, const murk_stage *stage,
+                          murk_sight *sight, murk_error *err)
+{
+    murk_sight_problem seen;
+    murk_sight_problem_init(&seen, sight, plan->candidates->position,
+                            plan->candidates->usable);
+    const murk_place_desc desc = place_desc(stage->scene);
+    murk_matrix *matrix = NULL;
+    murk_status status = MURK_OK;
+    double begun_s = murk_clock_s();
+    if (stage->scene->placement.unknown) {
+        status = murk_place_unknown(&plan->place, &seen.problem, &desc, err);
+        plan->place_s = murk_clock_s() - begun_s;
+        return status;
+    }
+    const double most = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
+    status = murk_matrix_create(&matrix, &seen.problem, (uint64_t)most, err);
+    plan->sense_s = murk_clock_s() - begun_s;
+    begun_s = murk_clock_s();
+    if (!status) {
+        status =
+            murk_place_known(&plan->place, &seen.problem, matrix, &desc, err);
+    }
+    murk_matrix_destroy(matrix);
+    plan->place_s = murk_clock_s() - begun_s;
+    return status;
+}
+
+static murk_status hold_out(murk_plan *plan, const murk_stage *stage,
+                            unsigned threads, murk_error *err)
+{
+    murk_traced *second = NULL;
+    murk_sight *sight = NULL;
+    murk_coverage coverage = {0};
+    murk_status status =
+        murk_light_trace(&second, stage, HELD_OUT_STREAM, threads, err);
+    if (!status) {
+        plan->trace_s += second->trace_s;
+        plan->map_s += second->map_s;
+        status = murk_plan_sight(&sight, stage, second, threads, err);
+    }
+    if (!status) {
+        status = murk_coverage_measure(&coverage, sight, plan->sensor,
+                                       plan->place.count, err);
+    }
+    if (!status) {
+        plan->held_out = coverage.total;
+        plan->has_held_out = true;
+    }
+    murk_coverage_release(&coverage);
+    murk_sight_destroy(sight);
+    murk_traced_destroy(second);
+    return status;
+}
+
+murk_status murk_plan_make(murk_plan *out, const murk_stage *stage,
+                           const murk_traced *traced, unsigned threads,
+                           murk_error *err)
+{
+    murk_plan plan = {.trace_s = traced->trace_s, .map_s = traced->map_s};
+    murk_sight *sight = NULL;
+    murk_status status =
+        murk_plan_candidates(&plan.candidates, stage, threads, err);
+    if (!status) {
+        status = check_count(&plan, stage, err);
+    }
+    if (!status) {
+        status = murk_plan_sight(&sight, stage, traced, threads, err);
+    }
+    if (!status) {
+        status = choose(&plan, stage, sight, err);
+    }
+    if (status) {
+        goto done;
+    }
+    plan.queries = murk_sight_queries(sight);
+    plan.shadow_rays = murk_sight_shadow_rays(sight);
+    plan.sensor = calloc(plan.place.count, sizeof *plan.sensor);
+    if (!plan.sensor) {
+        status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
+                           "no memory for the plan");
+        goto done;
+    }
+    for (size_t i = 0; i < plan.place.count; ++i) {
+        plan.sensor[i] = plan.candidates->position[plan.place.sensor[i]];
+    }
+    status = murk_coverage_measure(&plan.in_sample, sight, plan.sensor,
+                                   plan.place.count, err);
+    if (!status && stage->scene->placement.hold_out) {
+        status = hold_out(&plan, stage, threads, err);
+    }
+    if (status) {
+        goto done;
+    }
+    *out = plan;
+    plan = (murk_plan){0};
+done:
+    murk_sight_destroy(sight);
+    murk_plan_release(&plan);
+    return status;
+}
+
+void murk_plan_release(murk_plan *plan)
+{
+    murk_candidates_destroy(plan->candidates);
+    murk_place_release(&plan->place);
+    murk_coverage_release(&plan->in_sample);
+    free(plan->sensor);
+    *plan = (murk_plan){0};
+}

@@ -1,0 +1,38 @@
+/* From light to plan: candidates, what they see, which are chosen, and how
+ * well the choice does on light that did not choose it. */
+#ifndef MURK_STUDY_PLAN_H
+#define MURK_STUDY_PLAN_H
+
+#include "placement/place.h"
+#include "sensing/candidates.h"
+#include "sensing/sight.h"
+#include "study/light.h"
+
+/* The scene's candidates in its free space. Fails without sensors in it. */
+murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
+                                 unsigned threads, murk_error *err);
+
+/* Sight through a stage onto traced light. Borrows both. */
+murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
+                            const murk_traced *traced, unsigned threads,
+                            murk_error *err);
+
+typedef struct murk_plan {
+    murk_candidates *candidates;
+    murk_place_result place;
+    murk_vec3 *sensor;       /* [place.count] positions */
+    murk_coverage in_sample; /* on the light that chose */
+    bool has_held_out;
+    murk_estimate held_out;        /* on the second map */
+    uint64_t queries, shadow_rays; /* spent on choosing */
+    double trace_s, map_s, sense_s, place_s;
+} murk_plan;
+
+/* The main job, from traced light on: with hold_out it also traces the second
+ * map. *out is released with murk_plan_release(). */
+murk_status murk_plan_make(murk_plan *out, const murk_stage *stage,
+                           const murk_traced *traced, unsigned threads,
+                           murk_error *err);
+void murk_plan_release(murk_plan *plan);
+
+#endif

@@ -1,0 +1,309 @@
+#include "study/stage.h"
+
+#include "base/file.h"
+#include "base/log.h"
+#include "study/extent.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FILE_BYTES_MAX ((size_t)1 << 36)
+
+/* Adds "file PATH CHECKSUM" to the light's key. */
+static murk_status sign_file(murk_stage *stage, const char *path,
+                             const char *where, murk_error *err)
+{
+    char *bytes = NULL;
+    size_t size = 0;
+    murk_error told = {0};
+    const murk_status status =
+        murk_file_read(&bytes, &size, path, FILE_BYTES_MAX, &told);
+    if (status) {
+        return murk_fail(err, status, where, "%s: %s", path, told.text);
+    }
+    uint64_t sum[2];
+    murk_checksum(bytes, size, sum);
+    free(bytes);
+    const size_t old = strlen(stage->light_key), room = strlen(path) + 64;
+    char *key = realloc(stage->light_key, old + room);
+    if (!key) {
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its name");
+    }
+    snprintf(key + old, room, "file %s %016" PRIx64 "%016" PRIx64 "\n", path,
+             sum[1], sum[0]);
+    stage->light_key = key;
+    return MURK_OK;
+}
+
+static murk_status import_files(murk_stage *stage, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->geometries && !status; ++i) {
+        const murk_scene_geometry *g = &scene->geometry[i];
+        if (g->shape != MURK_SCENE_FILE) {
+            continue;
+        }
+        const murk_mesh_import import = {.unit_m = g->unit_m, .up = g->up};
+        status = sign_file(stage, g->file, g->where, err);
+        if (!status) {
+            status = murk_mesh_read(&stage->mesh[i], g->file, &import, g->where,
+                                    err);
+        }
+    }
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        if (!m->vdb) {
+            continue;
+        }
+        status = sign_file(stage, m->vdb, m->where, err);
+        if (!status) {
+            status =
+                murk_grid_read(&stage->grid[i], m->vdb, m->grid, m->where, err);
+        }
+    }
+    return status;
+}
+
+static murk_surface_desc surface_of(const murk_scene_geometry *g,
+                                    const murk_mesh *mesh)
+{
+    static const murk_shape shape_of[] = {[MURK_SCENE_FILE] = MURK_SHAPE_MESH,
+                                          [MURK_SCENE_BOX] = MURK_SHAPE_BOX,
+                                          [MURK_SCENE_RECT] = MURK_SHAPE_RECT,
+                                          [MURK_SCENE_SPHERE] =
+                                              MURK_SHAPE_SPHERE};
+    return (murk_surface_desc){
+        .shape = shape_of[g->shape],
+        .mesh = mesh,
+        .box = g->box,
+        .corner = g->corner,
+        .edge1 = g->edge1,
+        .edge2 = g->edge2,
+        .center = g->center,
+        .radius_m = g->radius_m,
+        .to_world = murk_affine_place(g->rotate_deg, g->scale, g->translate_m),
+        .material = g->material,
+        .where = g->where};
+}
+
+static murk_status build_surfaces(murk_stage *stage, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    murk_surface_desc *surface = calloc(scene->geometries + 1, sizeof *surface);
+    murk_material *material = calloc(scene->n_materials, sizeof *material);
+    murk_status status = MURK_OK;
+    if (!surface || !material) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for the surfaces");
+        goto done;
+    }
+    for (size_t i = 0; i < scene->geometries; ++i) {
+        surface[i] = surface_of(&scene->geometry[i], stage->mesh[i]);
+    }
+    for (size_t i = 0; i < scene->n_materials; ++i) {
+        const murk_scene_material *m = &scene->materials[i];
+        material[i] = (murk_material){.diffuse = m->diffuse,
+                                      .specular = m->specular,
+                                      .transmit = m->transmit,
+                                      .ior = m->ior};
+        memcpy(material[i].name, m->name, sizeof material[i].name);
+    }
+    status = murk_surfaces_create(&stage->surfaces, surface, scene->geometries,
+                                  material, scene->n_materials, err);
+done:
+    free(surface);
+    free(material);
+    return status;
+}
+
+static murk_region region_of(const murk_scene_region *r)
+{
+    static const murk_region_shape shape_of[] = {
+        [MURK_SCENE_EVERYWHERE] = MURK_REGION_EVERYWHERE,
+        [MURK_SCENE_IN_BOX] = MURK_REGION_BOX,
+        [MURK_SCENE_IN_SPHERE] = MURK_REGION_SPHERE,
+        [MURK_SCENE_IN_GRID] = MURK_REGION_GRID};
+    return (murk_region){
+        .medium = r->medium,
+        .shape = shape_of[r->shape],
+        .box = r->box,
+        .center = r->center,
+        .radius_m = r->radius_m,
+        .to_world = murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
+        .replaces = r->replaces,
+        .where = r->where};
+}
+
+static murk_status build_media(murk_stage *stage, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    murk_medium *medium = calloc(scene->n_media + 1, sizeof *medium);
+    murk_region *region = calloc(scene->n_regions + 1, sizeof *region);
+    murk_status status = MURK_OK;
+    if (!medium || !region) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for the media");
+        goto done;
+    }
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        medium[i] = (murk_medium){.extinction_per_m = m->extinction_per_m,
+                                  .albedo = m->albedo,
+                                  .mean_cosine = m->mean_cosine,
+                                  .grid = stage->grid[i],
+                                  .where = m->where};
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        region[i] = region_of(&scene->regions[i]);
+    }
+    status = murk_media_create(&stage->media, medium, scene->n_media, region,
+                               scene->n_regions, &stage->world.domain.box, err);
+done:
+    free(medium);
+    free(region);
+    return status;
+}
+
+static murk_status build_lights(murk_stage *stage, murk_error *err)
+{
+    static const murk_light_type type_of[] = {
+        [MURK_SCENE_LIGHT_SPHERE] = MURK_LIGHT_SPHERE,
+        [MURK_SCENE_LIGHT_RECT] = MURK_LIGHT_RECT,
+        [MURK_SCENE_LIGHT_POINT] = MURK_LIGHT_POINT,
+        [MURK_SCENE_LIGHT_BEAM] = MURK_LIGHT_BEAM,
+        [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_LIGHT_DIRECTIONAL};
+    const murk_scene *scene = stage->scene;
+    murk_light *light = calloc(scene->n_lights + 1, sizeof *light);
+    if (!light) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for the lights");
+    }
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const murk_scene_light *l = &scene->lights[i];
+        light[i] = (murk_light){.type = type_of[l->type],
+                                .position = l->position,
+                                .edge1 = l->edge1,
+                                .edge2 = l->edge2,
+                                .direction = l->direction,
+                                .radius_m = l->radius_m,
+                                .divergence_rad = l->divergence_rad,
+                                .power_w = l->power_w,
+                                .where = l->where};
+    }
+    const murk_status status =
+        murk_lights_create(&stage->lights, light, scene->n_lights, scene->bands,
+                           &stage->world.domain, err);
+    free(light);
+    return status;
+}
+
+static void warn_of_cuts(const murk_stage *stage)
+{
+    const murk_box *domain = &stage->world.domain.box;
+    const murk_scene *scene = stage->scene;
+    for (size_t i = 0; i < scene->geometries; ++i) {
+        const murk_box box =
+            murk_extent_geometry(&scene->geometry[i], stage->mesh[i]);
+        if (!murk_box_contains(domain, box.min) ||
+            !murk_box_contains(domain, box.max)) {
+            murk_warn(scene->geometry[i].where,
+                      "reaches out of the domain and is cut off there: it "
+                      "spans %.6g %.6g %.6g to %.6g %.6g %.6g m",
+                      box.min.x, box.min.y, box.min.z, box.max.x, box.max.y,
+                      box.max.z);
+        }
+    }
+}
+
+/* What lies everywhere lies outside, too, but takes nothing from distant light
+ * on its way to an open side. */
+static void warn_of_lit_sides(const murk_stage *stage)
+{
+    const murk_scene *scene = stage->scene;
+    bool is_everywhere = false;
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        is_everywhere |= scene->regions[i].shape == MURK_SCENE_EVERYWHERE;
+    }
+    if (stage->world.domain.is_periodic || !is_everywhere ||
+        !murk_media_any(stage->media)) {
+        return;
+    }
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        if (scene->lights[i].type == MURK_SCENE_LIGHT_DIRECTIONAL) {
+            murk_warn(scene->lights[i].where,
+                      "distant light meets a medium that touches the open "
+                      "sides: it is unattenuated where it enters");
+        }
+    }
+}
+
+murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    murk_stage *stage = calloc(1, sizeof *stage);
+    if (!stage) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for the world");
+    }
+    stage->scene = scene;
+    stage->grid = calloc(scene->n_media + 1, sizeof *stage->grid);
+    stage->mesh = calloc(scene->geometries + 1, sizeof *stage->mesh);
+    stage->light_key = strdup(scene->light_key);
+    if (!stage->grid || !stage->mesh || !stage->light_key) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for the world");
+        goto done;
+    }
+    status = import_files(stage, err);
+    if (!status) {
+        status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,
+                                    stage->grid, err);
+    }
+    if (!status) {
+        status = build_surfaces(stage, err);
+    }
+    if (!status) {
+        status = build_media(stage, err);
+    }
+    if (!status) {
+        status = build_lights(stage, err);
+    }
+    if (status) {
+        goto done;
+    }
+    warn_of_cuts(stage);
+    warn_of_lit_sides(stage);
+    stage->world.surfaces = stage->surfaces;
+    stage->world.media = stage->media;
+    stage->world.lights = stage->lights;
+    stage->world.bands = scene->bands;
+    *out = stage;
+    stage = NULL;
+done:
+    murk_stage_destroy(stage);
+    return status;
+}
+
+void murk_stage_destroy(murk_stage *stage)
+{
+    if (!stage) {
+        return;
+    }
+    murk_lights_destroy(stage->lights);
+    murk_media_destroy(stage->media);
+    murk_surfaces_destroy(stage->surfaces);
+    for (size_t i = 0; stage->grid && i < stage->scene->n_media; ++i) {
+        murk_grid_destroy(stage->grid[i]);
+    }
+    for (size_t i = 0; stage->mesh && i < stage->scene->geometries; ++i) {
+        murk_mesh_destroy(stage->mesh[i]);
+    }
+    free(stage->light_key);
+    free(stage->grid);
+    free(stage->mesh);
+    free(stage);
+}

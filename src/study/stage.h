@@ -1,0 +1,30 @@
+/* The world of a scene: the one place where the scene's structs become
+ * surfaces, media and lights.
+ *
+ * Meshes and grids are imported first, in child processes, before any ray
+ * device or thread exists. */
+#ifndef MURK_STUDY_STAGE_H
+#define MURK_STUDY_STAGE_H
+
+#include "base/status.h"
+#include "scene/scene.h"
+#include "transport/trace.h"
+
+typedef struct murk_stage {
+    const murk_scene *scene; /* borrowed */
+    murk_world world;
+    murk_grid **grid; /* [scene->n_media]; NULL for homogeneous media */
+    murk_mesh **mesh; /* [scene->geometries]; NULL for the other shapes */
+    murk_surfaces *surfaces;
+    murk_media *media;
+    murk_lights *lights;
+    char *light_key; /* the scene's, and a checksum of each file it names: equal
+                        keys trace equal light */
+} murk_stage;
+
+/* *out is the caller's: murk_stage_destroy(). The scene must outlive it. */
+murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
+                              murk_error *err);
+void murk_stage_destroy(murk_stage *stage); /* NULL is fine */
+
+#endif
