@@ -13,11 +13,6 @@ murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
                                  unsigned threads, murk_error *err)
 {
     const murk_scene_sensors *wish = &stage->scene->sensors;
-    if (!wish->given || !wish->has_grid) {
-        return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
-                         "sensors: the scene has no %s",
-                         wish->given ? "sensors.candidates" : "sensors");
-    }
     const size_t n = murk_lights_count(stage->lights);
     murk_vec3 *lamp = calloc(n + 1, sizeof *lamp);
     if (!lamp) {
@@ -80,22 +75,44 @@ static murk_place_desc place_desc(const murk_scene *scene)
     return desc;
 }
 
-static murk_status check_count(const murk_plan *plan, const murk_stage *stage,
-                               murk_error *err)
+static murk_status validate(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_sensors *wish = &stage->scene->sensors;
+    if (!wish->given) {
+        return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
+                         "sensors: the scene has none");
+    }
+    if (!wish->has_grid) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "candidates: not given");
+    }
     if (wish->count < 1) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "count: not given; give sensors.count or --count N");
     }
-    if (wish->count > plan->candidates->usable) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "count: %llu sensors, but only %zu of %zu candidates "
-                         "are usable",
-                         (unsigned long long)wish->count,
-                         plan->candidates->usable, plan->candidates->asked);
+    if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE) {
+        return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
+                         "maps: none, but placing needs stored photons");
     }
     return MURK_OK;
+}
+
+murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
+                              unsigned threads, murk_error *err)
+{
+    const murk_scene_sensors *wish = &stage->scene->sensors;
+    murk_status status = validate(stage, err);
+    if (!status) {
+        status = murk_plan_candidates(&plan->candidates, stage, threads, err);
+    }
+    if (!status && wish->count > plan->candidates->usable) {
+        status = murk_fail(err, MURK_BAD_VALUE, wish->where,
+                           "count: %llu sensors, but only %zu of %zu "
+                           "candidates are usable",
+                           (unsigned long long)wish->count,
+                           plan->candidates->usable, plan->candidates->asked);
+    }
+    return status;
 }
 
 /* Chooses, by matrix (known) or by looking again and again (unknown). */
@@ -154,50 +171,38 @@ static murk_status hold_out(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
-murk_status murk_plan_make(murk_plan *out, const murk_stage *stage,
+murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
                            const murk_traced *traced, unsigned threads,
                            murk_error *err)
 {
-    murk_plan plan = {.trace_s = traced->trace_s, .map_s = traced->map_s};
     murk_sight *sight = NULL;
-    murk_status status =
-        murk_plan_candidates(&plan.candidates, stage, threads, err);
+    plan->trace_s = traced->trace_s;
+    plan->map_s = traced->map_s;
+    murk_status status = murk_plan_sight(&sight, stage, traced, threads, err);
     if (!status) {
-        status = check_count(&plan, stage, err);
-    }
-    if (!status) {
-        status = murk_plan_sight(&sight, stage, traced, threads, err);
-    }
-    if (!status) {
-        status = choose(&plan, stage, sight, err);
+        status = choose(plan, stage, sight, err);
     }
     if (status) {
         goto done;
     }
-    plan.queries = murk_sight_queries(sight);
-    plan.shadow_rays = murk_sight_shadow_rays(sight);
-    plan.sensor = calloc(plan.place.count, sizeof *plan.sensor);
-    if (!plan.sensor) {
+    plan->queries = murk_sight_queries(sight);
+    plan->shadow_rays = murk_sight_shadow_rays(sight);
+    plan->sensor = calloc(plan->place.count, sizeof *plan->sensor);
+    if (!plan->sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                            "no memory for the plan");
         goto done;
     }
-    for (size_t i = 0; i < plan.place.count; ++i) {
-        plan.sensor[i] = plan.candidates->position[plan.place.sensor[i]];
+    for (size_t i = 0; i < plan->place.count; ++i) {
+        plan->sensor[i] = plan->candidates->position[plan->place.sensor[i]];
     }
-    status = murk_coverage_measure(&plan.in_sample, sight, plan.sensor,
-                                   plan.place.count, err);
+    status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
+                                   plan->place.count, err);
     if (!status && stage->scene->placement.hold_out) {
-        status = hold_out(&plan, stage, threads, err);
+        status = hold_out(plan, stage, threads, err);
     }
-    if (status) {
-        goto done;
-    }
-    *out = plan;
-    plan = (murk_plan){0};
 done:
     murk_sight_destroy(sight);
-    murk_plan_release(&plan);
     return status;
 }
 

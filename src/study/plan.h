@@ -8,7 +8,7 @@
 #include "sensing/sight.h"
 #include "study/light.h"
 
-/* The scene's candidates in its free space. Fails without sensors in it. */
+/* The scene's candidates in its free space. */
 murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
                                  unsigned threads, murk_error *err);
 
@@ -28,9 +28,14 @@ typedef struct murk_plan {
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;
 
-/* The main job, from traced light on: with hold_out it also traces the second
- * map. *out is released with murk_plan_release(). */
-murk_status murk_plan_make(murk_plan *out, const murk_stage *stage,
+/* All that can be wrong with the scene's sensors is found here, before any
+ * light is traced: fills plan->candidates. */
+murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
+                              unsigned threads, murk_error *err);
+
+/* The main job, from a prepared plan and traced light on; with hold_out it
+ * also traces the second map. Release the plan also after a failure. */
+murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
                            const murk_traced *traced, unsigned threads,
                            murk_error *err);
 void murk_plan_release(murk_plan *plan);

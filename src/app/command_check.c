@@ -1,0 +1,235 @@
+#include "app/session.h"
+
+#include "study/extent.h"
+#include "study/machine.h"
+
+/* Everything that check finds out, before it is printed one way or another. */
+typedef struct findings {
+    const murk_session *session;
+    murk_surfaces_facts surfaces;
+    murk_forecast forecast;
+    murk_candidates *candidates; /* NULL without sensors */
+} findings;
+
+static void add_box(cJSON *object, const char *key, const murk_box *box)
+{
+    if (!(box->min.x <= box->max.x)) {
+        cJSON_AddNullToObject(object, key);
+        return;
+    }
+    cJSON *item = cJSON_AddObjectToObject(object, key);
+    murk_json_vector(item, "min_m", box->min);
+    murk_json_vector(item, "max_m", box->max);
+}
+
+static void add_spectrum(cJSON *object, const char *key,
+                         const murk_spectrum *spectrum, int bands)
+{
+    cJSON_AddItemToObject(object, key,
+                          cJSON_CreateDoubleArray(spectrum->band, bands));
+}
+
+static void add_surfaces(cJSON *root, const findings *f)
+{
+    const murk_scene *scene = f->session->scene;
+    cJSON *object = cJSON_AddObjectToObject(root, "surfaces");
+    cJSON_AddNumberToObject(object, "triangles", (double)f->surfaces.triangles);
+    cJSON_AddNumberToObject(object, "spheres", (double)f->surfaces.spheres);
+    cJSON_AddNumberToObject(object, "degenerate",
+                            (double)f->surfaces.degenerate);
+    cJSON_AddNumberToObject(object, "solids", (double)f->surfaces.solids);
+    cJSON_AddNumberToObject(object, "sheets", (double)f->surfaces.sheets);
+    cJSON_AddNumberToObject(object, "area_m2", f->surfaces.area_m2);
+    add_box(object, "bounds", &f->surfaces.bounds_m);
+    cJSON *materials = cJSON_AddArrayToObject(object, "materials");
+    for (size_t i = 0; i < scene->n_materials; ++i) {
+        const murk_scene_material *m = &scene->materials[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", m->name);
+        cJSON_AddNumberToObject(
+            item, "area_m2",
+            murk_surfaces_material_area(f->session->stage->surfaces, i));
+        add_spectrum(item, "diffuse", &m->diffuse, scene->bands);
+        add_spectrum(item, "specular", &m->specular, scene->bands);
+        add_spectrum(item, "transmit", &m->transmit, scene->bands);
+        cJSON_AddItemToArray(materials, item);
+    }
+}
+
+static void add_media(cJSON *root, const findings *f)
+{
+    const murk_scene *scene = f->session->scene;
+    cJSON *media = cJSON_AddArrayToObject(root, "media");
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", m->name);
+        add_spectrum(item, "extinction_per_m", &m->extinction_per_m,
+                     scene->bands);
+        add_spectrum(item, "albedo", &m->albedo, scene->bands);
+        add_spectrum(item, "mean_cosine", &m->mean_cosine, scene->bands);
+        const murk_grid *grid = f->session->stage->grid[i];
+        if (grid) {
+            const murk_grid_facts *facts = murk_grid_describe(grid);
+            cJSON *g = cJSON_AddObjectToObject(item, "grid");
+            cJSON_AddStringToObject(g, "name", facts->name);
+            cJSON_AddNumberToObject(g, "active_voxels", (double)facts->active);
+            cJSON_AddNumberToObject(g, "minimum", facts->minimum);
+            cJSON_AddNumberToObject(g, "maximum", facts->maximum);
+            cJSON_AddNumberToObject(g, "sum", facts->sum);
+            cJSON_AddItemToObject(g, "voxel_m",
+                                  cJSON_CreateDoubleArray(facts->voxel_m, 3));
+        }
+        cJSON_AddItemToArray(media, item);
+    }
+    cJSON *regions = cJSON_AddArrayToObject(root, "regions");
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "medium", scene->media[r->medium].name);
+        const murk_box box =
+            r->shape == MURK_SCENE_EVERYWHERE
+                ? f->session->stage->world.domain.box
+                : murk_extent_region(r, f->session->stage->grid[r->medium]);
+        add_box(item, "bounds", &box);
+        cJSON_AddItemToArray(regions, item);
+    }
+}
+
+static cJSON *check_json(const findings *f)
+{
+    const murk_stage *stage = f->session->stage;
+    cJSON *root = murk_json_begin(f->session->scene);
+    cJSON *domain = cJSON_AddObjectToObject(root, "domain");
+    murk_json_vector(domain, "min_m", stage->world.domain.box.min);
+    murk_json_vector(domain, "max_m", stage->world.domain.box.max);
+    cJSON_AddStringToObject(
+        domain, "sides", stage->world.domain.is_periodic ? "periodic" : "open");
+    add_surfaces(root, f);
+    add_media(root, f);
+    cJSON *lights = cJSON_AddObjectToObject(root, "lights");
+    cJSON_AddNumberToObject(lights, "count",
+                            (double)murk_lights_count(stage->lights));
+    cJSON_AddNumberToObject(lights, "power_w",
+                            murk_lights_power_w(stage->lights));
+    if (f->candidates) {
+        cJSON *object = cJSON_AddObjectToObject(root, "candidates");
+        cJSON_AddNumberToObject(object, "asked", (double)f->candidates->asked);
+        cJSON_AddNumberToObject(object, "usable",
+                                (double)f->candidates->usable);
+        cJSON_AddNumberToObject(object, "unreached",
+                                (double)f->candidates->unreached);
+        cJSON_AddNumberToObject(object, "too_close",
+                                (double)f->candidates->too_close);
+        cJSON_AddNumberToObject(object, "doubtful",
+                                (double)f->candidates->doubtful);
+    } else {
+        cJSON_AddNullToObject(root, "candidates");
+    }
+    cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
+    cJSON_AddNumberToObject(forecast, "pilot_photons",
+                            (double)f->forecast.pilot_photons);
+    cJSON_AddNumberToObject(forecast, "emitted", f->forecast.emitted);
+    cJSON_AddNumberToObject(forecast, "surface", f->forecast.surface);
+    cJSON_AddNumberToObject(forecast, "volume", f->forecast.volume);
+    cJSON_AddNumberToObject(forecast, "memory_bytes", f->forecast.memory_bytes);
+    return root;
+}
+
+static void print_media(const findings *f)
+{
+    const murk_scene *scene = f->session->scene;
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        printf("medium      %s: extinction %.6g /m, albedo %.4g, g %.4g",
+               m->name, m->extinction_per_m.band[0], m->albedo.band[0],
+               m->mean_cosine.band[0]);
+        const murk_grid *grid = f->session->stage->grid[i];
+        if (grid) {
+            const murk_grid_facts *facts = murk_grid_describe(grid);
+            printf("; grid %s: %llu voxels of %.4g m, density %.4g..%.4g",
+                   facts->name, (unsigned long long)facts->active,
+                   facts->voxel_m[0], facts->minimum, facts->maximum);
+        }
+        printf("%s\n", scene->bands > 1 ? " (first band)" : "");
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (r->shape == MURK_SCENE_EVERYWHERE) {
+            printf("region      %s everywhere\n", scene->media[r->medium].name);
+            continue;
+        }
+        const murk_box box =
+            murk_extent_region(r, f->session->stage->grid[r->medium]);
+        printf("region      %s in %.4g %.4g %.4g to %.4g %.4g %.4g m\n",
+               scene->media[r->medium].name, box.min.x, box.min.y, box.min.z,
+               box.max.x, box.max.y, box.max.z);
+    }
+}
+
+static void print_findings(const findings *f)
+{
+    const murk_stage *stage = f->session->stage;
+    const murk_domain *domain = &stage->world.domain;
+    const murk_surfaces_facts *s = &f->surfaces;
+    printf("scene       %s: %d band%s, seed %u\n", f->session->scene->path,
+           f->session->scene->bands, f->session->scene->bands > 1 ? "s" : "",
+           f->session->scene->seed);
+    printf("domain      %.6g %.6g %.6g to %.6g %.6g %.6g m, %s sides\n",
+           domain->box.min.x, domain->box.min.y, domain->box.min.z,
+           domain->box.max.x, domain->box.max.y, domain->box.max.z,
+           domain->is_periodic ? "periodic" : "open");
+    printf("surfaces    %zu triangles, %zu spheres, %.4g m2; %zu solids, %zu "
+           "sheets; %zu degenerate triangles left out\n",
+           s->triangles, s->spheres, s->area_m2, s->solids, s->sheets,
+           s->degenerate);
+    for (size_t i = 0; i < f->session->scene->n_materials; ++i) {
+        const murk_scene_material *m = &f->session->scene->materials[i];
+        printf("material    %-12s %10.4g m2: diffuse %.3g, specular %.3g, "
+               "transmit %.3g\n",
+               m->name, murk_surfaces_material_area(stage->surfaces, i),
+               m->diffuse.band[0], m->specular.band[0], m->transmit.band[0]);
+    }
+    print_media(f);
+    printf("lights      %zu, %.6g W together\n",
+           murk_lights_count(stage->lights),
+           murk_lights_power_w(stage->lights));
+    if (f->candidates) {
+        const murk_candidates *c = f->candidates;
+        printf("candidates  %zu asked, %zu usable: %zu not reached from a "
+               "light, %zu too close, %zu doubtful\n",
+               c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
+    } else {
+        printf("candidates  none: the scene has no sensors\n");
+    }
+    printf("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
+           "volume; about %.3g GB (from a pilot of %llu photons)\n",
+           f->forecast.emitted, f->forecast.surface, f->forecast.volume,
+           f->forecast.memory_bytes / 1e9,
+           (unsigned long long)f->forecast.pilot_photons);
+}
+
+murk_status murk_command_check(const murk_options *options, murk_error *err)
+{
+    murk_session session;
+    findings f = {.session = &session};
+    murk_status status = murk_session_begin(&session, options, err);
+    if (!status) {
+        f.surfaces = murk_surfaces_describe(session.stage->surfaces);
+        status = murk_light_forecast(&f.forecast, session.stage, 0,
+                                     options->threads, err);
+    }
+    if (!status && session.scene->sensors.given &&
+        session.scene->sensors.has_grid) {
+        status = murk_plan_candidates(&f.candidates, session.stage,
+                                      options->threads, err);
+    }
+    if (!status && options->json) {
+        status = murk_session_finish(&session, NULL, check_json(&f), err);
+    } else if (!status && murk_session_speaks(&session)) {
+        print_findings(&f);
+    }
+    murk_candidates_destroy(f.candidates);
+    murk_session_end(&session);
+    return status;
+}

@@ -1,0 +1,190 @@
+#include "app/coverage_out.h"
+#include "app/session.h"
+
+#include "study/machine.h"
+
+static const char *const method_name[] = {[MURK_SCENE_BEST] = "best",
+                                          [MURK_SCENE_SPOQ] = "spoq",
+                                          [MURK_SCENE_GREEDY] = "greedy"};
+
+static double share(uint64_t value, uint64_t whole)
+{
+    return whole ? (double)value / (double)whole : NAN;
+}
+
+static void add_candidates(cJSON *root, const murk_plan *plan)
+{
+    cJSON *object = cJSON_AddObjectToObject(root, "candidates");
+    cJSON_AddNumberToObject(object, "asked", (double)plan->candidates->asked);
+    cJSON_AddNumberToObject(object, "usable", (double)plan->candidates->usable);
+    cJSON_AddNumberToObject(object, "doubtful",
+                            (double)plan->candidates->doubtful);
+    cJSON_AddNumberToObject(object, "unreached",
+                            (double)plan->candidates->unreached);
+    cJSON_AddNumberToObject(object, "too_close",
+                            (double)plan->candidates->too_close);
+    cJSON_AddNumberToObject(object, "after_presolve",
+                            (double)plan->place.after_presolve);
+}
+
+static void add_coverage(cJSON *root, const murk_plan *plan)
+{
+    cJSON *object = cJSON_AddObjectToObject(root, "coverage");
+    murk_json_number(object, "in_sample", plan->in_sample.total.value);
+    murk_json_number(object, "held_out",
+                     plan->has_held_out ? plan->held_out.value : NAN);
+    murk_json_number(object, "held_out_standard_error",
+                     plan->has_held_out ? plan->held_out.standard_error : NAN);
+    murk_json_number(object, "in_sample_standard_error",
+                     plan->in_sample.total.standard_error);
+    murk_json_number(object, "surface", plan->in_sample.surface.value);
+    murk_json_number(object, "volume", plan->in_sample.volume.value);
+    murk_json_number(object, "ceiling",
+                     share(plan->place.ceiling, plan->place.whole));
+    murk_json_number(object, "sum_of_views", plan->in_sample.sum_of_views);
+}
+
+static void add_bound(cJSON *root, const murk_plan *plan)
+{
+    const murk_place_result *place = &plan->place;
+    const double upper = share(place->upper, place->whole);
+    cJSON *object = cJSON_AddObjectToObject(root, "bound");
+    murk_json_number(object, "upper", upper);
+    murk_json_number(
+        object, "gap",
+        place->upper ? share(place->upper - place->value, place->upper) : 0);
+    cJSON_AddBoolToObject(object, "proven_optimal", place->proven_optimal);
+    cJSON_AddStringToObject(object, "guarantee", place->guarantee);
+
+    cJSON *curve = cJSON_AddArrayToObject(root, "curve");
+    for (size_t i = 0; i < place->curve_points; ++i) {
+        const murk_curve_point *point = &place->curve[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddNumberToObject(item, "count", (double)point->count);
+        murk_json_number(item, "coverage", share(point->value, place->whole));
+        murk_json_number(item, "upper", share(point->upper, place->whole));
+        cJSON_AddItemToArray(curve, item);
+    }
+}
+
+static void add_placement(cJSON *root, const murk_plan *plan,
+                          const murk_scene *scene)
+{
+    const murk_scene_placement *wish = &scene->placement;
+    cJSON *object = cJSON_AddObjectToObject(root, "placement");
+    cJSON_AddStringToObject(object, "method", method_name[wish->method]);
+    cJSON_AddStringToObject(object, "detection", "weighted");
+    cJSON_AddStringToObject(object, "visibility",
+                            wish->by_normal ? "normal" : "ray");
+    cJSON_AddStringToObject(object, "through", wish->block ? "block" : "thin");
+    cJSON_AddStringToObject(object, "knowledge",
+                            wish->unknown ? "unknown" : "known");
+    cJSON_AddNumberToObject(object, "restarts", (double)plan->place.restarts);
+    cJSON_AddNumberToObject(object, "evaluations",
+                            (double)plan->place.evaluations);
+    cJSON_AddNumberToObject(object, "queries", (double)plan->queries);
+    cJSON_AddNumberToObject(object, "shadow_rays", (double)plan->shadow_rays);
+    cJSON_AddNullToObject(object, "cut_by");
+}
+
+static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
+{
+    cJSON *root = murk_json_begin(session->scene);
+    murk_json_photons(root, session->traced);
+    add_candidates(root, plan);
+    murk_json_sensors(root, session->scene, plan->sensor, plan->place.count,
+                      &plan->in_sample);
+    add_coverage(root, plan);
+    murk_json_seen(root, &plan->in_sample, plan->place.count);
+    add_bound(root, plan);
+    add_placement(root, plan, session->scene);
+    return root;
+}
+
+static void print_plan(const murk_session *session, const murk_plan *plan)
+{
+    const murk_place_result *place = &plan->place;
+    const murk_candidates *c = plan->candidates;
+    murk_print_light(session);
+    printf("candidates  %zu asked, %zu usable: %zu not reached from a light, "
+           "%zu too close, %zu doubtful\n",
+           c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
+    murk_print_sensors(session->scene, plan->sensor, place->count,
+                       &plan->in_sample);
+    printf("coverage    %.4f in sample (surface %.4f, volume %.4f); "
+           "all candidates: %.4f\n",
+           plan->in_sample.total.value, plan->in_sample.surface.value,
+           plan->in_sample.volume.value, share(place->ceiling, place->whole));
+    if (plan->has_held_out) {
+        printf("held out    %.4f +- %.4f (one standard error, by emitted "
+               "photon)\n",
+               plan->held_out.value, plan->held_out.standard_error);
+    }
+    if (place->proven_optimal) {
+        printf("bound       proven optimal for this sample of photons\n");
+    } else {
+        printf("bound       no %zu candidates cover more than %.4f of this "
+               "sample; guarantee: %s\n",
+               place->count, share(place->upper, place->whole),
+               place->guarantee);
+    }
+    const murk_run_facts *run = &session->run;
+    printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
+           "place %.2f; memory %.3g GB\n",
+           run->total_s, run->load_s, run->trace_s, run->map_s, run->sense_s,
+           run->place_s, murk_machine_peak_bytes() / 1e9);
+    murk_print_files(session);
+}
+
+static murk_status write_plan(murk_session *session, const murk_plan *plan,
+                              murk_error *err)
+{
+    murk_status status = murk_session_add_light(session, err);
+    if (!status) {
+        status = murk_session_add_ledger(session, err);
+    }
+    if (!status) {
+        status = murk_add_sensors_csv(&session->results, session->scene,
+                                      plan->sensor, plan->place.count, err);
+    }
+    if (!status) {
+        status = murk_add_coverage_csv(&session->results, session->scene,
+                                       plan->sensor, plan->place.count,
+                                       &plan->in_sample, err);
+    }
+    if (!status) {
+        status = murk_session_finish(session, "plan.json",
+                                     plan_json(session, plan), err);
+    }
+    return status;
+}
+
+murk_status murk_command_place(const murk_options *options, murk_error *err)
+{
+    murk_session session;
+    murk_plan plan = {0};
+    murk_status status = murk_session_begin(&session, options, err);
+    if (!status) {
+        status = murk_plan_prepare(&plan, session.stage, options->threads, err);
+    }
+    if (!status) {
+        status = murk_session_light(&session, err);
+    }
+    if (!status) {
+        status = murk_plan_make(&plan, session.stage, session.traced,
+                                options->threads, err);
+    }
+    if (!status) {
+        session.run.trace_s = plan.trace_s;
+        session.run.map_s = plan.map_s;
+        session.run.sense_s = plan.sense_s;
+        session.run.place_s = plan.place_s;
+        status = write_plan(&session, &plan, err);
+    }
+    if (!status && murk_session_speaks(&session)) {
+        print_plan(&session, &plan);
+    }
+    murk_plan_release(&plan);
+    murk_session_end(&session);
+    return status;
+}

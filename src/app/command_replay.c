@@ -1,0 +1,142 @@
+#include "app/session.h"
+
+#include <stdlib.h>
+
+static const char *const kind_name[] = {
+    [MURK_EVENT_EMITTED] = "emitted", [MURK_EVENT_SURFACE] = "surface",
+    [MURK_EVENT_MEDIUM] = "medium",   [MURK_EVENT_WRAPPED] = "wrapped",
+    [MURK_EVENT_ESCAPED] = "escaped", [MURK_EVENT_LOST] = "lost"};
+static const char *const outcome_name[] = {[MURK_ABSORBED] = "absorbed",
+                                           [MURK_DIFFUSE] = "reflected",
+                                           [MURK_MIRRORED] = "mirrored",
+                                           [MURK_TRANSMITTED] = "transmitted",
+                                           [MURK_SCATTERED] = "scattered"};
+static const char *const loss_name[] = {[MURK_LOSS_EVENTS] = "too many events",
+                                        [MURK_LOSS_WRAPS] = "too many wraps",
+                                        [MURK_LOSS_NUMERICAL] = "numerical"};
+
+typedef struct replay {
+    const murk_session *session;
+    uint64_t photon;
+    cJSON *events; /* NULL: print lines */
+} replay;
+
+/* Name of what was met, or what came of it. */
+static const char *partner(const replay *r, const murk_event *event)
+{
+    const murk_scene *scene = r->session->scene;
+    switch (event->kind) {
+    case MURK_EVENT_SURFACE:
+        return scene->materials[event->material_or_medium].name;
+    case MURK_EVENT_MEDIUM:
+        return scene->media[event->material_or_medium].name;
+    case MURK_EVENT_LOST:
+        return loss_name[event->loss];
+    case MURK_EVENT_EMITTED:
+    case MURK_EVENT_WRAPPED:
+    case MURK_EVENT_ESCAPED:
+        break;
+    }
+    return "";
+}
+
+static bool has_outcome(const murk_event *event)
+{
+    return event->kind == MURK_EVENT_SURFACE ||
+           event->kind == MURK_EVENT_MEDIUM;
+}
+
+static void print_event(const replay *r, const murk_event *event)
+{
+    const murk_vec3 p = event->position, d = event->direction_out;
+    char what[96];
+    snprintf(what, sizeof what, "%s %s", partner(r, event),
+             has_outcome(event) ? outcome_name[event->outcome] : "");
+    printf("%5u  %-8s %-26s %10.4f %10.4f %10.4f  %8.5f %8.5f %8.5f  %10.4f\n",
+           event->number, kind_name[event->kind], what, p.x, p.y, p.z, d.x, d.y,
+           d.z, event->path_m);
+}
+
+static void add_event(const replay *r, const murk_event *event)
+{
+    cJSON *item = cJSON_CreateObject();
+    cJSON_AddNumberToObject(item, "number", event->number);
+    cJSON_AddStringToObject(item, "kind", kind_name[event->kind]);
+    cJSON_AddStringToObject(item, "partner", partner(r, event));
+    if (has_outcome(event)) {
+        cJSON_AddStringToObject(item, "outcome", outcome_name[event->outcome]);
+    }
+    murk_json_vector(item, "position_m", event->position);
+    murk_json_vector(item, "direction_in", event->direction_in);
+    murk_json_vector(item, "direction_out", event->direction_out);
+    murk_json_number(item, "path_m", event->path_m);
+    cJSON_AddItemToArray(r->events, item);
+}
+
+static void on_event(void *context, uint64_t batch, const murk_event *event)
+{
+    (void)batch;
+    const replay *r = context;
+    if (event->photon != r->photon) {
+        return;
+    }
+    if (r->events) {
+        add_event(r, event);
+    } else if (murk_session_speaks(r->session)) {
+        print_event(r, event);
+    }
+}
+
+murk_status murk_command_replay(const murk_options *options, murk_error *err)
+{
+    murk_session session;
+    murk_ledger *ledger = NULL;
+    cJSON *root = NULL;
+    if (!options->has_photon) {
+        return murk_fail(err, MURK_BAD_VALUE, "", "replay needs --photon N");
+    }
+    murk_status status = murk_session_begin(&session, options, err);
+    if (status) {
+        goto done;
+    }
+    const uint64_t emit = session.scene->photons.emit;
+    if (emit && options->photon >= emit) {
+        status =
+            murk_fail(err, MURK_BAD_VALUE, "--photon",
+                      "%llu, must be 0..%llu: the scene emits %llu",
+                      (unsigned long long)options->photon,
+                      (unsigned long long)(emit - 1), (unsigned long long)emit);
+        goto done;
+    }
+    status = murk_ledger_create(
+        &ledger, murk_lights_channels(session.stage->lights), err);
+    if (status) {
+        goto done;
+    }
+    replay r = {.session = &session, .photon = options->photon};
+    if (options->json) {
+        root = murk_json_begin(session.scene);
+        cJSON_AddNumberToObject(root, "photon", (double)options->photon);
+        r.events = cJSON_AddArrayToObject(root, "events");
+    } else if (murk_session_speaks(&session)) {
+        printf("event  kind     what                              x m        "
+               "y m        z m  direction out                    path m\n");
+    }
+    murk_trace trace = murk_trace_defaults();
+    trace.world = &session.stage->world;
+    trace.seed = session.scene->seed;
+    trace.first = options->photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;
+    trace.last = options->photon + 1;
+    trace.sink = on_event;
+    trace.context = &r;
+    murk_trace_run(&trace, ledger);
+    if (root) {
+        status = murk_session_finish(&session, NULL, root, err);
+        root = NULL;
+    }
+done:
+    cJSON_Delete(root);
+    murk_ledger_destroy(ledger);
+    murk_session_end(&session);
+    return status;
+}

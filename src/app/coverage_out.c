@@ -1,0 +1,127 @@
+#include "app/coverage_out.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define PRINTED_SENSORS_MAX 20
+#define CSV_LINE_MAX        512
+
+void murk_json_photons(cJSON *root, const murk_traced *traced)
+{
+    cJSON *object = cJSON_AddObjectToObject(root, "photons");
+    cJSON_AddNumberToObject(object, "emitted", (double)traced->emitted);
+    cJSON_AddNumberToObject(object, "surface",
+                            (double)murk_photon_map_count(traced->surface));
+    cJSON_AddNumberToObject(object, "volume",
+                            (double)murk_photon_map_count(traced->volume));
+}
+
+/* Sensors of one range that see all round have no heading, and an axis only
+ * by convention: up. */
+void murk_json_sensors(cJSON *root, const murk_scene *scene,
+                       const murk_vec3 *sensor, size_t n,
+                       const murk_coverage *coverage)
+{
+    cJSON *list = cJSON_AddArrayToObject(root, "sensors");
+    for (size_t i = 0; i < n; ++i) {
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "type", scene->sensors.type_name);
+        murk_json_vector(item, "position_m", sensor[i]);
+        murk_json_vector(item, "axis", murk_vec(0, 0, 1));
+        cJSON_AddNullToObject(item, "heading_deg");
+        cJSON_AddNullToObject(item, "tilt_deg");
+        murk_json_number(item, "covers", coverage->covers[i]);
+        murk_json_number(item, "only_it_covers", coverage->only_it_covers[i]);
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
+void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n)
+{
+    cJSON *list = cJSON_AddArrayToObject(root, "seen_by_at_least");
+    for (size_t i = 0; i < n; ++i) {
+        cJSON_AddItemToArray(list,
+                             cJSON_CreateNumber(coverage->seen_by_at_least[i]));
+    }
+}
+
+/* The shortest decimal that reads back to the same number. */
+static void print_number(char out[32], double value)
+{
+    for (int digits = 6; digits <= 17; ++digits) {
+        snprintf(out, 32, "%.*g", digits, value);
+        if (strtod(out, NULL) == value) {
+            return;
+        }
+    }
+}
+
+static murk_status add_csv(murk_results *results, const char *name,
+                           const char *header, const murk_scene *scene,
+                           const murk_vec3 *sensor, size_t n,
+                           const murk_coverage *coverage, murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    const size_t room = strlen(header) + n * CSV_LINE_MAX + 1;
+    char *text = malloc(room);
+    size_t at = 0;
+    if (text) {
+        at = (size_t)snprintf(text, room, "%s", header);
+    }
+    for (size_t i = 0; text && i < n; ++i) {
+        char x[32], y[32], z[32], covers[32], only[32];
+        print_number(x, sensor[i].x);
+        print_number(y, sensor[i].y);
+        print_number(z, sensor[i].z);
+        if (coverage) {
+            print_number(covers, coverage->covers[i]);
+            print_number(only, coverage->only_it_covers[i]);
+            at += (size_t)snprintf(
+                text + at, room - at, "%zu,%s,%s,%s,%s,%s,%s\n", i + 1,
+                scene->sensors.type_name, x, y, z, covers, only);
+        } else {
+            at += (size_t)snprintf(text + at, room - at, "%s,%s,%s,%s,,\n",
+                                   scene->sensors.type_name, x, y, z);
+        }
+    }
+    const murk_status status = murk_results_add_text(results, name, text, err);
+    free(text);
+    return status;
+}
+
+murk_status murk_add_sensors_csv(murk_results *results, const murk_scene *scene,
+                                 const murk_vec3 *sensor, size_t n,
+                                 murk_error *err)
+{
+    return add_csv(results, "sensors.csv",
+                   "type,x_m,y_m,z_m,heading_deg,tilt_deg\n", scene, sensor, n,
+                   NULL, err);
+}
+
+murk_status murk_add_coverage_csv(murk_results *results,
+                                  const murk_scene *scene,
+                                  const murk_vec3 *sensor, size_t n,
+                                  const murk_coverage *coverage,
+                                  murk_error *err)
+{
+    return add_csv(results, "coverage.csv",
+                   "sensor,type,x_m,y_m,z_m,covers,only_it_covers\n", scene,
+                   sensor, n, coverage, err);
+}
+
+void murk_print_sensors(const murk_scene *scene, const murk_vec3 *sensor,
+                        size_t n, const murk_coverage *coverage)
+{
+    printf("sensors     %4s  %-8s %9s %9s %9s  %8s %10s\n", "", "type", "x m",
+           "y m", "z m", "covers", "only it");
+    for (size_t i = 0; i < n && i < PRINTED_SENSORS_MAX; ++i) {
+        printf("            %4zu  %-8s %9.3f %9.3f %9.3f  %8.4f %10.4f\n",
+               i + 1, scene->sensors.type_name, sensor[i].x, sensor[i].y,
+               sensor[i].z, coverage->covers[i], coverage->only_it_covers[i]);
+    }
+    if (n > PRINTED_SENSORS_MAX) {
+        printf("            .. and %zu more\n", n - PRINTED_SENSORS_MAX);
+    }
+}

@@ -1,0 +1,68 @@
+#include "app/option_table.h"
+
+#include <string.h>
+
+const murk_option murk_option_table[] = {
+    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense",
+     "write the results into this folder; without it the summary is printed "
+     "and nothing is written"},
+    {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
+     "seed of all random numbers, 0..4294967295"},
+    {MURK_OPTION_THREADS, "--threads", "-j", "N", NULL,
+     "threads, 1..256; default: all processors. The results are the same for "
+     "any number"},
+    {MURK_OPTION_EMIT, "--emit", NULL, "N", "check trace place sense replay",
+     "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or "
+     "store of the scene"},
+    {MURK_OPTION_STORE, "--store", NULL, "N", "check trace place sense replay",
+     "emit until N photons are stored; replaces emit or store of the scene"},
+    {MURK_OPTION_COUNT, "--count", NULL, "N", "check place",
+     "number of sensors to place"},
+    {MURK_OPTION_SENSORS, "--sensors", NULL, "FILE", "sense",
+     "the placement to measure: sensors.csv (type, x_m, y_m, z_m) or a "
+     "plan.json"},
+    {MURK_OPTION_PHOTON, "--photon", NULL, "N", "replay",
+     "index of the emitted photon, from 0"},
+    {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense",
+     "use this light.murk instead of tracing; refused when the seed or a key "
+     "that the light depends on differs"},
+    {MURK_OPTION_SET, "--set", NULL, "KEY=VALUE", NULL,
+     "set any scene key by its path, repeatable: --set "
+     "media.fog.extinction_per_m=0.05 --set lights.0.power_w=10"},
+    {MURK_OPTION_FORMAT, "--format", NULL, "text|json", NULL,
+     "what is printed on standard output: a summary, or the command's main "
+     "JSON"},
+    {MURK_OPTION_QUIET, "--quiet", "-q", NULL, NULL,
+     "no summary, no warnings, no progress"},
+    {MURK_OPTION_PROGRESS, "--progress", NULL, "auto|always|never", NULL,
+     "bars on standard error; auto: only on a terminal"},
+    {MURK_OPTION_HELP, "--help", "-h", NULL, NULL, "this text"},
+    {MURK_OPTION_VERSION, "--version", NULL, NULL, NULL,
+     "version, commit, compiler and packages"},
+    {MURK_OPTION_MAN, "--man", NULL, NULL, NULL, NULL},
+    {MURK_OPTION_LATER, "--target", NULL, "C", NULL, NULL},
+    {MURK_OPTION_LATER, "--budget", NULL, "B", NULL, NULL},
+    {MURK_OPTION_LATER, "--matrix", NULL, "FILE", NULL, NULL},
+    {MURK_OPTION_LATER, "--camera", NULL, "NAME", NULL, NULL},
+    {MURK_OPTION_LATER, "--data", NULL, "FILE", NULL, NULL},
+    {MURK_OPTION_LATER, "--free", NULL, "KEY", NULL, NULL},
+};
+
+const size_t murk_option_table_size =
+    sizeof murk_option_table / sizeof *murk_option_table;
+
+int murk_option_belongs(const murk_option *option, const char *command)
+{
+    if (!option->commands) {
+        return 1;
+    }
+    const size_t length = strlen(command);
+    for (const char *at = strstr(option->commands, command); at;
+         at = strstr(at + 1, command)) {
+        const int begins = at == option->commands || at[-1] == ' ';
+        if (begins && (at[length] == ' ' || at[length] == '\0')) {
+            return 1;
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,42 @@
+/* Every option: how it is spelled, what it takes, which commands know it. */
+#ifndef MURK_APP_OPTION_TABLE_H
+#define MURK_APP_OPTION_TABLE_H
+
+#include <stddef.h>
+
+typedef enum murk_option_id {
+    MURK_OPTION_OUT,
+    MURK_OPTION_SEED,
+    MURK_OPTION_THREADS,
+    MURK_OPTION_EMIT,
+    MURK_OPTION_STORE,
+    MURK_OPTION_COUNT,
+    MURK_OPTION_SET,
+    MURK_OPTION_LIGHT,
+    MURK_OPTION_SENSORS,
+    MURK_OPTION_PHOTON,
+    MURK_OPTION_FORMAT,
+    MURK_OPTION_QUIET,
+    MURK_OPTION_PROGRESS,
+    MURK_OPTION_HELP,
+    MURK_OPTION_VERSION,
+    MURK_OPTION_MAN,
+    MURK_OPTION_LATER /* of the contract, not supported yet */
+} murk_option_id;
+
+typedef struct murk_option {
+    murk_option_id id;
+    const char *name;     /* "--seed" */
+    const char *other;    /* "-o", or NULL */
+    const char *argument; /* "N", or NULL for a switch */
+    const char *commands; /* "place sense", or NULL for all */
+    const char *help;     /* NULL: not shown */
+} murk_option;
+
+extern const murk_option murk_option_table[];
+extern const size_t murk_option_table_size;
+
+/* Whether a list such as "place sense" holds the name; NULL holds all. */
+int murk_option_belongs(const murk_option *option, const char *command);
+
+#endif

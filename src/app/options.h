@@ -1,0 +1,63 @@
+/* The command line: which command, which file, which options.
+ *
+ * One table (options.c) feeds parsing, --help and the man page. */
+#ifndef MURK_APP_OPTIONS_H
+#define MURK_APP_OPTIONS_H
+
+#include "base/progress.h"
+#include "base/status.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct murk_options murk_options;
+
+typedef struct murk_command {
+    const char *name, *arguments, *summary;
+    const char *text; /* a paragraph or two for --help and the man page */
+    murk_status (*run)(const murk_options *options, murk_error *err);
+} murk_command;
+
+struct murk_options {
+    const murk_command *command; /* NULL: only --help, --version or --man */
+    bool wants_help, wants_version, wants_man;
+    const char *input;   /* the scene */
+    const char *out;     /* -o; NULL: print, write nothing */
+    const char *light;   /* --light */
+    const char *sensors; /* --sensors */
+    bool has_photon;
+    uint64_t photon; /* --photon */
+    unsigned threads;
+    bool json, quiet;
+    murk_progress_mode progress;
+    murk_override *overrides; /* scene keys, in the order given */
+    size_t n_overrides;
+    char **kept; /* texts that overrides point to */
+    size_t n_kept;
+};
+
+extern const murk_command murk_commands[];
+extern const size_t murk_commands_count;
+
+/* Fills *out; release it also after a failure. Messages name the option, what
+ * was found and what is allowed. */
+murk_status murk_options_parse(murk_options *out, int argc, char **argv,
+                               murk_error *err);
+void murk_options_release(murk_options *options);
+
+/* --help of one command, or of the program (NULL). */
+void murk_help_print(FILE *to, const murk_command *command);
+
+/* The man page, in roff. */
+void murk_man_print(FILE *to);
+
+/* The commands, each in its own file. */
+murk_status murk_command_check(const murk_options *, murk_error *);
+murk_status murk_command_trace(const murk_options *, murk_error *);
+murk_status murk_command_place(const murk_options *, murk_error *);
+murk_status murk_command_sense(const murk_options *, murk_error *);
+murk_status murk_command_replay(const murk_options *, murk_error *);
+
+#endif

@@ -1,0 +1,238 @@
+#include "app/results.h"
+
+#include "app/version.h"
+#include "study/machine.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+murk_status murk_results_begin(murk_results *results, const char *folder,
+                               murk_error *err)
+{
+    *results = (murk_results){.folder = folder};
+    return folder ? murk_folder_make(folder, err) : MURK_OK;
+}
+
+/* Takes a place for one more file: path and staged name. */
+static murk_status stage_name(murk_results *results, const char *name,
+                              murk_error *err)
+{
+    const size_t size = strlen(results->folder) + strlen(name) + 32;
+    char *path = malloc(size), *staged = malloc(size);
+    if (!path || !staged || results->n == MURK_RESULTS_MAX) {
+        free(path);
+        free(staged);
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    }
+    snprintf(path, size, "%s/%s", results->folder, name);
+    snprintf(staged, size, "%s/.%s.staged.%ld", results->folder, name,
+             (long)getpid());
+    results->path[results->n] = path;
+    results->staged[results->n] = staged;
+    ++results->n;
+    return MURK_OK;
+}
+
+murk_status murk_results_add_text(murk_results *results, const char *name,
+                                  const char *text, murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    if (!text) {
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    }
+    const murk_status status = stage_name(results, name, err);
+    return status ? status
+                  : murk_file_write(results->staged[results->n - 1], text,
+                                    strlen(text), err);
+}
+
+murk_status murk_results_add_light(murk_results *results,
+                                   const murk_traced *traced,
+                                   const murk_stage *stage, murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    const murk_status status = stage_name(results, "light.murk", err);
+    return status ? status
+                  : murk_light_save(traced, stage,
+                                    results->staged[results->n - 1], err);
+}
+
+murk_status murk_results_show(murk_results *results, murk_error *err)
+{
+    for (size_t i = 0; i < results->n; ++i) {
+        if (rename(results->staged[i], results->path[i]) != 0) {
+            return murk_fail(err, MURK_RUN_FAILED, results->path[i],
+                             "cannot write: %s", strerror(errno));
+        }
+        free(results->staged[i]);
+        results->staged[i] = NULL;
+    }
+    return MURK_OK;
+}
+
+void murk_results_end(murk_results *results)
+{
+    for (size_t i = 0; i < results->n; ++i) {
+        if (results->staged[i]) {
+            unlink(results->staged[i]);
+        }
+        free(results->staged[i]);
+        free(results->path[i]);
+    }
+    *results = (murk_results){0};
+}
+
+void murk_json_number(cJSON *object, const char *key, double value)
+{
+    if (isfinite(value)) {
+        cJSON_AddNumberToObject(object, key, value);
+    } else {
+        cJSON_AddNullToObject(object, key);
+    }
+}
+
+void murk_json_vector(cJSON *object, const char *key, murk_vec3 v)
+{
+    const double xyz[3] = {v.x, v.y, v.z};
+    cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(xyz, 3));
+}
+
+cJSON *murk_json_begin(const murk_scene *scene)
+{
+    cJSON *root = cJSON_CreateObject();
+    cJSON *murk = cJSON_AddObjectToObject(root, "murk");
+    cJSON_AddStringToObject(murk, "version", MURK_VERSION);
+    cJSON_AddStringToObject(murk, "commit", murk_version_commit());
+    cJSON_AddStringToObject(murk, "compiler", murk_version_compiler());
+    cJSON *packages = cJSON_AddObjectToObject(murk, "packages");
+    for (size_t i = 0; i < murk_packages_count; ++i) {
+        cJSON_AddStringToObject(packages, murk_packages[i].name,
+                                murk_packages[i].version);
+    }
+    cJSON_AddStringToObject(root, "scene", scene->path);
+    cJSON_AddStringToObject(root, "scene_sha256", scene->sha256);
+    cJSON_AddNumberToObject(root, "seed", scene->seed);
+    return root;
+}
+
+/* cJSON indents with tabs, which YAML readers refuse; inside texts a tab is
+ * written \t, so every tab byte here is indentation or follows a colon. */
+static char *tabs_to_spaces(const char *text)
+{
+    size_t tabs = 0;
+    for (const char *c = text; *c; ++c) {
+        tabs += *c == '\t';
+    }
+    char *out = cJSON_malloc(strlen(text) + tabs + 2);
+    if (!out) {
+        return NULL;
+    }
+    char *to = out;
+    for (const char *c = text; *c; ++c) {
+        if (*c == '\t') {
+            *to++ = ' ';
+            if (c[-1] != ':') {
+                *to++ = ' ';
+            }
+        } else {
+            *to++ = *c;
+        }
+    }
+    *to++ = '\n';
+    *to = '\0';
+    return out;
+}
+
+char *murk_json_end(cJSON *root, const murk_run_facts *run)
+{
+    cJSON *object = cJSON_AddObjectToObject(root, "run");
+    cJSON_AddNumberToObject(object, "threads", run->threads);
+    cJSON *seconds = cJSON_AddObjectToObject(object, "seconds");
+    cJSON_AddNumberToObject(seconds, "load", run->load_s);
+    cJSON_AddNumberToObject(seconds, "trace", run->trace_s);
+    cJSON_AddNumberToObject(seconds, "map", run->map_s);
+    cJSON_AddNumberToObject(seconds, "sense", run->sense_s);
+    cJSON_AddNumberToObject(seconds, "place", run->place_s);
+    cJSON_AddNumberToObject(seconds, "total", run->total_s);
+    murk_json_number(object, "peak_memory_bytes", murk_machine_peak_bytes());
+    char date[32] = "";
+    const time_t now = time(NULL);
+    struct tm utc;
+    if (gmtime_r(&now, &utc)) {
+        strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    }
+    cJSON_AddStringToObject(object, "date", date);
+
+    char *printed = cJSON_Print(root);
+    cJSON_Delete(root);
+    char *text = printed ? tabs_to_spaces(printed) : NULL;
+    cJSON_free(printed);
+    return text;
+}
+
+/* Power of one channel's column in watts. */
+static double channel_watts(const murk_traced *traced, const murk_tally *column,
+                            size_t channel)
+{
+    return (double)murk_tally_read(&column[channel]) / (double)MURK_PACKET *
+           traced->packet_w[channel];
+}
+
+double murk_ledger_watts(const murk_traced *traced, const murk_tally *column)
+{
+    double sum = 0;
+    for (size_t c = 0; c < traced->channels; ++c) {
+        sum += channel_watts(traced, column, c);
+    }
+    return sum;
+}
+
+static void add_column(cJSON *object, const char *key,
+                       const murk_traced *traced, const murk_tally *column,
+                       int bands)
+{
+    cJSON *both = cJSON_AddObjectToObject(object, key);
+    murk_json_number(both, "total", murk_ledger_watts(traced, column));
+    double band_w[MURK_BANDS_MAX] = {0};
+    for (size_t c = 0; c < traced->channels; ++c) {
+        band_w[c % (size_t)bands] += channel_watts(traced, column, c);
+    }
+    cJSON_AddItemToObject(both, "bands",
+                          cJSON_CreateDoubleArray(band_w, bands));
+}
+
+void murk_json_ledger(cJSON *object, const murk_traced *traced,
+                      const murk_stage *stage)
+{
+    const murk_ledger *ledger = traced->ledger;
+    const int bands = stage->scene->bands;
+    add_column(object, "emitted_w", traced, ledger->emitted, bands);
+    add_column(object, "absorbed_surfaces_w", traced, ledger->absorbed_surfaces,
+               bands);
+    add_column(object, "absorbed_media_w", traced, ledger->absorbed_media,
+               bands);
+    add_column(object, "escaped_w", traced, ledger->escaped, bands);
+    add_column(object, "lost_w", traced, ledger->lost, bands);
+    cJSON_AddNumberToObject(object, "photons_emitted",
+                            (double)murk_tally_read(&ledger->photons));
+    cJSON_AddNumberToObject(object, "collisions",
+                            (double)murk_tally_read(&ledger->collisions));
+    static const char *const cause[MURK_LOSSES] = {
+        [MURK_LOSS_EVENTS] = "events",
+        [MURK_LOSS_WRAPS] = "wraps",
+        [MURK_LOSS_NUMERICAL] = "numerical"};
+    cJSON *lost = cJSON_AddObjectToObject(object, "lost");
+    for (int i = 0; i < MURK_LOSSES; ++i) {
+        cJSON_AddNumberToObject(
+            lost, cause[i], (double)murk_tally_read(&ledger->lost_photons[i]));
+    }
+    cJSON_AddNumberToObject(object, "imbalance_quanta",
+                            (double)murk_ledger_imbalance(ledger));
+}

@@ -1,0 +1,66 @@
+/* Result files: staged, then shown all together.
+ *
+ * Everything is written and flushed under temporary names first; only when
+ * all of it is on the disk are the files renamed, the main JSON last. So a
+ * full disk or a killed run leaves the old results, never a mixture. */
+#ifndef MURK_APP_RESULTS_H
+#define MURK_APP_RESULTS_H
+
+#include "app/options.h"
+#include "base/file.h"
+#include "base/stats.h"
+#include "study/plan.h"
+
+#include <cjson/cJSON.h>
+
+#define MURK_RESULTS_MAX 16
+
+typedef struct murk_results {
+    const char *folder; /* NULL: nothing is written */
+    size_t n;
+    char *path[MURK_RESULTS_MAX];
+    char *staged[MURK_RESULTS_MAX]; /* NULL once it is in its place */
+} murk_results;
+
+/* Makes the folder and sees that it can be written, before any long work.
+ * folder NULL: all calls below do nothing. */
+murk_status murk_results_begin(murk_results *results, const char *folder,
+                               murk_error *err);
+
+/* One more file of the folder, staged. */
+murk_status murk_results_add_text(murk_results *results, const char *name,
+                                  const char *text, murk_error *err);
+murk_status murk_results_add_light(murk_results *results,
+                                   const murk_traced *traced,
+                                   const murk_stage *stage, murk_error *err);
+
+/* Puts all in place, in the order added: add the main JSON last. */
+murk_status murk_results_show(murk_results *results, murk_error *err);
+void murk_results_end(murk_results *results); /* removes what is not shown */
+
+/* ---- JSON that all commands share; out of memory ends in a NULL text ---- */
+
+/* {"murk": .., "scene": .., "scene_sha256": .., "seed": ..} */
+cJSON *murk_json_begin(const murk_scene *scene);
+
+typedef struct murk_run_facts {
+    unsigned threads;
+    double load_s, trace_s, map_s, sense_s, place_s, total_s;
+} murk_run_facts;
+
+/* Adds "run", which alone may differ between two runs, and returns the text:
+ * indented, ending with a newline; the caller frees it with cJSON_free().
+ * Deletes root. */
+char *murk_json_end(cJSON *root, const murk_run_facts *run);
+
+void murk_json_number(cJSON *object, const char *key, double value);
+void murk_json_vector(cJSON *object, const char *key, murk_vec3 v);
+
+/* ledger.json's own fields. */
+void murk_json_ledger(cJSON *object, const murk_traced *traced,
+                      const murk_stage *stage);
+
+/* Watts of one ledger column, over all channels. */
+double murk_ledger_watts(const murk_traced *traced, const murk_tally *column);
+
+#endif

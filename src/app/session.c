@@ -1,0 +1,145 @@
+#include "app/session.h"
+
+#include "base/log.h"
+
+#include <stdlib.h>
+
+murk_status murk_session_begin(murk_session *session,
+                               const murk_options *options, murk_error *err)
+{
+    *session = (murk_session){.options = options,
+                              .run.threads = options->threads,
+                              .begun_s = murk_clock_s()};
+    if (options->quiet) {
+        murk_warn_to(NULL);
+    }
+    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_status status =
+        murk_scene_read(&session->scene, options->input, options->overrides,
+                        options->n_overrides, err);
+    if (!status) {
+        status = murk_results_begin(&session->results, options->out, err);
+    }
+    if (!status) {
+        status = murk_stage_create(&session->stage, session->scene, err);
+    }
+    session->run.load_s = murk_clock_s() - session->begun_s;
+    return status;
+}
+
+murk_status murk_session_light(murk_session *session, murk_error *err)
+{
+    const unsigned threads = session->options->threads;
+    const double begun_s = murk_clock_s();
+    murk_status status;
+    if (session->options->light) {
+        status = murk_light_load(&session->traced, session->stage,
+                                 session->options->light, threads, err);
+        session->run.load_s += murk_clock_s() - begun_s;
+    } else {
+        status =
+            murk_light_trace(&session->traced, session->stage, 0, threads, err);
+    }
+    if (!status) {
+        session->run.trace_s = session->traced->trace_s;
+        session->run.map_s = session->traced->map_s;
+    }
+    return status;
+}
+
+void murk_session_end(murk_session *session)
+{
+    murk_results_end(&session->results);
+    murk_traced_destroy(session->traced);
+    murk_stage_destroy(session->stage);
+    murk_scene_destroy(session->scene);
+    *session = (murk_session){0};
+}
+
+murk_status murk_session_add_light(murk_session *session, murk_error *err)
+{
+    const murk_status status = murk_results_add_light(
+        &session->results, session->traced, session->stage, err);
+    return status ? status
+                  : murk_results_add_text(&session->results, "scene.yaml",
+                                          session->scene->resolved, err);
+}
+
+cJSON *murk_session_ledger(const murk_session *session)
+{
+    cJSON *root = murk_json_begin(session->scene);
+    murk_json_ledger(root, session->traced, session->stage);
+    return root;
+}
+
+murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
+{
+    session->run.total_s = murk_clock_s() - session->begun_s;
+    char *text = murk_json_end(murk_session_ledger(session), &session->run);
+    const murk_status status =
+        murk_results_add_text(&session->results, "ledger.json", text, err);
+    cJSON_free(text);
+    return status;
+}
+
+murk_status murk_session_finish(murk_session *session, const char *name,
+                                cJSON *root, murk_error *err)
+{
+    session->run.total_s = murk_clock_s() - session->begun_s;
+    char *text = murk_json_end(root, &session->run);
+    murk_status status =
+        text ? MURK_OK
+             : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    if (!status && name) {
+        status = murk_results_add_text(&session->results, name, text, err);
+    }
+    if (!status) {
+        status = murk_results_show(&session->results, err);
+    }
+    if (!status && session->options->json) {
+        fputs(text, stdout);
+    }
+    cJSON_free(text);
+    return status;
+}
+
+bool murk_session_speaks(const murk_session *session)
+{
+    return !session->options->json && !session->options->quiet;
+}
+
+void murk_print_light(const murk_session *session)
+{
+    const murk_traced *t = session->traced;
+    const double emitted_w = murk_ledger_watts(t, t->ledger->emitted);
+    const double percent = emitted_w > 0 ? 100 / emitted_w : 0;
+    printf("photons     %llu emitted; stored: %zu surface, %zu volume\n",
+           (unsigned long long)t->emitted, murk_photon_map_count(t->surface),
+           murk_photon_map_count(t->volume));
+    printf("light       %.4g W: %.1f %% absorbed by surfaces, %.1f %% by "
+           "media, %.1f %% escaped, %.2g %% lost\n",
+           emitted_w,
+           percent * murk_ledger_watts(t, t->ledger->absorbed_surfaces),
+           percent * murk_ledger_watts(t, t->ledger->absorbed_media),
+           percent * murk_ledger_watts(t, t->ledger->escaped),
+           percent * murk_ledger_watts(t, t->ledger->lost));
+}
+
+void murk_print_files(const murk_session *session)
+{
+    const murk_results *r = &session->results;
+    if (!r->folder) {
+        printf("files       none: -o DIR writes them\n");
+        return;
+    }
+    printf("files       %s:", r->folder);
+    for (size_t i = r->n; i > 0; --i) {
+        const char *path = r->path[i - 1];
+        const char *name = path;
+        for (const char *c = path; *c; ++c) {
+            name = *c == '/' ? c + 1 : name;
+        }
+        printf(" %s", name);
+    }
+    printf("\n");
+}

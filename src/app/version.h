@@ -1,0 +1,19 @@
+/* Who made a result: version, commit, compiler, packages. */
+#ifndef MURK_APP_VERSION_H
+#define MURK_APP_VERSION_H
+
+#include <stddef.h>
+
+#define MURK_VERSION "0.1.0"
+
+typedef struct murk_package {
+    const char *name, *version;
+} murk_package;
+
+extern const murk_package murk_packages[];
+extern const size_t murk_packages_count;
+
+const char *murk_version_commit(void);   /* "unknown" outside a checkout */
+const char *murk_version_compiler(void); /* "gcc 12.2.0" */
+
+#endif
