@@ -1,0 +1,40 @@
+/* Estimates and limits against figures worked out by hand or published. */
+#include "base/stats.h"
+#include "check.h"
+
+/* x = 1 0 1, y = 1 1 2 of three units: C = 1/2, residuals 1/2 -1/2 0,
+ * se^2 = 3/2 * 1/2 / 16. */
+static void test_ratio(void)
+{
+    const double x[3] = {1, 0, 1}, y[3] = {1, 1, 2};
+    const murk_estimate e = murk_ratio_estimate(x, y, 3, 3);
+    CHECK(e.value == 0.5);
+    CHECK_NEAR(e.standard_error, sqrt(0.75 / 16), 1e-15);
+    const murk_estimate none = murk_ratio_estimate(x, y, 0, 3);
+    CHECK(isnan(none.value));
+}
+
+static void test_mean(void)
+{
+    const double x[4] = {1, 2, 3, 4};
+    const murk_estimate e = murk_mean_estimate(x, 4);
+    CHECK(e.value == 2.5);
+    CHECK_NEAR(e.standard_error, sqrt(5.0 / 12), 1e-15);
+}
+
+/* Two-sided 5 % is 1.959964; eleven checks within 1e-6 give 5.34 (style). */
+static void test_limits(void)
+{
+    CHECK_NEAR(murk_normal_upper(0.025), 1.959963984540054, 1e-12);
+    CHECK_NEAR(murk_normal_upper(0.5), 0, 1e-12);
+    CHECK_NEAR(murk_sidak_limit(0.05, 1), 1.959963984540054, 1e-12);
+    CHECK_NEAR(murk_sidak_limit(1e-6, 11), 5.34, 0.005);
+}
+
+int main(void)
+{
+    test_ratio();
+    test_mean();
+    test_limits();
+    return check_done();
+}
