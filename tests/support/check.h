@@ -41,38 +41,38 @@ double sigmas_off(double got, double want, double sigma);
         }                                                                     \
     } while (0)
 
-#define CHECK_NEAR(got, want, tolerance)                                      \
-    do {                                                                      \
-        ++check_count;                                                        \
-        const double got_ = (got), want_ = (want);                            \
-        if (!(fabs(got_ - want_) <= (tolerance))) {                           \
-            printf("%s:%d: %s = %.17g, want %.17g to %g\n", __FILE__,         \
-                   __LINE__, #got, got_, want_, (double)(tolerance));         \
-            ++check_failures;                                                 \
-        }                                                                     \
+#define CHECK_NEAR(got, want, tolerance)                              \
+    do {                                                              \
+        ++check_count;                                                \
+        const double got_ = (got), want_ = (want);                    \
+        if (!(fabs(got_ - want_) <= (tolerance))) {                   \
+            printf("%s:%d: %s = %.17g, want %.17g to %g\n", __FILE__, \
+                   __LINE__, #got, got_, want_, (double)(tolerance)); \
+            ++check_failures;                                         \
+        }                                                             \
     } while (0)
 
-#define CHECK_TEXT(got, want)                                              \
-    do {                                                                   \
-        ++check_count;                                                     \
-        const char *got_ = (got), *want_ = (want);                         \
-        if (strcmp(got_, want_) != 0) {                                    \
-            printf("%s:%d: %s is \"%s\",\n  want \"%s\"\n", __FILE__,      \
-                   __LINE__, #got, got_, want_);                           \
-            ++check_failures;                                              \
-        }                                                                  \
+#define CHECK_TEXT(got, want)                                         \
+    do {                                                              \
+        ++check_count;                                                \
+        const char *got_ = (got), *want_ = (want);                    \
+        if (strcmp(got_, want_) != 0) {                               \
+            printf("%s:%d: %s is \"%s\",\n  want \"%s\"\n", __FILE__, \
+                   __LINE__, #got, got_, want_);                      \
+            ++check_failures;                                         \
+        }                                                             \
     } while (0)
 
 /* The text holds that part. */
-#define CHECK_MENTIONS(got, part)                                          \
-    do {                                                                   \
-        ++check_count;                                                     \
-        const char *got_ = (got), *part_ = (part);                         \
-        if (!strstr(got_, part_)) {                                        \
-            printf("%s:%d: %s is \"%s\",\n  does not mention \"%s\"\n",    \
-                   __FILE__, __LINE__, #got, got_, part_);                 \
-            ++check_failures;                                              \
-        }                                                                  \
+#define CHECK_MENTIONS(got, part)                                       \
+    do {                                                                \
+        ++check_count;                                                  \
+        const char *got_ = (got), *part_ = (part);                      \
+        if (!strstr(got_, part_)) {                                     \
+            printf("%s:%d: %s is \"%s\",\n  does not mention \"%s\"\n", \
+                   __FILE__, __LINE__, #got, got_, part_);              \
+            ++check_failures;                                           \
+        }                                                               \
     } while (0)
 
 #endif

@@ -1,0 +1,91 @@
+/* Stored when reflected and stored when hit say the same: irradiance on a wall
+ * and fluence rate in a medium, from the maps, as the contract defines both.
+ *
+ * The events of one emitted photon are kept together: errors come from the
+ * photons. Both ways share the photons' paths, so the difference is compared
+ * with the error of the difference, photon by photon. The checks share a 1e-6
+ * false-alarm budget. Teeth: a diffuse coefficient or albedo off by 10 % in
+ * one of the two ways must fail. */
+#include "base/stats.h"
+#include "check.h"
+#include "stage_text.h"
+#include "study/light.h"
+
+#include <stdlib.h>
+
+#define PHOTONS 20000
+#define DIFFUSE 0.4
+#define CHECKS  2
+
+static const char scene_text[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
+    "geometry: [{box: {min_m: [0.01, 0.01, 0.01], max_m: [3.99, 3.99, 2.99]},"
+    " material: wall}]\n"
+    "materials: {wall: {diffuse: 0.4}}\n"
+    "media: {fog: {extinction_per_m: 0.5, albedo: 0.7, phase: {hg: 0.6}}}\n"
+    "regions: [{medium: fog, sphere: {center_m: [2, 2, 1.5], radius_m: 1.2}}]\n"
+    "lights: [{type: point, position_m: [1, 1, 2.5], power_w: 8}]\n"
+    "photons: {emit: 20000}\n";
+
+/* The irradiance (whole wall) and fluence (whole sphere) sums of each photon:
+ * wall power / d, volume power / sigma_s; areas and volumes cancel. */
+static bool sums_by_photon(const char *store_when, double *wall, double *fog)
+{
+    const char *const overrides[] = {store_when, NULL};
+    murk_error err = {0};
+    murk_traced *traced = NULL;
+    murk_stage *stage = stage_text_create(scene_text, overrides);
+    const bool is_traced =
+        stage && !murk_light_trace(&traced, stage, 0, 2, &err);
+    if (!is_traced) {
+        printf("%s: %s\n", err.where, err.text);
+        goto done;
+    }
+    const murk_photon_map *maps[2] = {traced->surface, traced->volume};
+    for (int is_volume = 0; is_volume < 2; ++is_volume) {
+        const murk_photon *p = murk_photon_map_photons(maps[is_volume]);
+        for (size_t i = 0; i < murk_photon_map_count(maps[is_volume]); ++i) {
+            const murk_vec3 at = {p[i].position_m[0], p[i].position_m[1],
+                                  p[i].position_m[2]};
+            if (is_volume) {
+                fog[p[i].emitted] +=
+                    p[i].power_w / murk_media_scattering(stage->media, 0, at);
+            } else {
+                wall[p[i].emitted] += p[i].power_w / DIFFUSE;
+            }
+        }
+    }
+done:
+    murk_traced_destroy(traced);
+    stage_text_destroy(stage);
+    return is_traced;
+}
+
+/* Sigmas between the two ways when the second is scaled by `wrong`. */
+static double sigmas_between(const double *a, const double *b, double wrong)
+{
+    double *difference = calloc(PHOTONS, sizeof *difference);
+    for (size_t i = 0; i < PHOTONS; ++i) {
+        difference[i] = a[i] - wrong * b[i];
+    }
+    const murk_estimate e = murk_mean_estimate(difference, PHOTONS);
+    free(difference);
+    return sigmas_off(e.value, 0, e.standard_error);
+}
+
+int main(void)
+{
+    double *sum = calloc(4 * PHOTONS, sizeof *sum);
+    double *wall[2] = {sum, sum + PHOTONS};
+    double *fog[2] = {sum + 2 * PHOTONS, sum + 3 * PHOTONS};
+    CHECK(sums_by_photon("photons.store_when=reflected", wall[0], fog[0]));
+    CHECK(sums_by_photon("photons.store_when=hit", wall[1], fog[1]));
+    const double limit = murk_sidak_limit(1e-6, CHECKS);
+    CHECK(sigmas_between(wall[0], wall[1], 1) < limit);
+    CHECK(sigmas_between(fog[0], fog[1], 1) < limit);
+    CHECK(sigmas_between(wall[0], wall[1], 1.1) > limit);
+    CHECK(sigmas_between(fog[0], fog[1], 1.1) > limit);
+    free(sum);
+    return check_done();
+}

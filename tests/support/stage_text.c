@@ -1,0 +1,47 @@
+#include "stage_text.h"
+
+#include "base/file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define OVERRIDES_MAX 16
+
+murk_stage *stage_text_create(const char *yaml, const char *const *overrides)
+{
+    char path[] = "/tmp/murk_test_scene_XXXXXX";
+    murk_error err = {0};
+    murk_scene *scene = NULL;
+    murk_stage *stage = NULL;
+    murk_override list[OVERRIDES_MAX];
+    size_t n = 0;
+    while (overrides && overrides[n] && n < OVERRIDES_MAX) {
+        list[n] = (murk_override){overrides[n]};
+        ++n;
+    }
+    const int fd = mkstemp(path);
+    if (fd < 0 || write(fd, yaml, strlen(yaml)) < 0) {
+        printf("cannot write %s\n", path);
+    } else if (murk_scene_read(&scene, path, list, n, &err) ||
+               murk_stage_create(&stage, scene, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        murk_scene_destroy(scene);
+    }
+    if (fd >= 0) {
+        close(fd);
+        unlink(path);
+    }
+    return stage;
+}
+
+void stage_text_destroy(murk_stage *stage)
+{
+    if (stage) {
+        /* the test made the scene, so it may also end it */
+        murk_scene *scene = (murk_scene *)(uintptr_t)stage->scene;
+        murk_stage_destroy(stage);
+        murk_scene_destroy(scene);
+    }
+}
