@@ -9,6 +9,8 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#define PIECE_BYTES ((size_t)1 << 20)
+
 struct murk_file {
     FILE *stream;
     char *path, *temporary;
@@ -95,12 +97,13 @@ murk_status murk_file_commit(murk_file **file_io, murk_error *err)
     file->stream = NULL;
     murk_status status = MURK_OK;
     if (failed || not_closed) {
-        status = murk_fail(err, MURK_RUN_FAILED, file->path,
-                           "cannot write: %s",
-                           strerror(reason ? reason : errno ? errno : EIO));
+        status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
+                           strerror(reason  ? reason
+                                    : errno ? errno
+                                            : EIO));
     } else if (rename(file->temporary, file->path) != 0) {
-        status = murk_fail(err, MURK_RUN_FAILED, file->path,
-                           "cannot write: %s", strerror(errno));
+        status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
+                           strerror(errno));
     } else {
         sync_folder_of(file->path);
         free(file->temporary);
@@ -137,24 +140,39 @@ murk_status murk_file_write(const char *path, const void *bytes, size_t size,
     return murk_file_commit(&file, err);
 }
 
+/* Opens a regular file for reading. */
+static murk_status open_regular(int *out, struct stat *info, const char *path,
+                                murk_error *err)
+{
+    /* not blocking, so that a pipe without a writer cannot hang us */
+    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0 || fstat(fd, info) != 0) {
+        const int reason = errno;
+        if (fd >= 0) {
+            close(fd);
+        }
+        return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                         strerror(reason));
+    }
+    if (!S_ISREG(info->st_mode)) {
+        close(fd);
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "cannot read: %s, must be a regular file",
+                         S_ISDIR(info->st_mode) ? "a folder" : "not a file");
+    }
+    *out = fd;
+    return MURK_OK;
+}
+
 murk_status murk_file_read(char **out, size_t *size, const char *path,
                            size_t most, murk_error *err)
 {
-    murk_status status = MURK_OK;
     char *bytes = NULL;
     struct stat info;
-    /* not blocking, so that a pipe without a writer cannot hang us */
-    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0 || fstat(fd, &info) != 0) {
-        status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
-                           strerror(errno));
-        goto done;
-    }
-    if (!S_ISREG(info.st_mode)) {
-        status = murk_fail(err, MURK_BAD_FILE, path,
-                           "cannot read: %s, must be a regular file",
-                           S_ISDIR(info.st_mode) ? "a folder" : "not a file");
-        goto done;
+    int fd = -1;
+    murk_status status = open_regular(&fd, &info, path, err);
+    if (status) {
+        return status;
     }
     if ((uintmax_t)info.st_size > most) {
         status = murk_fail(err, MURK_BAD_FILE, path,
@@ -186,9 +204,7 @@ murk_status murk_file_read(char **out, size_t *size, const char *path,
     *out = bytes;
     bytes = NULL;
 done:
-    if (fd >= 0) {
-        close(fd);
-    }
+    close(fd);
     free(bytes);
     return status;
 }
@@ -249,4 +265,42 @@ void murk_checksum(const void *bytes, size_t size, uint64_t out[2])
     const XXH128_hash_t hash = XXH3_128bits(bytes, size);
     out[0] = hash.low64;
     out[1] = hash.high64;
+}
+
+murk_status murk_file_checksum(const char *path, uint64_t out[2],
+                               murk_error *err)
+{
+    struct stat info;
+    int fd = -1;
+    murk_status status = open_regular(&fd, &info, path, err);
+    if (status) {
+        return status;
+    }
+    XXH3_state_t *state = XXH3_createState();
+    unsigned char *piece = malloc(PIECE_BYTES);
+    if (!state || !piece) {
+        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        goto done;
+    }
+    XXH3_128bits_reset(state);
+    ssize_t n;
+    while ((n = read(fd, piece, PIECE_BYTES)) != 0) {
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n < 0) {
+            status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                               strerror(errno));
+            goto done;
+        }
+        XXH3_128bits_update(state, piece, (size_t)n);
+    }
+    const XXH128_hash_t hash = XXH3_128bits_digest(state);
+    out[0] = hash.low64;
+    out[1] = hash.high64;
+done:
+    free(piece);
+    XXH3_freeState(state);
+    close(fd);
+    return status;
 }

@@ -9,23 +9,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FILE_BYTES_MAX ((size_t)1 << 36)
-
 /* Adds "file PATH CHECKSUM" to the light's key. */
 static murk_status sign_file(murk_stage *stage, const char *path,
                              const char *where, murk_error *err)
 {
-    char *bytes = NULL;
-    size_t size = 0;
+    uint64_t sum[2];
     murk_error told = {0};
-    const murk_status status =
-        murk_file_read(&bytes, &size, path, FILE_BYTES_MAX, &told);
+    const murk_status status = murk_file_checksum(path, sum, &told);
     if (status) {
         return murk_fail(err, status, where, "%s: %s", path, told.text);
     }
-    uint64_t sum[2];
-    murk_checksum(bytes, size, sum);
-    free(bytes);
     const size_t old = strlen(stage->light_key), room = strlen(path) + 64;
     char *key = realloc(stage->light_key, old + room);
     if (!key) {

@@ -44,6 +44,11 @@ static void test_write_and_read(const char *path)
     CHECK_TEXT(text, "new");
     free(text);
     CHECK(entries() == 1);
+
+    uint64_t whole[2], pieces[2];
+    murk_checksum("new", 3, whole);
+    CHECK(murk_file_checksum(path, pieces, &err) == MURK_OK);
+    CHECK(whole[0] == pieces[0] && whole[1] == pieces[1]);
 }
 
 static void expect_unreadable(const char *path, size_t most, const char *why)
