@@ -100,7 +100,8 @@ static murk_status need_count(const char *name, const char *text, uint64_t low,
 
 /* Keeps "KEY=VALUE" as one more override. */
 static murk_status add_override(murk_options *out, const char *key,
-                                const char *value, murk_error *err)
+                                const char *value, const char *option,
+                                murk_error *err)
 {
     const size_t size = strlen(key) + strlen(value) + 2;
     char *text = malloc(size);
@@ -119,7 +120,7 @@ static murk_status add_override(murk_options *out, const char *key,
     }
     snprintf(text, size, "%s%s%s", key, *key ? "=" : "", value);
     out->kept[out->n_kept++] = text;
-    out->overrides[out->n_overrides++] = (murk_override){text};
+    out->overrides[out->n_overrides++] = (murk_override){text, option};
     return MURK_OK;
 }
 
@@ -131,7 +132,7 @@ static murk_status set_count(murk_options *out, const char *name,
     const murk_status status = need_count(name, value, low, high, &n, err);
     char digits[32];
     snprintf(digits, sizeof digits, "%llu", (unsigned long long)n);
-    return status ? status : add_override(out, key, digits, err);
+    return status ? status : add_override(out, key, digits, name, err);
 }
 
 static murk_status choice(const char *name, const char *value,
@@ -183,7 +184,7 @@ static murk_status apply(murk_options *out, const murk_option *option,
             return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be KEY=VALUE",
                              value);
         }
-        return add_override(out, "", value, err);
+        return add_override(out, "", value, NULL, err);
     case MURK_OPTION_LIGHT:
         out->light = value;
         break;
