@@ -140,9 +140,9 @@ murk_status murk_file_write(const char *path, const void *bytes, size_t size,
     return murk_file_commit(&file, err);
 }
 
-/* Opens a regular file for reading. */
-static murk_status open_regular(int *out, struct stat *info, const char *path,
-                                murk_error *err)
+/* Opens a regular file of at most `most` bytes for reading. */
+static murk_status open_regular(int *out, struct stat *info, uint64_t most,
+                                const char *path, murk_error *err)
 {
     /* not blocking, so that a pipe without a writer cannot hang us */
     const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -160,6 +160,12 @@ static murk_status open_regular(int *out, struct stat *info, const char *path,
                          "cannot read: %s, must be a regular file",
                          S_ISDIR(info->st_mode) ? "a folder" : "not a file");
     }
+    if ((uintmax_t)info->st_size > most) {
+        close(fd);
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "%.4g MB, must be at most %.4g MB",
+                         (double)info->st_size / 1e6, (double)most / 1e6);
+    }
     *out = fd;
     return MURK_OK;
 }
@@ -170,15 +176,9 @@ murk_status murk_file_read(char **out, size_t *size, const char *path,
     char *bytes = NULL;
     struct stat info;
     int fd = -1;
-    murk_status status = open_regular(&fd, &info, path, err);
+    murk_status status = open_regular(&fd, &info, most, path, err);
     if (status) {
         return status;
-    }
-    if ((uintmax_t)info.st_size > most) {
-        status = murk_fail(err, MURK_BAD_FILE, path,
-                           "%.4g MB, must be at most %.4g MB",
-                           (double)info.st_size / 1e6, (double)most / 1e6);
-        goto done;
     }
     const size_t length = (size_t)info.st_size;
     bytes = malloc(length + 1);
@@ -267,12 +267,12 @@ void murk_checksum(const void *bytes, size_t size, uint64_t out[2])
     out[1] = hash.high64;
 }
 
-murk_status murk_file_checksum(const char *path, uint64_t out[2],
+murk_status murk_file_checksum(const char *path, uint64_t most, uint64_t out[2],
                                murk_error *err)
 {
     struct stat info;
     int fd = -1;
-    murk_status status = open_regular(&fd, &info, path, err);
+    murk_status status = open_regular(&fd, &info, most, path, err);
     if (status) {
         return status;
     }

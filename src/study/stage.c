@@ -9,22 +9,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Adds "file PATH CHECKSUM" to the light's key. */
+/* Far above real meshes and grids; a sparse file of terabytes must not stall.
+ */
+#define FILE_BYTES_MAX (UINT64_C(8) << 30)
+
+/* Adds the checksum of a file's bytes to the light's key; the key names the
+ * file already, and not its folder, so that a scene may move with its files. */
 static murk_status sign_file(murk_stage *stage, const char *path,
                              const char *where, murk_error *err)
 {
     uint64_t sum[2];
     murk_error told = {0};
-    const murk_status status = murk_file_checksum(path, sum, &told);
+    const murk_status status =
+        murk_file_checksum(path, FILE_BYTES_MAX, sum, &told);
     if (status) {
         return murk_fail(err, status, where, "%s: %s", path, told.text);
     }
-    const size_t old = strlen(stage->light_key), room = strlen(path) + 64;
+    const size_t old = strlen(stage->light_key), room = 64;
     char *key = realloc(stage->light_key, old + room);
     if (!key) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its name");
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its sum");
     }
-    snprintf(key + old, room, "file %s %016" PRIx64 "%016" PRIx64 "\n", path,
+    snprintf(key + old, room, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
              sum[1], sum[0]);
     stage->light_key = key;
     return MURK_OK;

@@ -47,7 +47,8 @@ static void test_write_and_read(const char *path)
 
     uint64_t whole[2], pieces[2];
     murk_checksum("new", 3, whole);
-    CHECK(murk_file_checksum(path, pieces, &err) == MURK_OK);
+    CHECK(murk_file_checksum(path, 2, pieces, NULL) == MURK_BAD_FILE);
+    CHECK(murk_file_checksum(path, 3, pieces, &err) == MURK_OK);
     CHECK(whole[0] == pieces[0] && whole[1] == pieces[1]);
 }
 
