@@ -69,8 +69,7 @@ murk_child_limits murk_child_limits_for(uint64_t file_bytes)
 {
     const uint64_t eightfold =
         file_bytes > UINT64_MAX / 8 ? UINT64_MAX : file_bytes * 8;
-    const uint64_t memory =
-        eightfold > LEAST_MEMORY ? eightfold : LEAST_MEMORY;
+    const uint64_t memory = eightfold > LEAST_MEMORY ? eightfold : LEAST_MEMORY;
     return (murk_child_limits){
         .memory_bytes = memory,
         .handed_bytes = memory,
@@ -119,8 +118,8 @@ static _Noreturn void be_child(int fd, murk_child_work work, void *context,
     murk_error err = {0};
     const murk_status status = work(&child, context, &err);
     const head h = {END, (uint32_t)status, sizeof err};
-    const bool sent = write_all(fd, &h, sizeof h) &&
-                      write_all(fd, &err, sizeof err);
+    const bool sent =
+        write_all(fd, &h, sizeof h) && write_all(fd, &err, sizeof err);
     _exit(sent ? 0 : 1); /* no atexit handlers: the file may have hurt them */
 }
 
@@ -129,7 +128,13 @@ typedef struct inbox {
     size_t size, room;
 } inbox;
 
-typedef enum verdict { RECEIVED, CUT_SHORT, TOO_LONG, TOO_MUCH, STOPPED } verdict;
+typedef enum verdict {
+    RECEIVED,
+    CUT_SHORT,
+    TOO_LONG,
+    TOO_MUCH,
+    STOPPED
+} verdict;
 
 /* Reads exactly size bytes or says why not. */
 static verdict read_all(int fd, void *bytes, size_t size, double deadline_s)

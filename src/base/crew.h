@@ -16,8 +16,7 @@ typedef void (*murk_job)(void *context, uint64_t batch);
 
 /* As murk_job, and told which worker runs it, in [0, threads): for scratch
  * memory, which must not carry anything from one batch to the next. */
-typedef void (*murk_worker_job)(void *context, unsigned worker,
-                                uint64_t batch);
+typedef void (*murk_worker_job)(void *context, unsigned worker, uint64_t batch);
 
 /* threads >= 1. Where the machine refuses a thread, the others do its work. */
 void murk_crew_run(unsigned threads, uint64_t batches, murk_job job,

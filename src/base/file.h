@@ -44,7 +44,7 @@ void murk_sha256_hex(const void *bytes, size_t size, char out[65]);
 void murk_checksum(const void *bytes, size_t size, uint64_t out[2]);
 
 /* The same of a regular file of at most `most` bytes, read in pieces. */
-murk_status murk_file_checksum(const char *path, uint64_t most,
-                               uint64_t out[2], murk_error *err);
+murk_status murk_file_checksum(const char *path, uint64_t most, uint64_t out[2],
+                               murk_error *err);
 
 #endif

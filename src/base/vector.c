@@ -91,11 +91,9 @@ bool murk_affine_invert(const murk_affine *a, murk_affine *out)
     const murk_vec3 c0 = murk_scale(1 / determinant, murk_cross(r1, r2));
     const murk_vec3 c1 = murk_scale(1 / determinant, murk_cross(r2, r0));
     const murk_vec3 c2 = murk_scale(1 / determinant, murk_cross(r0, r1));
-    murk_affine inverse = {.matrix = {{c0.x, c1.x, c2.x},
-                                      {c0.y, c1.y, c2.y},
-                                      {c0.z, c1.z, c2.z}}};
-    inverse.shift =
-        murk_scale(-1, murk_affine_direction(&inverse, a->shift));
+    murk_affine inverse = {
+        .matrix = {{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}};
+    inverse.shift = murk_scale(-1, murk_affine_direction(&inverse, a->shift));
     *out = inverse;
     return true;
 }

@@ -18,7 +18,7 @@ murk_stage *stage_text_create(const char *yaml, const char *const *overrides)
     murk_override list[OVERRIDES_MAX];
     size_t n = 0;
     while (overrides && overrides[n] && n < OVERRIDES_MAX) {
-        list[n] = (murk_override){overrides[n]};
+        list[n] = (murk_override){.text = overrides[n]};
         ++n;
     }
     const int fd = mkstemp(path);
