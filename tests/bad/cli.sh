@@ -11,10 +11,8 @@ failed=0
 cat >"$dir/good.yaml" <<'END'
 murk: 1
 domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}
-geometry:
-  - {box: {min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}}
-lights:
-  - {type: point, position_m: [2, 2, 2.5], power_w: 10}
+geometry: [{box: {min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}}]
+lights: [{type: point, position_m: [2, 2, 2.5], power_w: 10}]
 photons: {emit: 2000}
 sensors:
   types: [{name: node, range_m: 3}]
@@ -102,7 +100,7 @@ place 2 "bad.yaml"
 with lights '[]'
 place 2 "lights"
 with photons '{emit: 0}'
-place 2 "bad.yaml:7:17: photons.emit"
+place 2 "bad.yaml:5:17: photons.emit"
 with photons '{emit: 1152921504606846976}'
 place 2 "photons.emit"
 with photons '{emit: 10, store: 10}'
@@ -118,7 +116,7 @@ place 2 "lights.0"
 with lights '[{type: sun, latitude_deg: 52}]'
 place 2 "not supported yet"
 expect 2 "sensors" place "$dir/good.yaml" --count 49 -o "$dir/out"
-expect 2 "48 of 48" place "$dir/good.yaml" --count 49 -o "$dir/out"
+expect 2 "must be 1..48" place "$dir/good.yaml" --count 49 -o "$dir/out"
 expect 2 "candidates" place "$dir/good.yaml" -o "$dir/out" \
     --set 'sensors.candidates.grid={min_m: [0.02, 0.02, 0.02], max_m: [0.05, 0.05, 0.05], size: [2, 2, 2]}'
 
@@ -170,7 +168,7 @@ fi
     echo "a full standard output went unnoticed"; failed=1; }; }
 
 # ---- interrupt: no half file, exit 130 ----
-"$murk" place "$dir/good.yaml" -q -o "$dir/stopped" --emit 4e9 2>"$dir/stderr" &
+"$murk" trace "$dir/good.yaml" -q -o "$dir/stopped" --emit 4e9 --set photons.maps=none 2>"$dir/stderr" &
 pid=$!
 sleep 1
 kill -INT $pid
