@@ -111,10 +111,9 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
            c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
     murk_print_sensors(session->scene, plan->sensor, place->count,
                        &plan->in_sample);
-    printf("coverage    %.4f in sample (surface %.4f, volume %.4f); "
-           "all candidates: %.4f\n",
-           plan->in_sample.total.value, plan->in_sample.surface.value,
-           plan->in_sample.volume.value, share(place->ceiling, place->whole));
+    printf("coverage    %.4f in sample (", plan->in_sample.total.value);
+    murk_print_maps(&plan->in_sample);
+    printf("); all candidates: %.4f\n", share(place->ceiling, place->whole));
     if (plan->has_held_out) {
         printf("held out    %.4f +- %.4f (one standard error, by emitted "
                "photon)\n",

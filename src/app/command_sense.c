@@ -52,11 +52,10 @@ static void print_coverage(const murk_session *session, const murk_vec3 *sensor,
 {
     murk_print_light(session);
     murk_print_sensors(session->scene, sensor, n, coverage);
-    printf("coverage    %.4f +- %.4f (surface %.4f +- %.4f, volume %.4f +- "
-           "%.4f; one standard error, by emitted photon)\n",
-           coverage->total.value, coverage->total.standard_error,
-           coverage->surface.value, coverage->surface.standard_error,
-           coverage->volume.value, coverage->volume.standard_error);
+    printf("coverage    %.4f +- %.4f (one standard error, by emitted photon; ",
+           coverage->total.value, coverage->total.standard_error);
+    murk_print_maps(coverage);
+    printf(")\n");
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense "
            "%.2f\n",
            session->run.total_s, session->run.load_s, session->run.trace_s,

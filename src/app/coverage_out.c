@@ -125,3 +125,20 @@ void murk_print_sensors(const murk_scene *scene, const murk_vec3 *sensor,
         printf("            .. and %zu more\n", n - PRINTED_SENSORS_MAX);
     }
 }
+
+static void print_map(const char *name, murk_estimate fraction)
+{
+    if (isfinite(fraction.value)) {
+        printf("%s %.4f +- %.4f", name, fraction.value,
+               fraction.standard_error);
+    } else {
+        printf("no %s photons", name);
+    }
+}
+
+void murk_print_maps(const murk_coverage *coverage)
+{
+    print_map("surface", coverage->surface);
+    printf(", ");
+    print_map("volume", coverage->volume);
+}
