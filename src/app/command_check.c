@@ -11,6 +11,16 @@ typedef struct findings {
     murk_candidates *candidates; /* NULL without sensors */
 } findings;
 
+/* Most that the known environment's matrix can take: a bit a photon and
+ * candidate in clear air, two bytes where media dim. */
+static double matrix_bytes(const findings *f)
+{
+    const double records = f->forecast.surface + f->forecast.volume;
+    const double usable = f->candidates ? (double)f->candidates->usable : 0;
+    const bool dims = murk_media_any(f->session->stage->media);
+    return records * usable * (dims ? 2 : 0.125);
+}
+
 static void add_box(cJSON *object, const char *key, const murk_box *box)
 {
     if (!(box->min.x <= box->max.x)) {
@@ -133,6 +143,7 @@ static cJSON *check_json(const findings *f)
     cJSON_AddNumberToObject(forecast, "surface", f->forecast.surface);
     cJSON_AddNumberToObject(forecast, "volume", f->forecast.volume);
     cJSON_AddNumberToObject(forecast, "memory_bytes", f->forecast.memory_bytes);
+    cJSON_AddNumberToObject(forecast, "matrix_bytes_at_most", matrix_bytes(f));
     return root;
 }
 
@@ -203,10 +214,12 @@ static void print_findings(const findings *f)
         printf("candidates  none: the scene has no sensors\n");
     }
     printf("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
-           "volume; about %.3g GB (from a pilot of %llu photons)\n",
+           "volume (from a pilot of %llu photons)\n",
            f->forecast.emitted, f->forecast.surface, f->forecast.volume,
-           f->forecast.memory_bytes / 1e9,
            (unsigned long long)f->forecast.pilot_photons);
+    printf("memory      about %.3g GB a map while tracing; to place in a known "
+           "environment at most %.3g GB more\n",
+           f->forecast.memory_bytes / 1e9, matrix_bytes(f) / 1e9);
 }
 
 murk_status murk_command_check(const murk_options *options, murk_error *err)
@@ -219,8 +232,7 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         status = murk_light_forecast(&f.forecast, session.stage, 0,
                                      options->threads, err);
     }
-    if (!status && session.scene->sensors.given &&
-        session.scene->sensors.has_grid) {
+    if (!status && session.scene->sensors.given) {
         status = murk_plan_candidates(&f.candidates, session.stage,
                                       options->threads, err);
     }

@@ -79,7 +79,8 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     cJSON_AddStringToObject(object, "through", wish->block ? "block" : "thin");
     cJSON_AddStringToObject(object, "knowledge",
                             wish->unknown ? "unknown" : "known");
-    cJSON_AddNumberToObject(object, "restarts", (double)plan->place.restarts);
+    cJSON_AddNumberToObject(object, "restarts", (double)wish->restarts);
+    cJSON_AddNumberToObject(object, "starts", (double)plan->place.restarts);
     cJSON_AddNumberToObject(object, "evaluations",
                             (double)plan->place.evaluations);
     cJSON_AddNumberToObject(object, "queries", (double)plan->queries);

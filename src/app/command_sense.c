@@ -15,6 +15,8 @@ static cJSON *coverage_json(const murk_session *session,
     murk_json_number(object, "in_sample", coverage->total.value);
     murk_json_number(object, "standard_error", coverage->total.standard_error);
     cJSON_AddNullToObject(object, "held_out");
+    cJSON_AddNullToObject(object, "held_out_standard_error");
+    cJSON_AddNullToObject(object, "ceiling"); /* no candidates were asked */
     murk_json_number(object, "surface", coverage->surface.value);
     murk_json_number(object, "surface_standard_error",
                      coverage->surface.standard_error);

@@ -56,6 +56,24 @@ static void print_number(char out[32], double value)
     }
 }
 
+/* A text as one CSV cell: quoted where it must be (RFC 4180). */
+static void quote(char out[2 * MURK_SCENE_NAME_SIZE + 3], const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        strcpy(out, text);
+        return;
+    }
+    *out++ = '"';
+    for (; *text; ++text) {
+        if (*text == '"') {
+            *out++ = '"';
+        }
+        *out++ = *text;
+    }
+    *out++ = '"';
+    *out = '\0';
+}
+
 static murk_status add_csv(murk_results *results, const char *name,
                            const char *header, const murk_scene *scene,
                            const murk_vec3 *sensor, size_t n,
@@ -67,6 +85,8 @@ static murk_status add_csv(murk_results *results, const char *name,
     const size_t room = strlen(header) + n * CSV_LINE_MAX + 1;
     char *text = malloc(room);
     size_t at = 0;
+    char type[2 * MURK_SCENE_NAME_SIZE + 3];
+    quote(type, scene->sensors.type_name);
     if (text) {
         at = (size_t)snprintf(text, room, "%s", header);
     }
@@ -78,12 +98,12 @@ static murk_status add_csv(murk_results *results, const char *name,
         if (coverage) {
             print_number(covers, coverage->covers[i]);
             print_number(only, coverage->only_it_covers[i]);
-            at += (size_t)snprintf(
-                text + at, room - at, "%zu,%s,%s,%s,%s,%s,%s\n", i + 1,
-                scene->sensors.type_name, x, y, z, covers, only);
+            at += (size_t)snprintf(text + at, room - at,
+                                   "%zu,%s,%s,%s,%s,%s,%s\n", i + 1, type, x, y,
+                                   z, covers, only);
         } else {
             at += (size_t)snprintf(text + at, room - at, "%s,%s,%s,%s,,\n",
-                                   scene->sensors.type_name, x, y, z);
+                                   type, x, y, z);
         }
     }
     const murk_status status = murk_results_add_text(results, name, text, err);

@@ -134,7 +134,7 @@ void murk_man_print(FILE *to)
         roff(to, label);
         roff(to, option->help);
         if (option->commands) {
-            fputs("Commands: ", to);
+            fputs(".br\nCommands: ", to);
             roff(to, option->commands);
         }
     }

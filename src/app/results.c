@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -20,6 +21,7 @@ murk_status murk_results_begin(murk_results *results, const char *folder,
 static murk_status stage_name(murk_results *results, const char *name,
                               murk_error *err)
 {
+    struct stat known;
     const size_t size = strlen(results->folder) + strlen(name) + 32;
     char *path = malloc(size), *staged = malloc(size);
     if (!path || !staged || results->n == MURK_RESULTS_MAX) {
@@ -28,12 +30,28 @@ static murk_status stage_name(murk_results *results, const char *name,
         return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     }
     snprintf(path, size, "%s/%s", results->folder, name);
+    if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
+        murk_fail(err, MURK_RUN_FAILED, path,
+                  "cannot write: not a regular file");
+        free(path);
+        free(staged);
+        return MURK_RUN_FAILED;
+    }
     snprintf(staged, size, "%s/.%s.staged.%ld", results->folder, name,
              (long)getpid());
     results->path[results->n] = path;
     results->staged[results->n] = staged;
     ++results->n;
     return MURK_OK;
+}
+
+/* What failed under the staged name is told of the final one. */
+static murk_status as_final(const murk_results *results, murk_status status,
+                            const murk_error *told, murk_error *err)
+{
+    return status ? murk_fail(err, status, results->path[results->n - 1], "%s",
+                              told->text)
+                  : MURK_OK;
 }
 
 murk_status murk_results_add_text(murk_results *results, const char *name,
@@ -45,10 +63,13 @@ murk_status murk_results_add_text(murk_results *results, const char *name,
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     }
+    murk_error told = {0};
     const murk_status status = stage_name(results, name, err);
     return status ? status
-                  : murk_file_write(results->staged[results->n - 1], text,
-                                    strlen(text), err);
+                  : as_final(results,
+                             murk_file_write(results->staged[results->n - 1],
+                                             text, strlen(text), &told),
+                             &told, err);
 }
 
 murk_status murk_results_add_light(murk_results *results,
@@ -58,10 +79,14 @@ murk_status murk_results_add_light(murk_results *results,
     if (!results->folder) {
         return MURK_OK;
     }
+    murk_error told = {0};
     const murk_status status = stage_name(results, "light.murk", err);
     return status ? status
-                  : murk_light_save(traced, stage,
-                                    results->staged[results->n - 1], err);
+                  : as_final(results,
+                             murk_light_save(traced, stage,
+                                             results->staged[results->n - 1],
+                                             &told),
+                             &told, err);
 }
 
 murk_status murk_results_show(murk_results *results, murk_error *err)

@@ -98,9 +98,8 @@ murk_status murk_file_commit(murk_file **file_io, murk_error *err)
     murk_status status = MURK_OK;
     if (failed || not_closed) {
         status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
-                           strerror(reason  ? reason
-                                    : errno ? errno
-                                            : EIO));
+                           reason ? strerror(reason)
+                                  : "an error while writing (disk full?)");
     } else if (rename(file->temporary, file->path) != 0) {
         status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
                            strerror(errno));

@@ -19,7 +19,7 @@ static struct {
     double begun_s;
     atomic_uint_fast64_t done;
     _Atomic double next_draw_s;
-    atomic_bool has_drawn;
+    atomic_bool is_open, has_drawn;
     atomic_flag drawing;
 } bar = {.drawing = ATOMIC_FLAG_INIT};
 
@@ -71,12 +71,13 @@ void murk_progress_begin(const char *step, uint64_t total, const char *unit)
     atomic_store(&bar.done, 0);
     atomic_store(&bar.next_draw_s, bar.begun_s + FIRST_DRAW_S);
     atomic_store(&bar.has_drawn, false);
+    atomic_store(&bar.is_open, true);
 }
 
 void murk_progress_add(uint64_t done)
 {
     atomic_fetch_add(&bar.done, done);
-    if (!bar.draws) {
+    if (!bar.draws || !atomic_load(&bar.is_open)) {
         return;
     }
     const double now_s = murk_clock_s();
@@ -91,6 +92,7 @@ void murk_progress_add(uint64_t done)
 
 void murk_progress_end(void)
 {
+    atomic_store(&bar.is_open, false);
     if (bar.draws && atomic_load(&bar.has_drawn)) {
         draw(murk_clock_s());
         fputc('\n', stderr);

@@ -262,7 +262,7 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
         .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
     ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
-    ROW("nodes", COUNT, .least = 1, .most = 1e12, .preset = "1000000"),
+    ROW("nodes", ONLY, .preset = "1000000"),
     ROW("over", ONLY, .preset = "null"),
     ROW("condition_weights", ONLY, .preset = "{}"),
     END,

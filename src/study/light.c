@@ -9,7 +9,6 @@
 #include <string.h>
 
 #define PILOT_PHOTONS MURK_BATCH_PHOTONS
-#define WAVE_BATCHES  64 /* photons traced between two looks at the count */
 #define STORE_EMISSIONS                                  \
     UINT64_C(1000) /* emissions a stored photon, at most \
                     */
@@ -61,7 +60,9 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
     murk_trace trace = trace_of(stage, stream, threads, 0, n);
     trace.sink = murk_harvest_event;
     trace.context = h;
+    murk_progress_begin("pilot", n, "photons");
     murk_trace_run(&trace, ledger);
+    murk_progress_end();
     if (murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         goto done;
@@ -133,25 +134,31 @@ static uint64_t stored(const job *j)
     return j->harvest->surface.n + j->harvest->volume.n;
 }
 
+/* Photons that may be emitted at most. */
+static uint64_t emissions_max(const murk_scene_photons *wish)
+{
+    return wish->emit ? wish->emit
+           : wish->store < UINT32_MAX / STORE_EMISSIONS
+               ? wish->store * STORE_EMISSIONS
+               : UINT32_MAX;
+}
+
 /* The next wave: all that is left, or as many as should bring what is left to
- * store, in whole batches. */
+ * store, in whole batches (but for the last). */
 static uint64_t wave_photons(const job *j)
 {
     const uint64_t done = j->traced->emitted;
-    const uint64_t most = MURK_WAVE_BATCHES * MURK_BATCH_PHOTONS;
-    if (j->wish->emit) {
-        return j->wish->emit - done < most ? j->wish->emit - done : most;
+    const uint64_t left = emissions_max(j->wish) - done;
+    double batches = MURK_WAVE_BATCHES;
+    if (j->wish->store && done == 0) {
+        batches = 1;
+    } else if (j->wish->store && stored(j) > 0) {
+        const double wanted = (double)(j->wish->store - stored(j)) *
+                              (double)done / (double)stored(j);
+        batches = fmin(batches, floor(1.02 * wanted / MURK_BATCH_PHOTONS) + 1);
     }
-    if (done == 0) {
-        return MURK_BATCH_PHOTONS;
-    }
-    if (stored(j) == 0) {
-        return most;
-    }
-    const double left = (double)(j->wish->store - stored(j)) * (double)done /
-                        (double)stored(j) / MURK_BATCH_PHOTONS;
-    const double batches = fmin(MURK_WAVE_BATCHES, floor(1.02 * left) + 1);
-    return (uint64_t)batches * MURK_BATCH_PHOTONS;
+    const uint64_t photons = (uint64_t)batches * MURK_BATCH_PHOTONS;
+    return photons < left ? photons : left;
 }
 
 static void add_ledger(murk_ledger *sum, const murk_ledger *part)
@@ -233,13 +240,10 @@ static murk_status trace_wave(job *j, bool *is_done, murk_error *err)
 static murk_status trace_all(job *j, murk_error *err)
 {
     const murk_scene_photons *wish = j->wish;
-    const uint64_t most = wish->store < UINT32_MAX / STORE_EMISSIONS
-                              ? wish->store * STORE_EMISSIONS
-                              : UINT32_MAX;
     bool is_done = false;
     murk_status status = MURK_OK;
     while (!is_done && !status) {
-        if (wish->store && j->traced->emitted >= most) {
+        if (j->traced->emitted >= emissions_max(wish)) {
             return murk_fail(err, MURK_RUN_FAILED, wish->where,
                              "store: of %.6g photons emitted only %.6g of "
                              "%.6g are stored; more are not tried",
@@ -316,10 +320,6 @@ static murk_status check_emission(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_photons *wish = &stage->scene->photons;
     const size_t channels = lit_channels(stage->lights);
-    if (wish->store && wish->maps == MURK_SCENE_MAPS_NONE) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "store: with maps: none nothing is stored; give emit");
-    }
     if (wish->emit && wish->emit < channels) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "emit: %llu, must be at least %zu: one photon for "

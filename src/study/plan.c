@@ -7,7 +7,36 @@
 #include <string.h>
 
 #define HELD_OUT_STREAM 1u
-#define MATRIX_SHARE    0.7 /* of the free memory, for the known matrix */
+#define LAID_POINTS     1000 /* of a grid that the scene leaves to murk */
+#define MATRIX_SHARE    0.7  /* of the free memory, for the known matrix */
+
+/* The scene's grid, or one in the middles of about LAID_POINTS equal cells of
+ * the domain, as nearly cubes as the domain allows. */
+static murk_candidate_grid grid_of(const murk_stage *stage)
+{
+    const murk_scene_sensors *wish = &stage->scene->sensors;
+    if (wish->has_grid) {
+        return (murk_candidate_grid){.min = wish->grid_min,
+                                     .max = wish->grid_max,
+                                     .size = {wish->grid_size[0],
+                                              wish->grid_size[1],
+                                              wish->grid_size[2]},
+                                     .clearance_m = wish->clearance_m};
+    }
+    const murk_box *box = &stage->world.domain.box;
+    const murk_vec3 size = murk_sub(box->max, box->min);
+    const double step = cbrt(size.x * size.y * size.z / LAID_POINTS);
+    const double n[3] = {fmin(fmax(1, round(size.x / step)), LAID_POINTS),
+                         fmin(fmax(1, round(size.y / step)), LAID_POINTS),
+                         fmin(fmax(1, round(size.z / step)), LAID_POINTS)};
+    const murk_vec3 half = {size.x / n[0] / 2, size.y / n[1] / 2,
+                            size.z / n[2] / 2};
+    return (murk_candidate_grid){
+        .min = murk_add(box->min, half),
+        .max = murk_sub(box->max, half),
+        .size = {(size_t)n[0], (size_t)n[1], (size_t)n[2]},
+        .clearance_m = wish->clearance_m};
+}
 
 murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
                                  unsigned threads, murk_error *err)
@@ -27,13 +56,10 @@ murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
             reach.from_sides = true;
         }
     }
-    const murk_candidate_grid grid = {
-        .min = wish->grid_min,
-        .max = wish->grid_max,
-        .size = {wish->grid_size[0], wish->grid_size[1], wish->grid_size[2]},
-        .clearance_m = wish->clearance_m};
+    const murk_candidate_grid grid = grid_of(stage);
     const murk_status status = murk_candidates_create(
-        out, &grid, stage->surfaces, &reach, threads, wish->grid_where, err);
+        out, &grid, stage->surfaces, &reach, threads,
+        wish->has_grid ? wish->grid_where : wish->where, err);
     free(lamp);
     return status;
 }
@@ -81,10 +107,6 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
     if (!wish->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
-    }
-    if (!wish->has_grid) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "candidates: not given");
     }
     if (wish->count < 1) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,

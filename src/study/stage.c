@@ -199,6 +199,19 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
     return status;
 }
 
+static void warn_if_cut(const char *where, const murk_box *box,
+                        const murk_box *domain)
+{
+    if (box->min.x <= box->max.x && (!murk_box_contains(domain, box->min) ||
+                                     !murk_box_contains(domain, box->max))) {
+        murk_warn(where,
+                  "reaches out of the domain and is cut off there: it spans "
+                  "%.6g %.6g %.6g to %.6g %.6g %.6g m",
+                  box->min.x, box->min.y, box->min.z, box->max.x, box->max.y,
+                  box->max.z);
+    }
+}
+
 static void warn_of_cuts(const murk_stage *stage)
 {
     const murk_box *domain = &stage->world.domain.box;
@@ -206,35 +219,48 @@ static void warn_of_cuts(const murk_stage *stage)
     for (size_t i = 0; i < scene->geometries; ++i) {
         const murk_box box =
             murk_extent_geometry(&scene->geometry[i], stage->mesh[i]);
-        if (!murk_box_contains(domain, box.min) ||
-            !murk_box_contains(domain, box.max)) {
-            murk_warn(scene->geometry[i].where,
-                      "reaches out of the domain and is cut off there: it "
-                      "spans %.6g %.6g %.6g to %.6g %.6g %.6g m",
-                      box.min.x, box.min.y, box.min.z, box.max.x, box.max.y,
-                      box.max.z);
+        warn_if_cut(scene->geometry[i].where, &box, domain);
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (r->shape != MURK_SCENE_EVERYWHERE) {
+            const murk_box box = murk_extent_region(r, stage->grid[r->medium]);
+            warn_if_cut(r->where, &box, domain);
         }
     }
 }
 
-/* What lies everywhere lies outside, too, but takes nothing from distant light
- * on its way to an open side. */
+/* Whether a region reaches any side of the domain. */
+static bool touches_sides(const murk_stage *stage, const murk_scene_region *r)
+{
+    const murk_box *domain = &stage->world.domain.box;
+    if (r->shape == MURK_SCENE_EVERYWHERE) {
+        return true;
+    }
+    const murk_box box = murk_extent_region(r, stage->grid[r->medium]);
+    return box.min.x <= domain->min.x || box.max.x >= domain->max.x ||
+           box.min.y <= domain->min.y || box.max.y >= domain->max.y ||
+           box.min.z <= domain->min.z || box.max.z >= domain->max.z;
+}
+
+/* A medium that touches an open side goes on outside, as a rule, but takes
+ * nothing from distant light on its way there. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
     const murk_scene *scene = stage->scene;
-    bool is_everywhere = false;
-    for (size_t i = 0; i < scene->n_regions; ++i) {
-        is_everywhere |= scene->regions[i].shape == MURK_SCENE_EVERYWHERE;
+    bool is_lit = false;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        is_lit |= scene->lights[i].type == MURK_SCENE_LIGHT_DIRECTIONAL;
     }
-    if (stage->world.domain.is_periodic || !is_everywhere ||
+    if (stage->world.domain.is_periodic || !is_lit ||
         !murk_media_any(stage->media)) {
         return;
     }
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        if (scene->lights[i].type == MURK_SCENE_LIGHT_DIRECTIONAL) {
-            murk_warn(scene->lights[i].where,
-                      "distant light meets a medium that touches the open "
-                      "sides: it is unattenuated where it enters");
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        if (touches_sides(stage, &scene->regions[i])) {
+            murk_warn(scene->regions[i].where,
+                      "distant light meets a medium that touches an open "
+                      "side: it is unattenuated where it enters");
         }
     }
 }
