@@ -58,7 +58,7 @@ static const char FULL_SCENE[] =
     "placement: {method: spoq, detection: weighted, visibility: normal,\n"
     "            through: block, knowledge: unknown, restarts: 20,\n"
     "            redundancy: 1, weights: {surface: 1, volume: 2},\n"
-    "            hold_out: false, nodes: 1000, over: null,\n"
+    "            hold_out: false, nodes: 1000000, over: null,\n"
     "            condition_weights: {}}\n"
     "conditions: {}\n"
     "cameras: []\n";

@@ -222,6 +222,8 @@ static const refusal REFUSALS[] = {
     {"placement: {redundancy: 2}\n", LATER,
      "fog.yaml:2:25: placement.redundancy",
      "2 is not supported yet, must be 1"},
+    {"placement: {nodes: 5}\n", LATER, "fog.yaml:2:20: placement.nodes",
+     "5 is not supported yet, must be 1000000"},
     {"placement: {over: worst}\n", LATER, "fog.yaml:2:19: placement.over",
      "worst is not supported yet, must be null"},
     {"placement: {weights: {surface: 0, volume: 0}}\n", VALUE,
