@@ -1,0 +1,367 @@
+#!/usr/bin/env python3
+"""Every result file from outside: its fields, types and ranges; what must hold
+between its values; coverage and its error computed again in Python; the events
+of photons against the ledger. Standard library only.
+usage: results.py MURK
+"""
+
+import csv
+import hashlib
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import light_file
+import result_kinds as kinds
+
+# A floor in fog, a glass pane on it, all sides open: light escapes. Two bands.
+OPEN = """\
+murk: 1
+bands_nm: [450, 650]
+seed: 3
+domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}
+geometry:
+  - {rect: {corner_m: [0, 0, 0.1], edge1_m: [4, 0, 0], edge2_m: [0, 4, 0]}, material: floor}
+  - {rect: {corner_m: [2, 0.5, 0.1], edge1_m: [0, 3, 0], edge2_m: [0, 0, 2]}, material: pane}
+materials:
+  floor: {diffuse: [0.6, 0.4]}
+  pane: {specular: 0.1, transmit: 0.7}
+media: {fog: {extinction_per_m: [0.4, 0.7], albedo: [0.9, 0.8], phase: {hg: 0.7}}}
+regions: [{medium: fog}]
+lights: [{type: point, position_m: [1, 2, 2.5], power_w: [10, 6]}]
+photons: {emit: 4000}
+sensors:
+  types: [{name: node, range_m: 1.8}]
+  candidates: {grid: {min_m: [0.5, 0.5, 0.5], max_m: [3.5, 3.5, 2.5], size: [4, 4, 3]}}
+  count: 3
+"""
+
+# A closed room without furniture: every sightline in it is open.
+EXTINCTION_PER_M = [0.3, 0.6]
+RANGE_M = 2.2
+ROOM = f"""\
+murk: 1
+bands_nm: [450, 650]
+domain: {{min_m: [0, 0, 0], max_m: [4, 4, 3]}}
+geometry: [{{box: {{min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}}}}]
+media: {{fog: {{extinction_per_m: {EXTINCTION_PER_M}, albedo: 0.9, phase: {{hg: 0.8}}}}}}
+regions: [{{medium: fog}}]
+lights: [{{type: point, position_m: [2, 2, 2.5], power_w: [10, 3]}}]
+photons: {{emit: 3000}}
+sensors:
+  types: [{{name: node, range_m: {RANGE_M}}}]
+  candidates: {{grid: {{min_m: [0.5, 0.5, 0.5], max_m: [3.5, 3.5, 2.5], size: [4, 4, 3]}}}}
+  count: 3
+"""
+
+SIGMA_LIMIT = 6
+failures = 0
+
+
+def check(is_so, *words):
+    global failures
+    if not is_so:
+        failures += 1
+        print("failed:", *words)
+
+
+def near(got, want, within, *words):
+    check(abs(got - want) <= within, *words, f"{got!r}, want {want!r} +- {within:g}")
+
+
+def fits(value, kind, where):
+    for complaint in kinds.complaints(value, kind, where):
+        check(False, complaint)
+
+
+# ---- running murk ----
+
+def refuse(word):
+    raise ValueError(f"{word} is not JSON")
+
+
+def unique(pairs):
+    names = [name for name, _ in pairs]
+    assert len(set(names)) == len(names), f"a key twice among {names}"
+    return dict(pairs)
+
+
+def parse(document):
+    value = json.loads(document, parse_constant=refuse, object_pairs_hook=unique)
+    check(list(value)[-1] == "run", "`run` is not last in", list(value))
+    return value
+
+
+class Murk:
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, content):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(content)
+        return self.path(name)
+
+    def run(self, *words):
+        """The command's JSON from standard output."""
+        done = subprocess.run([self.program, *words, "--format", "json"],
+                              capture_output=True, text=True, timeout=60)
+        if done.returncode != 0:
+            sys.exit(f"murk {' '.join(words)}: exit {done.returncode}\n{done.stderr}")
+        return parse(done.stdout)
+
+    def read(self, *names):
+        with open(self.path(*names), encoding="utf-8") as file:
+            return parse(file.read())
+
+    def rows(self, header, *names):
+        with open(self.path(*names), newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        check(rows[0] == header.split(","), names, "has the header", rows[0])
+        check(all(len(row) == len(rows[0]) for row in rows), names, "is ragged")
+        return rows[1:]
+
+
+# ---- the files ----
+
+def check_sensors(result, where):
+    """What holds between the numbers of a plan or a measured placement."""
+    coverage, sensors = result["coverage"], result["sensors"]
+    seen, tiny = result["seen_by_at_least"], 1e-12
+    covers = [s["covers"] for s in sensors]
+    only = [s["only_it_covers"] for s in sensors]
+    total = coverage["in_sample"]
+    check(len(seen) == len(sensors), where, "seen_by_at_least for", len(seen))
+    check(seen == sorted(seen, reverse=True), where, "seen_by_at_least", seen)
+    check(all(c >= o for c, o in zip(covers, only)), where, covers, only)
+    # seen at all counts whole, seen through fog only in part
+    check(seen[0] >= total - tiny, where, "seen by any", seen[0], "under", total)
+    check(sum(seen) >= sum(covers) - tiny, where, "views", sum(seen), sum(covers))
+    check(max(covers) <= total + tiny, where, "one covers more than all", covers)
+    check(sum(only) <= total + tiny, where, "only_it_covers adds up to", sum(only))
+    near(coverage["sum_of_views"], sum(covers), 1e-9, where, "sum_of_views")
+    near(total, (coverage["surface"] + coverage["volume"]) / 2, 1e-9, where,
+         "balanced coverage")
+
+
+def check_plan(plan, where):
+    coverage, bound, curve = plan["coverage"], plan["bound"], plan["curve"]
+    total, upper = coverage["in_sample"], bound["upper"]
+    check(total <= coverage["ceiling"] <= 1, where, "ceiling", coverage["ceiling"])
+    check(total <= upper <= 1, where, "upper", upper)
+    near(bound["gap"], (upper - total) / upper, 1e-12, where, "gap")
+    check(not bound["proven_optimal"] or bound["gap"] == 0, where, "optimal with a gap")
+    check([p["count"] for p in curve] == list(range(1, len(plan["sensors"]) + 1)),
+          where, "counts of the curve")
+    values = [p["coverage"] for p in curve]
+    check(all(a < b for a, b in zip(values, values[1:])), where, "curve", values)
+    check(all(p["coverage"] <= p["upper"] <= 1 for p in curve), where, "curve's upper")
+    near(values[-1], total, 1e-6, where, "end of the curve")
+    near(curve[-1]["upper"], upper, 1e-6, where, "the curve's last bound")
+    candidates = plan["candidates"]
+    check(candidates["after_presolve"] <= candidates["usable"] <= candidates["asked"],
+          where, candidates)
+
+
+def check_ledger(ledger, power_w, where):
+    emitted = ledger["emitted_w"]
+    for name in ("emitted_w",) + kinds.COLUMNS:
+        near(sum(ledger[name]["bands"]), ledger[name]["total"],
+             1e-9 * emitted["total"], where, name, "by band")
+    for band, want_w in enumerate(power_w):
+        near(emitted["bands"][band], want_w, 1e-9 * want_w, where, "power of band", band)
+        ended = sum(ledger[name]["bands"][band] for name in kinds.COLUMNS)
+        near(ended, want_w, 1e-9 * want_w, where, "balance of band", band)
+    ended = sum(ledger[name]["total"] for name in kinds.COLUMNS)
+    near(ended, emitted["total"], 1e-9 * emitted["total"], where, "balance")
+
+
+def check_sensors_csv(murk, folder, sensors):
+    rows = murk.rows("type,x_m,y_m,z_m,heading_deg,tilt_deg", folder, "sensors.csv")
+    check([(r[0], [float(v) for v in r[1:4]], r[4:]) for r in rows] ==
+          [(s["type"], s["position_m"], ["", ""]) for s in sensors],
+          "sensors.csv is not the plan's:", rows)
+
+
+def check_coverage_csv(murk, folder, sensors):
+    rows = murk.rows("sensor,type,x_m,y_m,z_m,covers,only_it_covers", folder,
+                     "coverage.csv")
+    check([(int(r[0]), r[1], [float(v) for v in r[2:5]]) for r in rows] ==
+          [(i + 1, s["type"], s["position_m"]) for i, s in enumerate(sensors)],
+          "coverage.csv is not the plan's:", rows)
+    for row, sensor in zip(rows, sensors):
+        near(float(row[5]), sensor["covers"], 1e-15, "coverage.csv covers")
+        near(float(row[6]), sensor["only_it_covers"], 1e-15, "coverage.csv only it")
+
+
+def test_files(murk):
+    scene = murk.write("open.yaml", OPEN)
+    found = murk.run("check", scene)
+    fits(found, kinds.CHECK, "check")
+    check(found["surfaces"]["triangles"] == 4, "triangles of two rects")
+    near(found["surfaces"]["area_m2"], 16 + 6, 1e-5, "area")
+    check([m["name"] for m in found["media"]] == ["fog"], found["media"])
+    check(found["media"][0]["extinction_per_m"] == [0.4, 0.7], found["media"])
+    check(found["candidates"]["asked"] == found["candidates"]["usable"] == 48,
+          found["candidates"])
+
+    plan = murk.run("place", scene, "-o", murk.path("plan"))
+    fits(plan, kinds.PLAN, "plan.json")
+    check(plan == murk.read("plan", "plan.json"), "plan.json is not what was printed")
+    with open(scene, "rb") as file:
+        digest = hashlib.sha256(file.read()).hexdigest()
+    check(plan["scene_sha256"] == digest, "scene_sha256", plan["scene_sha256"])
+    check(plan["seed"] == 3 and plan["photons"]["emitted"] == 4000, plan["photons"])
+    check_sensors(plan, "plan.json")
+    check_plan(plan, "plan.json")
+    check_sensors_csv(murk, "plan", plan["sensors"])
+    check_coverage_csv(murk, "plan", plan["sensors"])
+
+    ledger = murk.read("plan", "ledger.json")
+    fits(ledger, kinds.LEDGER, "ledger.json")
+    check_ledger(ledger, [10, 6], "ledger.json")
+    for name in kinds.COLUMNS[:3]:
+        check(min(ledger[name]["bands"]) > 0, "nothing is", name)
+    check(ledger["photons_emitted"] == 4000, ledger["photons_emitted"])
+    check(ledger["collisions"] > plan["photons"]["volume"], ledger["collisions"])
+
+    traced = murk.run("trace", scene, "-o", murk.path("trace"))
+    ledger.pop("run"), traced.pop("run")
+    check(traced == ledger, "trace's ledger is not place's")
+    with open(murk.path("trace", "light.murk"), "rb") as one, \
+            open(murk.path("plan", "light.murk"), "rb") as other:
+        check(one.read() == other.read(), "trace's light is not place's")
+
+    result = murk.run("sense", scene, "--sensors", murk.path("plan", "sensors.csv"),
+                      "--light", murk.path("plan", "light.murk"), "-o",
+                      murk.path("sense"))
+    fits(result, kinds.COVERAGE, "coverage.json")
+    check(result == murk.read("sense", "coverage.json"),
+          "coverage.json is not what was printed")
+    check_sensors(result, "coverage.json")
+    check(result["sensors"] == plan["sensors"], "sense sees other sensors")
+    check(result["seen_by_at_least"] == plan["seen_by_at_least"], "sense sees else")
+    check_coverage_csv(murk, "sense", plan["sensors"])
+
+
+# ---- coverage, again ----
+
+def off_by(result, again):
+    """The largest difference of any number of the coverage."""
+    pairs = [(result["coverage"][name], again[name]) for name in
+             ("in_sample", "surface", "volume", "sum_of_views", "standard_error")]
+    for name in ("covers", "only_it_covers"):
+        pairs += zip([s[name] for s in result["sensors"]], again[name])
+    pairs += zip(result["seen_by_at_least"], again["seen_by_at_least"])
+    return max(abs(a - b) for a, b in pairs)
+
+
+def sigmas(one, one_error, other, other_error):
+    return abs(one - other) / math.hypot(one_error, other_error)
+
+
+def test_coverage(murk):
+    scene = murk.write("room.yaml", ROOM)
+    plan = murk.run("place", scene, "-o", murk.path("room"))
+    plan_file = murk.path("room", "plan.json")
+    light = murk.path("room", "light.murk")
+    result = murk.run("sense", scene, "--sensors", plan_file, "--light", light)
+    found = light_file.sections(light)
+    where = [s["position_m"] for s in plan["sensors"]]
+    again = light_file.coverage(found, 3000, where, RANGE_M, EXTINCTION_PER_M)
+    near(plan["coverage"]["in_sample"], again["in_sample"], 1e-5, "in_sample again")
+    near(result["coverage"]["standard_error"] / again["standard_error"], 1, 1e-4,
+         "standard error again")
+    check(off_by(result, again) <= 1e-5, "coverage again is off by", off_by(result, again))
+
+    # teeth: 2 % more fog
+    wrong = light_file.coverage(found, 3000, where, RANGE_M,
+                                [1.02 * e for e in EXTINCTION_PER_M])
+    check(abs(wrong["in_sample"] - plan["coverage"]["in_sample"]) > 100 * 1e-5,
+          "2 % of extinction would go unnoticed:", wrong["in_sample"])
+    check(abs(wrong["standard_error"] / result["coverage"]["standard_error"] - 1) > 1e-3,
+          "2 % of extinction leaves the error as it is")
+
+    # a 20 times larger map under another seed: independent of both of the plan's
+    large = ("sense", scene, "--sensors", plan_file, "--emit", "60000", "--seed", "2")
+    truth = murk.run(*large)["coverage"]
+    held = (plan["coverage"]["held_out"], plan["coverage"]["held_out_standard_error"])
+    off = sigmas(*held, truth["in_sample"], truth["standard_error"])
+    check(off <= SIGMA_LIMIT, "held out is", off, "sigma off a large map's")
+    denser = murk.run(*large, "--set", "media.fog.extinction_per_m=[0.36, 0.72]")["coverage"]
+    off = sigmas(*held, denser["in_sample"], denser["standard_error"])
+    check(off > SIGMA_LIMIT, "20 % more fog is only", off, "sigma off")
+
+
+# ---- photon by photon ----
+
+def check_path(events, where):
+    """One photon's events follow from each other."""
+    check([e["number"] for e in events] == list(range(len(events))), where, "numbers")
+    check(events[0]["kind"] == "emitted" and
+          all(e["kind"] != "emitted" for e in events[1:]), where, "emitted once")
+    for before, event in zip(events, events[1:]):
+        step = math.dist(before["position_m"], event["position_m"])
+        # a step off a surface is far below a micrometre here
+        near(event["path_m"], step, 1e-5, where, "path", event["number"])
+        check(event["direction_in"] == before["direction_out"], where, "direction")
+        near(math.hypot(*event["direction_in"]), 1, 1e-12, where, "unit direction")
+    last = events[-1]
+    ended = [e for e in events if e["kind"] in ("escaped", "lost") or
+             e.get("outcome") == "absorbed"]
+    check(ended == [last], where, "must end once, at its end")
+
+
+def test_replay(murk):
+    """40 photons of one lamp and band carry the same power: their ends, counted,
+    are the ledger, and their reflections and scatterings the maps."""
+    scene = murk.path("open.yaml")
+    only = ("--emit", "40", "--set", "bands_nm=[550]",
+            "--set", "materials.floor.diffuse=0.6",
+            "--set", "media.fog.extinction_per_m=0.5",
+            "--set", "media.fog.albedo=0.9", "--set", "lights.0.power_w=10",
+            "--set", "lights.0.position_m=[1, 2, 0.8]")
+    ledger = murk.run("trace", scene, *only, "-o", murk.path("few"))
+    stored = light_file.sections(murk.path("few", "light.murk"))
+    ends = dict.fromkeys(kinds.COLUMNS, 0)
+    kept = {"surface": 0, "volume": 0}
+    collisions = 0
+    for photon in range(40):
+        replay = murk.run("replay", scene, *only, "--photon", str(photon))
+        if photon == 0:
+            fits(replay, kinds.REPLAY, "replay")
+        events = replay["events"]
+        check(replay["photon"] == photon, "replay of", replay["photon"])
+        check_path(events, f"photon {photon}")
+        collisions += sum(e["kind"] == "medium" for e in events)
+        kept["volume"] += sum(e.get("outcome") == "scattered" for e in events)
+        kept["surface"] += sum(e.get("outcome") == "reflected" for e in events)
+        kind = events[-1]["kind"]
+        ends[{"surface": "absorbed_surfaces_w", "medium": "absorbed_media_w",
+              "escaped": "escaped_w", "lost": "lost_w"}[kind]] += 1
+    for name, photons in ends.items():
+        near(ledger[name]["total"], photons * 10 / 40, 1e-9, "replayed", name)
+    check(ledger["collisions"] == collisions, "collisions", collisions)
+    for name, records in kept.items():
+        check(len(stored[name]) == 32 * records, "stored in", name, records)
+    check(min(kept.values()) > 5 and len(set(ends.values())) > 2,
+          "too few of a kind:", kept, ends)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        murk = Murk(os.path.abspath(sys.argv[1]), folder)
+        test_files(murk)
+        test_coverage(murk)
+        test_replay(murk)
+    print("all results are as described" if not failures else f"{failures} failed")
+    return failures != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
