@@ -211,7 +211,8 @@ static verdict receive(int fd, inbox *in, const murk_child_limits *limits,
     }
 }
 
-/* One line for each way in which a child can end badly. */
+/* One line for each way in which a child can end badly. What this process
+ * decided comes first: its SIGKILL says nothing about the child. */
 static murk_status explain(verdict v, int ended,
                            const murk_child_limits *limits, const char *where,
                            murk_error *err)
@@ -220,17 +221,17 @@ static murk_status explain(verdict v, int ended,
     if (v == STOPPED) {
         return murk_fail(err, MURK_INTERRUPTED, where, "interrupted");
     }
+    if (v == TOO_MUCH) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "holds more than %.3g GB, malformed or too large",
+                         (double)limits->handed_bytes / 1e9);
+    }
     if (v == TOO_LONG || (WIFSIGNALED(ended) && (WTERMSIG(ended) == SIGXCPU ||
                                                  WTERMSIG(ended) == SIGKILL))) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "reading it takes more than %u s or %.3g GB: "
                          "malformed, or too large",
                          limits->seconds, memory_gb);
-    }
-    if (v == TOO_MUCH) {
-        return murk_fail(err, MURK_BAD_FILE, where,
-                         "holds more than %.3g GB, malformed or too large",
-                         (double)limits->handed_bytes / 1e9);
     }
     if (WIFSIGNALED(ended)) {
         return murk_fail(err, MURK_BAD_FILE, where,

@@ -154,6 +154,7 @@ static void sort_ends(const stretch *stretches, size_t n, double *ends)
     for (size_t i = 0; i < 2 * n; ++i) {
         const double end = i & 1 ? stretches[i / 2].to : stretches[i / 2].from;
         size_t at = n_ends++;
+        /* cppcheck-suppress uninitvar ; the first n_ends are filled */
         for (; at > 0 && ends[at - 1] > end; --at) {
             ends[at] = ends[at - 1];
         }
@@ -198,6 +199,7 @@ static bool follow(ray *r, double length_m)
 {
     stretch stretches[MURK_REGIONS_MAX];
     size_t n = 0;
+    /* cppcheck-suppress ctuuninitvar ; the callers fill all that is read */
     const murk_vec3 o = r->origin, d = r->direction;
     if (isnan(o.x + o.y + o.z + d.x + d.y + d.z + length_m)) {
         return false; /* meets nothing; no clipping has to think of it */

@@ -184,7 +184,9 @@ static size_t add_anchor(reader *r, const yaml_char_t *name, yaml_mark_t mark)
         no_memory(r);
         return SIZE_MAX;
     }
-    r->anchors[r->n_anchors] = (anchor){copy, NULL};
+    anchor *added = &r->anchors[r->n_anchors];
+    added->name = copy;
+    added->node = NULL;
     return r->n_anchors++;
 }
 

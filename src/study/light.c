@@ -310,7 +310,9 @@ static murk_status build_map(murk_photon_map **out, murk_pile *pile,
         photons = NULL;
     } else if (n < pile->room) {
         murk_photon *fitted = realloc(photons, n * sizeof *fitted);
-        photons = fitted ? fitted : photons;
+        if (fitted) {
+            photons = fitted;
+        }
     }
     *pile = (murk_pile){0};
     return murk_photon_map_create(out, photons, n, threads, err);

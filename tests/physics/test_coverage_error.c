@@ -53,9 +53,12 @@ static measured measure(const char *extinction, const char *emit, unsigned seed)
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
     murk_stage *stage = stage_text_create(scene_text, overrides);
-    if (stage && !murk_light_trace(&traced, stage, 1, 1, &err) &&
+    const bool is_measured =
+        stage && !murk_light_trace(&traced, stage, 1, 1, &err) &&
         !murk_plan_sight(&sight, stage, traced, 1, &err) &&
-        !murk_coverage_measure(&coverage, sight, sensors, 2, &err)) {
+        !murk_coverage_measure(&coverage, sight, sensors, 2, &err);
+    CHECK(is_measured);
+    if (is_measured) {
         /* balanced: the mean of two fractions, each of independent records */
         const double s = coverage.surface.value, v = coverage.volume.value;
         const double n_s = (double)murk_photon_map_count(traced->surface);
@@ -66,7 +69,6 @@ static measured measure(const char *extinction, const char *emit, unsigned seed)
                     : sqrt(s * (1 - s) / n_s);
     } else {
         printf("%s: %s\n", err.where, err.text);
-        CHECK(!"measured");
     }
     murk_coverage_release(&coverage);
     murk_sight_destroy(sight);
