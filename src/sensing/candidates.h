@@ -9,6 +9,10 @@
  * and y are neighbours through the side. Transmitting sheets block nothing. So
  * the inside of a crate is dropped, also in open and badly wound meshes.
  *
+ * Solids block ways as they block sightlines, but not out of a lamp: one that
+ * stands in a solid of transmitting material, or in its hollow, counts from
+ * just outside too, where six fixed ways leave it.
+ *
  * A point within rounding of a surface (2^-18 of the domain's largest
  * coordinate; more where surfaces are larger than the domain) sees nothing: it
  * is dropped as too close and leads nowhere. */

@@ -41,9 +41,12 @@ typedef struct measure {
     uint64_t *seen_by;      /* [sensors + 1]: weight seen by that many */
 } measure;
 
-/* One map's weight * clarity: whole and seen. */
+/* What one map holds and how much of it is seen, times clarity: in the plan's
+ * whole-number weights, and in power. Weights may leave a map none, or round it
+ * away; its own fraction goes by power. */
 typedef struct share {
     uint64_t seen, whole;
+    double seen_w, whole_w;
 } share;
 
 /* ---- looking ---- */
@@ -127,11 +130,19 @@ static murk_status look_all(measure *m, murk_error *err)
 
 /* ---- sums ---- */
 
-static share add_up(measure *m, size_t begin, size_t end)
+/* The records of a map, the first being photon `first`. Power is summed in the
+ * map's order, which does not depend on threads. */
+static share add_up(measure *m, const murk_photon_map *map, size_t first)
 {
-    share sum = {0, 0};
-    for (size_t i = begin; i < end; ++i) {
+    const murk_photon *photon = murk_photon_map_photons(map);
+    const size_t n = murk_photon_map_count(map);
+    share sum = {0};
+    for (size_t k = 0; k < n; ++k) {
+        const size_t i = first + k;
         const view *v = &m->view[i];
+        const double power_w = (double)photon[k].power_w;
+        sum.seen_w += power_w * v->best;
+        sum.whole_w += power_w * MURK_CLEAR;
         const uint64_t w = m->weight[i];
         sum.seen += w * v->best;
         sum.whole += w * MURK_CLEAR;
@@ -146,6 +157,12 @@ static share add_up(measure *m, size_t begin, size_t end)
 static double ratio(uint64_t part, uint64_t whole)
 {
     return whole > 0 ? (double)part / (double)whole : NAN;
+}
+
+/* NaN where the map is empty. */
+static double own_fraction(const share *s)
+{
+    return s->whole_w > 0 ? s->seen_w / s->whole_w : NAN;
 }
 
 static void fill(murk_coverage *out, const measure *m, uint64_t whole)
@@ -191,50 +208,58 @@ static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
 }
 
 typedef struct residuals {
-    double total, surface, volume; /* sums of squares */
+    double total;   /* sum of squares, in weight * clarity */
+    double part[2]; /* the same of each map's own, in power * clarity */
 } residuals;
 
-/* In units of weight * clarity. The coverages are those of the records' own
- * map for `balanced`, else both the total's. */
+/* The coverages in the total are those of the records' own map for `balanced`,
+ * else both the total's. */
 static residuals square_residuals(const measure *m, const uint64_t *key,
-                                  const murk_coverage *coverage)
+                                  const share part[2], double c_total)
 {
-    const bool balanced = murk_sight_described(m->sight)->weights.balanced;
-    const double c_surface = coverage->surface.value;
-    const double c_volume = coverage->volume.value;
-    const double c_total = coverage->total.value;
-    residuals sum = {0, 0, 0};
+    const murk_sight_desc *desc = murk_sight_described(m->sight);
+    const murk_photon *photon[2] = {murk_photon_map_photons(desc->surface_map),
+                                    murk_photon_map_photons(desc->volume_map)};
+    double c_weight[2], c_power[2];
+    for (int p = 0; p < 2; ++p) {
+        c_weight[p] = desc->weights.balanced
+                          ? ratio(part[p].seen, part[p].whole)
+                          : c_total;
+        c_power[p] = own_fraction(&part[p]);
+    }
+    residuals sum = {0};
     for (size_t k = 0; k < m->photons;) {
         const uint64_t emitted = key[k] >> 32;
-        double surface = 0, volume = 0, total = 0;
+        double own[2] = {0, 0}, total = 0;
         for (; k < m->photons && key[k] >> 32 == emitted; ++k) {
             const size_t i = (size_t)(key[k] & UINT32_MAX);
-            const double x = (double)m->weight[i] * m->view[i].best;
-            const double y = (double)m->weight[i] * MURK_CLEAR;
-            double *const part = i < m->surface_photons ? &surface : &volume;
-            const double c = i < m->surface_photons ? c_surface : c_volume;
-            if (y > 0) {
-                *part += x - c * y;
-                total += x - (balanced ? c : c_total) * y;
+            const int p = i >= m->surface_photons;
+            const size_t first = p ? m->surface_photons : 0;
+            const double power_w = (double)photon[p][i - first].power_w;
+            const double best = m->view[i].best;
+            own[p] += power_w * (best - c_power[p] * MURK_CLEAR);
+            if (m->weight[i] > 0) {
+                const double x = (double)m->weight[i] * best;
+                const double y = (double)m->weight[i] * MURK_CLEAR;
+                total += x - c_weight[p] * y;
             }
         }
-        sum.surface += surface * surface;
-        sum.volume += volume * volume;
+        sum.part[0] += own[0] * own[0];
+        sum.part[1] += own[1] * own[1];
         sum.total += total * total;
     }
     return sum;
 }
 
-static double error_of(double squares, uint64_t whole, double emitted)
+static double error_of(double squares, double whole, double emitted)
 {
     return whole > 0 && emitted > 1
-               ? sqrt(emitted / (emitted - 1) * squares) / (double)whole
+               ? sqrt(emitted / (emitted - 1) * squares) / whole
                : NAN;
 }
 
 static murk_status find_errors(murk_coverage *out, const measure *m,
-                               const share *surface, const share *volume,
-                               murk_error *err)
+                               const share part[2], murk_error *err)
 {
     const murk_sight_desc *desc = murk_sight_described(m->sight);
     const murk_photon *s = murk_photon_map_photons(desc->surface_map);
@@ -255,13 +280,14 @@ static murk_status find_errors(murk_coverage *out, const measure *m,
     }
     const uint64_t *sorted =
         sort_by_emitted(keys, other, m->photons, desc->photons_emitted);
-    const residuals sum = square_residuals(m, sorted, out);
+    const residuals sum = square_residuals(m, sorted, part, out->total.value);
     const double emitted = (double)desc->photons_emitted;
     out->surface.standard_error =
-        error_of(sum.surface, surface->whole, emitted);
-    out->volume.standard_error = error_of(sum.volume, volume->whole, emitted);
+        error_of(sum.part[0], part[0].whole_w, emitted);
+    out->volume.standard_error =
+        error_of(sum.part[1], part[1].whole_w, emitted);
     out->total.standard_error =
-        error_of(sum.total, surface->whole + volume->whole, emitted);
+        error_of(sum.total, (double)(part[0].whole + part[1].whole), emitted);
 done:
     free(keys);
     free(other);
@@ -333,14 +359,14 @@ murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
     if (status) {
         goto done;
     }
-    const share surface = add_up(&m, 0, m.surface_photons);
-    const share volume = add_up(&m, m.surface_photons, m.photons);
-    const uint64_t whole = surface.whole + volume.whole;
+    const share part[2] = {add_up(&m, desc->surface_map, 0),
+                           add_up(&m, desc->volume_map, m.surface_photons)};
+    const uint64_t whole = part[0].whole + part[1].whole;
     fill(&coverage, &m, whole);
-    coverage.surface.value = ratio(surface.seen, surface.whole);
-    coverage.volume.value = ratio(volume.seen, volume.whole);
-    coverage.total.value = ratio(surface.seen + volume.seen, whole);
-    status = find_errors(&coverage, &m, &surface, &volume, err);
+    coverage.surface.value = own_fraction(&part[0]);
+    coverage.volume.value = own_fraction(&part[1]);
+    coverage.total.value = ratio(part[0].seen + part[1].seen, whole);
+    status = find_errors(&coverage, &m, part, err);
     if (status) {
         goto done;
     }

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/tally.h"
+#include "sensing/lamp.h"
 #include "sensing/segment.h"
 
 #include <stdlib.h>
@@ -258,33 +259,6 @@ static void enter_by(search *s, murk_job ask)
     }
 }
 
-/* A lamp on a surface shines to either side: the places just off it. Returns
- * how many; 1 where it hangs free. */
-static int light_places(const search *s, murk_vec3 lamp, murk_vec3 place[2])
-{
-    static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    place[0] = lamp;
-    if (!murk_surfaces_near(s->surfaces, lamp, s->hair_m)) {
-        return 1;
-    }
-    for (int i = 0; i < 3; ++i) {
-        for (int sign = -1; sign <= 1; sign += 2) {
-            murk_hit hit;
-            const murk_vec3 way = murk_scale(sign, axes[i]);
-            const murk_vec3 start = murk_along(lamp, -4 * s->hair_m, way);
-            if (murk_surfaces_hit(s->surfaces, start, way, 8 * s->hair_m,
-                                  &hit)) {
-                /* Two hairs off: the ways are asked half a hair aside. */
-                const murk_vec3 on = murk_along(start, hit.distance_m, way);
-                place[0] = murk_along(on, 2 * s->hair_m, hit.normal);
-                place[1] = murk_along(on, -2 * s->hair_m, hit.normal);
-                return 2;
-            }
-        }
-    }
-    return 1;
-}
-
 /* ---- doubt ---- */
 
 static bool diagonal_is_open(const search *s, size_t point, const int step[3])
@@ -336,9 +310,10 @@ static void explore(search *s)
     murk_crew_run(s->threads, batches, measure_closeness, s);
     murk_crew_run(s->threads, batches, open_steps, s);
     for (size_t l = 0; l < s->reach->n_lamps && !murk_interrupted(); ++l) {
-        murk_vec3 place[2];
-        const int n = light_places(s, s->reach->lamps[l], place);
-        for (int i = 0; i < n; ++i) {
+        murk_vec3 place[MURK_LAMP_PLACES_MAX];
+        const size_t n = murk_lamp_places(s->surfaces, &s->reach->domain,
+                                          s->reach->lamps[l], place);
+        for (size_t i = 0; i < n; ++i) {
             s->light = place[i];
             enter_by(s, ask_light);
         }

@@ -146,7 +146,8 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
         goto done;
     }
     status = murk_photon_weights(sight->weight, desc->surface_map,
-                                 desc->volume_map, &desc->weights, err);
+                                 desc->volume_map, &desc->weights,
+                                 desc->where ? desc->where : "", err);
     if (status) {
         goto done;
     }

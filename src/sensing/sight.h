@@ -48,6 +48,7 @@ typedef struct murk_sight_desc {
     bool through_sheets; /* through: thin; false: block */
     murk_map_weights weights;
     unsigned threads;
+    const char *where; /* of the wish, for messages; NULL: none */
 } murk_sight_desc;
 
 typedef struct murk_sight murk_sight;
@@ -55,8 +56,8 @@ typedef struct murk_sight murk_sight;
 /* Borrows all that desc points to. Fails with MURK_BAD_VALUE (range, weights),
  * MURK_BAD_FILE (a record that no run can have stored: power negative or not
  * finite, place not finite, band or emitted index out of range),
- * MURK_RUN_FAILED (no photon has weight) or MURK_NO_MEMORY: 4 to 10 bytes a
- * photon and thread are set aside for looks. */
+ * MURK_RUN_FAILED (no photon has weight: at desc->where) or MURK_NO_MEMORY: 4
+ * to 10 bytes a photon and thread are set aside for looks. */
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_sight_destroy(murk_sight *sight); /* NULL is fine */
@@ -94,7 +95,8 @@ uint64_t murk_sight_shadow_rays(const murk_sight *sight);
 /* Coverage of sensors at `position` [n], measured on this sight's maps. */
 typedef struct murk_coverage {
     murk_estimate total;   /* error by emitted photon */
-    murk_estimate surface; /* NaN where the map is empty */
+    murk_estimate surface; /* by power, whatever the maps' weights; NaN where
+                              the map is empty, or without power */
     murk_estimate volume;
     double sum_of_views;      /* the paper's eq. (1) as printed: photons seen
                                  twice count twice */
@@ -104,13 +106,13 @@ typedef struct murk_coverage {
                                  weight, seen at all counting whole */
 } murk_coverage;
 
-/* All fractions are of the same whole-number weights that plans count, so
- * total is exactly a plan's value / whole. Errors: the ratio estimator over
- * all emitted photons, each with all its records of both maps together; for
- * `balanced` the residuals of the two ratios are added photon by photon (the
- * maps' records of one path are correlated). Fails with MURK_BAD_VALUE when a
- * sensor is outside the domain, MURK_NO_MEMORY (some 26 bytes a photon) or
- * MURK_INTERRUPTED. Release with murk_coverage_release(). */
+/* All but surface and volume are of the same whole-number weights that plans
+ * count, so total is exactly a plan's value / whole. Errors: the ratio
+ * estimator over all emitted photons, each with all its records of both maps
+ * together; for `balanced` the residuals of the two ratios are added photon by
+ * photon (the maps' records of one path are correlated). Fails with
+ * MURK_BAD_VALUE when a sensor is outside the domain, MURK_NO_MEMORY (some 26
+ * bytes a photon) or MURK_INTERRUPTED. Release with murk_coverage_release(). */
 murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
                                   const murk_vec3 *position, size_t n,
                                   murk_error *err);

@@ -59,7 +59,8 @@ static void balance(double *factor_surface, double *factor_volume,
 murk_status murk_photon_weights(uint32_t *weight,
                                 const murk_photon_map *surface,
                                 const murk_photon_map *volume,
-                                const murk_map_weights *maps, murk_error *err)
+                                const murk_map_weights *maps, const char *where,
+                                murk_error *err)
 {
     const double a = maps->surface, b = maps->volume;
     if (!maps->balanced &&
@@ -84,7 +85,7 @@ murk_status murk_photon_weights(uint32_t *weight,
         factor_volume = share_volume * factor;
     }
     if (!(factor_surface * s.sum + factor_volume * v.sum > 0)) {
-        return murk_fail(err, MURK_RUN_FAILED, "",
+        return murk_fail(err, MURK_RUN_FAILED, where,
                          "nothing to see: the %zu surface and %zu volume "
                          "photons stored have no weight",
                          s.n, v.n);

@@ -5,10 +5,12 @@
 
 #include "sensing/sight.h"
 
-/* Fills weight[surface + volume]. */
+/* Fills weight[surface + volume]. Fails with MURK_BAD_VALUE (maps), or at
+ * `where` with MURK_RUN_FAILED: no photon has weight. */
 murk_status murk_photon_weights(uint32_t *weight,
                                 const murk_photon_map *surface,
                                 const murk_photon_map *volume,
-                                const murk_map_weights *maps, murk_error *err);
+                                const murk_map_weights *maps, const char *where,
+                                murk_error *err);
 
 #endif

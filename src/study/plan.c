@@ -83,7 +83,8 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .weights = {.balanced = wish->balanced,
                                               .surface = wish->weight_surface,
                                               .volume = wish->weight_volume},
-                                  .threads = threads};
+                                  .threads = threads,
+                                  .where = wish->where};
     return murk_sight_create(out, &desc, err);
 }
 

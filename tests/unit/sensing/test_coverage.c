@@ -121,6 +121,47 @@ static void test_counts_by_hand(void)
     tear_down(&w);
 }
 
+/* Of whatever weight a map is to the plan, down to none: its own fraction and
+ * error are those of its own records. */
+static void test_a_maps_own_fraction_knows_no_weights(void)
+{
+    murk_photon s[8], v[4];
+    for (uint32_t i = 0; i < 8; ++i) {
+        s[i] = a_photon(murk_vec(i < 6 ? 2 : 8, 1 + 0.5 * i, 1), up, i);
+        s[i].power_w = i < 6 ? 1 : 3;
+    }
+    for (uint32_t i = 0; i < 4; ++i) {
+        v[i] = a_photon(murk_vec(i < 1 ? 2 : 8, 1 + 0.5 * i, 1), none, i);
+    }
+    const murk_map_weights weights[5] = {{false, 0, 1},
+                                         {false, 1, 0},
+                                         {false, 1e-11, 1},
+                                         {false, 1, 1e-11},
+                                         {true, 0, 0}};
+    /* By hand: sum of (power (seen - C))^2, over the square of all power. */
+    const double c = 6.0 / 12;
+    const double squares[2] = {
+        (6 * (1 - c) * (1 - c) + 2 * 9 * c * c) / 144,
+        (0.75 * 0.75 + 3 * 0.25 * 0.25) / 16,
+    };
+    const murk_vec3 sensor = {1, 1, 3};
+    for (int k = 0; k < 5; ++k) {
+        world w = build(s, 8, v, 4, 100, weights[k], 0, 1);
+        murk_coverage got = measure(&w, &sensor, 1);
+        CHECK_NEAR(got.surface.value, c, 1e-15);
+        CHECK_NEAR(got.volume.value, 1.0 / 4, 1e-15);
+        CHECK_NEAR(got.surface.standard_error, sqrt(100.0 / 99 * squares[0]),
+                   1e-15);
+        CHECK_NEAR(got.volume.standard_error, sqrt(100.0 / 99 * squares[1]),
+                   1e-15);
+        /* Teeth: a map of no weight is not in the total. */
+        CHECK(k != 0 || got.total.value == 1.0 / 4);
+        CHECK(k != 1 || got.total.value == c);
+        murk_coverage_release(&got);
+        tear_down(&w);
+    }
+}
+
 /* Records of photons 0..n-1, each with some in either map, west or east. */
 #define RECORDS 4000
 typedef struct sample {
@@ -403,6 +444,7 @@ int main(int argc, char **argv)
 {
     seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : seed;
     test_counts_by_hand();
+    test_a_maps_own_fraction_knows_no_weights();
     test_the_error_is_the_spread();
     test_the_error_is_the_formula();
     test_total_is_the_plans_value();

@@ -467,6 +467,9 @@ static void check_refused(murk_sight_desc desc, murk_photon photon,
     murk_error err = {0};
     CHECK(murk_sight_create(&sight, &desc, &err) == want && !sight);
     CHECK_MENTIONS(err.text, why);
+    if (want == MURK_RUN_FAILED) {
+        CHECK_TEXT(err.where, desc.where ? desc.where : "");
+    }
     murk_photon_map_destroy(empty);
     murk_photon_map_destroy(map);
     murk_media_destroy(media);
@@ -487,6 +490,8 @@ static void test_bad_input_is_refused(void)
     desc.weights = (murk_map_weights){false, 0, 0};
     check_refused(desc, good, MURK_BAD_VALUE, "not both 0");
     desc.weights = (murk_map_weights){false, 1, 0};
+    check_refused(desc, good, MURK_RUN_FAILED, "nothing to see");
+    desc.where = "hall.yaml:7: placement";
     check_refused(desc, good, MURK_RUN_FAILED, "nothing to see");
     desc = plain(&hall);
     murk_photon bad = good;

@@ -1,0 +1,187 @@
+#include "sensing/lamp.h"
+
+#include "sensing/segment.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#define WAYS 6
+
+/* Surfaces that one way is followed through, and solids remembered. */
+#define CROSSINGS_MAX 64
+
+typedef struct ways_out {
+    const murk_surfaces *surfaces;
+    const murk_domain *domain;
+    double hair_m;
+    murk_vec3 way[WAYS];
+    uint16_t around[CROSSINGS_MAX]; /* the solids that the lamp stands in */
+    size_t n_around;
+    murk_vec3 *place;
+    size_t n_places;
+} ways_out;
+
+static void add_place(ways_out *w, murk_vec3 place)
+{
+    if (w->n_places < MURK_LAMP_PLACES_MAX) {
+        w->place[w->n_places++] = place;
+    }
+}
+
+/* To and fro along three axes, tilted so that none follows a seam of what is
+ * built at right angles. */
+static void choose_ways(murk_vec3 way[WAYS])
+{
+    way[0] = murk_unit(murk_vec(0.937, 0.281, 0.207));
+    murk_frame(way[0], &way[1], &way[2]);
+    for (int i = 0; i < 3; ++i) {
+        way[3 + i] = murk_scale(-1, way[i]);
+    }
+}
+
+/* ---- on a surface ---- */
+
+/* The places just off it; the lamp's own where it hangs free. */
+static void add_sides(ways_out *w, murk_vec3 lamp)
+{
+    static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double hair = w->hair_m;
+    if (!murk_surfaces_near(w->surfaces, lamp, hair)) {
+        add_place(w, lamp);
+        return;
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            murk_hit hit;
+            const murk_vec3 way = murk_scale(sign, axes[i]);
+            const murk_vec3 start = murk_along(lamp, -4 * hair, way);
+            if (murk_surfaces_hit(w->surfaces, start, way, 8 * hair, &hit)) {
+                /* Two hairs off: the ways are asked half a hair aside. */
+                const murk_vec3 on = murk_along(start, hit.distance_m, way);
+                add_place(w, murk_along(on, 2 * hair, hit.normal));
+                add_place(w, murk_along(on, -2 * hair, hit.normal));
+                return;
+            }
+        }
+    }
+    add_place(w, lamp);
+}
+
+/* ---- in glass ---- */
+
+static bool lets_light_through(const murk_surfaces *surfaces,
+                               const murk_hit *hit)
+{
+    const murk_material *m = murk_surfaces_material(surfaces, hit->material);
+    for (int i = 0; i < MURK_BANDS_MAX; ++i) {
+        /* Fresnel splits what a solid does not absorb. */
+        const double specular = hit->solid ? m->specular.band[i] : 0;
+        if (m->transmit.band[i] + specular > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The next surface on the way; *at moves to just behind it. */
+static bool step(const ways_out *w, murk_vec3 *at, murk_vec3 way, murk_hit *hit)
+{
+    if (!murk_surfaces_hit(w->surfaces, *at, way, INFINITY, hit)) {
+        return false;
+    }
+    *at =
+        murk_surfaces_leave(w->surfaces, murk_along(*at, hit->distance_m, way),
+                            murk_scale(-1, hit->normal));
+    return true;
+}
+
+static bool holds(const uint16_t *solids, size_t n, uint16_t solid)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (solids[i] == solid) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The solids that a way crosses, through all that stands there. */
+static size_t crossed(const ways_out *w, murk_vec3 from, murk_vec3 way,
+                      uint16_t solid[CROSSINGS_MAX])
+{
+    size_t n = 0;
+    murk_hit hit;
+    for (int k = 0; k < CROSSINGS_MAX && step(w, &from, way, &hit); ++k) {
+        if (hit.solid && !holds(solid, n, hit.solid)) {
+            solid[n++] = hit.solid;
+        }
+    }
+    return n;
+}
+
+static void find_around(ways_out *w, murk_vec3 from)
+{
+    w->n_around = crossed(w, from, w->way[0], w->around);
+    for (int i = 1; i < WAYS && w->n_around > 0; ++i) {
+        uint16_t solid[CROSSINGS_MAX];
+        const size_t n = crossed(w, from, w->way[i], solid);
+        size_t kept = 0;
+        for (size_t k = 0; k < w->n_around; ++k) {
+            if (holds(solid, n, w->around[k])) {
+                w->around[kept++] = w->around[k];
+            }
+        }
+        w->n_around = kept;
+    }
+}
+
+/* Two hairs behind a surface, unless another is nearer. */
+static void add_outside(ways_out *w, murk_vec3 behind, murk_vec3 onward)
+{
+    const double off = 2 * w->hair_m;
+    const murk_vec3 place = murk_along(behind, off, onward);
+    murk_hit hit;
+    if (murk_box_contains(&w->domain->box, place) &&
+        !murk_surfaces_hit(w->surfaces, behind, onward, 2 * off, &hit) &&
+        murk_surfaces_solid_at(w->surfaces, place) == 0) {
+        add_place(w, place);
+    }
+}
+
+static void walk_out(ways_out *w, murk_vec3 from, murk_vec3 way)
+{
+    murk_hit hit;
+    for (int k = 0; k < CROSSINGS_MAX && step(w, &from, way, &hit); ++k) {
+        if (!lets_light_through(w->surfaces, &hit) ||
+            (hit.solid && !holds(w->around, w->n_around, hit.solid))) {
+            return;
+        }
+        if (hit.solid) {
+            add_outside(w, from, murk_scale(-1, hit.normal));
+        }
+    }
+}
+
+size_t murk_lamp_places(const murk_surfaces *surfaces,
+                        const murk_domain *domain, murk_vec3 lamp,
+                        murk_vec3 place[MURK_LAMP_PLACES_MAX])
+{
+    ways_out w = {.surfaces = surfaces,
+                  .domain = domain,
+                  .hair_m = murk_hair(surfaces, domain),
+                  .place = place};
+    choose_ways(w.way);
+    add_sides(&w, lamp);
+    if (murk_surfaces_describe(surfaces).solids == 0) {
+        return w.n_places;
+    }
+    for (size_t i = 0, n = w.n_places; i < n; ++i) {
+        const murk_vec3 from = w.place[i];
+        find_around(&w, from);
+        for (int k = 0; k < WAYS && w.n_around > 0; ++k) {
+            walk_out(&w, from, w.way[k]);
+        }
+    }
+    return w.n_places;
+}
