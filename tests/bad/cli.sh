@@ -1,12 +1,29 @@
 #!/bin/sh
 # Bad input on the command line: one line on standard error, the right exit
 # code, nothing written, within 10 seconds and 2 GB.
-# usage: cli.sh MURK
+# usage: cli.sh MURK [SANITIZER]
 set -u
 murk=$1
+sanitizer=${2:-}
 dir=$(mktemp -d)
-trap 'chmod -R u+w "$dir"; rm -rf "$dir"' EXIT
+trap '[ -e "$dir/mounted" ] && umount "$dir/small"; chmod -R u+w "$dir"; rm -rf "$dir"' EXIT
 failed=0
+
+fail() {
+    echo "$*"
+    failed=1
+}
+
+# Runs murk within 10 s and 2 GB of address space, without which a sanitizer
+# cannot be. Small stacks and few heaps: what idle threads reserve for each of
+# many cores is not what murk needs.
+within_limits() (
+    [ -n "$sanitizer" ] || {
+        ulimit -s 2048
+        ulimit -v 2000000
+    }
+    MALLOC_ARENA_MAX=2 timeout 10 "$murk" "$@"
+)
 
 cat >"$dir/good.yaml" <<'END'
 murk: 1
@@ -25,10 +42,7 @@ expect() {
     code=$1
     part=$2
     shift 2
-    (
-        ulimit -t 10
-        timeout 20 "$murk" "$@" >"$dir/stdout" 2>"$dir/stderr"
-    )
+    within_limits "$@" >"$dir/stdout" 2>"$dir/stderr"
     got=$?
     lines=$(grep -cv '^murk: warning:' "$dir/stderr")
     if [ "$got" -ne "$code" ] || [ "$lines" -ne 1 ] || ! grep -qF -- "$part" "$dir/stderr"; then
@@ -38,8 +52,7 @@ expect() {
         failed=1
     fi
     if [ -d "$dir/out" ] && [ -n "$(ls -A "$dir/out")" ]; then
-        echo "murk $*: wrote $(ls -A "$dir/out")"
-        failed=1
+        fail "murk $*: wrote $(ls -A "$dir/out")"
     fi
     rm -rf "$dir/out"
 }
@@ -144,42 +157,89 @@ place 2 "nowhere.vdb"
 sed 's|nowhere.vdb|good.yaml|' "$dir/bad.yaml" >"$dir/bad2.yaml"
 expect 2 "media.smoke" place "$dir/bad2.yaml" -o "$dir/out"
 
+# ---- more than the 2 GB that there are, said before it is begun ----
+[ -n "$sanitizer" ] || expect 2 "GB free" trace "$dir/good.yaml" -o "$dir/out" --store 100000000
+
 # ---- results that cannot be written: the old ones stay ----
-expect 1 "not a folder" place "$dir/good.yaml" -o "$dir/good.yaml"
-"$murk" place "$dir/good.yaml" -q -o "$dir/kept" || failed=1
-sum=$(cat "$dir"/kept/* | cksum)
-(
-    ulimit -f 40 # blocks of 512 bytes: light.murk does not fit
-    "$murk" place "$dir/good.yaml" -q -o "$dir/kept" --emit 20000 2>"$dir/stderr"
-)
-[ $? -eq 1 ] && [ "$(wc -l <"$dir/stderr")" -eq 1 ] || {
-    echo "a full disk: exit code or message is off"
-    cat "$dir/stderr"
-    failed=1
+contents() {
+    (cd "$1" && for file in * .[!.]*; do [ ! -e "$file" ] || cksum "$file"; done)
 }
-[ "$sum" = "$(cat "$dir"/kept/* | cksum)" ] || { echo "a full disk hurt older results"; failed=1; }
-[ "$(ls -A "$dir/kept" | wc -l)" -eq 6 ] || { echo "left behind: $(ls -A "$dir/kept")"; failed=1; }
+
+# full_disk FOLDER HOW ARGS...: a run into a folder of older results, of which
+# the command `within_limits` or `with_small_files` lets only a part be written
+full_disk() {
+    folder=$1
+    how=$2
+    shift 2
+    before=$(contents "$folder")
+    "$how" place "$dir/good.yaml" -q -o "$folder" "$@" 2>"$dir/stderr"
+    got=$?
+    [ $got -eq 1 ] && [ "$(wc -l <"$dir/stderr")" -eq 1 ] || {
+        fail "a full disk: exit $got, want 1 and one line:"
+        cat "$dir/stderr"
+    }
+    [ "$before" = "$(contents "$folder")" ] || fail "a full disk changed: $(ls -A "$folder")"
+}
+with_small_files() (
+    ulimit -f 40 # blocks of 512 bytes: light.murk does not fit
+    within_limits "$@"
+)
+
+expect 1 "not a folder" place "$dir/good.yaml" -o "$dir/good.yaml"
+within_limits place "$dir/good.yaml" -q -o "$dir/kept" || fail "the good scene failed"
+[ "$(ls -A "$dir/kept" | wc -l)" -eq 6 ] || fail "not six files: $(ls -A "$dir/kept")"
+full_disk "$dir/kept" with_small_files --emit 20000
+
+mkdir "$dir/small"
+if mount -t tmpfs -o size=1m tmpfs "$dir/small" 2>/dev/null; then
+    : >"$dir/mounted"
+    cp "$dir/kept"/* "$dir/small"
+    full_disk "$dir/small" within_limits --emit 60000
+    head -c 2000000 /dev/zero >"$dir/small/filler" 2>/dev/null
+    full_disk "$dir/small" within_limits
+    umount "$dir/small" && rm "$dir/mounted"
+else
+    echo "skipped: a small file system, may not mount"
+fi
+
+# root may write anywhere but where the kernel keeps no files
 if [ "$(id -u)" -ne 0 ]; then
     chmod a-w "$dir/kept"
-    (expect 1 "cannot write" place "$dir/good.yaml" -o "$dir/kept")
+    before=$(contents "$dir/kept")
+    expect 1 "cannot write" place "$dir/good.yaml" -q -o "$dir/kept"
+    [ "$before" = "$(contents "$dir/kept")" ] || fail "wrote into a folder that may not be written"
     chmod u+w "$dir/kept"
+    expect 1 "cannot make the folder" place "$dir/good.yaml" -q -o /nowhere
+else
+    expect 1 "cannot write" place "$dir/good.yaml" -q -o /proc/self
+    expect 1 "cannot make the folder" place "$dir/good.yaml" -q -o /proc/self/nowhere
 fi
-[ -e /dev/full ] && { "$murk" check "$dir/good.yaml" >/dev/full 2>"$dir/stderr"; [ $? -eq 1 ] || {
-    echo "a full standard output went unnoticed"; failed=1; }; }
+[ -e /dev/full ] && { within_limits check "$dir/good.yaml" >/dev/full 2>"$dir/stderr"
+    [ $? -eq 1 ] || fail "a full standard output went unnoticed"; }
 
 # ---- interrupt: no half file, exit 130 ----
-"$murk" trace "$dir/good.yaml" -q -o "$dir/stopped" --emit 4e9 --set photons.maps=none 2>"$dir/stderr" &
-pid=$!
-sleep 1
-kill -INT $pid
-wait $pid
-got=$?
-[ $got -eq 130 ] && grep -q interrupted "$dir/stderr" || {
-    echo "interrupted: exit $got, want 130"
-    cat "$dir/stderr"
-    failed=1
+# interrupted SECONDS ARGS...: murk, stopped by Ctrl-C after so long
+interrupted() {
+    seconds=$1
+    shift
+    "$murk" "$@" -q -o "$dir/stopped" 2>"$dir/stderr" &
+    pid=$!
+    sleep "$seconds"
+    kill -INT $pid || fail "murk $*: over within $seconds s, too soon to be stopped"
+    asked=$(date +%s)
+    wait $pid
+    got=$?
+    [ $got -eq 130 ] && [ "$(cat "$dir/stderr")" = "murk: interrupted" ] || {
+        fail "murk $*: interrupted: exit $got, want 130"
+        cat "$dir/stderr"
+    }
+    [ $(($(date +%s) - asked)) -le 10 ] || fail "murk $*: took more than 10 s to stop"
+    [ -z "$(ls -A "$dir/stopped" 2>/dev/null)" ] || fail "interrupted: left $(ls -A "$dir/stopped")"
+    rm -rf "$dir/stopped"
 }
-[ -z "$(ls -A "$dir/stopped" 2>/dev/null)" ] || { echo "interrupted: left $(ls -A "$dir/stopped")"; failed=1; }
+interrupted 1 trace "$dir/good.yaml" --emit 4e9 --set photons.maps=none
+interrupted 2 place scenes/fog-yard.yaml --emit 200000 # while it looks
+interrupted 2 place scenes/fog-yard.yaml --emit 1000 --count 20 --set placement.restarts=1000000 # while it searches
 
 [ $failed -eq 0 ] && echo "all refused as they should be"
 exit $failed
