@@ -15,6 +15,7 @@ extern "C" {
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Prune.h>
 #pragma GCC visibility pop
+#include <tbb/global_control.h>
 
 namespace
 {
@@ -347,10 +348,14 @@ murk_status from_samples(const size_t size[3], const float *density,
     return hand_over(std::move(grid), facts, take, context, at);
 }
 
-/* No exception leaves this file. */
+/* No exception leaves this file. And no thread starts: each would take its
+ * stack and its arena out of the memory that the child may have, so that a
+ * file's fate would hang on the number of cores. */
 template <typename Work> murk_status guard(const Place &at, Work work)
 {
     try {
+        const tbb::global_control alone(
+            tbb::global_control::max_allowed_parallelism, 1);
         return work();
     } catch (const std::bad_alloc &) {
         return murk_fail(at.err, MURK_BAD_FILE, at.where,
