@@ -226,21 +226,33 @@ murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
     return status;
 }
 
-murk_status murk_grid_make(murk_grid **out, const size_t size[3],
-                           const float *density,
-                           const murk_affine *index_to_world, bool as_tiles,
-                           const char *where, murk_error *err)
+murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
+                                 const char *where, murk_error *err)
 {
-    size_t voxels = 1;
+    size_t n = 1;
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(size[axis] > 0 && size[axis] <= MURK_SAMPLES_MAX / voxels)) {
+        if (!(size[axis] > 0 && size[axis] <= MURK_SAMPLES_MAX / n)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "%zu x %zu x %zu samples, must be 1 or more along "
                              "each axis and at most %zu in all",
                              size[0], size[1], size[2],
                              (size_t)MURK_SAMPLES_MAX);
         }
-        voxels *= size[axis];
+        n *= size[axis];
+    }
+    *voxels = n;
+    return MURK_OK;
+}
+
+murk_status murk_grid_make(murk_grid **out, const size_t size[3],
+                           const float *density,
+                           const murk_affine *index_to_world, bool as_tiles,
+                           const char *where, murk_error *err)
+{
+    size_t voxels = 0;
+    const murk_status status = murk_grid_check_size(size, &voxels, where, err);
+    if (status) {
+        return status;
     }
     const murk_vec3 shift = index_to_world->shift;
     job j = {.size = size,

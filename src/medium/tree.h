@@ -52,6 +52,10 @@ const murk_tree *murk_grid_tree(const murk_grid *grid);
 
 #define MURK_SAMPLES_MAX ((size_t)1 << 31)
 
+/* Refuses an empty side and more than MURK_SAMPLES_MAX; counts the voxels. */
+murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
+                                 const char *where, murk_error *err);
+
 /* As murk_grid_from_samples(), which stores blocks of one value as tiles; here
  * voxel by voxel, too. */
 murk_status murk_grid_make(murk_grid **out, const size_t size[3],

@@ -5,6 +5,7 @@ extern "C" {
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -316,13 +317,13 @@ murk_status read(const char *path, const char *name, murk_vdb_taker take,
     return hand_over(std::move(grid), facts, take, context, at);
 }
 
-murk_status from_samples(const size_t size[3], const float *density,
-                         const double m[12], int as_tiles, murk_vdb_taker take,
-                         void *context, const Place &at)
+/* Dense samples, x fastest, as a tree; zeros are left out. */
+openvdb::FloatGrid::Ptr plant(const size_t size[3], const float *sample,
+                              const double m[12])
 {
     auto grid = openvdb::FloatGrid::create(0);
     auto to = grid->getAccessor();
-    const float *value = density;
+    const float *value = sample;
     for (size_t k = 0; k < size[2]; ++k) {
         for (size_t j = 0; j < size[1]; ++j) {
             for (size_t i = 0; i < size[0]; ++i, ++value) {
@@ -332,9 +333,6 @@ murk_status from_samples(const size_t size[3], const float *density,
             }
         }
     }
-    if (as_tiles) {
-        openvdb::tools::prune(grid->tree());
-    }
     openvdb::Mat4d transform = openvdb::Mat4d::identity();
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
@@ -343,9 +341,55 @@ murk_status from_samples(const size_t size[3], const float *density,
     }
     grid->setTransform(
         openvdb::math::Transform::createLinearTransform(transform));
+    return grid;
+}
+
+murk_status from_samples(const size_t size[3], const float *density,
+                         const double m[12], int as_tiles, murk_vdb_taker take,
+                         void *context, const Place &at)
+{
+    const auto grid = plant(size, density, m);
+    if (as_tiles) {
+        openvdb::tools::prune(grid->tree());
+    }
     murk_vdb_facts facts = {};
     set_name(facts, "samples");
-    return hand_over(std::move(grid), facts, take, context, at);
+    return hand_over(grid, facts, take, context, at);
+}
+
+/* The library's own writer of files does not ask whether its stream failed,
+ * and cannot write to memory. */
+struct Writer : openvdb::io::Archive {
+    void write_to(std::ostream &stream, const openvdb::GridCPtrVec &grids)
+    {
+        Archive::write(stream, grids, true);
+    }
+};
+
+murk_status write(const murk_vdb_field *fields, size_t n, const size_t size[3],
+                  const double m[12], murk_vdb_bytes_taker take, void *context)
+{
+    openvdb::initialize();
+    openvdb::GridCPtrVec grids;
+    for (size_t i = 0; i < n; ++i) {
+        const auto grid = plant(size, fields[i].value, m);
+        grid->setName(fields[i].name);
+        grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+        grid->setCreator("murk");
+        const char *const *note = fields[i].notes;
+        for (; note && note[0]; note += 2) {
+            grid->insertMeta(note[0], openvdb::StringMetadata(note[1]));
+        }
+        grids.push_back(grid);
+    }
+    std::stringstream stream(std::ios::in | std::ios::out | std::ios::binary);
+    Writer().write_to(stream, grids);
+    grids.clear();
+    if (!stream) {
+        throw std::bad_alloc();
+    }
+    const std::string bytes = stream.str();
+    return take(context, bytes.data(), bytes.size());
 }
 
 /* No exception leaves this file. And no thread starts: each would take its
@@ -391,5 +435,17 @@ extern "C" murk_status murk_vdb_from_samples(const size_t size[3],
     return guard(at, [&] {
         return from_samples(size, density, index_to_world, as_tiles, take,
                             context, at);
+    });
+}
+
+extern "C" murk_status murk_vdb_write(const murk_vdb_field *fields, size_t n,
+                                      const size_t size[3],
+                                      const double index_to_world[12],
+                                      murk_vdb_bytes_taker take, void *context,
+                                      const char *where, murk_error *err)
+{
+    const Place at{where, err};
+    return guard(at, [&] {
+        return write(fields, n, size, index_to_world, take, context);
     });
 }

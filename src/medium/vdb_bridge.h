@@ -1,5 +1,6 @@
 /* The one door to OpenVDB: one density grid of a file, checked, as a NanoVDB
- * float grid. Inside this room only; plain C for both sides.
+ * float grid; and dense fields as the bytes of a file. Inside this room only;
+ * plain C for both sides.
  *
  * Runs in a child process (base/child.h): a hostile file may crash it or make
  * it ask for any memory.
@@ -42,5 +43,23 @@ murk_status murk_vdb_from_samples(const size_t size[3], const float *density,
                                   const double index_to_world[12], int as_tiles,
                                   murk_vdb_taker take, void *context,
                                   const char *where, murk_error *err);
+
+/* Receives the bytes of a .vdb file, once; lent for the call. */
+typedef murk_status (*murk_vdb_bytes_taker)(void *context, const void *bytes,
+                                            size_t size);
+
+/* One grid of a file to be: medium/grid_write.h. */
+typedef struct murk_vdb_field {
+    const char *name;
+    const float *value;
+    const char *const *notes;
+} murk_vdb_field;
+
+/* The fields, checked, as one file. */
+murk_status murk_vdb_write(const murk_vdb_field *fields, size_t n,
+                           const size_t size[3],
+                           const double index_to_world[12],
+                           murk_vdb_bytes_taker take, void *context,
+                           const char *where, murk_error *err);
 
 #endif

@@ -1,0 +1,150 @@
+#include "medium/grid_write.h"
+
+#include "base/child.h"
+#include "base/file.h"
+#include "medium/tree.h"
+#include "medium/vdb_bridge.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define NAME_BYTES_MAX 127
+
+/* What a node of so many voxels along an edge takes in memory at most: a leaf
+ * its 512 values, the others their tables. */
+#define LEAF_BYTES  UINT64_C(2304)
+#define LOWER_BYTES UINT64_C(40000)
+#define UPPER_BYTES UINT64_C(300000)
+#define LEAST_BYTES UINT64_C(400000000) /* the package's own */
+
+/* Generous: some 2e7 voxels a second are usual. */
+#define VOXELS_PER_SECOND UINT64_C(1000000)
+#define LEAST_SECONDS     60
+
+typedef struct job {
+    murk_child *child;
+    const char *where;
+    murk_vdb_field field[MURK_GRID_FIELDS_MAX];
+    size_t n;
+    const size_t *size;
+    double index_to_world[12]; /* three rows of four */
+} job;
+
+static murk_status check_field(const murk_grid_field *fields, size_t i,
+                               size_t voxels, const char *path, murk_error *err)
+{
+    const char *name = fields[i].name;
+    const size_t length = name ? strlen(name) : 0;
+    if (!(length > 0 && length <= NAME_BYTES_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, path,
+                         "field %zu has a name of %zu bytes, must be 1..%d", i,
+                         length, NAME_BYTES_MAX);
+    }
+    for (size_t k = 0; k < i; ++k) {
+        if (strcmp(name, fields[k].name) == 0) {
+            return murk_fail(err, MURK_BAD_VALUE, path,
+                             "two fields named %s, must differ", name);
+        }
+    }
+    for (size_t k = 0; k < voxels; ++k) {
+        if (!isfinite(fields[i].value[k])) {
+            return murk_fail(err, MURK_BAD_VALUE, path,
+                             "field %s: value %zu is %g, must be finite", name,
+                             k, (double)fields[i].value[k]);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status check(const char *path, const murk_grid_field *fields,
+                         size_t n, const size_t size[3],
+                         const murk_affine *index_to_world, murk_error *err)
+{
+    murk_affine inverse;
+    if (!(n > 0 && n <= MURK_GRID_FIELDS_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, path, "%zu fields, must be 1..%d",
+                         n, MURK_GRID_FIELDS_MAX);
+    }
+    size_t voxels = 1;
+    murk_status status = murk_grid_check_size(size, &voxels, path, err);
+    if (!status && !murk_affine_invert(index_to_world, &inverse)) {
+        status = murk_fail(err, MURK_BAD_VALUE, path,
+                           "index_to_world is singular or not finite");
+    }
+    for (size_t i = 0; i < n && !status; ++i) {
+        status = check_field(fields, i, voxels, path, err);
+    }
+    return status;
+}
+
+/* Nodes of that edge that the box may need. */
+static uint64_t nodes(const size_t size[3], size_t edge)
+{
+    uint64_t n = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        n *= (size[axis] + edge - 1) / edge;
+    }
+    return n;
+}
+
+static murk_status send_bytes(void *context, const void *bytes, size_t size)
+{
+    return murk_child_send(((job *)context)->child, bytes, size);
+}
+
+static murk_status write_in_child(murk_child *child, void *context,
+                                  murk_error *err)
+{
+    job *j = context;
+    j->child = child;
+    return murk_vdb_write(j->field, j->n, j->size, j->index_to_world,
+                          send_bytes, j, j->where, err);
+}
+
+murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
+                            size_t n, const size_t size[3],
+                            const murk_affine *index_to_world, murk_error *err)
+{
+    murk_status status = check(path, fields, n, size, index_to_world, err);
+    if (status) {
+        return status;
+    }
+    const murk_vec3 shift = index_to_world->shift;
+    job j = {.where = path,
+             .n = n,
+             .size = size,
+             .index_to_world = {[3] = shift.x, [7] = shift.y, [11] = shift.z}};
+    for (size_t i = 0; i < n; ++i) {
+        j.field[i] =
+            (murk_vdb_field){fields[i].name, fields[i].value, fields[i].notes};
+    }
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            j.index_to_world[4 * row + column] =
+                index_to_world->matrix[row][column];
+        }
+    }
+    /* the trees, and the file's bytes twice, each at most as large */
+    const uint64_t tree_bytes =
+        n * (nodes(size, 8) * LEAF_BYTES + nodes(size, 128) * LOWER_BYTES +
+             nodes(size, 4096) * UPPER_BYTES);
+    const uint64_t values = (uint64_t)n * size[0] * size[1] * size[2];
+    const murk_child_limits limits = {
+        .memory_bytes = LEAST_BYTES + 4 * tree_bytes,
+        .handed_bytes = LEAST_BYTES + tree_bytes,
+        .seconds = LEAST_SECONDS + (unsigned)(values / VOXELS_PER_SECOND)};
+    unsigned char *bytes = NULL;
+    size_t n_bytes = 0;
+    murk_error told = {0};
+    status = murk_child_run(&bytes, &n_bytes, write_in_child, &j, &limits, path,
+                            &told);
+    if (status) { /* nothing of the user's was read: it is the run that fails */
+        status = status == MURK_BAD_FILE ? MURK_RUN_FAILED : status;
+        return murk_fail(err, status, path, "cannot write: %s", told.text);
+    }
+    status = murk_file_write(path, bytes, n_bytes, err);
+    free(bytes);
+    return status;
+}
