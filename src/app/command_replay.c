@@ -122,9 +122,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
         printf("event  kind     what                              x m        "
                "y m        z m  direction out                    path m\n");
     }
-    murk_trace trace = murk_trace_defaults();
-    trace.world = &session.stage->world;
-    trace.seed = session.scene->seed;
+    murk_trace trace = murk_stage_trace(session.stage);
     trace.first = options->photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;
     trace.last = options->photon + 1;
     trace.sink = on_event;

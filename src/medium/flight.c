@@ -25,6 +25,7 @@ typedef struct meeting {
 typedef struct ray {
     const murk_media *media;
     int band;
+    murk_inside inside;
     murk_vec3 origin, direction;
     double depth, limit; /* optical depth so far; where to stop */
     double stop_m;
@@ -219,14 +220,15 @@ static bool follow(ray *r, double length_m)
                     : cross_overlapping(r, stretches, n);
 }
 
-bool murk_media_fly(const murk_media *media, int band, murk_vec3 origin,
-                    murk_vec3 direction, double length_m, double tau, double u,
-                    murk_collision *collision)
+bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
+                    murk_vec3 origin, murk_vec3 direction, double length_m,
+                    double tau, double u, murk_collision *collision)
 {
     assert(band >= 0 && band < MURK_BANDS_MAX);
     ray r;
     r.media = media;
     r.band = band;
+    r.inside = inside;
     r.origin = origin;
     r.direction = direction;
     r.depth = 0;
@@ -252,23 +254,24 @@ bool murk_media_fly(const murk_media *media, int band, murk_vec3 origin,
             left -= r.met[i].extinction_per_m;
         }
     }
-    *collision = (murk_collision){
-        .distance_m = r.stop_m,
-        .medium = partner,
-        .albedo = media->media[partner].albedo.band[band],
-        .mean_cosine = media->media[partner].mean_cosine.band[band],
-        .scattering_per_m = scattering};
+    *collision =
+        (murk_collision){.distance_m = r.stop_m,
+                         .medium = partner,
+                         .albedo = media->media[partner].albedo.band[band],
+                         .phase = &media->media[partner].phase[band],
+                         .scattering_per_m = scattering};
     return true;
 }
 
 double murk_media_optical_depth(const murk_media *media, int band,
-                                murk_vec3 origin, murk_vec3 direction,
-                                double length_m)
+                                murk_inside inside, murk_vec3 origin,
+                                murk_vec3 direction, double length_m)
 {
     assert(band >= 0 && band < MURK_BANDS_MAX);
     ray r;
     r.media = media;
     r.band = band;
+    r.inside = inside;
     r.origin = origin;
     r.direction = direction;
     r.depth = 0;
@@ -281,13 +284,14 @@ double murk_media_optical_depth(const murk_media *media, int band,
 }
 
 double murk_media_transmittance(const murk_media *media, int band,
-                                murk_vec3 from, murk_vec3 to)
+                                murk_inside inside, murk_vec3 from,
+                                murk_vec3 to)
 {
     const murk_vec3 way = murk_sub(to, from);
     const double length = murk_length(way);
     if (!(length > 0) || !media->in_band[band]) {
         return 1;
     }
-    return exp(-murk_media_optical_depth(media, band, from,
+    return exp(-murk_media_optical_depth(media, band, inside, from,
                                          murk_scale(1 / length, way), length));
 }

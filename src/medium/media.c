@@ -23,7 +23,7 @@ static murk_status check_medium(const murk_medium *medium, murk_error *err)
     for (int band = 0; band < MURK_BANDS_MAX; ++band) {
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
-        const double g = medium->mean_cosine.band[band];
+        const double g = medium->phase[band].g;
         if (!(extinction >= 0 && extinction <= EXTINCTION_MAX)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "extinction_per_m is %g (band %d), must be "
@@ -215,13 +215,17 @@ static double sum_at(const murk_media *media, int band, murk_vec3 p,
     return sum;
 }
 
-double murk_media_extinction(const murk_media *media, int band, murk_vec3 p)
+double murk_media_extinction(const murk_media *media, int band,
+                             murk_inside inside, murk_vec3 p)
 {
+    (void)inside;
     return sum_at(media, band, p, false);
 }
 
-double murk_media_scattering(const murk_media *media, int band, murk_vec3 p)
+double murk_media_scattering(const murk_media *media, int band,
+                             murk_inside inside, murk_vec3 p)
 {
+    (void)inside;
     return sum_at(media, band, p, true);
 }
 

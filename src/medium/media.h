@@ -17,6 +17,7 @@
 #include "base/status.h"
 #include "base/vector.h"
 #include "medium/grid.h"
+#include "medium/phase.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -26,10 +27,9 @@
 #define MURK_REGIONS_MAX 64
 
 typedef struct murk_medium {
-    murk_spectrum extinction_per_m; /* >= 0; times density in a grid */
-    murk_spectrum albedo;           /* scattered / extinguished, 0..1 */
-    murk_spectrum
-        mean_cosine;       /* Henyey-Greenstein g, -1 < g < 1; 0 isotropic */
+    murk_spectrum extinction_per_m;   /* >= 0; times density in a grid */
+    murk_spectrum albedo;             /* scattered / extinguished, 0..1 */
+    murk_phase phase[MURK_BANDS_MAX]; /* all zero: isotropic */
     const murk_grid *grid; /* NULL: density 1; borrowed for the lifetime */
     const char *where;
 } murk_medium;
@@ -53,6 +53,11 @@ typedef struct murk_region {
     const char *where;
 } murk_region;
 
+/* Which regions' meshes a ray lies in: bit i stands for region i. A ray must
+ * not leave them on its way; regions of other shapes know by themselves where
+ * they are, and their bits are not looked at. */
+typedef uint64_t murk_inside;
+
 typedef struct murk_media murk_media;
 
 /* n_regions may be 0: clear air. What is everywhere has no bounds of its own:
@@ -71,30 +76,33 @@ bool murk_media_any(const murk_media *media);
 
 /* Optical depth from origin along unit direction over length_m. */
 double murk_media_optical_depth(const murk_media *media, int band,
-                                murk_vec3 origin, murk_vec3 direction,
-                                double length_m);
+                                murk_inside inside, murk_vec3 origin,
+                                murk_vec3 direction, double length_m);
 
 /* exp(-optical depth) between two points. */
 double murk_media_transmittance(const murk_media *media, int band,
-                                murk_vec3 from, murk_vec3 to);
+                                murk_inside inside, murk_vec3 from,
+                                murk_vec3 to);
 
 typedef struct murk_collision {
     double distance_m;
     size_t medium;           /* the partner */
     double albedo;           /* the partner's, in this band */
-    double mean_cosine;      /* likewise */
+    const murk_phase *phase; /* likewise */
     double scattering_per_m; /* of all media together at the place */
 } murk_collision;
 
 /* Flies until the optical depth reaches tau or the length is used up. True
  * and *collision filled when it collides; u in (0, 1) draws the partner. */
-bool murk_media_fly(const murk_media *media, int band, murk_vec3 origin,
-                    murk_vec3 direction, double length_m, double tau, double u,
-                    murk_collision *collision);
+bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
+                    murk_vec3 origin, murk_vec3 direction, double length_m,
+                    double tau, double u, murk_collision *collision);
 
 /* Sums over media at a point [1/m]. */
-double murk_media_extinction(const murk_media *media, int band, murk_vec3 p);
-double murk_media_scattering(const murk_media *media, int band, murk_vec3 p);
+double murk_media_extinction(const murk_media *media, int band,
+                             murk_inside inside, murk_vec3 p);
+double murk_media_scattering(const murk_media *media, int band,
+                             murk_inside inside, murk_vec3 p);
 
 /* Box of all bounded regions; empty when there are none. */
 murk_box murk_media_bounds(const murk_media *media);

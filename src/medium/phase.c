@@ -26,3 +26,23 @@ double murk_hg_sample(double g, double u)
     const double mu = (1 + g * g - s * s) / (2 * g);
     return fmin(1, fmax(-1, mu)); /* rounding near the ends of u */
 }
+
+murk_phase murk_phase_hg(double g)
+{
+    return (murk_phase){.kind = MURK_PHASE_HG, .g = g};
+}
+
+double murk_phase_density(const murk_phase *phase, double mu)
+{
+    return murk_hg_density(phase->g, mu);
+}
+
+double murk_phase_sample(const murk_phase *phase, double u)
+{
+    return murk_hg_sample(phase->g, u);
+}
+
+double murk_phase_mean_cosine(const murk_phase *phase)
+{
+    return phase->g;
+}

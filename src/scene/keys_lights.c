@@ -131,6 +131,8 @@ static const murk_key PHOTONS_ROWS[] = {
         .unit = "records", AT(murk_scene, photons.store)),
     ROW("store_when", WORD, .preset = "reflected", .words = STORE_WHEN_WORDS,
         AT(murk_scene, photons.store_hits)),
+    ROW("least_weight", NUMBER, .least = 1e-5, .most = 1, .preset = "1",
+        AT(murk_scene, photons.least_weight)),
     ROW("maps", WORD, .preset = "both", .words = MAPS_WORDS,
         AT(murk_scene, photons.maps)),
     ROW("max_stored", COUNT, .least = 1, .most = 4294967295.0,

@@ -105,6 +105,7 @@ typedef struct murk_scene_photons {
     murk_scene_where where;
     uint64_t emit, store; /* one of them is 0 */
     bool store_hits;      /* store_when: hit; false: reflected */
+    double least_weight;  /* 1: roulette alone */
     murk_scene_maps maps;
     uint64_t max_stored;
 } murk_scene_photons;

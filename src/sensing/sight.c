@@ -271,7 +271,7 @@ static double through_media(const look *l, murk_vec3 from, murk_vec3 to,
     const int n = murk_segment_cut(&desc->domain, from, to, 0, piece);
     double through = 1;
     for (int i = 0; i < n; ++i) {
-        through *= murk_media_transmittance(desc->media, band, piece[i].from,
+        through *= murk_media_transmittance(desc->media, band, 0, piece[i].from,
                                             piece[i].to);
     }
     return through;

@@ -4,17 +4,18 @@
 
 #define FIRST_ROOM 256
 
-/* The share of a packet that leaves the event, or 0 where none is stored. */
+/* The share of a packet that leaves the event in the mean (stored when hit) or
+ * now (stored when reflected); 0 where none is stored. */
 static double stored_share(const murk_harvest *h, const murk_event *event)
 {
     if (event->kind == MURK_EVENT_SURFACE && h->keeps_surface) {
-        return h->wish->store_hits              ? event->reflectance
-               : event->outcome == MURK_DIFFUSE ? 1
+        return h->wish->store_hits ? event->weight * event->reflectance
+               : event->outcome == MURK_DIFFUSE ? event->leaving
                                                 : 0;
     }
     if (event->kind == MURK_EVENT_MEDIUM && h->keeps_volume) {
-        return h->wish->store_hits                ? event->reflectance
-               : event->outcome == MURK_SCATTERED ? 1
+        return h->wish->store_hits ? event->weight * event->reflectance
+               : event->outcome == MURK_SCATTERED ? event->leaving
                                                   : 0;
     }
     return 0;

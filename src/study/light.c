@@ -17,9 +17,7 @@
 static murk_trace trace_of(const murk_stage *stage, uint32_t stream,
                            unsigned threads, uint64_t first, uint64_t last)
 {
-    murk_trace trace = murk_trace_defaults();
-    trace.world = &stage->world;
-    trace.seed = stage->scene->seed;
+    murk_trace trace = murk_stage_trace(stage);
     trace.stream = stream;
     trace.first = first;
     trace.last = last;

@@ -151,9 +151,11 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
         const murk_scene_medium *m = &scene->media[i];
         medium[i] = (murk_medium){.extinction_per_m = m->extinction_per_m,
                                   .albedo = m->albedo,
-                                  .mean_cosine = m->mean_cosine,
                                   .grid = stage->grid[i],
                                   .where = m->where};
+        for (int band = 0; band < scene->bands; ++band) {
+            medium[i].phase[band] = murk_phase_hg(m->mean_cosine.band[band]);
+        }
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         region[i] = region_of(&scene->regions[i]);
@@ -331,4 +333,13 @@ void murk_stage_destroy(murk_stage *stage)
     free(stage->grid);
     free(stage->mesh);
     free(stage);
+}
+
+murk_trace murk_stage_trace(const murk_stage *stage)
+{
+    murk_trace trace = murk_trace_defaults();
+    trace.world = &stage->world;
+    trace.seed = stage->scene->seed;
+    trace.least_weight = stage->scene->photons.least_weight;
+    return trace;
 }

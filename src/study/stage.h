@@ -27,4 +27,8 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
                               murk_error *err);
 void murk_stage_destroy(murk_stage *stage); /* NULL is fine */
 
+/* A trace of this world as the scene wants it; stream, photons, threads and
+ * sink are the caller's to set. */
+murk_trace murk_stage_trace(const murk_stage *stage);
+
 #endif

@@ -26,7 +26,7 @@ static void add_up(murk_ledger *ledger, const murk_sums *s)
         }
         for (int f = 0; f < MURK_FATES; ++f) {
             if (s->ended[c][f]) {
-                murk_tally_add(&account[f][c], s->ended[c][f] * MURK_PACKET);
+                murk_tally_add(&account[f][c], s->ended[c][f]);
             }
         }
     }
@@ -57,12 +57,17 @@ static void trace_batch(void *context, uint64_t batch)
 
 murk_trace murk_trace_defaults(void)
 {
-    return (murk_trace){.threads = 1, .events_max = 100000, .wraps_max = 10000};
+    return (murk_trace){.threads = 1,
+                        .events_max = 100000,
+                        .wraps_max = 10000,
+                        .least_weight = 1};
 }
 
 void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
 {
     assert(trace->first % MURK_BATCH_PHOTONS == 0);
+    assert(trace->least_weight >= MURK_LEAST_WEIGHT_MIN &&
+           trace->least_weight <= 1);
     assert(ledger->channels == murk_lights_channels(trace->world->lights));
     if (trace->last <= trace->first) {
         return;

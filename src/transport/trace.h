@@ -6,7 +6,12 @@
  * doi:10.1145/97879.97886): [0, d] reflected diffusely, (d, d+s] mirrored,
  * (d+s, d+s+t] transmitted, else absorbed. At a collision in a medium it is
  * scattered with probability albedo, else absorbed. Nothing here can fail:
- * what cannot be followed is counted as lost, by cause. */
+ * what cannot be followed is counted as lost, by cause.
+ *
+ * Where least_weight is below 1, a photon that has more than that share of its
+ * packet left is not put to the roulette: it leaves the absorbed part of its
+ * quanta behind and goes on with the rest; from that share down, roulette. So
+ * no quantum is ever made, and no mean changes. */
 #ifndef MURK_TRANSPORT_TRACE_H
 #define MURK_TRANSPORT_TRACE_H
 
@@ -71,6 +76,8 @@ typedef struct murk_event {
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
     murk_vec3 normal;        /* surfaces: unit, faces where it came from */
     double reflectance;      /* surfaces: diffuse share; media: albedo */
+    double weight;           /* share of its packet that arrives */
+    double leaving;          /* share that leaves; 0 when absorbed or lost */
     double path_m;           /* since the event before */
     double scattering_per_m; /* media: of all media at the place */
     murk_loss loss;
@@ -93,12 +100,16 @@ typedef struct murk_trace {
                              MURK_BATCH_PHOTONS; batch 0 starts at first */
     unsigned threads;
     uint32_t events_max, wraps_max;
+    double least_weight;  /* MURK_LEAST_WEIGHT_MIN..1 */
     murk_event_sink sink; /* may be NULL */
     void *context;
 } murk_trace;
 
-murk_trace
-murk_trace_defaults(void); /* threads 1; caps 1e5 events, 1e4 wraps */
+murk_trace murk_trace_defaults(
+    void); /* threads 1; caps 1e5 events, 1e4 wraps; least weight 1 */
+
+/* Below it, what rounding to whole quanta does could be seen. */
+#define MURK_LEAST_WEIGHT_MIN 1e-5
 
 /* Energy by channel (light * bands + band), in quanta. */
 typedef struct murk_ledger {

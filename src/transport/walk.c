@@ -25,7 +25,8 @@ typedef struct walk {
     const murk_course *course;
     murk_sums *sums;
     uint64_t batch, photon;
-    size_t light;
+    int64_t quanta; /* what is left of its packet */
+    size_t channel, light;
     int band;
     uint32_t number, wraps;
     murk_event_class event_class;
@@ -40,6 +41,26 @@ static murk_random4 draw(const walk *w, murk_purpose purpose)
                        w->number, 0);
 }
 
+static double share_of_packet(int64_t quanta)
+{
+    return (double)quanta / (double)MURK_PACKET;
+}
+
+/* Leaves behind all but the share `kept` of the photon's quanta, where it has
+ * enough of them to be split; u in (0, 1) rounds without bias. False where the
+ * roulette must decide instead. */
+static bool splits(walk *w, double kept, double u, murk_fate fate)
+{
+    if (w->quanta <= w->course->least_quanta) {
+        return false;
+    }
+    const int64_t left = (int64_t)floor((double)w->quanta * kept + u);
+    const int64_t quanta = left < w->quanta ? left : w->quanta;
+    w->sums->ended[w->channel][fate] += w->quanta - quanta;
+    w->quanta = quanta;
+    return true;
+}
+
 /* What all events tell. */
 static murk_event event_of(const walk *w, murk_event_kind kind)
 {
@@ -49,6 +70,8 @@ static murk_event event_of(const walk *w, murk_event_kind kind)
                         .number = w->number,
                         .light = (uint16_t)w->light,
                         .band = (uint8_t)w->band,
+                        .weight = share_of_packet(w->quanta),
+                        .leaving = share_of_packet(w->quanta),
                         .position = w->position,
                         .direction_in = w->direction};
 }
@@ -69,6 +92,7 @@ static murk_fate lose(walk *w, murk_loss loss)
     if (is_heard(w)) {
         murk_event event = event_of(w, MURK_EVENT_LOST);
         event.loss = loss;
+        event.leaving = 0;
         tell(w, &event);
     }
     return MURK_FATE_LOST;
@@ -142,18 +166,23 @@ static bool meets_surface(const walk *w, murk_hit *hit, double *distance_m)
 
 /* u: two numbers in (0, 1). Given that it scatters, what the roulette leaves of
  * its number is again uniform, and serves as the azimuth: so one collision
- * takes one draw of four. False when the photon ends there. */
+ * takes one draw of four. (A split rounds by the number that turns it: its
+ * quantum in a billion may go with the azimuth.) False when the photon ends
+ * there. */
 static bool scatter(walk *w, const murk_collision *c, const double u[2])
 {
-    const bool scatters = u[0] < c->albedo;
+    const int64_t before = w->quanta;
+    const bool is_split = splits(w, c->albedo, u[0], MURK_FATE_MEDIA);
+    const bool scatters = is_split ? w->quanta > 0 : u[0] < c->albedo;
+    const double azimuth = is_split ? u[0] : u[0] / c->albedo;
     const murk_vec3 arriving = w->direction;
     ++w->sums->collisions;
     w->position = w->probe =
         held_inside(&w->course->walls,
                     murk_along(w->position, c->distance_m, w->direction));
     if (scatters) {
-        w->direction = murk_turned(
-            arriving, murk_hg_sample(c->mean_cosine, u[1]), u[0] / c->albedo);
+        w->direction =
+            murk_turned(arriving, murk_phase_sample(c->phase, u[1]), azimuth);
     }
     if (is_heard(w)) {
         murk_event event = event_of(w, MURK_EVENT_MEDIUM);
@@ -161,6 +190,8 @@ static bool scatter(walk *w, const murk_collision *c, const double u[2])
         event.material_or_medium = (uint8_t)c->medium;
         event.direction_in = arriving;
         event.direction_out = scatters ? w->direction : murk_vec(0, 0, 0);
+        event.weight = share_of_packet(before);
+        event.leaving = scatters ? share_of_packet(w->quanta) : 0;
         event.reflectance = c->albedo;
         event.path_m = c->distance_m;
         event.scattering_per_m = c->scattering_per_m;
@@ -189,7 +220,14 @@ static bool bounce(walk *w, const murk_hit *hit, double path_m,
         n_from = murk_solids_ior(&w->solids);
         n_to = murk_solids_ior(&beyond);
     }
-    const murk_random4 random = draw(w, MURK_SURFACE);
+    murk_random4 random = draw(w, MURK_SURFACE);
+    const int64_t before = w->quanta;
+    const double kept = material->diffuse.band[w->band] +
+                        material->specular.band[w->band] +
+                        material->transmit.band[w->band];
+    if (kept < 1 && splits(w, kept, random.u[2], MURK_FATE_SURFACES)) {
+        random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
+    }
     const murk_bounce b = murk_surface_bounce(
         material, w->band, n_from, n_to, w->direction, hit->normal, random.u);
     w->position = murk_along(w->probe, hit->distance_m, w->direction);
@@ -199,6 +237,9 @@ static bool bounce(walk *w, const murk_hit *hit, double path_m,
         event.material_or_medium = hit->material;
         event.direction_out = b.direction;
         event.normal = hit->normal;
+        event.weight = share_of_packet(before);
+        event.leaving =
+            b.outcome == MURK_ABSORBED ? 0 : share_of_packet(w->quanta);
         event.reflectance = material->diffuse.band[w->band];
         event.path_m = path_m;
         tell(w, &event);
@@ -286,7 +327,7 @@ static inline bool collides(const walk *w, double length_m, murk_collision *c,
     const murk_random4 random = draw(w, MURK_FLIGHT);
     rest[0] = random.u[2];
     rest[1] = random.u[3];
-    return murk_media_fly(w->course->world->media, w->band, w->position,
+    return murk_media_fly(w->course->world->media, w->band, 0, w->position,
                           w->direction, length_m, -log(random.u[0]),
                           random.u[1], c);
 }
@@ -375,15 +416,17 @@ murk_course murk_course_of(const murk_trace *trace)
         fmax(fmax(fmax(fabs(box.min.x), fabs(box.min.y)), fabs(box.min.z)),
              fmax(fmax(fabs(box.max.x), fabs(box.max.y)), fabs(box.max.z)));
     const double grow = GROWN_BY * size;
-    return (murk_course){.trace = trace,
-                         .world = world,
-                         .walls = walls_of(&box, 0),
-                         .grown = walls_of(&box, grow),
-                         .margin_m = grow,
-                         .any_surfaces = facts.triangles + facts.spheres > 0,
-                         .any_solids = facts.solids > 0,
-                         .any_media = murk_media_any(world->media),
-                         .purpose_shift = MURK_STREAM * trace->stream};
+    return (murk_course){
+        .trace = trace,
+        .world = world,
+        .walls = walls_of(&box, 0),
+        .grown = walls_of(&box, grow),
+        .margin_m = grow,
+        .any_surfaces = facts.triangles + facts.spheres > 0,
+        .any_solids = facts.solids > 0,
+        .any_media = murk_media_any(world->media),
+        .purpose_shift = MURK_STREAM * trace->stream,
+        .least_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }
 
 void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
@@ -395,6 +438,8 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
               .sums = s,
               .batch = batch,
               .photon = photon,
+              .quanta = MURK_PACKET,
+              .channel = channel,
               .light = channel / (size_t)world->bands,
               .band = (int)(channel % (size_t)world->bands),
               .event_class = MURK_CLASS_FIRST};
@@ -407,5 +452,6 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
         event.direction_out = w.direction;
         tell(&w, &event);
     }
-    ++s->ended[channel][follow(&w)];
+    const murk_fate fate = follow(&w);
+    s->ended[channel][fate] += w.quanta;
 }

@@ -28,15 +28,16 @@ typedef struct murk_course {
     double margin_m;  /* by how much it is grown */
     bool any_surfaces, any_solids, any_media;
     uint32_t purpose_shift;
+    int64_t least_quanta; /* roulette from here down */
 } murk_course;
 
 murk_course murk_course_of(const murk_trace *trace);
 
-/* Sums of one batch, at most MURK_BATCH_PHOTONS in a cell: adding to the
- * shared ledger photon by photon would make the threads wait for each other. */
+/* Sums of one batch: adding to the shared ledger photon by photon would make
+ * the threads wait for each other. */
 typedef struct murk_sums {
-    uint16_t emitted[MURK_CHANNELS_MAX];
-    uint16_t ended[MURK_CHANNELS_MAX][MURK_FATES];
+    uint16_t emitted[MURK_CHANNELS_MAX];          /* photons */
+    int64_t ended[MURK_CHANNELS_MAX][MURK_FATES]; /* quanta */
     uint16_t lost[MURK_LOSSES];
     uint64_t collisions;
 } murk_sums;

@@ -30,7 +30,7 @@ static murk_status make(parts *p, murk_error *err)
     const murk_material black = {.name = "default"};
     const murk_medium medium = {.extinction_per_m = {{1.005}},
                                 .albedo = {{1 / 1.005}},
-                                .mean_cosine = {{.01}},
+                                .phase = {{.g = .01}},
                                 .where = "b1"};
     const murk_region region = {.shape = MURK_REGION_EVERYWHERE,
                                 .to_world = murk_affine_identity(),

@@ -133,9 +133,9 @@ static void world_batch(void *context, uint64_t batch)
 {
     contest *c = context;
     for (size_t i = batch * BATCH; i < (batch + 1) * BATCH; ++i) {
-        c->world[i] = murk_media_optical_depth(c->media, 0, c->world_origin[i],
-                                               c->world_direction[i],
-                                               c->world_length_m[i]);
+        c->world[i] = murk_media_optical_depth(
+            c->media, 0, 0, c->world_origin[i], c->world_direction[i],
+            c->world_length_m[i]);
     }
 }
 

@@ -1,11 +1,12 @@
-/* Stored when reflected and stored when hit say the same: irradiance on a wall
- * and fluence rate in a medium, from the maps, as the contract defines both.
+/* Stored when reflected, stored when hit, and photons that carry weights say
+ * the same: irradiance on a wall and fluence rate in a medium, from the maps,
+ * as the contract defines both.
  *
  * The events of one emitted photon are kept together: errors come from the
  * photons. Both ways share the photons' paths, so the difference is compared
  * with the error of the difference, photon by photon. The checks share a 1e-6
- * false-alarm budget. Teeth: a diffuse coefficient or albedo off by 10 % in
- * one of the two ways must fail. */
+ * false-alarm budget. Teeth: a diffuse coefficient or albedo off by 10 % (25 %
+ * where paths differ) in one of the two ways must fail. */
 #include "base/stats.h"
 #include "check.h"
 #include "stage_text.h"
@@ -15,7 +16,7 @@
 
 #define PHOTONS 20000
 #define DIFFUSE 0.4
-#define CHECKS  2
+#define CHECKS  6
 
 static const char scene_text[] =
     "murk: 1\n"
@@ -30,9 +31,10 @@ static const char scene_text[] =
 
 /* The irradiance (whole wall) and fluence (whole sphere) sums of each photon:
  * wall power / d, volume power / sigma_s; areas and volumes cancel. */
-static bool sums_by_photon(const char *store_when, double *wall, double *fog)
+static bool sums_by_photon(const char *store_when, const char *least_weight,
+                           double *wall, double *fog)
 {
-    const char *const overrides[] = {store_when, NULL};
+    const char *const overrides[] = {store_when, least_weight, NULL};
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(scene_text, overrides);
@@ -49,8 +51,8 @@ static bool sums_by_photon(const char *store_when, double *wall, double *fog)
             const murk_vec3 at = {p[i].position_m[0], p[i].position_m[1],
                                   p[i].position_m[2]};
             if (is_volume) {
-                fog[p[i].emitted] +=
-                    p[i].power_w / murk_media_scattering(stage->media, 0, at);
+                fog[p[i].emitted] += p[i].power_w / murk_media_scattering(
+                                                        stage->media, 0, 0, at);
             } else {
                 wall[p[i].emitted] += p[i].power_w / DIFFUSE;
             }
@@ -76,16 +78,27 @@ static double sigmas_between(const double *a, const double *b, double wrong)
 
 int main(void)
 {
-    double *sum = calloc(4 * PHOTONS, sizeof *sum);
-    double *wall[2] = {sum, sum + PHOTONS};
-    double *fog[2] = {sum + 2 * PHOTONS, sum + 3 * PHOTONS};
-    CHECK(sums_by_photon("photons.store_when=reflected", wall[0], fog[0]));
-    CHECK(sums_by_photon("photons.store_when=hit", wall[1], fog[1]));
+    static const char *const way[][2] = {
+        {"photons.store_when=reflected", "photons.least_weight=1"},
+        {"photons.store_when=hit", "photons.least_weight=1"},
+        {"photons.store_when=reflected", "photons.least_weight=0.01"},
+        {"photons.store_when=hit", "photons.least_weight=0.2"}};
+    double *sum = calloc(8 * PHOTONS, sizeof *sum);
+    double *wall[4], *fog[4];
     const double limit = murk_sidak_limit(1e-6, CHECKS);
-    CHECK(sigmas_between(wall[0], wall[1], 1) < limit);
-    CHECK(sigmas_between(fog[0], fog[1], 1) < limit);
-    CHECK(sigmas_between(wall[0], wall[1], 1.1) > limit);
-    CHECK(sigmas_between(fog[0], fog[1], 1.1) > limit);
+    for (size_t i = 0; i < 4; ++i) {
+        wall[i] = sum + 2 * i * PHOTONS;
+        fog[i] = wall[i] + PHOTONS;
+        CHECK(sums_by_photon(way[i][0], way[i][1], wall[i], fog[i]));
+    }
+    for (size_t i = 1; i < 4; ++i) {
+        CHECK(sigmas_between(wall[0], wall[i], 1) < limit);
+        CHECK(sigmas_between(fog[0], fog[i], 1) < limit);
+        /* Ways that share no paths are told apart less finely. */
+        const double wrong = i == 1 ? 1.1 : 1.25;
+        CHECK(sigmas_between(wall[0], wall[i], wrong) > limit);
+        CHECK(sigmas_between(fog[0], fog[i], wrong) > limit);
+    }
     free(sum);
     return check_done();
 }

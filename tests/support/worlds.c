@@ -88,7 +88,7 @@ murk_medium test_medium(double extinction_per_m, double albedo,
 {
     return (murk_medium){.extinction_per_m = {{extinction_per_m}},
                          .albedo = {{albedo}},
-                         .mean_cosine = {{mean_cosine}},
+                         .phase = {murk_phase_hg(mean_cosine)},
                          .where = "medium"};
 }
 

@@ -11,11 +11,11 @@ static const murk_box DOMAIN = {{-20, -20, -20}, {20, 20, 20}};
 
 static murk_medium even(double extinction_per_m, double albedo)
 {
-    return (murk_medium){.extinction_per_m =
-                             murk_spectrum_flat(extinction_per_m, 2),
-                         .albedo = murk_spectrum_flat(albedo, 2),
-                         .mean_cosine = murk_spectrum_flat(albedo / 2, 2),
-                         .where = "m.yaml:1:1: media.m"};
+    return (murk_medium){
+        .extinction_per_m = murk_spectrum_flat(extinction_per_m, 2),
+        .albedo = murk_spectrum_flat(albedo, 2),
+        .phase = {murk_phase_hg(albedo / 2), murk_phase_hg(albedo / 2)},
+        .where = "m.yaml:1:1: media.m"};
 }
 
 static murk_region everywhere(size_t medium)
@@ -57,7 +57,7 @@ static murk_media *build(const murk_medium *media, size_t n_media,
 static double depth(const murk_media *media, murk_vec3 from, murk_vec3 to)
 {
     const murk_vec3 way = murk_sub(to, from);
-    return murk_media_optical_depth(media, 0, from, murk_unit(way),
+    return murk_media_optical_depth(media, 0, 0, from, murk_unit(way),
                                     murk_length(way));
 }
 
@@ -67,10 +67,10 @@ static void test_clear_air_does_nothing(void)
     murk_collision c;
     CHECK(!murk_media_any(none));
     CHECK(depth(none, murk_vec(0, 0, 0), murk_vec(1, 2, 3)) == 0);
-    CHECK(!murk_media_fly(none, 0, murk_vec(0, 0, 0), murk_vec(1, 0, 0), 9,
+    CHECK(!murk_media_fly(none, 0, 0, murk_vec(0, 0, 0), murk_vec(1, 0, 0), 9,
                           1e-9, 0.5, &c));
     CHECK(murk_media_bounds(none).min.x > murk_media_bounds(none).max.x);
-    CHECK(murk_media_transmittance(none, 0, murk_vec(0, 0, 0),
+    CHECK(murk_media_transmittance(none, 0, 0, murk_vec(0, 0, 0),
                                    murk_vec(0, 0, 0)) == 1);
     murk_media_destroy(none);
 
@@ -78,8 +78,8 @@ static void test_clear_air_does_nothing(void)
     const murk_region at = everywhere(0);
     murk_media *nothing = build(&zero, 1, &at, 1);
     CHECK(!murk_media_any(nothing));
-    CHECK(!murk_media_fly(nothing, 0, murk_vec(0, 0, 0), murk_vec(1, 0, 0), 9,
-                          1e-9, 0.5, &c));
+    CHECK(!murk_media_fly(nothing, 0, 0, murk_vec(0, 0, 0), murk_vec(1, 0, 0),
+                          9, 1e-9, 0.5, &c));
     murk_media_destroy(nothing);
 }
 
@@ -117,9 +117,9 @@ static void test_neighbours_never_count_twice(void)
     murk_media *media = build(&fog, 1, two, 2);
     CHECK_NEAR(depth(media, murk_vec(1, 0.5, -1), murk_vec(1, 0.5, 2)), 1,
                1e-15);
-    CHECK(murk_media_extinction(media, 0, murk_vec(1, 0.5, 0.5)) == 1);
-    CHECK(murk_media_extinction(media, 0, murk_vec(2, 0.5, 0.5)) == 0);
-    CHECK(murk_media_extinction(media, 0, murk_vec(0, 0, 0)) == 1);
+    CHECK(murk_media_extinction(media, 0, 0, murk_vec(1, 0.5, 0.5)) == 1);
+    CHECK(murk_media_extinction(media, 0, 0, murk_vec(2, 0.5, 0.5)) == 0);
+    CHECK(murk_media_extinction(media, 0, 0, murk_vec(0, 0, 0)) == 1);
     CHECK(depth(media, murk_vec(2, 0.5, -1), murk_vec(2, 0.5, 2)) == 0);
     murk_media_destroy(media);
 }
@@ -152,21 +152,22 @@ static void test_regions_add_and_replace(void)
 
     murk_media *sum = build(media, 3, regions, 3);
     CHECK_NEAR(depth(sum, a, b), 1 + 4 + 4, 1e-14);
-    CHECK_NEAR(murk_media_extinction(sum, 0, murk_vec(2, 2, 2)), 3.1, 1e-15);
-    CHECK_NEAR(murk_media_scattering(sum, 0, murk_vec(2, 2, 2)), 1.05, 1e-15);
+    CHECK_NEAR(murk_media_extinction(sum, 0, 0, murk_vec(2, 2, 2)), 3.1, 1e-15);
+    CHECK_NEAR(murk_media_scattering(sum, 0, 0, murk_vec(2, 2, 2)), 1.05,
+               1e-15);
     murk_media_destroy(sum);
 
     regions[1].replaces = true;
     murk_media *box_alone = build(media, 3, regions, 3);
     CHECK_NEAR(depth(box_alone, a, b), 0.6 + 4 + 4, 1e-14);
-    CHECK(murk_media_extinction(box_alone, 0, murk_vec(2, 2, 2)) == 3);
+    CHECK(murk_media_extinction(box_alone, 0, 0, murk_vec(2, 2, 2)) == 3);
     murk_media_destroy(box_alone);
 
     regions[2].replaces = true;
     murk_media *hole = build(media, 3, regions, 3);
     CHECK_NEAR(depth(hole, a, b), 0.6 + 2 + 4, 1e-14);
-    CHECK(murk_media_extinction(hole, 0, murk_vec(2, 2, 2)) == 2);
-    CHECK(murk_media_extinction(hole, 0, murk_vec(0.1, 2, 2)) == 1);
+    CHECK(murk_media_extinction(hole, 0, 0, murk_vec(2, 2, 2)) == 2);
+    CHECK(murk_media_extinction(hole, 0, 0, murk_vec(0.1, 2, 2)) == 1);
     murk_media_destroy(hole);
 
     /* A clear region that replaces cuts a hole. */
@@ -211,7 +212,7 @@ static void test_random_regions_against_fine_steps(uint32_t seed)
         double stepped = 0;
         for (int k = 0; k < steps; ++k) {
             stepped += murk_media_extinction(
-                all, 0, murk_along(from, (k + 0.5) / steps, way));
+                all, 0, 0, murk_along(from, (k + 0.5) / steps, way));
         }
         stepped *= length / steps;
         const double got = depth(all, from, to);
@@ -224,14 +225,15 @@ static void test_random_regions_against_fine_steps(uint32_t seed)
 
         murk_collision c;
         const double tau = q.u[3] * got;
-        CHECK(murk_media_fly(all, 0, from, along, length, tau, p.u[3], &c));
-        CHECK_NEAR(murk_media_optical_depth(all, 0, from, along, c.distance_m),
-                   tau, 1e-12);
+        CHECK(murk_media_fly(all, 0, 0, from, along, length, tau, p.u[3], &c));
+        CHECK_NEAR(
+            murk_media_optical_depth(all, 0, 0, from, along, c.distance_m), tau,
+            1e-12);
         CHECK_NEAR(c.scattering_per_m,
-                   murk_media_scattering(all, 0,
+                   murk_media_scattering(all, 0, 0,
                                          murk_along(from, c.distance_m, along)),
                    1e-12);
-        CHECK(!murk_media_fly(all, 0, from, along, length, got * 1.000001,
+        CHECK(!murk_media_fly(all, 0, 0, from, along, length, got * 1.000001,
                               p.u[3], &c));
     }
     murk_media_destroy(all);
@@ -250,12 +252,12 @@ static void test_partner_by_extinction(void)
     const size_t want[] = {1, 1, 2, 2};
     for (int i = 0; i < 4; ++i) {
         murk_collision c;
-        CHECK(murk_media_fly(all, 1, murk_vec(0, 0, 0), murk_vec(0, 0, 1), 8, 2,
-                             u[i], &c));
+        CHECK(murk_media_fly(all, 1, 0, murk_vec(0, 0, 0), murk_vec(0, 0, 1), 8,
+                             2, u[i], &c));
         CHECK_NEAR(c.distance_m, 0.5, 1e-15);
         CHECK(c.medium == want[i]);
         CHECK(c.albedo == media[want[i]].albedo.band[1]);
-        CHECK(c.mean_cosine == media[want[i]].mean_cosine.band[1]);
+        CHECK(c.phase->g == media[want[i]].phase[1].g);
         CHECK_NEAR(c.scattering_per_m, 1.75, 1e-15);
     }
     murk_media_destroy(all);
@@ -270,14 +272,15 @@ static void test_a_flight_may_end_on_the_face(void)
     murk_media *media = build(&fog, 1, &region, 1);
     const murk_vec3 from = {-3, 3, 3}, x = {1, 0, 0};
     murk_collision c;
-    CHECK(murk_media_fly(media, 0, from, x, 20, 1, 0.5, &c));
+    CHECK(murk_media_fly(media, 0, 0, from, x, 20, 1, 0.5, &c));
     CHECK(c.distance_m == 8);
     CHECK(c.scattering_per_m == 0.125);
     const murk_vec3 face = murk_along(from, c.distance_m, x);
-    CHECK(!murk_media_fly(media, 0, face, x, 20, 1e-300, 0.5, &c));
-    CHECK(murk_media_fly(media, 0, face, murk_vec(-1, 0, 0), 20, 0.5, 0.5, &c));
+    CHECK(!murk_media_fly(media, 0, 0, face, x, 20, 1e-300, 0.5, &c));
+    CHECK(murk_media_fly(media, 0, 0, face, murk_vec(-1, 0, 0), 20, 0.5, 0.5,
+                         &c));
     CHECK(c.distance_m == 2);
-    CHECK(!murk_media_fly(media, 0, from, x, 7, 1, 0.5, &c));
+    CHECK(!murk_media_fly(media, 0, 0, from, x, 7, 1, 0.5, &c));
     murk_media_destroy(media);
 }
 
@@ -289,9 +292,9 @@ static void test_bands_are_apart(void)
     murk_media *media = build(&dye, 1, &at, 1);
     const murk_vec3 o = {0, 0, 0}, x = {1, 0, 0};
     CHECK(murk_media_any(media));
-    CHECK(murk_media_optical_depth(media, 0, o, x, 3) == 0);
-    CHECK(murk_media_optical_depth(media, 1, o, x, 3) == 6);
-    CHECK_NEAR(murk_media_transmittance(media, 1, o, murk_vec(0, 2, 0)),
+    CHECK(murk_media_optical_depth(media, 0, 0, o, x, 3) == 0);
+    CHECK(murk_media_optical_depth(media, 1, 0, o, x, 3) == 6);
+    CHECK_NEAR(murk_media_transmittance(media, 1, 0, o, murk_vec(0, 2, 0)),
                exp(-4), 1e-16);
     murk_media_destroy(media);
 }
@@ -307,10 +310,11 @@ static void test_odd_rays_end(void)
     murk_collision c;
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
-            (void)murk_media_fly(media, 0, murk_vec(odd[i], 0, 0),
+            (void)murk_media_fly(media, 0, 0, murk_vec(odd[i], 0, 0),
                                  murk_vec(odd[j], 0, 1), odd[(i + j) % 6], 1,
                                  0.5, &c);
-            (void)murk_media_optical_depth(media, 0, murk_vec(0.5, odd[i], 0),
+            (void)murk_media_optical_depth(media, 0, 0,
+                                           murk_vec(0.5, odd[i], 0),
                                            murk_vec(1, odd[j], 0), 5);
         }
     }
@@ -318,12 +322,12 @@ static void test_odd_rays_end(void)
         double number[7] = {0, 0, 0, 1, 0, 0, 5};
         number[i] = NAN;
         CHECK(murk_media_optical_depth(
-                  media, 0, murk_vec(number[0], number[1], number[2]),
+                  media, 0, 0, murk_vec(number[0], number[1], number[2]),
                   murk_vec(number[3], number[4], number[5]), number[6]) == 0);
     }
-    CHECK(murk_media_optical_depth(media, 0, murk_vec(0, 0, 0),
+    CHECK(murk_media_optical_depth(media, 0, 0, murk_vec(0, 0, 0),
                                    murk_vec(1, 0, 0), INFINITY) == INFINITY);
-    CHECK(murk_media_optical_depth(media, 0, murk_vec(0, 0, 0),
+    CHECK(murk_media_optical_depth(media, 0, 0, murk_vec(0, 0, 0),
                                    murk_vec(1, 0, 0), 0) == 0);
     murk_media_destroy(media);
 }
@@ -351,7 +355,7 @@ static void test_bad_values_are_named(void)
     bad.albedo.band[0] = 1.2;
     refuses(&bad, &at, good.where, "albedo is 1.2 (band 0), must be 0..1");
     bad = good;
-    bad.mean_cosine.band[0] = -1;
+    bad.phase[0].g = -1;
     refuses(&bad, &at, good.where, "mean cosine g is -1");
 
     murk_region region = box(0, 2, 1);

@@ -126,7 +126,7 @@ static void test_overlapping_grids_add(uint32_t seed)
                             ray.along, ray.length);
         want += plain_depth(&media[3], &regions[3], all.density[2], ray.from,
                             ray.along, ray.length);
-        const double got = murk_media_optical_depth(together, 0, ray.from,
+        const double got = murk_media_optical_depth(together, 0, 0, ray.from,
                                                     ray.along, ray.length);
         CHECK_NEAR(got, want, 1e-12);
         most = fmax(most, got - even);
@@ -134,19 +134,19 @@ static void test_overlapping_grids_add(uint32_t seed)
         const murk_random4 r = murk_random(seed, MURK_TEST, i, 12, 0);
         const double tau = r.u[0] * got;
         murk_collision c;
-        CHECK(murk_media_fly(together, 0, ray.from, ray.along, ray.length, tau,
-                             r.u[1], &c));
-        CHECK_NEAR(murk_media_optical_depth(together, 0, ray.from, ray.along,
+        CHECK(murk_media_fly(together, 0, 0, ray.from, ray.along, ray.length,
+                             tau, r.u[1], &c));
+        CHECK_NEAR(murk_media_optical_depth(together, 0, 0, ray.from, ray.along,
                                             c.distance_m),
                    tau, 1e-12);
         const murk_vec3 at = murk_along(ray.from, c.distance_m, ray.along);
-        CHECK_NEAR(c.scattering_per_m, murk_media_scattering(together, 0, at),
-                   1e-12);
-        CHECK(murk_media_extinction(together, 0, at) > 0);
-        CHECK(!murk_media_fly(together, 0, ray.from, ray.along, ray.length,
+        CHECK_NEAR(c.scattering_per_m,
+                   murk_media_scattering(together, 0, 0, at), 1e-12);
+        CHECK(murk_media_extinction(together, 0, 0, at) > 0);
+        CHECK(!murk_media_fly(together, 0, 0, ray.from, ray.along, ray.length,
                               got * (1 + 1e-9), r.u[1], &c));
         CHECK_NEAR(murk_media_transmittance(
-                       together, 0, ray.from,
+                       together, 0, 0, ray.from,
                        murk_along(ray.from, ray.length, ray.along)),
                    exp(-got), 1e-12);
     }
@@ -184,7 +184,7 @@ static void test_a_box_replaces_a_grid(uint32_t seed)
                                         leaves, ray.along, ray.length - t1) +
                             plain_depth(&media[2], &regions[2], all.density[2],
                                         ray.from, ray.along, ray.length);
-        CHECK_NEAR(murk_media_optical_depth(hidden, 0, ray.from, ray.along,
+        CHECK_NEAR(murk_media_optical_depth(hidden, 0, 0, ray.from, ray.along,
                                             ray.length),
                    want, 1e-12);
         cut_off += inside;
@@ -207,20 +207,21 @@ static void test_moves_with_its_placement(uint32_t seed)
     for (uint64_t i = 0; i < 200; ++i) {
         const line ray = random_line(seed, i);
         const double want =
-            murk_media_optical_depth(a, 0, ray.from, ray.along, ray.length);
+            murk_media_optical_depth(a, 0, 0, ray.from, ray.along, ray.length);
         const double got = murk_media_optical_depth(
-            b, 0, murk_affine_point(&moved.to_world, ray.from),
+            b, 0, 0, murk_affine_point(&moved.to_world, ray.from),
             murk_unit(murk_affine_direction(&moved.to_world, ray.along)),
             grown * ray.length);
         CHECK_NEAR(got, grown * want, 1e-11);
-        CHECK_NEAR(murk_media_extinction(
-                       b, 0,
-                       murk_affine_point(
-                           &moved.to_world,
-                           murk_along(ray.from, ray.length / 2, ray.along))),
-                   murk_media_extinction(
-                       a, 0, murk_along(ray.from, ray.length / 2, ray.along)),
-                   0);
+        CHECK_NEAR(
+            murk_media_extinction(
+                b, 0, 0,
+                murk_affine_point(
+                    &moved.to_world,
+                    murk_along(ray.from, ray.length / 2, ray.along))),
+            murk_media_extinction(
+                a, 0, 0, murk_along(ray.from, ray.length / 2, ray.along)),
+            0);
     }
     const murk_box box = murk_media_bounds(b);
     CHECK(box.min.x < box.max.x && isfinite(box.max.z));
@@ -250,7 +251,7 @@ static void count_flights(uint32_t seed, double extinction_per_m,
         const murk_random4 r = murk_random(seed, MURK_TEST, (uint64_t)i, 20, 0);
         murk_collision c;
         const bool hits =
-            murk_media_fly(media, 0, murk_vec(-1.5, 0, 0), murk_vec(1, 0, 0),
+            murk_media_fly(media, 0, 0, murk_vec(-1.5, 0, 0), murk_vec(1, 0, 0),
                            99, -log(r.u[0]), r.u[1], &c);
         counts[hits ? (int)(c.distance_m - 1) : N] += 1;
     }

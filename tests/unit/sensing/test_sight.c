@@ -302,8 +302,8 @@ static int twin(const world *w, murk_vec3 sensor, const murk_photon *p)
     }
     return murk_surfaces_blocked(w->surfaces, from, sensor, true)
                ? 0
-               : clarity(
-                     murk_media_transmittance(w->media, p->band, from, sensor));
+               : clarity(murk_media_transmittance(w->media, p->band, 0, from,
+                                                  sensor));
 }
 
 static void test_agrees_with_the_plain_twin(void)
