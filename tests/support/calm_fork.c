@@ -7,6 +7,7 @@
  * own, but log4cplus (which OpenVDB loads) starts four when the program
  * starts, and a fork soon after meets them in their first calloc. So each
  * fork() waits here until all other threads sleep. */
+#define _GNU_SOURCE /* pthread_setattr_default_np */
 #include <dirent.h>
 #include <pthread.h>
 #include <stdbool.h>
@@ -61,15 +62,31 @@ static void wait_for_calm(void)
     }
 }
 
-/* OpenVDB's readers start TBB threads in the forked child, which is sound: the
- * child has called nothing of TBB before. TSan would end it there. */
+/* OpenVDB starts a thread in the forked child, which is sound: the child has
+ * called nothing of it before. TSan would end it there. */
 const char *__tsan_default_options(void);
 const char *__tsan_default_options(void)
 {
     return "die_after_fork=0";
 }
 
+/* TSan knows threads by where their stack lies, and ends a child whose first
+ * thread gets the stack that one of the parent's had. A larger stack lies
+ * elsewhere. */
+static void want_new_stacks(void)
+{
+    pthread_attr_t attributes;
+    size_t size;
+    if (pthread_attr_init(&attributes) == 0) {
+        if (pthread_attr_getstacksize(&attributes, &size) == 0 &&
+            pthread_attr_setstacksize(&attributes, 4 * size) == 0) {
+            (void)pthread_setattr_default_np(&attributes);
+        }
+        pthread_attr_destroy(&attributes);
+    }
+}
+
 __attribute__((constructor)) static void make_forks_calm(void)
 {
-    pthread_atfork(wait_for_calm, NULL, NULL);
+    pthread_atfork(wait_for_calm, NULL, want_new_stacks);
 }
