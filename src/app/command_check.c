@@ -66,6 +66,20 @@ static void add_surfaces(cJSON *root, const findings *f)
     }
 }
 
+/* What the region fills; of an unbounded one the part in the domain. */
+static murk_box region_box(const findings *f, const murk_scene_region *r)
+{
+    const murk_stage *stage = f->session->stage;
+    murk_box box = stage->world.domain.box;
+    if (murk_extent_is_bounded(r)) {
+        return murk_extent_region(r, stage->grid[r->medium]);
+    }
+    if (r->shape == MURK_SCENE_BELOW && r->below_z_m < box.max.z) {
+        box.max.z = r->below_z_m;
+    }
+    return box.min.z < box.max.z ? box : murk_box_empty();
+}
+
 static void add_media(cJSON *root, const findings *f)
 {
     const murk_scene *scene = f->session->scene;
@@ -97,11 +111,11 @@ static void add_media(cJSON *root, const findings *f)
         const murk_scene_region *r = &scene->regions[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "medium", scene->media[r->medium].name);
-        const murk_box box =
-            r->shape == MURK_SCENE_EVERYWHERE
-                ? f->session->stage->world.domain.box
-                : murk_extent_region(r, f->session->stage->grid[r->medium]);
+        const murk_box box = region_box(f, r);
         add_box(item, "bounds", &box);
+        if (r->ior > 0) {
+            cJSON_AddNumberToObject(item, "ior", r->ior);
+        }
         cJSON_AddItemToArray(regions, item);
     }
 }
@@ -166,15 +180,20 @@ static void print_media(const findings *f)
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
+        const murk_box box = region_box(f, r);
+        printf("region      %s", scene->media[r->medium].name);
         if (r->shape == MURK_SCENE_EVERYWHERE) {
-            printf("region      %s everywhere\n", scene->media[r->medium].name);
-            continue;
+            printf(" everywhere");
+        } else if (r->shape == MURK_SCENE_BELOW) {
+            printf(" below z = %.4g m", r->below_z_m);
+        } else {
+            printf(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
+                   box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
         }
-        const murk_box box =
-            murk_extent_region(r, f->session->stage->grid[r->medium]);
-        printf("region      %s in %.4g %.4g %.4g to %.4g %.4g %.4g m\n",
-               scene->media[r->medium].name, box.min.x, box.min.y, box.min.z,
-               box.max.x, box.max.y, box.max.z);
+        if (r->ior > 0) {
+            printf(", index %.5g", r->ior);
+        }
+        printf("\n");
     }
 }
 

@@ -3,9 +3,10 @@
 #include <stdlib.h>
 
 static const char *const kind_name[] = {
-    [MURK_EVENT_EMITTED] = "emitted", [MURK_EVENT_SURFACE] = "surface",
-    [MURK_EVENT_MEDIUM] = "medium",   [MURK_EVENT_WRAPPED] = "wrapped",
-    [MURK_EVENT_ESCAPED] = "escaped", [MURK_EVENT_LOST] = "lost"};
+    [MURK_EVENT_EMITTED] = "emitted",    [MURK_EVENT_SURFACE] = "surface",
+    [MURK_EVENT_MEDIUM] = "medium",      [MURK_EVENT_WRAPPED] = "wrapped",
+    [MURK_EVENT_ESCAPED] = "escaped",    [MURK_EVENT_LOST] = "lost",
+    [MURK_EVENT_INTERFACE] = "interface"};
 static const char *const outcome_name[] = {[MURK_ABSORBED] = "absorbed",
                                            [MURK_DIFFUSE] = "reflected",
                                            [MURK_MIRRORED] = "mirrored",
@@ -30,6 +31,9 @@ static const char *partner(const replay *r, const murk_event *event)
         return scene->materials[event->material_or_medium].name;
     case MURK_EVENT_MEDIUM:
         return scene->media[event->material_or_medium].name;
+    case MURK_EVENT_INTERFACE:
+        return scene->media[scene->regions[event->material_or_medium].medium]
+            .name;
     case MURK_EVENT_LOST:
         return loss_name[event->loss];
     case MURK_EVENT_EMITTED:
@@ -43,7 +47,8 @@ static const char *partner(const replay *r, const murk_event *event)
 static bool has_outcome(const murk_event *event)
 {
     return event->kind == MURK_EVENT_SURFACE ||
-           event->kind == MURK_EVENT_MEDIUM;
+           event->kind == MURK_EVENT_MEDIUM ||
+           event->kind == MURK_EVENT_INTERFACE;
 }
 
 static void print_event(const replay *r, const murk_event *event)
@@ -52,7 +57,7 @@ static void print_event(const replay *r, const murk_event *event)
     char what[96];
     snprintf(what, sizeof what, "%s %s", partner(r, event),
              has_outcome(event) ? outcome_name[event->outcome] : "");
-    printf("%5u  %-8s %-26s %10.4f %10.4f %10.4f  %8.5f %8.5f %8.5f  %10.4f\n",
+    printf("%5u  %-9s %-26s %10.4f %10.4f %10.4f  %8.5f %8.5f %8.5f  %10.4f\n",
            event->number, kind_name[event->kind], what, p.x, p.y, p.z, d.x, d.y,
            d.z, event->path_m);
 }
@@ -119,7 +124,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
         cJSON_AddNumberToObject(root, "photon", (double)options->photon);
         r.events = cJSON_AddArrayToObject(root, "events");
     } else if (murk_session_speaks(&session)) {
-        printf("event  kind     what                              x m        "
+        printf("event  kind      what                              x m        "
                "y m        z m  direction out                    path m\n");
     }
     murk_trace trace = murk_stage_trace(session.stage);

@@ -11,6 +11,9 @@
 /* Times any float density it stays finite, so that no optical depth is NaN. */
 #define EXTINCTION_MAX 1e30
 
+/* How far rounding may turn and stretch a placement by similarity. */
+#define SIMILAR 1e-9
+
 static const char *place_of(const char *where, const char *otherwise)
 {
     return where ? where : otherwise;
@@ -69,6 +72,22 @@ static murk_status check_region(const murk_region *region,
                                     "lies: no other shape"
                                   : "this medium has no grid that says where "
                                     "it lies: needs a shape");
+    }
+    if (!(region->ior == 0 ||
+          (region->ior >= 1 && region->ior <= MURK_IOR_MAX))) {
+        return murk_fail(err, MURK_BAD_VALUE, where, "ior is %g, must be 1..%d",
+                         region->ior, MURK_IOR_MAX);
+    }
+    if (region->ior > 0 && region->shape == MURK_REGION_GRID) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "ior is %g, must be left out: a grid has no boundary "
+                         "that bends light",
+                         region->ior);
+    }
+    if (region->shape == MURK_REGION_BELOW && !isfinite(region->below_z_m)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "below_z_m is %g m, must be finite",
+                         region->below_z_m);
     }
     if (region->shape == MURK_REGION_BOX && !is_solid(&region->box)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -131,6 +150,45 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
     return MURK_OK;
 }
 
+/* A ball that is not one any more would need another test of crossing. */
+static bool is_similarity(const murk_affine *a)
+{
+    const double(*m)[3] = a->matrix;
+    double square[3], off = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        square[i] = m[0][i] * m[0][i] + m[1][i] * m[1][i] + m[2][i] * m[2][i];
+        off = fmax(off, fabs(m[0][i] * m[0][j] + m[1][i] * m[1][j] +
+                             m[2][i] * m[2][j]));
+    }
+    off = fmax(off,
+               fmax(fabs(square[1] - square[0]), fabs(square[2] - square[0])));
+    return off <= SIMILAR * square[0];
+}
+
+static murk_status shell_all(murk_media *media, const murk_region *regions,
+                             size_t n_regions, const murk_box *domain,
+                             murk_error *err)
+{
+    media->near_m = murk_shell_near(domain);
+    for (size_t i = 0; i < n_regions; ++i) {
+        if (!(regions[i].ior > 0)) {
+            continue;
+        }
+        if (!murk_shell_make(&media->shells[media->n_shells], i, &regions[i],
+                             domain) ||
+            !is_similarity(&media->shells[media->n_shells].to_local)) {
+            return murk_fail(err, MURK_BAD_VALUE,
+                             place_of(regions[i].where, "region"),
+                             "a region with an index must keep its shape "
+                             "when it is moved: no shear, one scale");
+        }
+        ++media->n_shells;
+    }
+    return murk_shells_check(media->shells, media->n_shells, regions, domain,
+                             err);
+}
+
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
                               size_t n_media, const murk_region *regions,
                               size_t n_regions, const murk_box *domain,
@@ -158,8 +216,9 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
     if (made) {
         made->media = calloc(n_media + 1, sizeof *made->media);
         made->places = calloc(n_regions + 1, sizeof *made->places);
+        made->shells = calloc(n_regions + 1, sizeof *made->shells);
     }
-    if (!made || !made->media || !made->places) {
+    if (!made || !made->media || !made->places || !made->shells) {
         status = murk_fail(err, MURK_NO_MEMORY, "regions",
                            "no memory for %zu regions", n_regions);
         goto done;
@@ -168,6 +227,9 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
         memcpy(made->media, media, n_media * sizeof *media);
     }
     status = place_all(made, regions, n_regions, domain, err);
+    if (!status) {
+        status = shell_all(made, regions, n_regions, domain, err);
+    }
     if (status) {
         goto done;
     }
@@ -183,6 +245,7 @@ void murk_media_destroy(murk_media *media)
     if (media) {
         free(media->media);
         free(media->places);
+        free(media->shells);
         free(media);
     }
 }
@@ -235,6 +298,7 @@ murk_box murk_media_bounds(const murk_media *media)
     for (size_t i = 0; i < media->n_places; ++i) {
         const murk_place *place = &media->places[i];
         if (place->shape != MURK_REGION_EVERYWHERE &&
+            place->shape != MURK_REGION_BELOW &&
             place->bounds.min.x <= place->bounds.max.x) {
             all = murk_box_with(all, place->bounds.min);
             all = murk_box_with(all, place->bounds.max);

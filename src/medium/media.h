@@ -3,7 +3,8 @@
  * sigma_t(x) = density(x) * extinction_per_m. Media of overlapping regions add
  * (extinctions sum, the partner of a collision is drawn in proportion to its
  * extinction), except that a region that replaces takes the place of those
- * listed before it. A grid's region is the box of its active voxels, moved
+ * listed before it; one with an index of refraction replaces, too
+ * (medium/interfaces.h). A grid's region is the box of its active voxels, moved
  * with it. Lower faces belong to a region, upper ones do not, so that regions
  * that share a face never count twice.
  *
@@ -25,6 +26,7 @@
 
 #define MURK_MEDIA_MAX   256
 #define MURK_REGIONS_MAX 64
+#define MURK_IOR_MAX     10
 
 typedef struct murk_medium {
     murk_spectrum extinction_per_m;   /* >= 0; times density in a grid */
@@ -38,7 +40,8 @@ typedef enum murk_region_shape {
     MURK_REGION_EVERYWHERE, /* homogeneous media only */
     MURK_REGION_BOX,
     MURK_REGION_SPHERE,
-    MURK_REGION_GRID /* where the medium's grid lies by its own transform */
+    MURK_REGION_GRID, /* where the medium's grid lies by its own transform */
+    MURK_REGION_BELOW /* half space: z less than below_z_m */
 } murk_region_shape;
 
 typedef struct murk_region {
@@ -47,15 +50,19 @@ typedef struct murk_region {
     murk_box box;     /* box */
     murk_vec3 center; /* sphere */
     double radius_m;
+    double below_z_m;     /* half space; in the world, wherever it is moved */
     murk_affine to_world; /* moves shape (and grid) as a whole; unused where
-                             everywhere */
+                             everywhere and below */
     bool replaces;
+    double ior; /* index of refraction, 1..MURK_IOR_MAX; 0: none. Refractive
+                   regions lie in one another or apart; no grids */
     const char *where;
 } murk_region;
 
-/* Which regions' meshes a ray lies in: bit i stands for region i. A ray must
- * not leave them on its way; regions of other shapes know by themselves where
- * they are, and their bits are not looked at. */
+/* The regions with a boundary (an index, or a mesh) that a ray lies in: bit i
+ * stands for region i. Flight and depth look at the bits of meshes alone, which
+ * a ray must not leave on its way: regions of other shapes know by themselves
+ * where they are. */
 typedef uint64_t murk_inside;
 
 typedef struct murk_media murk_media;

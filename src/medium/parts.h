@@ -4,6 +4,7 @@
 
 #include "medium/media.h"
 #include "medium/place.h"
+#include "medium/shell.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,6 +13,9 @@ struct murk_media {
     murk_medium *media;
     murk_place *places;
     size_t n_places;
+    murk_shell *shells; /* of the regions with an index, as listed */
+    size_t n_shells;
+    double near_m;                /* boundaries nearer than this are one */
     bool in_band[MURK_BANDS_MAX]; /* something extinguishes there */
 };
 

@@ -63,19 +63,27 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     const murk_affine identity = murk_affine_identity();
     murk_place made = {.medium = region->medium,
                        .shape = region->shape,
-                       .replaces = region->replaces,
+                       .replaces = region->replaces || region->ior > 0,
                        .box = region->box,
                        .center = region->center,
                        .radius = region->radius_m,
+                       .level = region->below_z_m,
                        .bounds = murk_box_empty()};
-    if (!murk_affine_invert(&region->to_world, &made.to_local)) {
+    const bool is_movable = region->shape != MURK_REGION_EVERYWHERE &&
+                            region->shape != MURK_REGION_BELOW;
+    const murk_affine *to_world = is_movable ? &region->to_world : &identity;
+    if (!murk_affine_invert(to_world, &made.to_local)) {
         return false;
     }
-    made.is_moved = memcmp(&region->to_world, &identity, sizeof identity) != 0;
+    made.is_moved = memcmp(to_world, &identity, sizeof identity) != 0;
     switch (region->shape) {
     case MURK_REGION_EVERYWHERE:
         made.bounds = (murk_box){{-INFINITY, -INFINITY, -INFINITY},
                                  {INFINITY, INFINITY, INFINITY}};
+        break;
+    case MURK_REGION_BELOW:
+        made.bounds = (murk_box){{-INFINITY, -INFINITY, -INFINITY},
+                                 {INFINITY, INFINITY, region->below_z_m}};
         break;
     case MURK_REGION_BOX:
         made.bounds = box_around(&region->to_world, &region->box);
@@ -91,6 +99,7 @@ bool murk_place_make(murk_place *place, const murk_region *region,
         break;
     }
     const bool is_bounded = made.shape != MURK_REGION_EVERYWHERE &&
+                            made.shape != MURK_REGION_BELOW &&
                             !(made.tree && made.tree->n_cells == 0);
     if (is_bounded &&
         !(murk_is_finite(made.bounds.min) && murk_is_finite(made.bounds.max))) {
@@ -160,6 +169,9 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
         return *t0 < *t1;
+    case MURK_REGION_BELOW:
+        clip_axis(-INFINITY, place->level, o->z, d->z, t0, t1);
+        return *t0 < *t1;
     case MURK_REGION_BOX:
         return clip_box(&place->box, o, d, t0, t1);
     case MURK_REGION_SPHERE:
@@ -194,6 +206,8 @@ bool murk_place_density(const murk_place *place, murk_vec3 p, double *density)
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
         return true;
+    case MURK_REGION_BELOW:
+        return p.z < place->level;
     case MURK_REGION_BOX:
         return box_holds(&place->box, at);
     case MURK_REGION_SPHERE:

@@ -21,6 +21,7 @@ typedef struct murk_place {
     murk_box box;  /* the shape in its own frame */
     murk_vec3 center;
     double radius;
+    double level;          /* half spaces */
     murk_affine to_local;  /* of a grid: index space shifted by a half */
     const murk_tree *tree; /* grids */
     murk_box bounds;       /* in the world; infinite when everywhere, empty when

@@ -98,7 +98,7 @@ static const murk_keys REGION_SPHERE = {
 };
 
 static const char *const REGION_VARIANTS[] = {"everywhere", "box", "sphere",
-                                              "grid"};
+                                              "grid", "half space"};
 
 /* A region without a shape is everywhere, or where its medium's grid lies. */
 static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
@@ -109,10 +109,11 @@ static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
     const murk_yaml *medium =
         media && name && name->text ? murk_yaml_get(media, name->text) : NULL;
     const bool has_grid = medium && murk_yaml_get(medium, "vdb");
-    *variant = murk_yaml_get(map, "box")      ? MURK_SCENE_IN_BOX
-               : murk_yaml_get(map, "sphere") ? MURK_SCENE_IN_SPHERE
-               : has_grid                     ? MURK_SCENE_IN_GRID
-                                              : MURK_SCENE_EVERYWHERE;
+    *variant = murk_yaml_get(map, "box")         ? MURK_SCENE_IN_BOX
+               : murk_yaml_get(map, "sphere")    ? MURK_SCENE_IN_SPHERE
+               : murk_yaml_get(map, "below_z_m") ? MURK_SCENE_BELOW
+               : has_grid                        ? MURK_SCENE_IN_GRID
+                                                 : MURK_SCENE_EVERYWHERE;
     if (has_grid && *variant != MURK_SCENE_IN_GRID) {
         return murk_walk_fail(walk, MURK_UNSUPPORTED, map, false,
                               "a %s around a grid medium is not supported yet, "
@@ -122,18 +123,22 @@ static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
+/* What may have an index of refraction: anything but a grid. */
+#define SHARP (~BIT(MURK_SCENE_IN_GRID))
+
 #define MOVABLE                                                      \
     .variants = BIT(MURK_SCENE_IN_BOX) | BIT(MURK_SCENE_IN_SPHERE) | \
                 BIT(MURK_SCENE_IN_GRID)
 
-/* A region everywhere is not moved; its members still hold the identity. */
+/* What is not moved still holds the identity. */
 static murk_status check_region(murk_walk *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_region *region = item;
     (void)walk;
     (void)map;
-    if (region->shape == MURK_SCENE_EVERYWHERE) {
+    if (region->shape == MURK_SCENE_EVERYWHERE ||
+        region->shape == MURK_SCENE_BELOW) {
         region->scale = 1;
     }
     return MURK_OK;
@@ -144,6 +149,8 @@ static const murk_key REGION_ROWS[] = {
         AT(murk_scene_region, medium)),
     ROW("box", MAP, .group = 1, .keys = &REGION_BOX),
     ROW("sphere", MAP, .group = 1, .keys = &REGION_SPHERE),
+    ROW("below_z_m", NUMBER, .group = 1, LONG_M,
+        AT(murk_scene_region, below_z_m)),
     ROW("scale", NUMBER, .above = true, .most = 1e9, MOVABLE, .preset = "1",
         AT(murk_scene_region, scale)),
     ROW("rotate_deg", VECTOR, ANY_UNIT, MOVABLE, .unit = "degrees",
@@ -151,9 +158,9 @@ static const murk_key REGION_ROWS[] = {
     ROW("translate_m", VECTOR, LONG_M, MOVABLE, .preset = "[0, 0, 0]",
         AT(murk_scene_region, translate_m)),
     ROW("replace", BOOL, .preset = "false", AT(murk_scene_region, replaces)),
-    LATER("below_z_m"),
+    ROW("ior", NUMBER, .least = 1, .most = 10, .variants = SHARP,
+        AT(murk_scene_region, ior)),
     LATER("mesh"),
-    LATER("ior"),
     END,
 };
 

@@ -62,7 +62,8 @@ typedef enum murk_scene_region_shape {
     MURK_SCENE_EVERYWHERE,
     MURK_SCENE_IN_BOX,
     MURK_SCENE_IN_SPHERE,
-    MURK_SCENE_IN_GRID
+    MURK_SCENE_IN_GRID,
+    MURK_SCENE_BELOW /* half space: z less than below_z_m */
 } murk_scene_region_shape;
 
 typedef struct murk_scene_region {
@@ -74,7 +75,9 @@ typedef struct murk_scene_region {
     double radius_m;
     murk_vec3 rotate_deg, translate_m;
     double scale;
+    double below_z_m;
     bool replaces;
+    double ior; /* 0: none */
 } murk_scene_region;
 
 typedef enum murk_scene_light_type {

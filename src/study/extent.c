@@ -63,6 +63,11 @@ murk_box murk_extent_geometry(const murk_scene_geometry *g,
     return box_around(&placed, &box);
 }
 
+bool murk_extent_is_bounded(const murk_scene_region *r)
+{
+    return r->shape != MURK_SCENE_EVERYWHERE && r->shape != MURK_SCENE_BELOW;
+}
+
 murk_box murk_extent_region(const murk_scene_region *r, const murk_grid *grid)
 {
     const murk_affine placed =
@@ -118,7 +123,11 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
     murk_box all = solid;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        if (r->shape != MURK_SCENE_EVERYWHERE) {
+        if (r->shape == MURK_SCENE_BELOW && is_empty(&solid)) {
+            return murk_fail(err, MURK_BAD_VALUE, r->where,
+                             "a half space needs a domain or geometry");
+        }
+        if (murk_extent_is_bounded(r)) {
             all = join(all, murk_extent_region(r, grid[r->medium]));
         }
     }

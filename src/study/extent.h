@@ -12,6 +12,9 @@ murk_box murk_extent_geometry(const murk_scene_geometry *geometry,
 murk_box murk_extent_region(const murk_scene_region *region,
                             const murk_grid *grid);
 
+/* Whether that box is finite: neither everywhere nor a half space. */
+bool murk_extent_is_bounded(const murk_scene_region *region);
+
 /* The scene's own domain, else the box of geometry, finite regions and lamps,
  * grown by 1 % of its longest side. mesh[geometries] and grid[n_media] as in
  * murk_stage. Fails where nothing finite is there to be lit. */

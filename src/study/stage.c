@@ -124,15 +124,18 @@ static murk_region region_of(const murk_scene_region *r)
         [MURK_SCENE_EVERYWHERE] = MURK_REGION_EVERYWHERE,
         [MURK_SCENE_IN_BOX] = MURK_REGION_BOX,
         [MURK_SCENE_IN_SPHERE] = MURK_REGION_SPHERE,
-        [MURK_SCENE_IN_GRID] = MURK_REGION_GRID};
+        [MURK_SCENE_IN_GRID] = MURK_REGION_GRID,
+        [MURK_SCENE_BELOW] = MURK_REGION_BELOW};
     return (murk_region){
         .medium = r->medium,
         .shape = shape_of[r->shape],
         .box = r->box,
         .center = r->center,
         .radius_m = r->radius_m,
+        .below_z_m = r->below_z_m,
         .to_world = murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
         .replaces = r->replaces,
+        .ior = r->ior,
         .where = r->where};
 }
 
@@ -225,7 +228,7 @@ static void warn_of_cuts(const murk_stage *stage)
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        if (r->shape != MURK_SCENE_EVERYWHERE) {
+        if (murk_extent_is_bounded(r)) {
             const murk_box box = murk_extent_region(r, stage->grid[r->medium]);
             warn_if_cut(r->where, &box, domain);
         }
@@ -238,6 +241,9 @@ static bool touches_sides(const murk_stage *stage, const murk_scene_region *r)
     const murk_box *domain = &stage->world.domain.box;
     if (r->shape == MURK_SCENE_EVERYWHERE) {
         return true;
+    }
+    if (r->shape == MURK_SCENE_BELOW) {
+        return r->below_z_m > domain->min.z;
     }
     const murk_box box = murk_extent_region(r, stage->grid[r->medium]);
     return box.min.x <= domain->min.x || box.max.x >= domain->max.x ||

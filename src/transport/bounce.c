@@ -28,8 +28,8 @@ static murk_vec3 mirrored(murk_vec3 d, murk_vec3 normal)
     return murk_trimmed(murk_along(d, -2 * murk_dot(d, normal), normal));
 }
 
-static murk_bounce bend(double n_from, double n_to, murk_vec3 direction,
-                        murk_vec3 normal, double u)
+murk_bounce murk_refract(double n_from, double n_to, murk_vec3 direction,
+                         murk_vec3 normal, double u)
 {
     const double cosine = fmin(1, fabs(murk_dot(direction, normal)));
     double refracted;
@@ -56,7 +56,7 @@ murk_bounce murk_surface_bounce(const murk_material *material, int band,
         return (murk_bounce){MURK_ABSORBED, murk_vec(0, 0, 0)};
     }
     if (n_to > 0) {
-        return bend(n_from, n_to, direction, normal, u[3]);
+        return murk_refract(n_from, n_to, direction, normal, u[3]);
     }
     if (u[0] <= d + s) {
         return (murk_bounce){MURK_MIRRORED, mirrored(direction, normal)};

@@ -20,6 +20,12 @@ typedef struct murk_bounce {
     murk_vec3 direction; /* unit, leaving; zero when absorbed */
 } murk_bounce;
 
+/* At a boundary between two indices: MURK_MIRRORED with the probability that
+ * Fresnel gives, else MURK_TRANSMITTED; u in (0, 1). Directions and normal as
+ * below. */
+murk_bounce murk_refract(double n_from, double n_to, murk_vec3 direction,
+                         murk_vec3 normal, double u);
+
 /* Unit direction of travel, unit normal facing where it came from. A surface
  * that does not bend has n_from = n_to = 0. u: four numbers in (0, 1). */
 murk_bounce murk_surface_bounce(const murk_material *material, int band,

@@ -5,8 +5,11 @@
  * decides (SPOQ paper, 3.1; Arvo and Kirk, SIGGRAPH 1990,
  * doi:10.1145/97879.97886): [0, d] reflected diffusely, (d, d+s] mirrored,
  * (d+s, d+s+t] transmitted, else absorbed. At a collision in a medium it is
- * scattered with probability albedo, else absorbed. Nothing here can fail:
- * what cannot be followed is counted as lost, by cause.
+ * scattered with probability albedo, else absorbed. At the boundary of a region
+ * or solid with an index, Snell and exact unpolarised Fresnel, by roulette; the
+ * index is that of the innermost solid, else of the last listed region around
+ * (medium/interfaces.h), else 1. Nothing here can fail: what cannot be followed
+ * is counted as lost, by cause.
  *
  * Where least_weight is below 1, a photon that has more than that share of its
  * packet left is not put to the roulette: it leaves the absorbed part of its
@@ -37,7 +40,9 @@ typedef enum murk_event_kind {
     MURK_EVENT_WRAPPED, /* left one side of a periodic domain, entered another
                          */
     MURK_EVENT_ESCAPED,
-    MURK_EVENT_LOST
+    MURK_EVENT_LOST,
+    MURK_EVENT_INTERFACE /* met the boundary of a region (whose number stands
+                            for a material's) where the index changes */
 } murk_event_kind;
 
 typedef enum murk_outcome {
@@ -74,7 +79,7 @@ typedef struct murk_event {
     murk_vec3 position;      /* wrapped: where it left */
     murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
-    murk_vec3 normal;        /* surfaces: unit, faces where it came from */
+    murk_vec3 normal;        /* boundaries: unit, faces where it came from */
     double reflectance;      /* surfaces: diffuse share; media: albedo */
     double weight;           /* share of its packet that arrives */
     double leaving;          /* share that leaves; 0 when absorbed or lost */

@@ -6,10 +6,14 @@
  * grown box. `probe` is the place that the next surface is looked for from; it
  * differs from `position` where a photon starts: light that enters through a
  * side must not miss a surface lying in it, and a lamp's own ceiling must not
- * stop its light. */
+ * stop its light.
+ *
+ * Boundaries of refractive regions are met exactly, in double: `inside`, not
+ * the position, says on which side of them the photon is. */
 #include "transport/walk.h"
 
 #include "base/rng.h"
+#include "medium/interfaces.h"
 #include "medium/phase.h"
 #include "transport/bounce.h"
 #include "transport/solids.h"
@@ -32,6 +36,7 @@ typedef struct walk {
     murk_event_class event_class;
     murk_vec3 position, direction, probe;
     murk_solids solids;
+    murk_inside inside; /* regions with a boundary that it is in */
 } walk;
 
 static murk_random4 draw(const walk *w, murk_purpose purpose)
@@ -202,23 +207,78 @@ static bool scatter(walk *w, const murk_collision *c, const double u[2])
     return scatters;
 }
 
-/* Steps over to where the photon goes on. False when it ends there, *ended
- * telling how. */
+/* The index of refraction in these solids and regions. */
+static double index_in(const walk *w, const murk_solids *solids,
+                       murk_inside inside)
+{
+    return solids->n > 0 ? murk_solids_ior(solids)
+                         : murk_media_index(w->course->world->media, inside);
+}
+
+/* At a mirror or a boundary. */
+static void note_specular(walk *w)
+{
+    if (w->event_class == MURK_CLASS_FIRST) {
+        w->event_class = MURK_CLASS_SPECULAR;
+    }
+    w->wraps = 0;
+}
+
+/* Flies to the boundary of regions ahead, and is reflected or goes on beyond
+ * it. A boundary that does not change the index is no event. */
+static void meet_boundary(walk *w, const murk_boundary *b)
+{
+    const murk_vec3 arriving = w->direction;
+    const double lead = murk_dot(murk_sub(w->probe, w->position), arriving);
+    w->position = held_inside(&w->course->walls,
+                              murk_along(w->position, b->distance_m, arriving));
+    if (!(lead > b->distance_m)) {
+        w->probe = w->position;
+    }
+    const murk_inside beyond = w->inside ^ b->crossed;
+    const double n_from = index_in(w, &w->solids, w->inside);
+    const double n_to = index_in(w, &w->solids, beyond);
+    if (n_from == n_to) {
+        w->inside = beyond;
+        return;
+    }
+    const murk_bounce bent = murk_refract(n_from, n_to, arriving, b->normal,
+                                          draw(w, MURK_SURFACE).u[3]);
+    if (is_heard(w)) {
+        murk_event event = event_of(w, MURK_EVENT_INTERFACE);
+        event.outcome = bent.outcome;
+        event.material_or_medium = (uint8_t)b->region;
+        event.direction_out = bent.direction;
+        event.normal = b->normal;
+        event.path_m = b->distance_m;
+        tell(w, &event);
+    }
+    w->direction = bent.direction;
+    if (bent.outcome == MURK_TRANSMITTED) {
+        w->inside = beyond;
+    }
+    note_specular(w);
+}
+
+/* Steps over to where the photon goes on; `crossed` are regions whose boundary
+ * lies in this surface. False when it ends there, *ended telling how. */
 static bool bounce(walk *w, const murk_hit *hit, double path_m,
-                   murk_fate *ended)
+                   murk_inside crossed, murk_fate *ended)
 {
     const murk_surfaces *surfaces = w->course->world->surfaces;
     const murk_material *material =
         murk_surfaces_material(surfaces, hit->material);
     murk_solids beyond = w->solids;
+    murk_inside inside = w->inside;
     double n_from = 0, n_to = 0;
     if (hit->solid && material->ior > 0) {
         if (!murk_solids_cross(&beyond, hit->solid, material->ior)) {
             *ended = lose(w, MURK_LOSS_NUMERICAL);
             return false;
         }
-        n_from = murk_solids_ior(&w->solids);
-        n_to = murk_solids_ior(&beyond);
+        inside ^= crossed;
+        n_from = index_in(w, &w->solids, w->inside);
+        n_to = index_in(w, &beyond, inside);
     }
     murk_random4 random = draw(w, MURK_SURFACE);
     const int64_t before = w->quanta;
@@ -251,17 +311,16 @@ static bool bounce(walk *w, const murk_hit *hit, double path_m,
     const bool through = b.outcome == MURK_TRANSMITTED;
     if (through) {
         w->solids = beyond;
+        w->inside = inside;
     }
     w->direction = b.direction;
     w->position = w->probe = murk_surfaces_leave(
         surfaces, w->position,
         through ? murk_scale(-1, hit->normal) : hit->normal);
+    note_specular(w);
     if (b.outcome == MURK_DIFFUSE) {
         w->event_class = MURK_CLASS_LATER;
-    } else if (w->event_class == MURK_CLASS_FIRST) {
-        w->event_class = MURK_CLASS_SPECULAR;
     }
-    w->wraps = 0;
     return true;
 }
 
@@ -315,6 +374,8 @@ static bool pass_side(walk *w, double path_m, murk_fate *ended)
     }
     ++w->wraps;
     put_on_wall(walls, axis, !upper, &w->position);
+    w->inside = murk_media_wrapped(w->course->world->media, w->inside,
+                                   w->position, axis);
     enter(w);
     return true;
 }
@@ -327,9 +388,24 @@ static inline bool collides(const walk *w, double length_m, murk_collision *c,
     const murk_random4 random = draw(w, MURK_FLIGHT);
     rest[0] = random.u[2];
     rest[1] = random.u[3];
-    return murk_media_fly(w->course->world->media, w->band, 0, w->position,
-                          w->direction, length_m, -log(random.u[0]),
-                          random.u[1], c);
+    return murk_media_fly(w->course->world->media, w->band, w->inside,
+                          w->position, w->direction, length_m,
+                          -log(random.u[0]), random.u[1], c);
+}
+
+/* Which comes first: the boundary, the surface at path_m, or both at once?
+ * Surfaces are known in single precision only, so within what they are moved
+ * off by a boundary counts as lying in them: the floor of a tank is wet, and
+ * glass that holds water lets light straight through from one to the other. */
+typedef enum order { BOUNDARY_FIRST, TOGETHER, SURFACE_FIRST } order;
+
+static order order_of(const walk *w, const murk_boundary *b, double path_m)
+{
+    const double gap =
+        (path_m - b->distance_m) * fabs(murk_dot(b->normal, w->direction));
+    return gap > w->course->near_m    ? BOUNDARY_FIRST
+           : gap < -w->course->near_m ? SURFACE_FIRST
+                                      : TOGETHER;
 }
 
 static murk_fate follow(walk *w)
@@ -344,9 +420,16 @@ static murk_fate follow(walk *w)
         }
         murk_collision collision;
         double rest[2];
+        murk_boundary boundary;
+        bool bends =
+            r->any_interfaces &&
+            murk_media_boundary(r->world->media, w->inside, w->position,
+                                w->direction, INFINITY, &boundary);
         /* With no surfaces most legs end in a medium: the others alone look
          * for the side. */
-        if (only_media && collides(w, INFINITY, &collision, rest) &&
+        if (only_media &&
+            collides(w, bends ? boundary.distance_m : INFINITY, &collision,
+                     rest) &&
             is_between(&r->walls, murk_along(w->position, collision.distance_m,
                                              w->direction))) {
             if (!scatter(w, &collision, rest)) {
@@ -361,6 +444,16 @@ static murk_fate follow(walk *w)
         }
         murk_hit hit;
         const bool met = r->any_surfaces && meets_surface(w, &hit, &length_m);
+        murk_inside crossed = 0;
+        if (bends && met) {
+            const order o = order_of(w, &boundary, length_m);
+            bends = o == BOUNDARY_FIRST;
+            crossed = o == TOGETHER ? boundary.crossed : 0;
+        }
+        bends = bends && boundary.distance_m < length_m;
+        if (bends) {
+            length_m = boundary.distance_m;
+        }
         if (media_too && w->solids.n == 0 &&
             collides(w, length_m, &collision, rest)) {
             if (!scatter(w, &collision, rest)) {
@@ -368,8 +461,12 @@ static murk_fate follow(walk *w)
             }
             continue;
         }
+        if (bends) {
+            meet_boundary(w, &boundary);
+            continue;
+        }
         murk_fate ended;
-        if (met ? !bounce(w, &hit, length_m, &ended)
+        if (met ? !bounce(w, &hit, length_m, crossed, &ended)
                 : !pass_side(w, length_m, &ended)) {
             return ended;
         }
@@ -382,6 +479,7 @@ static void start(walk *w, murk_ray ray)
     const murk_light *light = murk_lights_get(r->world->lights, w->light);
     w->position = w->probe = ray.origin;
     w->direction = ray.direction;
+    w->inside = murk_media_inside(r->world->media, ray.origin);
     if (!r->any_surfaces) {
         return;
     }
@@ -416,15 +514,20 @@ murk_course murk_course_of(const murk_trace *trace)
         fmax(fmax(fmax(fabs(box.min.x), fabs(box.min.y)), fabs(box.min.z)),
              fmax(fmax(fabs(box.max.x), fabs(box.max.y)), fabs(box.max.z)));
     const double grow = GROWN_BY * size;
+    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    const double step =
+        murk_length(murk_surfaces_leave(world->surfaces, zero, up));
     return (murk_course){
         .trace = trace,
         .world = world,
         .walls = walls_of(&box, 0),
         .grown = walls_of(&box, grow),
         .margin_m = grow,
+        .near_m = 2 * step,
         .any_surfaces = facts.triangles + facts.spheres > 0,
         .any_solids = facts.solids > 0,
         .any_media = murk_media_any(world->media),
+        .any_interfaces = murk_media_bends(world->media),
         .purpose_shift = MURK_STREAM * trace->stream,
         .least_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }

@@ -26,7 +26,8 @@ typedef struct murk_course {
     murk_walls walls; /* the domain's */
     murk_walls grown; /* where surfaces are looked for */
     double margin_m;  /* by how much it is grown */
-    bool any_surfaces, any_solids, any_media;
+    double near_m;    /* a boundary nearer to a surface lies in it */
+    bool any_surfaces, any_solids, any_media, any_interfaces;
     uint32_t purpose_shift;
     int64_t least_quanta; /* roulette from here down */
 } murk_course;

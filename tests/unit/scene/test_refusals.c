@@ -138,13 +138,33 @@ static const refusal REFUSALS[] = {
     /* regions */
     {"regions:\n  - {medium: fog}\n", VALUE, "fog.yaml:3:14: regions.0.medium",
      "fog is not in media, must be a name given there: there are none"},
-    {"regions:\n  - {medium: fog, below_z_m: 0}\n", LATER,
-     "fog.yaml:3:19: regions.0.below_z_m", "not supported yet"},
+    {"regions:\n  - {medium: fog, below_z_m: 0, ior: 0.9}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:38: regions.0.ior", "0.9, must be 1..10"},
+    {"regions:\n  - {medium: fog, below_z_m: .inf}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:30: regions.0.below_z_m",
+     ".inf, must be a number, -1e9..1e9 m"},
+    {"regions:\n  - {medium: fog, below_z_m: 0, scale: 2}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:33: regions.0.scale",
+     "not a key of a region (half space), must be one of medium, box, sphere, "
+     "below_z_m, replace, ior"},
+    {"regions:\n  - {medium: a, ior: 1.5}\n"
+     "media: {a: {vdb: x, extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:17: regions.0.ior",
+     "not a key of a region (grid), must be one of medium, box, sphere, "
+     "below_z_m, scale, rotate_deg, translate_m, replace"},
+    {"regions:\n  - {medium: fog, below_z_m: 0, sphere: {center_m: [0, 0, 0], "
+     "radius_m: 1}}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:5: regions.0",
+     "has sphere and below_z_m, must have one of them"},
     {"regions:\n  - {medium: fog, scale: 2}\n"
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:19: regions.0.scale",
      "not a key of a region (everywhere), must be one of medium, box, sphere, "
-     "replace"},
+     "below_z_m, replace, ior"},
     {"regions:\n  - {medium: a, sphere: {center_m: [0, 0, 0], radius_m: 1}}\n"
      "media: {a: {vdb: x, extinction_per_m: 1, albedo: 1}}\n",
      LATER, "fog.yaml:3:5: regions.0",

@@ -60,7 +60,7 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK(scene->media[2].extinction_per_m.band[0] == 1e-3);
     CHECK(scene->media[2].mean_cosine.band[0] == 0);
 
-    CHECK(scene->n_regions == 4);
+    CHECK(scene->n_regions == 5);
     CHECK(scene->regions[0].shape == MURK_SCENE_EVERYWHERE);
     CHECK(scene->regions[0].scale == 1 && scene->regions[0].medium == 0);
     CHECK(scene->regions[1].shape == MURK_SCENE_IN_GRID);
@@ -69,6 +69,9 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK(scene->regions[2].replaces && !scene->regions[3].replaces);
     CHECK(scene->regions[3].shape == MURK_SCENE_IN_SPHERE);
     CHECK(scene->regions[3].center.x == 5 && scene->regions[3].medium == 2);
+    CHECK(scene->regions[3].ior == 0 && scene->regions[4].ior == 1.34);
+    CHECK(scene->regions[4].shape == MURK_SCENE_BELOW);
+    CHECK(scene->regions[4].below_z_m == -0.5 && scene->regions[4].scale == 1);
 }
 
 static void test_lights(const murk_scene *scene)
@@ -105,7 +108,7 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
     CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
     CHECK(sensors->grid_max.y == 19);
-    CHECK_TEXT(sensors->grid_where, "fog.yaml:46:5: sensors.candidates.grid");
+    CHECK_TEXT(sensors->grid_where, "fog.yaml:47:5: sensors.candidates.grid");
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);

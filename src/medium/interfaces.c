@@ -1,0 +1,251 @@
+#include "medium/interfaces.h"
+
+#include "medium/parts.h"
+
+#include <math.h>
+
+/* What one shell says of a ray, in the world. */
+typedef struct meeting {
+    double distance;
+    murk_vec3 normal; /* of any length and to either side */
+} meeting;
+
+/* A row of to_local is the normal of that face, in the world. */
+static murk_vec3 face_normal(const murk_shell *shell, int axis)
+{
+    const double *row = shell->to_local.matrix[axis];
+    return murk_vec(row[0], row[1], row[2]);
+}
+
+/* Out through the nearest of the faces that the ray heads for, wherever it
+ * stands: one already passed is met at once. Parallel faces give infinity or
+ * NaN, which is never less. */
+static bool leave_box(const murk_shell *shell, murk_vec3 o, murk_vec3 d,
+                      meeting *met)
+{
+    const murk_box *box = &shell->box;
+    const double ahead[3] = {
+        d.x == 0 ? INFINITY : ((d.x > 0 ? box->max.x : box->min.x) - o.x) / d.x,
+        d.y == 0 ? INFINITY : ((d.y > 0 ? box->max.y : box->min.y) - o.y) / d.y,
+        d.z == 0 ? INFINITY
+                 : ((d.z > 0 ? box->max.z : box->min.z) - o.z) / d.z};
+    int axis = -1;
+    met->distance = INFINITY;
+    for (int i = 0; i < 3; ++i) {
+        if (ahead[i] < met->distance) {
+            met->distance = ahead[i];
+            axis = i;
+        }
+    }
+    if (axis < 0) {
+        return false;
+    }
+    met->distance = fmax(0, met->distance);
+    met->normal = face_normal(shell, axis);
+    return true;
+}
+
+/* Where a ray outside enters. A ray that stands on a face lies inside by
+ * rounding only: it has just left when the way out is nearer than the way in,
+ * so what counts is whether the middle of its chord lies ahead. */
+static bool enter_box(const murk_shell *shell, murk_vec3 o, murk_vec3 d,
+                      meeting *met)
+{
+    const double from[3] = {o.x, o.y, o.z}, along[3] = {d.x, d.y, d.z};
+    const double min[3] = {shell->box.min.x, shell->box.min.y,
+                           shell->box.min.z};
+    const double max[3] = {shell->box.max.x, shell->box.max.y,
+                           shell->box.max.z};
+    double t0 = -INFINITY, t1 = INFINITY;
+    int axis = -1;
+    for (int i = 0; i < 3; ++i) {
+        if (along[i] == 0) {
+            if (!(from[i] > min[i] && from[i] < max[i])) {
+                return false;
+            }
+            continue;
+        }
+        const double a = (min[i] - from[i]) / along[i];
+        const double b = (max[i] - from[i]) / along[i];
+        const double enter = along[i] > 0 ? a : b;
+        const double leave = along[i] > 0 ? b : a;
+        if (enter > t0) {
+            t0 = enter;
+            axis = i;
+        }
+        t1 = leave < t1 ? leave : t1;
+    }
+    if (axis < 0 || !(t0 < t1 && t0 + t1 > 0)) {
+        return false;
+    }
+    met->distance = fmax(0, t0);
+    met->normal = face_normal(shell, axis);
+    return true;
+}
+
+/* The middle of the chord lies at `nearest`, so the rule of enter_box() is
+ * that the ray heads inwards. Inside, rounding may leave no chord for a ray
+ * that grazes: it is then left at its nearest point. */
+static bool meet_sphere(const murk_shell *shell, bool is_inside, murk_vec3 o,
+                        murk_vec3 d, meeting *met)
+{
+    const double square = murk_dot(d, d);
+    const double nearest = murk_dot(murk_sub(shell->center, o), d) / square;
+    const murk_vec3 off = murk_sub(murk_along(o, nearest, d), shell->center);
+    const double left = shell->radius * shell->radius - murk_dot(off, off);
+    const double half = left > 0 ? sqrt(left / square) : 0;
+    if (isnan(left) || (!is_inside && !(half > 0 && nearest > 0))) {
+        return false;
+    }
+    met->distance = fmax(0, is_inside ? nearest + half : nearest - half);
+    const murk_vec3 n =
+        murk_sub(murk_along(o, met->distance, d), shell->center);
+    const double(*m)[3] = shell->to_local.matrix;
+    met->normal = murk_vec(m[0][0] * n.x + m[1][0] * n.y + m[2][0] * n.z,
+                           m[0][1] * n.x + m[1][1] * n.y + m[2][1] * n.z,
+                           m[0][2] * n.x + m[1][2] * n.y + m[2][2] * n.z);
+    return true;
+}
+
+static bool meet(const murk_shell *shell, bool is_inside, murk_vec3 o,
+                 murk_vec3 d, meeting *met)
+{
+    if (shell->is_moved) {
+        o = murk_affine_point(&shell->to_local, o);
+        d = murk_affine_direction(&shell->to_local, d);
+    }
+    switch (shell->shape) {
+    case MURK_REGION_BOX:
+    case MURK_REGION_BELOW:
+        return is_inside ? leave_box(shell, o, d, met)
+                         : enter_box(shell, o, d, met);
+    case MURK_REGION_SPHERE:
+        return meet_sphere(shell, is_inside, o, d, met);
+    case MURK_REGION_EVERYWHERE:
+    case MURK_REGION_GRID:
+        break;
+    }
+    return false;
+}
+
+/* The normal facing where the ray came from, unit. */
+static murk_vec3 facing(const meeting *met, bool is_inside, murk_vec3 direction,
+                        const murk_shell *shell)
+{
+    const murk_vec3 n = murk_unit(met->normal);
+    const bool flips = shell->shape == MURK_REGION_SPHERE
+                           ? is_inside
+                           : murk_dot(n, direction) > 0;
+    return flips ? murk_scale(-1, n) : n;
+}
+
+bool murk_media_bends(const murk_media *media)
+{
+    return media->n_shells > 0;
+}
+
+murk_inside murk_media_inside(const murk_media *media, murk_vec3 point)
+{
+    murk_inside inside = 0;
+    for (size_t i = 0; i < media->n_shells; ++i) {
+        const murk_shell *shell = &media->shells[i];
+        if (murk_shell_holds(shell, point)) {
+            inside |= (murk_inside)1 << shell->region;
+        }
+    }
+    return inside;
+}
+
+double murk_media_index(const murk_media *media, murk_inside inside)
+{
+    for (size_t i = media->n_shells; i-- > 0;) {
+        if (inside >> media->shells[i].region & 1) {
+            return media->shells[i].ior;
+        }
+    }
+    return 1;
+}
+
+bool murk_media_boundary(const murk_media *media, murk_inside inside,
+                         murk_vec3 origin, murk_vec3 direction, double max_m,
+                         murk_boundary *boundary)
+{
+    meeting met[MURK_REGIONS_MAX];
+    double nearest = max_m;
+    bool any = false;
+    for (size_t i = 0; i < media->n_shells; ++i) {
+        const murk_shell *shell = &media->shells[i];
+        const bool is_inside = inside >> shell->region & 1;
+        if (!meet(shell, is_inside, origin, direction, &met[i])) {
+            met[i].distance = INFINITY;
+        } else if (met[i].distance < nearest) {
+            nearest = met[i].distance;
+            any = true;
+        }
+    }
+    if (!any) {
+        return false;
+    }
+    *boundary = (murk_boundary){.distance_m = nearest};
+    for (size_t i = 0; i < media->n_shells; ++i) {
+        const murk_shell *shell = &media->shells[i];
+        const double behind = met[i].distance - nearest;
+        if (!(behind < INFINITY)) {
+            continue;
+        }
+        const bool is_inside = inside >> shell->region & 1;
+        const murk_vec3 normal = facing(&met[i], is_inside, direction, shell);
+        if (behind * fabs(murk_dot(normal, direction)) <= media->near_m) {
+            boundary->crossed |= (murk_inside)1 << shell->region;
+            boundary->region = shell->region;
+            boundary->normal = normal;
+        }
+    }
+    return true;
+}
+
+murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
+                               murk_vec3 point, int axis)
+{
+    murk_inside wrapped = inside;
+    for (size_t i = 0; i < media->n_shells; ++i) {
+        const murk_shell *shell = &media->shells[i];
+        const murk_inside bit = (murk_inside)1 << shell->region;
+        if (!shell->spans[axis]) {
+            wrapped =
+                murk_shell_holds(shell, point) ? wrapped | bit : wrapped & ~bit;
+        }
+    }
+    return wrapped;
+}
+
+bool murk_media_interface_between(const murk_media *media, murk_vec3 from,
+                                  murk_vec3 to)
+{
+    const murk_vec3 way = murk_sub(to, from);
+    const double length = murk_length(way);
+    if (media->n_shells == 0 || !(length > 0)) {
+        return false;
+    }
+    const murk_vec3 direction = murk_scale(1 / length, way);
+    murk_inside inside = murk_media_inside(media, from);
+    const double ior = murk_media_index(media, inside);
+    if (murk_media_index(media, murk_media_inside(media, to)) != ior) {
+        return true;
+    }
+    double gone = 0;
+    murk_boundary b;
+    /* A convex shell is entered and left once. */
+    for (size_t i = 0;
+         i < 2 * media->n_shells &&
+         murk_media_boundary(media, inside, murk_along(from, gone, direction),
+                             direction, length - gone, &b);
+         ++i) {
+        inside ^= b.crossed;
+        gone += b.distance_m;
+        if (murk_media_index(media, inside) != ior) {
+            return true;
+        }
+    }
+    return false;
+}

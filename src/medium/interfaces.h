@@ -1,0 +1,59 @@
+/* Boundaries of regions that have an index of refraction: where a ray meets
+ * the next one, and whose index holds.
+ *
+ * A ray carries the set of refractive regions that it is in. The set, not the
+ * position, says on which side of a boundary the ray is, so it may stand on
+ * the boundary that it has just crossed or was reflected at: rounding puts it
+ * on neither side, and nothing is ever nudged.
+ *
+ * The index that holds is that of the region listed last among those that the
+ * ray is in, and 1 outside all: a boundary hidden under a later region changes
+ * nothing. Boundaries that lie within MURK_INTERFACE_NEAR of each other are one
+ * and are crossed in one step, as where slabs are stacked. A box's face in a
+ * side of the domain, or beyond it, is no boundary: the region goes on there.
+ *
+ * Regions here are half spaces, boxes and spheres. */
+#ifndef MURK_MEDIUM_INTERFACES_H
+#define MURK_MEDIUM_INTERFACES_H
+
+#include "medium/media.h"
+
+/* Times the domain's largest coordinate: far above rounding (some 1e-15), far
+ * below any film that rays could describe. */
+#define MURK_INTERFACE_NEAR 1e-12
+
+typedef struct murk_boundary {
+    double distance_m;
+    murk_inside crossed; /* regions that begin or end here; beyond the boundary
+                            the set is inside ^ crossed */
+    size_t region;       /* the last listed of them */
+    murk_vec3 normal; /* unit, that region's, faces where the ray came from */
+} murk_boundary;
+
+/* Whether any region has an index of refraction. */
+bool murk_media_bends(const murk_media *media);
+
+/* The refractive regions around a point: lower faces belong to a region and
+ * upper faces do not, as for all regions. */
+murk_inside murk_media_inside(const murk_media *media, murk_vec3 point);
+
+/* The index of refraction in these regions. */
+double murk_media_index(const murk_media *media, murk_inside inside);
+
+/* The nearest boundary ahead and nearer than max_m. False when there is none,
+ * also where a number is NaN. Distances are >= 0. */
+bool murk_media_boundary(const murk_media *media, murk_inside inside,
+                         murk_vec3 origin, murk_vec3 direction, double max_m,
+                         murk_boundary *boundary);
+
+/* The set of a ray that has left a periodic domain across an axis (0 x, 1 y)
+ * and goes on at `point` of the opposite side: only regions that reach both
+ * sides go on, too. */
+murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
+                               murk_vec3 point, int axis);
+
+/* Whether the index changes anywhere on the straight way between two points. */
+bool murk_media_interface_between(const murk_media *media, murk_vec3 from,
+                                  murk_vec3 to);
+
+#endif

@@ -1,0 +1,41 @@
+/* The boundary of one refractive region, as rays look at it. Inside this room
+ * only. */
+#ifndef MURK_MEDIUM_SHELL_H
+#define MURK_MEDIUM_SHELL_H
+
+#include "medium/media.h"
+
+typedef struct murk_shell {
+    size_t region;
+    murk_region_shape shape;
+    double ior;
+    bool is_moved; /* to_local is not the identity */
+    bool spans[2]; /* reaches both sides of the domain, in x, in y */
+    murk_affine to_local;
+    murk_box box;     /* in its own frame; faces that no ray is to meet, since
+                         they lie in a side of the domain or beyond, are moved
+                         away to infinity. Half spaces: up to the level */
+    murk_vec3 center; /* spheres, in their own frame */
+    double radius;
+} murk_shell;
+
+/* Tolerance for faces in such a domain [m]: medium/interfaces.h. */
+double murk_shell_near(const murk_box *domain);
+
+/* Fills the shell of a placed region with an index. False when its placement
+ * cannot be inverted. */
+bool murk_shell_make(murk_shell *shell, size_t number,
+                     const murk_region *region, const murk_box *domain);
+
+/* Whether p lies in it: lower faces belong to it, upper ones do not. */
+bool murk_shell_holds(const murk_shell *shell, murk_vec3 p);
+
+/* Refuses, with MURK_BAD_VALUE at the later one's `where`, two shells that
+ * cross: of two, one must lie in the other or both apart, but for near_m.
+ * Warns of what lies wholly in a region listed after it. regions: of the
+ * scene, by number. */
+murk_status murk_shells_check(const murk_shell *shells, size_t n,
+                              const murk_region *regions,
+                              const murk_box *domain, murk_error *err);
+
+#endif
