@@ -2,6 +2,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "study/ending.h"
 #include "study/harvest.h"
 #include "study/machine.h"
 
@@ -44,8 +45,12 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
     const uint64_t n =
         wish->emit && wish->emit < PILOT_PHOTONS ? wish->emit : PILOT_PHOTONS;
     murk_ledger *ledger = NULL;
-    murk_status status = MURK_OK;
-    murk_harvest *h = murk_harvest_create(wish);
+    murk_harvest *h = NULL;
+    murk_status status = murk_ending_check(stage, stream, err);
+    if (status) {
+        return status;
+    }
+    h = murk_harvest_create(wish);
     if (!h) {
         return murk_fail(err, MURK_NO_MEMORY, wish->where,
                          "no memory to trace");
@@ -356,7 +361,9 @@ murk_status murk_light_trace(murk_traced **out, const murk_stage *stage,
     const murk_scene_photons *wish = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)wish->emit};
     murk_status status = check_emission(stage, err);
-    if (!status && wish->maps != MURK_SCENE_MAPS_NONE) {
+    if (!status && wish->maps == MURK_SCENE_MAPS_NONE) {
+        status = murk_ending_check(stage, stream, err);
+    } else if (!status) {
         status = murk_light_forecast(&forecast, stage, stream, threads, err);
         if (!status) {
             status = check_forecast(&forecast, wish, err);

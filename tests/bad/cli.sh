@@ -241,5 +241,21 @@ interrupted 1 trace "$dir/good.yaml" --emit 4e9 --set photons.maps=none
 interrupted 2 place scenes/fog-yard.yaml --emit 200000 # while it looks
 interrupted 2 place scenes/fog-yard.yaml --emit 1000 --count 20 --set placement.restarts=1000000 # while it searches
 
+# light that never ends
+cat >"$dir/white.yaml" <<'END'
+murk: 1
+domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}
+geometry: [{box: {min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}, material: white}]
+materials: {white: {diffuse: 0.9, specular: 0.1}}
+media: {fog: {extinction_per_m: 1, albedo: 1}}
+regions: [{medium: fog}]
+lights: [{type: point, position_m: [2, 2, 2.5], power_w: 10}]
+photons: {emit: 1000000}
+END
+expect 2 "no material or medium absorbs and there is no way out" trace "$dir/white.yaml"
+expect 2 "light does not end" check "$dir/white.yaml"
+expect 2 "light does not end" trace "$dir/white.yaml" --set photons.maps=none
+expect 2 "more absorption" trace "$dir/white.yaml" --set media.fog.albedo=0.9999999
+
 [ $failed -eq 0 ] && echo "all refused as they should be"
 exit $failed
