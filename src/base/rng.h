@@ -36,6 +36,20 @@ typedef struct murk_random4 {
 murk_random4 murk_random(uint32_t seed, uint32_t purpose, uint64_t photon,
                          uint32_t event, uint32_t slot);
 
+/* All of a number's address but the slot: for what draws slot after slot. */
+typedef struct murk_address {
+    uint32_t seed, purpose;
+    uint64_t photon;
+    uint32_t event;
+} murk_address;
+
+static inline murk_random4 murk_random_at(const murk_address *address,
+                                          uint32_t slot)
+{
+    return murk_random(address->seed, address->purpose, address->photon,
+                       address->event, slot);
+}
+
 /* The four words behind murk_random(). */
 void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
                        uint32_t event, uint32_t slot, uint32_t word[4]);
