@@ -1,14 +1,18 @@
 /* How rays and media meet: every region gives the stretch of the ray inside
  * it; the ends of all stretches cut the ray into pieces on each of which the
  * same regions are present; a piece is crossed in closed form, by one march
- * through one grid, or by several grids' marches side by side. Optical depth
- * and free flight are one and the same crossing, with and without a limit. */
+ * through one grid, or by several grids' marches side by side; or, where the
+ * flight throws dice, by delta tracking (delta.h). Optical depth and free
+ * flight are one and the same crossing, with and without a limit. */
 #include "medium/media.h"
 
-#include "medium/parts.h"
+#include "medium/delta.h"
+#include "medium/flight.h"
 
 #include <assert.h>
 #include <math.h>
+
+typedef murk_flight ray;
 
 /* The part of a ray in one place. */
 typedef struct stretch {
@@ -16,31 +20,14 @@ typedef struct stretch {
     const murk_place *place;
 } stretch;
 
-/* What the ray meets where it stops. */
-typedef struct meeting {
-    size_t medium;
-    double extinction_per_m;
-} meeting;
-
-typedef struct ray {
-    const murk_media *media;
-    int band;
-    murk_inside inside;
-    murk_vec3 origin, direction;
-    double depth, limit; /* optical depth so far; where to stop */
-    double stop_m;
-    size_t n_met;
-    meeting met[MURK_REGIONS_MAX];
-} ray;
-
 static double extinction_of(const ray *r, const murk_place *place)
 {
-    return r->media->media[place->medium].extinction_per_m.band[r->band];
+    return murk_flight_extinction(r, place);
 }
 
 static void meet(ray *r, const murk_place *place, double extinction_per_m)
 {
-    r->met[r->n_met++] = (meeting){place->medium, extinction_per_m};
+    r->met[r->n_met++] = (murk_meeting){place->medium, extinction_per_m};
 }
 
 /* Crosses a piece of even extinction; true when the ray stops in it. */
@@ -101,6 +88,23 @@ static bool cross_grids(ray *r, double from, double to,
     return false;
 }
 
+/* Crosses a piece with grids; density[n] is theirs where the ray stops. */
+static bool cross_with_grids(ray *r, double from, double to,
+                             const murk_place *const *grids, size_t n,
+                             double even_per_m, double *density)
+{
+    if (r->dice) {
+        if (murk_delta_cross(r, &from, to, grids, n, even_per_m, density)) {
+            return true;
+        }
+        if (!(from < to)) {
+            return false;
+        }
+    }
+    return n == 1 ? cross_grid(r, from, to, grids[0], even_per_m, density)
+                  : cross_grids(r, from, to, grids, n, even_per_m, density);
+}
+
 /* Crosses a piece in which exactly these places are present. */
 static bool cross_piece(ray *r, double from, double to,
                         const murk_place *const *present, size_t n)
@@ -116,11 +120,9 @@ static bool cross_piece(ray *r, double from, double to,
             even += extinction_of(r, present[i]);
         }
     }
-    const bool stops =
-        n_grids == 0 ? cross_even(r, from, to, even)
-        : n_grids == 1
-            ? cross_grid(r, from, to, grids[0], even, density)
-            : cross_grids(r, from, to, grids, n_grids, even, density);
+    const bool stops = n_grids == 0 ? cross_even(r, from, to, even)
+                                    : cross_with_grids(r, from, to, grids,
+                                                       n_grids, even, density);
     if (stops) {
         size_t grid = 0;
         for (size_t i = 0; i < n; ++i) {
@@ -184,10 +186,10 @@ static bool cross_alone(ray *r, const stretch *only)
 {
     const double extinction = extinction_of(r, only->place);
     double density = 1;
-    const bool stops =
-        only->place->tree
-            ? cross_grid(r, only->from, only->to, only->place, 0, &density)
-            : cross_even(r, only->from, only->to, extinction);
+    const bool stops = only->place->tree
+                           ? cross_with_grids(r, only->from, only->to,
+                                              &only->place, 1, 0, &density)
+                           : cross_even(r, only->from, only->to, extinction);
     if (stops) {
         meet(r, only->place, density * extinction);
     }
@@ -220,47 +222,85 @@ static bool follow(ray *r, double length_m)
                     : cross_overlapping(r, stretches, n);
 }
 
-bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
-                    murk_vec3 origin, murk_vec3 direction, double length_m,
-                    double tau, double u, murk_collision *collision)
+static bool fly(ray *r, double length_m, murk_collision *collision)
 {
+    const murk_media *media = r->media;
+    const int band = r->band;
     assert(band >= 0 && band < MURK_BANDS_MAX);
-    ray r;
-    r.media = media;
-    r.band = band;
-    r.inside = inside;
-    r.origin = origin;
-    r.direction = direction;
-    r.depth = 0;
-    r.limit = tau;
-    r.n_met = 0;
-    if (!media->in_band[band] || !follow(&r, length_m)) {
+    r->depth = 0;
+    r->n_met = 0;
+    if (!media->in_band[band] || !follow(r, length_m)) {
         return false;
     }
     double total = 0, scattering = 0;
-    for (size_t i = 0; i < r.n_met; ++i) {
-        const meeting *met = &r.met[i];
+    for (size_t i = 0; i < r->n_met; ++i) {
+        const murk_meeting *met = &r->met[i];
         total += met->extinction_per_m;
         scattering +=
             met->extinction_per_m * media->media[met->medium].albedo.band[band];
     }
     /* The last with any extinction is left for a u that rounding puts past
      * the end. */
-    size_t partner = r.met[0].medium;
-    double left = u * total;
-    for (size_t i = 0; i < r.n_met && left >= 0; ++i) {
-        if (r.met[i].extinction_per_m > 0) {
-            partner = r.met[i].medium;
-            left -= r.met[i].extinction_per_m;
+    size_t partner = r->met[0].medium;
+    double left = r->u * total;
+    for (size_t i = 0; i < r->n_met && left >= 0; ++i) {
+        if (r->met[i].extinction_per_m > 0) {
+            partner = r->met[i].medium;
+            left -= r->met[i].extinction_per_m;
         }
     }
     *collision =
-        (murk_collision){.distance_m = r.stop_m,
+        (murk_collision){.distance_m = r->stop_m,
                          .medium = partner,
                          .albedo = media->media[partner].albedo.band[band],
                          .phase = &media->media[partner].phase[band],
                          .scattering_per_m = scattering};
     return true;
+}
+
+bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
+                    murk_vec3 origin, murk_vec3 direction, double length_m,
+                    double tau, double u, murk_collision *collision)
+{
+    ray r;
+    r.media = media;
+    r.band = band;
+    r.inside = inside;
+    r.origin = origin;
+    r.direction = direction;
+    r.limit = tau;
+    r.u = u;
+    r.dice = NULL;
+    return fly(&r, length_m, collision);
+}
+
+bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
+                    murk_vec3 origin, murk_vec3 direction, double length_m,
+                    double tau, double u, murk_dice *dice,
+                    murk_collision *collision)
+{
+    assert(media->bound_factor > 0);
+    ray r;
+    r.media = media;
+    r.band = band;
+    r.inside = inside;
+    r.origin = origin;
+    r.direction = direction;
+    r.limit = tau;
+    r.u = u;
+    r.dice = dice;
+    return fly(&r, length_m, collision);
+}
+
+bool murk_media_fly_delta(const murk_media *media, int band, murk_inside inside,
+                          murk_vec3 origin, murk_vec3 direction,
+                          double length_m, double tau, double u,
+                          const murk_address *address,
+                          murk_collision *collision)
+{
+    murk_dice dice = {.address = address};
+    return murk_delta_fly(media, band, inside, origin, direction, length_m, tau,
+                          u, &dice, collision);
 }
 
 double murk_media_optical_depth(const murk_media *media, int band,
@@ -276,6 +316,7 @@ double murk_media_optical_depth(const murk_media *media, int band,
     r.direction = direction;
     r.depth = 0;
     r.limit = INFINITY;
+    r.dice = NULL;
     r.n_met = 0;
     if (media->in_band[band]) {
         follow(&r, length_m);

@@ -243,6 +243,9 @@ done:
 void murk_media_destroy(murk_media *media)
 {
     if (media) {
+        for (size_t i = 0; media->places && i < media->n_places; ++i) {
+            murk_bricks_destroy(media->places[i].bricks);
+        }
         free(media->media);
         free(media->places);
         free(media->shells);

@@ -15,6 +15,7 @@
 #define MURK_MEDIUM_MEDIA_H
 
 #include "base/bands.h"
+#include "base/rng.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "medium/grid.h"
@@ -104,6 +105,18 @@ typedef struct murk_collision {
 bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
                     double tau, double u, murk_collision *collision);
+
+/* Makes ready for murk_media_fly_delta(): bounds of the grids' densities, brick
+ * by brick. Fails with MURK_NO_MEMORY. */
+murk_status murk_media_prepare_delta(murk_media *media, murk_error *err);
+
+/* The same in distribution, by delta tracking through grids: tau and u are of
+ * slot 0 of the address, and from slot 1 on it draws as many as it needs. */
+bool murk_media_fly_delta(const murk_media *media, int band, murk_inside inside,
+                          murk_vec3 origin, murk_vec3 direction,
+                          double length_m, double tau, double u,
+                          const murk_address *address,
+                          murk_collision *collision);
 
 /* Sums over media at a point [1/m]. */
 double murk_media_extinction(const murk_media *media, int band,

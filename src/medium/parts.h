@@ -17,6 +17,7 @@ struct murk_media {
     size_t n_shells;
     double near_m;                /* boundaries nearer than this are one */
     bool in_band[MURK_BANDS_MAX]; /* something extinguishes there */
+    double bound_factor; /* on what delta tracking flies by; 0: not prepared */
 };
 
 #endif

@@ -7,6 +7,7 @@
 #define MURK_MEDIUM_PLACE_H
 
 #include "base/vector.h"
+#include "medium/bricks.h"
 #include "medium/march.h"
 #include "medium/media.h"
 
@@ -24,6 +25,8 @@ typedef struct murk_place {
     double level;          /* half spaces */
     murk_affine to_local;  /* of a grid: index space shifted by a half */
     const murk_tree *tree; /* grids */
+    murk_bricks *bricks;   /* grids, where prepared for delta tracking; owned
+                              by the murk_media */
     murk_box bounds;       /* in the world; infinite when everywhere, empty when
                               nothing is there */
 } murk_place;
