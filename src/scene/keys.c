@@ -305,7 +305,7 @@ static const murk_keys DOMAIN_KEYS = {.noun = "domain",
  * users. */
 static const murk_word FLIGHT_WORDS[] = {
     {"march", 0, false},
-    {"delta", 1, true},
+    {"delta", 1, false},
     WORDS_END,
 };
 
@@ -332,7 +332,7 @@ static const murk_key SCENE_ROWS[] = {
     ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}",
         .lights = true),
     ROW("flight", WORD, .preset = "march", .lights = true,
-        .words = FLIGHT_WORDS),
+        .words = FLIGHT_WORDS, AT(murk_scene, by_delta)),
     ROW("tallies", ONLY, .preset = "[]"),
     ROW("sensors", MAP, .keys = &SENSORS, FLAG(murk_scene, sensors.given)),
     ROW("placement", MAP, .keys = &PLACEMENT, .preset = "{}"),

@@ -166,6 +166,7 @@ typedef struct murk_scene {
     murk_scene_light *lights;
     size_t n_lights;
     murk_scene_photons photons;
+    bool by_delta; /* flight: delta; false: march */
     murk_scene_sensors sensors;
     murk_scene_placement placement;
     char *resolved;  /* the whole scene as it was used, overrides and defaults

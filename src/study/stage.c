@@ -165,6 +165,9 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
     }
     status = murk_media_create(&stage->media, medium, scene->n_media, region,
                                scene->n_regions, &stage->world.domain.box, err);
+    if (!status && scene->by_delta) {
+        status = murk_media_prepare_delta(stage->media, err);
+    }
 done:
     free(medium);
     free(region);
@@ -347,5 +350,6 @@ murk_trace murk_stage_trace(const murk_stage *stage)
     trace.world = &stage->world;
     trace.seed = stage->scene->seed;
     trace.least_weight = stage->scene->photons.least_weight;
+    trace.by_delta = stage->scene->by_delta;
     return trace;
 }

@@ -105,7 +105,9 @@ typedef struct murk_trace {
                              MURK_BATCH_PHOTONS; batch 0 starts at first */
     unsigned threads;
     uint32_t events_max, wraps_max;
-    double least_weight;  /* MURK_LEAST_WEIGHT_MIN..1 */
+    double least_weight; /* MURK_LEAST_WEIGHT_MIN..1 */
+    bool by_delta; /* free flight by delta tracking, for which the media must be
+                      prepared; else by march */
     murk_event_sink sink; /* may be NULL */
     void *context;
 } murk_trace;

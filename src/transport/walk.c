@@ -39,11 +39,17 @@ typedef struct walk {
     murk_inside inside; /* regions with a boundary that it is in */
 } walk;
 
+static murk_address address_of(const walk *w, murk_purpose purpose)
+{
+    return (murk_address){w->course->trace->seed,
+                          (uint32_t)purpose + w->course->purpose_shift,
+                          w->photon, w->number};
+}
+
 static murk_random4 draw(const walk *w, murk_purpose purpose)
 {
-    return murk_random(w->course->trace->seed,
-                       (uint32_t)purpose + w->course->purpose_shift, w->photon,
-                       w->number, 0);
+    const murk_address address = address_of(w, purpose);
+    return murk_random_at(&address, 0);
 }
 
 static double share_of_packet(int64_t quanta)
@@ -388,9 +394,16 @@ static inline bool collides(const walk *w, double length_m, murk_collision *c,
     const murk_random4 random = draw(w, MURK_FLIGHT);
     rest[0] = random.u[2];
     rest[1] = random.u[3];
-    return murk_media_fly(w->course->world->media, w->band, w->inside,
-                          w->position, w->direction, length_m,
-                          -log(random.u[0]), random.u[1], c);
+    const murk_media *media = w->course->world->media;
+    const double tau = -log(random.u[0]);
+    if (w->course->trace->by_delta) {
+        const murk_address address = address_of(w, MURK_FLIGHT);
+        return murk_media_fly_delta(media, w->band, w->inside, w->position,
+                                    w->direction, length_m, tau, random.u[1],
+                                    &address, c);
+    }
+    return murk_media_fly(media, w->band, w->inside, w->position, w->direction,
+                          length_m, tau, random.u[1], c);
 }
 
 /* Which comes first: the boundary, the surface at path_m, or both at once?
