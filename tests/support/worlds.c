@@ -109,6 +109,16 @@ murk_region test_box_region(size_t medium, murk_vec3 min, murk_vec3 max)
                          .where = "box region"};
 }
 
+murk_region test_ball_region(size_t medium, murk_vec3 center, double radius_m)
+{
+    return (murk_region){.medium = medium,
+                         .shape = MURK_REGION_SPHERE,
+                         .center = center,
+                         .radius_m = radius_m,
+                         .to_world = murk_affine_identity(),
+                         .where = "ball region"};
+}
+
 murk_material test_material(double diffuse, double specular, double transmit,
                             double ior)
 {

@@ -47,6 +47,7 @@ murk_medium test_medium(double extinction_per_m, double albedo,
                         double mean_cosine);
 murk_region test_everywhere(size_t medium);
 murk_region test_box_region(size_t medium, murk_vec3 min, murk_vec3 max);
+murk_region test_ball_region(size_t medium, murk_vec3 center, double radius_m);
 murk_material test_material(double diffuse, double specular, double transmit,
                             double ior);
 murk_surface_desc test_box(murk_vec3 min, murk_vec3 max, int material);
