@@ -29,9 +29,11 @@ static int order_edges(const void *left, const void *right)
     const edge *a = left, *b = right;
     const int by_low = order(a->low, b->low);
     const int by_high = order(a->high, b->high);
-    return by_low    ? by_low
-           : by_high ? by_high
-                     : order(a->opposite, b->opposite);
+    const int by_opposite = order(a->opposite, b->opposite);
+    return by_low        ? by_low
+           : by_high     ? by_high
+           : by_opposite ? by_opposite
+                         : order(a->triangle, b->triangle);
 }
 
 /* same[v] is one vertex for all of the same coordinates. */
@@ -138,4 +140,135 @@ done:
     free(parent);
     free(same);
     return status;
+}
+
+/* Union-find in which each triangle knows whether its winding agrees with that
+ * of its root. */
+typedef struct turns {
+    uint32_t *parent;
+    bool *against; /* the parent's winding */
+} turns;
+
+static uint32_t root_turned(const turns *t, uint32_t i, bool *turned)
+{
+    *turned = false;
+    while (t->parent[i] != i) {
+        const uint32_t up = t->parent[i];
+        /* Halve the way: two steps become one, their turns add. A root's is
+         * false. */
+        t->against[i] ^= t->against[up];
+        t->parent[i] = t->parent[up];
+        *turned ^= t->against[i];
+        i = t->parent[i];
+    }
+    return i;
+}
+
+/* Whether the triangle's winding goes through its edge from low to high. */
+static bool rises(const edge *e, const uint32_t *corner, const uint32_t *same)
+{
+    const uint32_t *c = corner + 3 * (size_t)e->triangle;
+    for (size_t k = 0; k < 3; ++k) {
+        if (same[c[k]] == e->low && same[c[(k + 1) % 3]] == e->high) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Neighbours wind alike when they go through their edge in opposite ways;
+ * copies of one triangle when in the same. False: they cannot. */
+static bool unite(const turns *t, const edge *a, const edge *b, bool are_copies,
+                  const uint32_t *corner, const uint32_t *same)
+{
+    const bool same_way = rises(a, corner, same) == rises(b, corner, same);
+    const bool turned = same_way != are_copies;
+    bool turned_a, turned_b;
+    const uint32_t i = root_turned(t, a->triangle, &turned_a);
+    const uint32_t j = root_turned(t, b->triangle, &turned_b);
+    const bool between = turned ^ turned_a ^ turned_b;
+    if (i == j) {
+        return !between;
+    }
+    const uint32_t high = i > j ? i : j, low = i > j ? j : i;
+    t->parent[high] = low;
+    t->against[high] = between;
+    return true;
+}
+
+static void join_patches(murk_patches *p, const turns *t, const edge *edges,
+                         size_t n_edges, const uint32_t *corner)
+{
+    p->are_orientable = true;
+    for (size_t i = 0; i < n_edges;) {
+        const size_t first = i;
+        size_t around = 0, last_other = i;
+        for (; i < n_edges && edges[i].low == edges[first].low &&
+               edges[i].high == edges[first].high;
+             ++i) {
+            if (i > first && edges[i].opposite == edges[i - 1].opposite) {
+                p->is_copy[edges[i].triangle] = true;
+                p->are_orientable &=
+                    unite(t, &edges[i - 1], &edges[i], true, corner, p->same);
+            } else {
+                ++around;
+                last_other = i;
+            }
+        }
+        p->open_edges += around % 2;
+        if (around == 2) {
+            p->are_orientable &= unite(t, &edges[first], &edges[last_other],
+                                       false, corner, p->same);
+        }
+    }
+}
+
+/* Roots are the lowest of their patch, so they are numbered before the rest. */
+static void number_patches(murk_patches *p, const turns *t, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const uint32_t top = root_turned(t, (uint32_t)i, &p->is_turned[i]);
+        p->patch[i] = top == i ? (uint32_t)p->patches++ : p->patch[top];
+    }
+}
+
+murk_status murk_patches_find(murk_patches *p, const float *vertex,
+                              size_t vertices, const uint32_t *corner, size_t n,
+                              murk_error *err)
+{
+    *p = (murk_patches){.patch = malloc((n + 1) * sizeof *p->patch),
+                        .is_turned = calloc(n + 1, sizeof *p->is_turned),
+                        .is_copy = calloc(n + 1, sizeof *p->is_copy),
+                        .same = malloc((vertices + 1) * sizeof *p->same)};
+    const turns t = {malloc((n + 1) * sizeof *t.parent),
+                     calloc(n + 1, sizeof *t.against)};
+    edge *edges = malloc((3 * n + 1) * sizeof *edges);
+    murk_status status = MURK_OK;
+    if (!p->patch || !p->is_turned || !p->is_copy || !p->same || !t.parent ||
+        !t.against || !edges || !weld(p->same, vertex, vertices)) {
+        status =
+            murk_fail(err, MURK_NO_MEMORY, "geometry",
+                      "no memory to look for the sides of %zu triangles", n);
+        goto done;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        t.parent[i] = (uint32_t)i;
+    }
+    list_edges(edges, corner, p->same, n);
+    join_patches(p, &t, edges, 3 * n, corner);
+    number_patches(p, &t, n);
+done:
+    free(edges);
+    free(t.parent);
+    free(t.against);
+    return status;
+}
+
+void murk_patches_release(murk_patches *p)
+{
+    free(p->patch);
+    free(p->is_turned);
+    free(p->is_copy);
+    free(p->same);
+    *p = (murk_patches){0};
 }

@@ -1,0 +1,155 @@
+#include "geometry/hulls.h"
+
+#include "geometry/hull.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* Twice what murk_surfaces_leave() moves by. */
+#define TOLERANCE_LEAVES 2
+
+static murk_status make_one(murk_hull *b, const murk_hull_desc *d,
+                            murk_error *err)
+{
+    const char *where = d->where ? d->where : "region";
+    const murk_material black = {.name = "hull"};
+    const murk_surface_desc shape = {.shape = MURK_SHAPE_MESH,
+                                     .mesh = d->mesh,
+                                     .to_world = d->to_world,
+                                     .material = 0,
+                                     .where = where};
+    b->region = d->region;
+    murk_status status =
+        murk_surfaces_create(&b->shape, &shape, 1, &black, 1, err);
+    if (!status && b->shape->soup.triangles == 0) {
+        status = murk_fail(err, MURK_BAD_VALUE, where,
+                           "no triangle of the mesh has any area");
+    }
+    return status ? status : murk_hull_find_sides(b, where, err);
+}
+
+murk_status murk_hulls_create(murk_hulls **out, const murk_hull_desc *descs,
+                              size_t n, murk_error *err)
+{
+    assert(out && n <= MURK_HULLS_MAX);
+    murk_hulls *made = calloc(1, sizeof *made);
+    if (!made) {
+        return murk_fail(err, MURK_NO_MEMORY, "regions",
+                         "no memory for %zu meshes", n);
+    }
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < n && !status; ++i) {
+        assert(descs[i].region >= 0 && descs[i].region < MURK_HULLS_MAX);
+        status = make_one(&made->hull[made->n++], &descs[i], err);
+    }
+    if (status) {
+        murk_hulls_destroy(made);
+        return status;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        made->tolerance_m = fmax(
+            made->tolerance_m, TOLERANCE_LEAVES * made->hull[i].shape->leave_m);
+    }
+    *out = made;
+    return MURK_OK;
+}
+
+void murk_hulls_destroy(murk_hulls *b)
+{
+    if (!b) {
+        return;
+    }
+    for (size_t i = 0; i < b->n; ++i) {
+        murk_surfaces_destroy(b->hull[i].shape);
+        free(b->hull[i].is_copy);
+        free(b->hull[i].is_inward);
+    }
+    free(b);
+}
+
+static uint64_t bit_of(const murk_hull *b)
+{
+    return UINT64_C(1) << b->region;
+}
+
+uint64_t murk_hulls_at(const murk_hulls *b, murk_vec3 point)
+{
+    uint64_t inside = 0;
+    for (size_t i = 0; i < b->n; ++i) {
+        if (murk_hull_holds(&b->hull[i], point)) {
+            inside |= bit_of(&b->hull[i]);
+        }
+    }
+    return inside;
+}
+
+bool murk_hulls_next(const murk_hulls *b, murk_vec3 origin, murk_vec3 direction,
+                     double from_m, double max_m, uint64_t *inside,
+                     murk_crossing *crossing)
+{
+    double distance[MURK_HULLS_MAX], nearest = INFINITY;
+    for (size_t i = 0; i < b->n; ++i) {
+        const murk_hull *one = &b->hull[i];
+        bool is_inside = *inside & bit_of(one);
+        murk_vec3 normal;
+        /* Those a little beyond the nearest belong to it. */
+        const double most = fmin(max_m, nearest + b->tolerance_m);
+        if (!murk_hull_next(one, origin, direction, from_m, most,
+                            b->tolerance_m, &is_inside, &distance[i],
+                            &normal)) {
+            distance[i] = INFINITY;
+            continue;
+        }
+        *inside = is_inside ? *inside | bit_of(one) : *inside & ~bit_of(one);
+        if (distance[i] < nearest) {
+            nearest = distance[i];
+            crossing->normal = normal;
+        }
+    }
+    if (!(nearest < INFINITY)) {
+        return false;
+    }
+    crossing->distance_m = nearest;
+    crossing->changed = 0;
+    for (size_t i = 0; i < b->n; ++i) {
+        if (distance[i] <= nearest + b->tolerance_m) {
+            crossing->changed |= bit_of(&b->hull[i]);
+        }
+    }
+    crossing->inside = *inside ^ crossing->changed;
+    return true;
+}
+
+double murk_hulls_tolerance_m(const murk_hulls *b)
+{
+    return b->tolerance_m;
+}
+
+static const murk_hull *of_region(const murk_hulls *b, int region)
+{
+    size_t i = 0;
+    while (i < b->n && b->hull[i].region != region) {
+        ++i;
+    }
+    assert(i < b->n);
+    return &b->hull[i];
+}
+
+bool murk_hulls_meet(const murk_hulls *b, int region, int other,
+                     murk_vec3 *place)
+{
+    return murk_hull_meets(of_region(b, region), of_region(b, other),
+                           b->tolerance_m, place);
+}
+
+murk_hull_facts murk_hulls_describe(const murk_hulls *b, int region)
+{
+    const murk_hull *one = of_region(b, region);
+    const murk_surfaces_facts facts = murk_surfaces_describe(one->shape);
+    return (murk_hull_facts){.triangles = facts.triangles,
+                             .crossings = one->crossings,
+                             .bounds_m = facts.bounds_m,
+                             .memory_bytes =
+                                 sizeof *one + facts.memory_bytes +
+                                 facts.triangles * (one->is_inward ? 2 : 1)};
+}

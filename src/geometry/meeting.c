@@ -1,0 +1,123 @@
+/* Whether two closed meshes cross.
+ *
+ * They do when one of them has points of its surface inside the other and
+ * points outside. Such points are looked for among the corners and middles of
+ * its triangles, and between the places where its edges pass through the other
+ * mesh; those nearer to the other's surface than the tolerance are touching,
+ * and say nothing. Two meshes whose surfaces cross have an edge of one that
+ * passes through a triangle of the other, so both are held against each
+ * other. */
+#include "geometry/hull.h"
+
+#include "geometry/triangle.h"
+
+#include <stdlib.h>
+
+/* Places on one edge that are told apart; more are passed over, for their
+ * neighbours' edges tell the same. */
+#define PLACES_MAX 64
+
+typedef struct sampling {
+    const murk_hull *other;
+    double tolerance_m;
+    bool any_inside, any_outside;
+    murk_vec3 place;
+} sampling;
+
+static bool is_decided(const sampling *s)
+{
+    return s->any_inside && s->any_outside;
+}
+
+static void sample(sampling *s, murk_vec3 point)
+{
+    if (is_decided(s) ||
+        murk_surfaces_near(s->other->shape, point, s->tolerance_m)) {
+        return;
+    }
+    const bool is_inside = murk_hull_holds(s->other, point);
+    if (is_inside ? !s->any_inside : !s->any_outside) {
+        s->place = point;
+    }
+    s->any_inside |= is_inside;
+    s->any_outside |= !is_inside;
+}
+
+typedef struct places {
+    size_t n;
+    double at_m[PLACES_MAX];
+} places;
+
+static void note(void *context, size_t triangle, double distance_m)
+{
+    places *p = context;
+    (void)triangle;
+    if (p->n < PLACES_MAX) {
+        p->at_m[p->n++] = distance_m;
+    }
+}
+
+static int order(const void *left, const void *right)
+{
+    const double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
+{
+    const murk_vec3 way = murk_sub(to, from);
+    const double length = murk_length(way);
+    const murk_vec3 direction = murk_scale(1 / length, way);
+    places p = {.n = 0};
+    murk_hull_gather(s->other, from, direction, 0, length, note, &p);
+    if (p.n == 0) {
+        return;
+    }
+    qsort(p.at_m, p.n, sizeof *p.at_m, order);
+    double last = 0;
+    for (size_t i = 0; i <= p.n; ++i) {
+        const double next = i < p.n ? fmin(p.at_m[i], length) : length;
+        if (next > last) {
+            sample(s, murk_along(from, 0.5 * (last + next), direction));
+            last = next;
+        }
+    }
+}
+
+static bool overlaps(const murk_box *a, const murk_box *b)
+{
+    return a->min.x <= b->max.x && b->min.x <= a->max.x &&
+           a->min.y <= b->max.y && b->min.y <= a->max.y &&
+           a->min.z <= b->max.z && b->min.z <= a->max.z;
+}
+
+static bool has_parts_on_both_sides(const murk_hull *one,
+                                    const murk_hull *other, double tolerance_m,
+                                    murk_vec3 *place)
+{
+    const murk_soup *soup = &one->shape->soup;
+    sampling s = {.other = other, .tolerance_m = tolerance_m};
+    for (size_t i = 0; i < soup->triangles && !is_decided(&s); ++i) {
+        murk_triangle t = murk_soup_triangle(soup, i);
+        t = (murk_triangle){murk_add(t.a, soup->anchor),
+                            murk_add(t.b, soup->anchor),
+                            murk_add(t.c, soup->anchor)};
+        sample(&s, t.a);
+        sample(&s, murk_scale(1.0 / 3, murk_add(t.a, murk_add(t.b, t.c))));
+        sample_edge(&s, t.a, t.b);
+        sample_edge(&s, t.b, t.c);
+        sample_edge(&s, t.c, t.a);
+    }
+    *place = s.place;
+    return is_decided(&s);
+}
+
+bool murk_hull_meets(const murk_hull *one, const murk_hull *other,
+                     double tolerance_m, murk_vec3 *place)
+{
+    const murk_box a = murk_surfaces_describe(one->shape).bounds_m;
+    const murk_box b = murk_surfaces_describe(other->shape).bounds_m;
+    return overlaps(&a, &b) &&
+           (has_parts_on_both_sides(one, other, tolerance_m, place) ||
+            has_parts_on_both_sides(other, one, tolerance_m, place));
+}

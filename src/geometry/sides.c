@@ -1,0 +1,192 @@
+/* Which side of each triangle of a closed mesh is outside.
+ *
+ * Patches of neighbouring triangles are turned to one side each, and one ray
+ * from the largest triangle of a patch tells whether that side is out: the
+ * number of crossings ahead is then even. That answers for the whole patch
+ * only where the mesh does not cross itself, so all edges are held against all
+ * triangles first. */
+#include "base/log.h"
+#include "geometry/gather.h"
+#include "geometry/hull.h"
+#include "geometry/triangle.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Nearer to the middle of a triangle than this, a ray from there meets the
+ * triangle itself. */
+#define OWN_UNITS 4
+
+/* ---- does it cross itself? ---- */
+
+typedef struct piercing {
+    const murk_soup *soup;
+    const uint32_t *same;
+    murk_vec3 from, to;
+    uint32_t ends[2]; /* vertices, welded */
+    bool is_pierced;
+} piercing;
+
+static void look_for_piercing(void *context, size_t triangle, double distance_m)
+{
+    piercing *p = context;
+    const uint32_t *corner = p->soup->corner + 3 * triangle;
+    (void)distance_m;
+    for (int i = 0; i < 3; ++i) {
+        const uint32_t v = p->same[corner[i]];
+        if (v == p->ends[0] || v == p->ends[1]) {
+            return;
+        }
+    }
+    const murk_triangle t = murk_soup_triangle(p->soup, triangle);
+    const murk_vec3 normal = murk_triangle_normal(&t);
+    p->is_pierced |= murk_dot(murk_sub(p->from, t.a), normal) *
+                         murk_dot(murk_sub(p->to, t.a), normal) <
+                     0;
+}
+
+/* Each edge belongs to two triangles: counted by halves, and at the first
+ * place found. */
+static void count_crossings(murk_hull *b, const uint32_t *same,
+                            murk_vec3 *first)
+{
+    const murk_soup *soup = &b->shape->soup;
+    size_t halves = 0;
+    for (size_t i = 0; i < soup->triangles; ++i) {
+        for (size_t k = 0; k < 3 && !b->is_copy[i]; ++k) {
+            const uint32_t from = soup->corner[3 * i + k];
+            const uint32_t to = soup->corner[3 * i + (k + 1) % 3];
+            piercing p = {.soup = soup,
+                          .same = same,
+                          .from = murk_vertex(soup->vertex, from),
+                          .to = murk_vertex(soup->vertex, to),
+                          .ends = {same[from], same[to]}};
+            const murk_vec3 way = murk_sub(p.to, p.from);
+            const double length = murk_length(way);
+            murk_hull_gather(b, murk_add(p.from, soup->anchor),
+                             murk_scale(1 / length, way), 0, length,
+                             look_for_piercing, &p);
+            if (p.is_pierced && halves++ == 0) {
+                *first = murk_add(murk_along(p.from, 0.5, way), soup->anchor);
+            }
+        }
+    }
+    b->crossings = (halves + 1) / 2;
+}
+
+/* ---- which side is out? ---- */
+
+typedef struct tally {
+    double beyond_m;
+    bool is_odd;
+} tally;
+
+static void add_one(void *context, size_t triangle, double distance_m)
+{
+    tally *t = context;
+    (void)triangle;
+    t->is_odd ^= distance_m > t->beyond_m;
+}
+
+/* Whether a triangle's normal by winding points inside: by three rays to that
+ * side, none likely to meet an edge. */
+static bool points_inside(const murk_hull *b, size_t triangle)
+{
+    const double tilt[3][2] = {{0.31, 0.17}, {-0.23, 0.29}, {0.13, -0.37}};
+    const murk_soup *soup = &b->shape->soup;
+    const murk_triangle t = murk_soup_triangle(soup, triangle);
+    const murk_vec3 middle =
+        murk_scale(1.0 / 3, murk_add(t.a, murk_add(t.b, t.c)));
+    const murk_vec3 normal = murk_unit(murk_triangle_normal(&t));
+    murk_vec3 side, other;
+    murk_frame(normal, &side, &other);
+    int odd = 0;
+    for (int i = 0; i < 3; ++i) {
+        tally count = {.beyond_m = OWN_UNITS * b->shape->unit_m};
+        const murk_vec3 d = murk_unit(murk_along(
+            murk_along(normal, tilt[i][0], side), tilt[i][1], other));
+        murk_hull_gather(b, murk_add(middle, soup->anchor), d, 0, INFINITY,
+                         add_one, &count);
+        odd += count.is_odd;
+    }
+    return odd >= 2;
+}
+
+static murk_status learn_sides(murk_hull *b, const murk_patches *p,
+                               const char *where, murk_error *err)
+{
+    const murk_soup *soup = &b->shape->soup;
+    murk_status status = MURK_OK;
+    uint32_t *largest = malloc((p->patches + 1) * sizeof *largest);
+    double *area = calloc(p->patches + 1, sizeof *area);
+    bool *is_inward = malloc(soup->triangles + 1);
+    if (!largest || !area || !is_inward) {
+        status = murk_fail(err, MURK_NO_MEMORY, where,
+                           "no memory for the sides of %zu triangles",
+                           soup->triangles);
+        goto done;
+    }
+    for (size_t i = 0; i < soup->triangles; ++i) {
+        const murk_triangle t = murk_soup_triangle(soup, i);
+        const double own = murk_triangle_area(&t);
+        if (own > area[p->patch[i]]) {
+            area[p->patch[i]] = own;
+            largest[p->patch[i]] = (uint32_t)i;
+        }
+    }
+    for (size_t k = 0; k < p->patches; ++k) {
+        const uint32_t i = largest[k];
+        /* The patch's own side, for now under its largest triangle. */
+        is_inward[i] = points_inside(b, i) != p->is_turned[i];
+    }
+    for (size_t k = 0; k < p->patches; ++k) {
+        area[k] = is_inward[largest[k]] ? 1 : 0;
+    }
+    for (size_t i = 0; i < soup->triangles; ++i) {
+        is_inward[i] = (area[p->patch[i]] > 0) != p->is_turned[i];
+    }
+    b->is_inward = is_inward;
+    is_inward = NULL;
+done:
+    free(is_inward);
+    free(area);
+    free(largest);
+    return status;
+}
+
+murk_status murk_hull_find_sides(murk_hull *b, const char *where,
+                                 murk_error *err)
+{
+    const murk_soup *soup = &b->shape->soup;
+    murk_patches p;
+    murk_status status = murk_patches_find(&p, soup->vertex, soup->vertices,
+                                           soup->corner, soup->triangles, err);
+    if (status) {
+        goto done;
+    }
+    if (p.open_edges > 0) {
+        status = murk_fail(
+            err, MURK_BAD_VALUE, where,
+            "the mesh is open: %zu of its edges belong to an odd number of "
+            "its %zu triangles, must be 0 open edges to bound a region",
+            p.open_edges, soup->triangles);
+        goto done;
+    }
+    b->is_copy = p.is_copy;
+    p.is_copy = NULL;
+    murk_vec3 first = {0, 0, 0};
+    count_crossings(b, p.same, &first);
+    if (b->crossings > 0) {
+        murk_warn(where,
+                  "the mesh crosses itself: %zu of its edges pass through its "
+                  "triangles, the first near (%.6g, %.6g, %.6g) m; where parts "
+                  "of it overlap, twice inside counts as outside",
+                  b->crossings, first.x, first.y, first.z);
+    }
+    if (b->crossings == 0 && p.are_orientable) {
+        status = learn_sides(b, &p, where, err);
+    }
+done:
+    murk_patches_release(&p);
+    return status;
+}
