@@ -82,13 +82,14 @@ double moments_tabulate(const double *chi, size_t n,
                         double angle_deg[MOMENTS_ROWS],
                         double phase_per_sr[MOMENTS_ROWS])
 {
-    const double step = PI / (MOMENTS_ROWS - 1);
     double lost = 0;
     for (int i = 0; i < MOMENTS_ROWS; ++i) {
-        const double p = moments_density(chi, n, cos(i * step));
-        angle_deg[i] = i * 180.0 / (MOMENTS_ROWS - 1);
+        angle_deg[i] = i <= 1000 ? i / 100. : 10 + (i - 1000) / 20.;
+        const double angle = angle_deg[i] * PI / 180;
+        const double step = (i <= 1000 ? .01 : .05) * PI / 180;
+        const double p = moments_density(chi, n, cos(angle));
         phase_per_sr[i] = p > 0 ? p : 0;
-        lost += p < 0 ? -p * 2 * PI * sin(i * step) * step : 0;
+        lost += p < 0 ? -p * 2 * PI * sin(angle) * step : 0;
     }
     return lost;
 }

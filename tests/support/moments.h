@@ -20,9 +20,9 @@ size_t moments_read(const char *path, const char *column,
 /* p(mu), as the series has it. */
 double moments_density(const double *chi, size_t n, double mu);
 
-/* Rows of the table: 0, .05, .. 180 degrees, 12 rows to the narrowest lobe of
- * 300 moments. */
-#define MOMENTS_ROWS 3601
+/* Rows of the table: 0, .01, .. 10 degrees, where forward peaks are steep, then
+ * every .05 to 180: 12 rows to the narrowest lobe of 300 moments. */
+#define MOMENTS_ROWS 4401
 
 /* Fills angle_deg and phase_per_sr; gives back the share of the sphere's
  * integral that was below 0 and became 0. */

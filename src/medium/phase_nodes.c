@@ -1,0 +1,253 @@
+#include "medium/phase_nodes.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#define TWO_PI 6.283185307179586
+
+/* 1 - cos of the smallest angle whose cosine is not rounded to 1. */
+#define S_LEAST 0x1p-54
+
+static void add(murk_phase_nodes *nodes, murk_phase_node node)
+{
+    if (nodes->is_full) {
+        return;
+    }
+    if (nodes->n == nodes->room) {
+        const size_t room = nodes->room ? 2 * nodes->room : 1024;
+        murk_phase_node *more = room > MURK_PHASE_NODES_MAX
+                                    ? NULL
+                                    : realloc(nodes->node, room * sizeof *more);
+        if (!more) {
+            nodes->is_full = true;
+            return;
+        }
+        nodes->node = more;
+        nodes->room = room;
+    }
+    nodes->node[nodes->n++] = node;
+}
+
+void murk_phase_nodes_begin(murk_phase_nodes *nodes, double s, double density,
+                            double power)
+{
+    assert(nodes->n == 0 && s >= 0 && s < 2 && power > -1);
+    nodes->power = power;
+    add(nodes,
+        (murk_phase_node){TWO_PI * density * s / (power + 1), s, density});
+}
+
+void murk_phase_nodes_line(murk_phase_nodes *nodes, double s, double density)
+{
+    if (nodes->is_full) {
+        return;
+    }
+    const murk_phase_node last = nodes->node[nodes->n - 1];
+    if (s > last.s) {
+        const double share =
+            TWO_PI * .5 * (last.density + density) * (s - last.s);
+        add(nodes, (murk_phase_node){last.below + share, s, density});
+    }
+}
+
+/* Whether a straight line between two nodes is near enough to the law. */
+static bool is_near(murk_phase_node from, murk_phase_node to,
+                    double (*law)(const void *context, double s),
+                    const void *context)
+{
+    for (int i = 1; i < 4; ++i) {
+        const double s = from.s + .25 * i * (to.s - from.s);
+        const double line =
+            from.density + .25 * i * (to.density - from.density);
+        const double want = law(context, s);
+        if (!(fabs(line - want) <= MURK_PHASE_TOLERANCE * want)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Halves the way until each part is near: what is still to come waits on a
+ * stack, nearest on top. Parts halve in log s while they are long. */
+void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
+                          double (*law)(const void *context, double s),
+                          const void *context)
+{
+    enum { DEPTH = 80 }; /* 6 halvings in log s, 53 more to its last digit */
+    murk_phase_node waiting[DEPTH];
+    size_t n = 0;
+    waiting[n++] = (murk_phase_node){0, s, law(context, s)};
+    while (n > 0 && !nodes->is_full) {
+        const murk_phase_node from = nodes->node[nodes->n - 1];
+        const murk_phase_node to = waiting[n - 1];
+        const double middle = to.s > 4 * from.s && from.s > 0
+                                  ? sqrt(from.s * to.s)
+                                  : .5 * (from.s + to.s);
+        if (n == DEPTH || !(middle > from.s && middle < to.s) ||
+            (to.s <= 4 * from.s && is_near(from, to, law, context))) {
+            murk_phase_nodes_line(nodes, to.s, to.density);
+            --n;
+        } else {
+            waiting[n++] = (murk_phase_node){0, middle, law(context, middle)};
+        }
+    }
+}
+
+double murk_phase_nodes_integral(const murk_phase_nodes *nodes)
+{
+    return nodes->n > 0 ? nodes->node[nodes->n - 1].below : 0;
+}
+
+/* Integral of s times the density over the sphere: 1 less the mean cosine. */
+static double mean_s(const murk_phase_table *table)
+{
+    const murk_phase_node *node = table->node;
+    double sum = node[0].density * node[0].s * node[0].s / (table->power + 2);
+    for (size_t i = 0; i + 1 < table->nodes; ++i) {
+        const double h = node[i + 1].s - node[i].s;
+        sum += h * (.5 * node[i].s * (node[i].density + node[i + 1].density) +
+                    h * (node[i].density + 2 * node[i + 1].density) / 6);
+    }
+    return TWO_PI * sum;
+}
+
+/* The last node before s, and the first where there is none. */
+static size_t node_before(const murk_phase_table *table, double s)
+{
+    size_t from = 0, to = table->nodes - 1;
+    while (to - from > 1) {
+        const size_t middle = from + (to - from) / 2;
+        if (table->node[middle].s <= s) {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    return from;
+}
+
+/* Share that turns by less than s, not before node 0. */
+static double share_below(const murk_phase_table *table, double s)
+{
+    const murk_phase_node *node = &table->node[node_before(table, s)];
+    const double t = (s - node->s) / (node[1].s - node->s);
+    const double here = node->density + t * (node[1].density - node->density);
+    return node->below + TWO_PI * .5 * (node->density + here) * (s - node->s);
+}
+
+static murk_status guide(murk_phase_table *table)
+{
+    table->guides = 1;
+    while (table->guides < table->nodes) {
+        table->guides *= 2;
+    }
+    table->guide = malloc(table->guides * sizeof *table->guide);
+    if (!table->guide) {
+        return MURK_NO_MEMORY;
+    }
+    size_t i = 0;
+    for (size_t k = 0; k < table->guides; ++k) {
+        const double u = (double)k / (double)table->guides;
+        while (i + 2 < table->nodes && table->node[i + 1].below <= u) {
+            ++i;
+        }
+        table->guide[k] = (uint32_t)i;
+    }
+    return MURK_OK;
+}
+
+murk_status murk_phase_nodes_finish(murk_phase_table **out,
+                                    murk_phase_nodes *nodes, const char *where,
+                                    murk_error *err)
+{
+    const double integral = murk_phase_nodes_integral(nodes);
+    murk_phase_table *table = NULL;
+    murk_status status = MURK_OK;
+    if (!nodes->is_full && !(integral > 0)) {
+        status = murk_fail(err, MURK_BAD_VALUE, where,
+                           "no light anywhere, the integral over the sphere "
+                           "must be more than 0");
+        goto done;
+    }
+    table = calloc(1, sizeof *table);
+    if (nodes->is_full || !table) {
+        status = murk_fail(err, MURK_NO_MEMORY, where,
+                           "no memory for a phase function, or more than %u "
+                           "nodes",
+                           MURK_PHASE_NODES_MAX);
+        goto done;
+    }
+    *table = (murk_phase_table){
+        .node = nodes->node, .nodes = nodes->n, .power = nodes->power};
+    *nodes = (murk_phase_nodes){0};
+    for (size_t i = 0; i < table->nodes; ++i) {
+        table->node[i].below /= integral;
+        table->node[i].density /= integral;
+    }
+    assert(table->nodes > 1 && table->node[table->nodes - 1].s == 2);
+    status = guide(table);
+    if (status) {
+        murk_fail(err, status, where, "no memory for a phase function");
+        goto done;
+    }
+    table->facts.integral = integral;
+    table->facts.mean_cosine = 1 - mean_s(table);
+    table->facts.backward = 1 - share_below(table, 1);
+    table->facts.nodes = table->nodes;
+    *out = table;
+    table = NULL;
+done:
+    free(nodes->node);
+    *nodes = (murk_phase_nodes){0};
+    murk_phase_table_destroy(table);
+    return status;
+}
+
+void murk_phase_table_destroy(murk_phase_table *table)
+{
+    if (table) {
+        free(table->node);
+        free(table->guide);
+        free(table);
+    }
+}
+
+const murk_phase_facts *murk_phase_table_facts(const murk_phase_table *table)
+{
+    return &table->facts;
+}
+
+double murk_phase_table_density(const murk_phase_table *table, double mu)
+{
+    assert(mu >= -1 && mu <= 1);
+    const double s = fmax(1 - mu, S_LEAST);
+    const murk_phase_node *node = table->node;
+    if (s < node->s) {
+        return node->density * pow(s / node->s, table->power);
+    }
+    node += node_before(table, s);
+    const double t = (s - node->s) / (node[1].s - node->s);
+    return node->density + t * (node[1].density - node->density);
+}
+
+/* From the share a beyond the node on: a / (2 pi) = p t + (slope / 2) t^2, in
+ * the form of the root that does not cancel. */
+double murk_phase_table_sample(const murk_phase_table *table, double u)
+{
+    assert(u > 0 && u < 1);
+    const murk_phase_node *node = table->node;
+    if (u < node->below) {
+        return 1 - node->s * pow(u / node->below, 1 / (table->power + 1));
+    }
+    node += table->guide[(size_t)(u * (double)table->guides)];
+    while (node[1].below <= u) {
+        ++node;
+    }
+    const double h = node[1].s - node->s, p = node->density;
+    const double a = (u - node->below) / TWO_PI;
+    const double slope = (node[1].density - p) / h;
+    const double root = sqrt(fmax(0, p * p + 2 * a * slope));
+    const double t = a > 0 ? 2 * a / (p + root) : 0;
+    return 1 - (node->s + fmin(t, h));
+}

@@ -1,0 +1,244 @@
+#include "medium/phase_table.h"
+
+#include "medium/fournier_forand.h"
+#include "medium/phase_nodes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define DEGREE 0.017453292519943295
+
+#define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere lies before */
+#define LAST_DEG_MIN  150.0 /* less than 7 % behind */
+#define VALUE_MIN     1e-30
+#define VALUE_MAX     1e30
+
+/* Below this s an angle^k is an s^(k/2) to angle^2 k / 24 = 8e-7. */
+#define HEAD_S 5e-6
+
+static murk_status fail_row(const murk_phase_rows *rows, size_t i,
+                            const char *column, const char *text,
+                            murk_error *err)
+{
+    char where[320];
+    if (rows->line) {
+        snprintf(where, sizeof where, "%.240s:%d: %s", rows->where,
+                 rows->line[i], column);
+    } else {
+        snprintf(where, sizeof where, "%.240s: row %zu: %s", rows->where, i,
+                 column);
+    }
+    return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
+}
+
+static murk_status check_angle(const murk_phase_rows *rows, size_t i,
+                               murk_error *err)
+{
+    const double angle = rows->angle_deg[i];
+    char text[160] = "";
+    if (!(angle >= 0 && angle <= 180)) {
+        snprintf(text, sizeof text, "%.9g, must be 0..180 degrees", angle);
+    } else if (i > 0 && !(angle > rows->angle_deg[i - 1])) {
+        snprintf(text, sizeof text,
+                 "%.9g, must be more than the %.9g degrees before", angle,
+                 rows->angle_deg[i - 1]);
+    } else if (i == 0 && angle > FIRST_DEG_MAX) {
+        snprintf(text, sizeof text, "begins at %.9g, must be 0..%g degrees",
+                 angle, FIRST_DEG_MAX);
+    } else if (i + 1 == rows->rows && angle < LAST_DEG_MIN) {
+        snprintf(text, sizeof text, "ends at %.9g, must be %g..180 degrees",
+                 angle, LAST_DEG_MIN);
+    }
+    return text[0] ? fail_row(rows, i, "angle_deg", text, err) : MURK_OK;
+}
+
+static murk_status check_rows(const murk_phase_rows *rows, murk_error *err)
+{
+    if (rows->rows < 2) {
+        return murk_fail(err, MURK_BAD_VALUE, rows->where,
+                         "%zu rows, a phase function needs at least 2",
+                         rows->rows);
+    }
+    for (size_t i = 0; i < rows->rows; ++i) {
+        const double value = rows->phase_per_sr[i];
+        const murk_status status = check_angle(rows, i, err);
+        if (status) {
+            return status;
+        }
+        if (!(value == 0 || (value >= VALUE_MIN && value <= VALUE_MAX))) {
+            char text[96];
+            snprintf(text, sizeof text, "%.9g, must be 0 or %g..%g per sr",
+                     value, VALUE_MIN, VALUE_MAX);
+            return fail_row(rows, i, "phase_per_sr", text, err);
+        }
+    }
+    return MURK_OK;
+}
+
+static double s_of(double angle_rad)
+{
+    const double half = sin(.5 * angle_rad);
+    return 2 * half * half;
+}
+
+static double angle_of(double s)
+{
+    return 2 * asin(sqrt(.5 * s));
+}
+
+/* first (angle / from)^power: what lies between two rows. */
+typedef struct stretch {
+    double from, first, power;
+} stretch;
+
+static double stretch_density(const void *context, double s)
+{
+    const stretch *st = context;
+    return st->first * pow(angle_of(s) / st->from, st->power);
+}
+
+/* The law between row i and the next. */
+static stretch stretch_of(const murk_phase_rows *rows, size_t i)
+{
+    const double from = rows->angle_deg[i], to = rows->angle_deg[i + 1];
+    const double first = rows->phase_per_sr[i],
+                 last = rows->phase_per_sr[i + 1];
+    return (stretch){from * DEGREE, first, log(last / first) / log(to / from)};
+}
+
+static bool is_straight(const murk_phase_rows *rows, size_t i)
+{
+    return rows->angle_deg[i] == 0 || rows->phase_per_sr[i] == 0 ||
+           rows->phase_per_sr[i + 1] == 0;
+}
+
+/* From angle 0 to the first row. */
+static murk_status lay_head(murk_phase_nodes *nodes,
+                            const murk_phase_rows *rows, murk_error *err)
+{
+    const double s = s_of(rows->angle_deg[0] * DEGREE);
+    const stretch law =
+        is_straight(rows, 0) ? (stretch){0} : stretch_of(rows, 0);
+    if (!(law.power < 0)) {
+        murk_phase_nodes_begin(nodes, 0, rows->phase_per_sr[0], 0);
+        murk_phase_nodes_line(nodes, s, rows->phase_per_sr[0]);
+        return MURK_OK;
+    }
+    if (law.power <= -2) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "the first two rows fall as angle^%.4g, which has no "
+                 "integral to angle 0: must be less steep than angle^-2, or "
+                 "begin with a row at angle 0",
+                 law.power);
+        return fail_row(rows, 0, "phase_per_sr", text, err);
+    }
+    const double begin = fmin(s, HEAD_S);
+    murk_phase_nodes_begin(nodes, begin, stretch_density(&law, begin),
+                           .5 * law.power);
+    murk_phase_nodes_law(nodes, s, stretch_density, &law);
+    return MURK_OK;
+}
+
+static murk_status lay_rows(murk_phase_nodes *nodes,
+                            const murk_phase_rows *rows, murk_error *err)
+{
+    for (size_t i = 0; i + 1 < rows->rows; ++i) {
+        const double s = s_of(rows->angle_deg[i + 1] * DEGREE);
+        if (is_straight(rows, i)) {
+            murk_phase_nodes_line(nodes, s, rows->phase_per_sr[i + 1]);
+        } else {
+            const stretch law = stretch_of(rows, i);
+            murk_phase_nodes_law(nodes, s, stretch_density, &law);
+        }
+        if (nodes->is_full) {
+            char text[128];
+            snprintf(text, sizeof text,
+                     "too many steep rows up to here: no memory, or more than "
+                     "%u steps",
+                     MURK_PHASE_NODES_MAX);
+            return fail_row(rows, i + 1, "phase_per_sr", text, err);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_phase_table_create(murk_phase_table **out,
+                                    const murk_phase_rows *rows,
+                                    murk_error *err)
+{
+    murk_phase_nodes nodes = {0};
+    murk_phase_table *table = NULL;
+    murk_status status = check_rows(rows, err);
+    double before = 0, covered = 0;
+    if (!status) {
+        status = lay_head(&nodes, rows, err);
+        before = murk_phase_nodes_integral(&nodes);
+    }
+    if (!status) {
+        status = lay_rows(&nodes, rows, err);
+        covered = murk_phase_nodes_integral(&nodes);
+    }
+    if (!status) {
+        murk_phase_nodes_line(&nodes, 2, rows->phase_per_sr[rows->rows - 1]);
+        status = murk_phase_nodes_finish(&table, &nodes, rows->where, err);
+    }
+    if (!status) {
+        table->facts.before_first = before / table->facts.integral;
+        table->facts.behind_last = 1 - covered / table->facts.integral;
+        *out = table;
+    }
+    free(nodes.node);
+    return status;
+}
+
+typedef struct forand {
+    double n, slope;
+} forand;
+
+static double forand_density(const void *context, double s)
+{
+    const forand *f = context;
+    return murk_fournier_forand(f->n, f->slope, s);
+}
+
+/* The largest s before which the phase function is a power law, looked for
+ * from HEAD_S down to where no double could tell. */
+static double forand_head(const forand *f)
+{
+    const double power = .5 * (f->slope - 5), far = 0x1p-20;
+    double s = HEAD_S;
+    for (; s > 1e-18; s *= .25) {
+        const double law = forand_density(f, s) * pow(far, power);
+        const double want = forand_density(f, far * s);
+        if (fabs(law - want) <= MURK_PHASE_TOLERANCE * want) {
+            break;
+        }
+    }
+    return s;
+}
+
+murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
+                                             double slope, const char *where,
+                                             murk_error *err)
+{
+    if (!(n >= 1.001 && n <= 2)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "relative index n of Fournier-Forand is %g, must be "
+                         "1.001..2",
+                         n);
+    }
+    if (!(slope > 3 && slope < 5)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "slope mu of Fournier-Forand is %g, must be more "
+                         "than 3 and less than 5",
+                         slope);
+    }
+    const forand f = {n, slope};
+    const double s = forand_head(&f);
+    murk_phase_nodes nodes = {0};
+    murk_phase_nodes_begin(&nodes, s, forand_density(&f, s), .5 * (slope - 5));
+    murk_phase_nodes_law(&nodes, 2, forand_density, &f);
+    return murk_phase_nodes_finish(out, &nodes, where, err);
+}

@@ -1,0 +1,15 @@
+/* The groups of reference cases: each a file NAME.c here, with a function
+ * cases_NAME. Results list them in this order. */
+#ifndef MURK_TESTS_CASES_GROUPS_H
+#define MURK_TESTS_CASES_GROUPS_H
+
+#include "validation.h"
+
+#define VALIDATION_GROUPS(X) \
+    X(slabs) /* even slabs of fog: reflectance, transmittance */
+
+#define X(name) void cases_##name(validation *v);
+VALIDATION_GROUPS(X)
+#undef X
+
+#endif
