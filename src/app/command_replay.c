@@ -113,8 +113,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
                       (unsigned long long)(emit - 1), (unsigned long long)emit);
         goto done;
     }
-    status = murk_ledger_create(
-        &ledger, murk_lights_channels(session.stage->lights), err);
+    status = murk_stage_ledger(&ledger, session.stage, err);
     if (status) {
         goto done;
     }

@@ -55,8 +55,7 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
         return murk_fail(err, MURK_NO_MEMORY, wish->where,
                          "no memory to trace");
     }
-    status =
-        murk_ledger_create(&ledger, murk_lights_channels(stage->lights), err);
+    status = murk_stage_ledger(&ledger, stage, err);
     if (status) {
         goto done;
     }
@@ -164,80 +163,45 @@ static uint64_t wave_photons(const job *j)
     return photons < left ? photons : left;
 }
 
-static void add_ledger(murk_ledger *sum, const murk_ledger *part)
+/* Takes photons [first, last) back from the ledger and the tallies. */
+static void take_back(const job *j, uint64_t first, uint64_t last)
 {
-    for (size_t c = 0; c < sum->channels; ++c) {
-        murk_tally_add(&sum->emitted[c], murk_tally_read(&part->emitted[c]));
-        murk_tally_add(&sum->absorbed_surfaces[c],
-                       murk_tally_read(&part->absorbed_surfaces[c]));
-        murk_tally_add(&sum->absorbed_media[c],
-                       murk_tally_read(&part->absorbed_media[c]));
-        murk_tally_add(&sum->escaped[c], murk_tally_read(&part->escaped[c]));
-        murk_tally_add(&sum->lost[c], murk_tally_read(&part->lost[c]));
-    }
-    for (int i = 0; i < MURK_LOSSES; ++i) {
-        murk_tally_add(&sum->lost_photons[i],
-                       murk_tally_read(&part->lost_photons[i]));
-    }
-    murk_tally_add(&sum->photons, murk_tally_read(&part->photons));
-    murk_tally_add(&sum->collisions, murk_tally_read(&part->collisions));
-}
-
-/* Traces [first, last) once more, storing nothing, for the ledger of just
- * those photons. */
-static murk_status retrace(const job *j, murk_ledger **ledger, uint64_t first,
-                           uint64_t last, murk_error *err)
-{
-    murk_ledger_destroy(*ledger);
-    *ledger = NULL;
-    const murk_status status =
-        murk_ledger_create(ledger, j->traced->channels, err);
-    if (!status) {
-        const murk_trace trace =
-            trace_of(j->stage, j->traced->stream, j->threads, first, last);
-        murk_trace_run(&trace, *ledger);
-    }
-    return status;
+    murk_trace trace =
+        trace_of(j->stage, j->traced->stream, j->threads, first, last);
+    trace.tallies = j->traced->tallies;
+    trace.takes_back = true;
+    murk_trace_run(&trace, j->traced->ledger);
 }
 
 /* One wave. Sets *is_done when all are emitted, or `store` is reached: the
  * photon that reaches it is the last, and is kept whole. */
 static murk_status trace_wave(job *j, bool *is_done, murk_error *err)
 {
-    murk_ledger *ledger = NULL;
-    murk_status status = murk_ledger_create(&ledger, j->traced->channels, err);
-    if (status) {
-        return status;
-    }
     const uint64_t first = j->traced->emitted;
     uint64_t end = first + wave_photons(j);
     murk_trace trace =
         trace_of(j->stage, j->traced->stream, j->threads, first, end);
+    trace.tallies = j->traced->tallies;
     if (j->harvest->keeps_surface || j->harvest->keeps_volume) {
         trace.sink = murk_harvest_event;
         trace.context = j->harvest;
     }
-    murk_trace_run(&trace, ledger);
+    murk_trace_run(&trace, j->traced->ledger);
 
     uint64_t last = UINT64_MAX;
     if (j->wish->store && !murk_interrupted()) {
         last = murk_harvest_photon_of(j->harvest, j->wish->store - stored(j));
     }
     if (last != UINT64_MAX) {
+        take_back(j, last + 1, end);
         end = last + 1;
-        status = retrace(j, &ledger, first, end, err);
     }
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
-    if (!status) {
-        add_ledger(j->traced->ledger, ledger);
-        status = murk_harvest_gather(j->harvest, last, err);
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     j->traced->emitted = end;
     *is_done = last != UINT64_MAX || end == j->wish->emit;
-    murk_ledger_destroy(ledger);
-    return status;
+    return murk_harvest_gather(j->harvest, last, err);
 }
 
 static murk_status trace_all(job *j, murk_error *err)
@@ -409,7 +373,7 @@ murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
         traced->packet_w = calloc(traced->channels, sizeof *traced->packet_w);
     }
     if (!traced || !traced->packet_w ||
-        murk_ledger_create(&traced->ledger, traced->channels, err)) {
+        murk_stage_ledger(&traced->ledger, stage, err)) {
         murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                   "no memory to trace");
         murk_traced_destroy(traced);
@@ -424,6 +388,7 @@ void murk_traced_destroy(murk_traced *traced)
         murk_photon_map_destroy(traced->surface);
         murk_photon_map_destroy(traced->volume);
         murk_ledger_destroy(traced->ledger);
+        murk_tallies_destroy(traced->tallies);
         free(traced->packet_w);
         free(traced);
     }

@@ -5,12 +5,26 @@
 
 #define ACCOUNTS 5
 
-murk_status murk_ledger_create(murk_ledger **out, size_t channels,
-                               murk_error *err)
+/* As many lanes as bring this many cells at most: beyond, threads seldom meet
+ * in one. */
+#define LANES      16
+#define LANE_CELLS 65536
+
+static size_t lanes_of(size_t cells)
 {
-    assert(out && channels > 0);
+    const size_t lanes = LANE_CELLS / cells;
+    return lanes < 1 ? 1 : lanes < LANES ? lanes : LANES;
+}
+
+murk_status murk_ledger_create(murk_ledger **out, size_t channels,
+                               size_t materials, size_t media, murk_error *err)
+{
+    assert(out && channels > 0 && materials > 0);
+    const size_t absorbers = channels * (materials + media);
+    const size_t lanes = lanes_of(absorbers);
     murk_ledger *ledger = calloc(1, sizeof *ledger);
-    murk_tally *cells = calloc(channels * ACCOUNTS, sizeof *cells);
+    murk_tally *cells =
+        calloc(channels * ACCOUNTS + lanes * absorbers, sizeof *cells);
     if (!ledger || !cells) {
         free(ledger);
         free(cells);
@@ -18,11 +32,15 @@ murk_status murk_ledger_create(murk_ledger **out, size_t channels,
                          "no memory for %zu channels", channels);
     }
     ledger->channels = channels;
+    ledger->materials = materials;
+    ledger->media = media;
+    ledger->lanes = lanes;
     ledger->emitted = cells; /* the others follow it in one block */
     ledger->absorbed_surfaces = cells + channels;
     ledger->absorbed_media = cells + 2 * channels;
     ledger->escaped = cells + 3 * channels;
     ledger->lost = cells + 4 * channels;
+    ledger->absorber = cells + 5 * channels;
     *out = ledger;
     return MURK_OK;
 }
@@ -33,6 +51,33 @@ void murk_ledger_destroy(murk_ledger *ledger)
         free(ledger->emitted);
         free(ledger);
     }
+}
+
+static int64_t absorbed_by(const murk_ledger *ledger, size_t channel,
+                           size_t absorber)
+{
+    const size_t absorbers = ledger->materials + ledger->media;
+    int64_t sum = 0;
+    for (size_t lane = 0; lane < ledger->lanes; ++lane) {
+        sum += murk_tally_read(
+            &ledger->absorber[(lane * ledger->channels + channel) * absorbers +
+                              absorber]);
+    }
+    return sum;
+}
+
+int64_t murk_ledger_by_material(const murk_ledger *ledger, size_t channel,
+                                size_t material)
+{
+    assert(material < ledger->materials);
+    return absorbed_by(ledger, channel, material);
+}
+
+int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,
+                              size_t medium)
+{
+    assert(medium < ledger->media);
+    return absorbed_by(ledger, channel, ledger->materials + medium);
 }
 
 int64_t murk_ledger_imbalance(const murk_ledger *ledger)

@@ -23,6 +23,7 @@
 #include "geometry/surfaces.h"
 #include "light/lights.h"
 #include "medium/media.h"
+#include "transport/tallies.h"
 
 /* Everything that a photon can meet; borrowed, immutable. */
 typedef struct murk_world {
@@ -101,8 +102,7 @@ typedef struct murk_trace {
     const murk_world *world;
     uint32_t seed;
     uint32_t stream; /* 0: the map that chooses; 1: held out; 2: confirms */
-    uint64_t first, last; /* photons [first, last); first a multiple of
-                             MURK_BATCH_PHOTONS; batch 0 starts at first */
+    uint64_t first, last; /* photons [first, last); batch 0 starts at first */
     unsigned threads;
     uint32_t events_max, wraps_max;
     double least_weight; /* MURK_LEAST_WEIGHT_MIN..1 */
@@ -110,6 +110,9 @@ typedef struct murk_trace {
                       prepared; else by march */
     murk_event_sink sink; /* may be NULL */
     void *context;
+    murk_tallies *tallies; /* may be NULL; made for `threads` or more */
+    bool takes_back;       /* the ledger and the tallies lose what these photons
+                              brought them */
 } murk_trace;
 
 murk_trace murk_trace_defaults(
@@ -120,22 +123,33 @@ murk_trace murk_trace_defaults(
 
 /* Energy by channel (light * bands + band), in quanta. */
 typedef struct murk_ledger {
-    size_t channels;
+    size_t channels, materials, media;
     murk_tally *emitted, *absorbed_surfaces, *absorbed_media, *escaped,
-        *lost; /* [channels] each */
+        *lost;            /* [channels] each */
+    murk_tally *absorber; /* [lanes][channels][materials + media]: each thread
+                             adds to one lane, or they wait for each other */
+    size_t lanes;
     murk_tally lost_photons[MURK_LOSSES];
     murk_tally photons, collisions; /* plain counts; collisions: real ones */
 } murk_ledger;
 
+/* materials and media as many as the world has, or more. */
 murk_status murk_ledger_create(murk_ledger **out, size_t channels,
-                               murk_error *err);
+                               size_t materials, size_t media, murk_error *err);
 void murk_ledger_destroy(murk_ledger *ledger); /* NULL is fine */
+
+/* What one material or medium took: over all of them, absorbed_surfaces and
+ * absorbed_media of that channel. */
+int64_t murk_ledger_by_material(const murk_ledger *ledger, size_t channel,
+                                size_t material);
+int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,
+                              size_t medium);
 
 /* Sum over channels of |emitted - absorbed - escaped - lost|: 0 always. */
 int64_t murk_ledger_imbalance(const murk_ledger *ledger);
 
-/* Traces and adds to the ledger. Ends early when interrupted: ask
- * murk_interrupted(). */
+/* Traces and adds to the ledger and the tallies. Ends early when interrupted:
+ * ask murk_interrupted(). */
 void murk_trace_run(const murk_trace *trace, murk_ledger *ledger);
 
 #endif

@@ -24,6 +24,10 @@
  * murk_surfaces_leave() moves by. */
 #define GROWN_BY 4e-6
 
+/* Likewise, how near to a place that was worked out in double a plane has it in
+ * it: some hundred times what it is off by. */
+#define IN_PLANE_BY 1e-13
+
 /* A photon under way. */
 typedef struct walk {
     const murk_course *course;
@@ -31,6 +35,7 @@ typedef struct walk {
     uint64_t batch, photon;
     int64_t quanta; /* what is left of its packet */
     size_t channel, light;
+    size_t absorber; /* that took it, where it ended so */
     int band;
     uint32_t number, wraps;
     murk_event_class event_class;
@@ -57,10 +62,20 @@ static double share_of_packet(int64_t quanta)
     return (double)quanta / (double)MURK_PACKET;
 }
 
+/* Quanta that a material or, counted on from the last of them, a medium keeps.
+ */
+static void keep(const walk *w, size_t absorber, int64_t quanta)
+{
+    murk_tally_add(
+        &w->sums->absorber[w->channel * w->sums->absorbers + absorber],
+        w->course->trace->takes_back ? -quanta : quanta);
+}
+
 /* Leaves behind all but the share `kept` of the photon's quanta, where it has
  * enough of them to be split; u in (0, 1) rounds without bias. False where the
  * roulette must decide instead. */
-static bool splits(walk *w, double kept, double u, murk_fate fate)
+static bool splits(walk *w, double kept, double u, murk_fate fate,
+                   size_t absorber)
 {
     if (w->quanta <= w->course->least_quanta) {
         return false;
@@ -68,6 +83,7 @@ static bool splits(walk *w, double kept, double u, murk_fate fate)
     const int64_t left = (int64_t)floor((double)w->quanta * kept + u);
     const int64_t quanta = left < w->quanta ? left : w->quanta;
     w->sums->ended[w->channel][fate] += w->quanta - quanta;
+    keep(w, absorber, w->quanta - quanta);
     w->quanta = quanta;
     return true;
 }
@@ -95,6 +111,15 @@ static void tell(const walk *w, const murk_event *event)
 static bool is_heard(const walk *w)
 {
     return w->course->trace->sink != NULL;
+}
+
+/* A leg for the tallies, which ends for planes at `end`; reach_m: murk_station.
+ */
+static void score(const walk *w, murk_vec3 from, double length_m,
+                  int64_t quanta, murk_vec3 end, double reach_m)
+{
+    murk_score_leg(w->sums->scorer, from, w->direction, length_m,
+                   (double)quanta, (murk_station){end, reach_m});
 }
 
 static murk_fate lose(walk *w, murk_loss loss)
@@ -183,14 +208,19 @@ static bool meets_surface(const walk *w, murk_hit *hit, double *distance_m)
 static bool scatter(walk *w, const murk_collision *c, const double u[2])
 {
     const int64_t before = w->quanta;
-    const bool is_split = splits(w, c->albedo, u[0], MURK_FATE_MEDIA);
+    w->absorber = w->sums->materials + c->medium;
+    const bool is_split =
+        splits(w, c->albedo, u[0], MURK_FATE_MEDIA, w->absorber);
     const bool scatters = is_split ? w->quanta > 0 : u[0] < c->albedo;
     const double azimuth = is_split ? u[0] : u[0] / c->albedo;
     const murk_vec3 arriving = w->direction;
+    const murk_vec3 from = w->position;
     ++w->sums->collisions;
-    w->position = w->probe =
-        held_inside(&w->course->walls,
-                    murk_along(w->position, c->distance_m, w->direction));
+    w->position = w->probe = held_inside(
+        &w->course->walls, murk_along(from, c->distance_m, w->direction));
+    if (w->sums->scorer) {
+        score(w, from, c->distance_m, before, w->position, 0);
+    }
     if (scatters) {
         w->direction =
             murk_turned(arriving, murk_phase_sample(c->phase, u[1]), azimuth);
@@ -236,8 +266,13 @@ static void meet_boundary(walk *w, const murk_boundary *b)
 {
     const murk_vec3 arriving = w->direction;
     const double lead = murk_dot(murk_sub(w->probe, w->position), arriving);
+    const murk_vec3 from = w->position;
     w->position = held_inside(&w->course->walls,
-                              murk_along(w->position, b->distance_m, arriving));
+                              murk_along(from, b->distance_m, arriving));
+    if (w->sums->scorer) {
+        score(w, from, b->distance_m, w->quanta, w->position,
+              w->course->in_plane_m);
+    }
     if (!(lead > b->distance_m)) {
         w->probe = w->position;
     }
@@ -286,17 +321,23 @@ static bool bounce(walk *w, const murk_hit *hit, double path_m,
         n_from = index_in(w, &w->solids, w->inside);
         n_to = index_in(w, &beyond, inside);
     }
+    const murk_vec3 place = murk_along(w->probe, hit->distance_m, w->direction);
+    if (w->sums->scorer) {
+        score(w, w->position, path_m, w->quanta, place, w->course->in_plane_m);
+    }
+    w->position = place;
+    w->absorber = hit->material;
     murk_random4 random = draw(w, MURK_SURFACE);
     const int64_t before = w->quanta;
     const double kept = material->diffuse.band[w->band] +
                         material->specular.band[w->band] +
                         material->transmit.band[w->band];
-    if (kept < 1 && splits(w, kept, random.u[2], MURK_FATE_SURFACES)) {
+    if (kept < 1 &&
+        splits(w, kept, random.u[2], MURK_FATE_SURFACES, w->absorber)) {
         random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
     }
     const murk_bounce b = murk_surface_bounce(
         material, w->band, n_from, n_to, w->direction, hit->normal, random.u);
-    w->position = murk_along(w->probe, hit->distance_m, w->direction);
     if (is_heard(w)) {
         murk_event event = event_of(w, MURK_EVENT_SURFACE);
         event.outcome = b.outcome;
@@ -353,6 +394,15 @@ static void put_on_wall(const murk_walls *walls, int axis, bool upper,
     }
 }
 
+/* Just out of a side of the domain, so that planes in it count what passes. */
+static murk_vec3 beyond_side(const walk *w, int axis, bool upper)
+{
+    const double step = upper ? w->course->margin_m : -w->course->margin_m;
+    return murk_add(w->position,
+                    murk_vec(axis == 0 ? step : 0, axis == 1 ? step : 0,
+                             axis == 2 ? step : 0));
+}
+
 /* False when the photon has left the world, *ended telling how. */
 static bool pass_side(walk *w, double path_m, murk_fate *ended)
 {
@@ -361,8 +411,12 @@ static bool pass_side(walk *w, double path_m, murk_fate *ended)
     const int axis = axis_ahead(walls, w->position, d);
     const bool upper = (axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0;
     const bool wraps = w->course->world->domain.is_periodic && axis != 2;
-    w->position = held_inside(walls, murk_along(w->position, path_m, d));
+    const murk_vec3 from = w->position;
+    w->position = held_inside(walls, murk_along(from, path_m, d));
     put_on_wall(walls, axis, upper, &w->position);
+    if (w->sums->scorer) {
+        score(w, from, path_m, w->quanta, beyond_side(w, axis, upper), 0);
+    }
     if (wraps && w->wraps >= w->course->trace->wraps_max) {
         *ended = lose(w, MURK_LOSS_WRAPS);
         return false;
@@ -380,6 +434,10 @@ static bool pass_side(walk *w, double path_m, murk_fate *ended)
     }
     ++w->wraps;
     put_on_wall(walls, axis, !upper, &w->position);
+    if (w->sums->scorer) {
+        murk_score_jump(w->sums->scorer,
+                        (murk_station){beyond_side(w, axis, !upper), 0});
+    }
     w->inside = murk_media_wrapped(w->course->world->media, w->inside,
                                    w->position, axis);
     enter(w);
@@ -511,6 +569,19 @@ static void start(walk *w, murk_ray ray)
     }
 }
 
+/* Where the chain of the tallies' planes begins: before the side that distant
+ * light enters by. */
+static murk_station first_station(const walk *w)
+{
+    const murk_light *light =
+        murk_lights_get(w->course->world->lights, w->light);
+    return light->type == MURK_LIGHT_DIRECTIONAL
+               ? (murk_station){murk_along(w->position, -w->course->margin_m,
+                                           w->direction),
+                                0}
+               : (murk_station){w->position, w->course->in_plane_m};
+}
+
 static murk_walls walls_of(const murk_box *box, double grow)
 {
     return (murk_walls){{box->min.x - grow, box->max.x + grow},
@@ -537,6 +608,7 @@ murk_course murk_course_of(const murk_trace *trace)
         .grown = walls_of(&box, grow),
         .margin_m = grow,
         .near_m = 2 * step,
+        .in_plane_m = fmax(step / 2, IN_PLANE_BY * size),
         .any_surfaces = facts.triangles + facts.spheres > 0,
         .any_solids = facts.solids > 0,
         .any_media = murk_media_any(world->media),
@@ -568,6 +640,15 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
         event.direction_out = w.direction;
         tell(&w, &event);
     }
+    if (s->scorer) {
+        murk_score_start(s->scorer, channel, first_station(&w));
+    }
     const murk_fate fate = follow(&w);
     s->ended[channel][fate] += w.quanta;
+    if (fate == MURK_FATE_SURFACES || fate == MURK_FATE_MEDIA) {
+        keep(&w, w.absorber, w.quanta);
+    }
+    if (s->scorer) {
+        murk_score_end(s->scorer, r->trace->takes_back);
+    }
 }

@@ -2,6 +2,7 @@
 #ifndef MURK_TRANSPORT_WALK_H
 #define MURK_TRANSPORT_WALK_H
 
+#include "transport/score.h"
 #include "transport/trace.h"
 
 #define MURK_CHANNELS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
@@ -23,10 +24,11 @@ typedef struct murk_walls {
 typedef struct murk_course {
     const murk_trace *trace;
     const murk_world *world;
-    murk_walls walls; /* the domain's */
-    murk_walls grown; /* where surfaces are looked for */
-    double margin_m;  /* by how much it is grown */
-    double near_m;    /* a boundary nearer to a surface lies in it */
+    murk_walls walls;  /* the domain's */
+    murk_walls grown;  /* where surfaces are looked for */
+    double margin_m;   /* by how much it is grown */
+    double near_m;     /* a boundary nearer to a surface lies in it */
+    double in_plane_m; /* a plane nearer to a surface has the surface in it */
     bool any_surfaces, any_solids, any_media, any_interfaces;
     uint32_t purpose_shift;
     int64_t least_quanta; /* roulette from here down */
@@ -41,6 +43,10 @@ typedef struct murk_sums {
     int64_t ended[MURK_CHANNELS_MAX][MURK_FATES]; /* quanta */
     uint16_t lost[MURK_LOSSES];
     uint64_t collisions;
+    murk_tally *absorber; /* the ledger's, of this thread's lane, which is added
+                             to at once */
+    size_t materials, absorbers;
+    murk_scorer *scorer; /* NULL: no tallies */
 } murk_sums;
 
 /* Traces one photon, tells its events to the trace's sink, adds to sums. */

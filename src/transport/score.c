@@ -1,0 +1,121 @@
+#include "transport/score.h"
+
+#include <math.h>
+
+/* How far a place is beyond a plane; 0 where it is in it. */
+static inline double beyond(const murk_plane *plane, murk_station at)
+{
+    const double s = murk_dot(plane->normal, murk_sub(at.place, plane->point));
+    return fabs(s) <= at.reach_m ? 0 : s;
+}
+
+static uint32_t bin_at(double x, uint32_t bins)
+{
+    return x >= (double)bins ? bins - 1 : x > 0 ? (uint32_t)x : 0;
+}
+
+static double along_axis(murk_vec3 p, int axis)
+{
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/* A crossing at the share t of the way between two stations. */
+static void cross(murk_scorer *scorer, const murk_plane *plane, double t,
+                  murk_vec3 to, murk_vec3 direction, bool backward,
+                  double quanta)
+{
+    const murk_vec3 from = scorer->at.place;
+    const murk_vec3 p = murk_along(from, t, murk_sub(to, from));
+    uint32_t bin[2];
+    for (int i = 0; i < 2; ++i) {
+        bin[i] = bin_at((along_axis(p, plane->axes[i]) - plane->low_m[i]) *
+                            plane->bins_per_m[i],
+                        plane->bins[i]);
+    }
+    const uint32_t angle =
+        bin_at(fabs(murk_dot(plane->normal, direction)) * plane->angle_bins,
+               plane->angle_bins);
+    const uint32_t way = backward ? plane->angle_bins : 0;
+    murk_score_add(
+        scorer,
+        plane->first +
+            ((way + angle) * plane->bins[1] + bin[1]) * plane->bins[0] + bin[0],
+        quanta);
+}
+
+/* The length of the chord is taken from the line's nearest point to the
+ * centre, which keeps its digits for a small sphere far away. */
+static inline void score_probe(murk_scorer *scorer, const murk_probe *probe,
+                               murk_vec3 from, murk_vec3 direction,
+                               double length_m, double quanta)
+{
+    const murk_vec3 to_center = murk_sub(probe->center, from);
+    const double along = murk_dot(to_center, direction);
+    const murk_vec3 off = murk_along(to_center, -along, direction);
+    const double left = probe->radius_m * probe->radius_m - murk_dot(off, off);
+    if (!(left > 0)) {
+        return;
+    }
+    const double half = sqrt(left);
+    const double t0 = along - half > 0 ? along - half : 0;
+    const double t1 = along + half < length_m ? along + half : length_m;
+    if (t1 > t0) {
+        const uint32_t down = probe->hemispheres && direction.z < 0;
+        murk_score_add(scorer, probe->first + down,
+                       (t1 - t0) * probe->per_m * quanta);
+    }
+}
+
+void murk_score_start(murk_scorer *scorer, size_t channel, murk_station at)
+{
+    scorer->cell = scorer->copy + channel * scorer->tallies->cells;
+    murk_score_jump(scorer, at);
+}
+
+void murk_score_jump(murk_scorer *scorer, murk_station at)
+{
+    const murk_tallies *t = scorer->tallies;
+    scorer->at = at;
+    for (size_t i = 0; i < t->planes; ++i) {
+        scorer->side[i] = beyond(&t->plane[i], at);
+    }
+}
+
+void murk_score_leg(murk_scorer *scorer, murk_vec3 from, murk_vec3 direction,
+                    double length_m, double quanta, murk_station at)
+{
+    const murk_tallies *t = scorer->tallies;
+    for (size_t i = 0; i < t->planes; ++i) {
+        const double s0 = scorer->side[i], s1 = beyond(&t->plane[i], at);
+        if ((s0 < 0) != (s1 < 0)) {
+            cross(scorer, &t->plane[i], s0 / (s0 - s1), at.place, direction,
+                  s1 < 0, quanta);
+        }
+        scorer->side[i] = s1;
+    }
+    scorer->at = at;
+    for (size_t i = 0; i < t->probes; ++i) {
+        score_probe(scorer, &t->probe[i], from, direction, length_m, quanta);
+    }
+    for (size_t i = 0; i < t->lattices; ++i) {
+        murk_score_lattice(scorer, &t->lattice[i], from, direction, length_m,
+                           quanta);
+    }
+}
+
+void murk_score_end(murk_scorer *scorer, bool takes_back)
+{
+    for (size_t i = 0; i < scorer->n_touched; ++i) {
+        const uint32_t cell = scorer->touched[i];
+        const uint64_t value = (uint64_t)(scorer->value[cell] + 0.5);
+        murk_wide sum = {value, 0}, square = murk_wide_square(value);
+        if (takes_back) {
+            sum = murk_wide_negated(sum);
+            square = murk_wide_negated(square);
+        }
+        murk_wide_add(&scorer->cell[cell].sum, sum);
+        murk_wide_add(&scorer->cell[cell].squares, square);
+        scorer->value[cell] = 0;
+    }
+    scorer->n_touched = 0;
+}

@@ -1,0 +1,256 @@
+#include "transport/tallies.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "transport/score.h"
+
+/* More copies of the sums than fit in this would cost more memory than the
+ * threads' waiting for each other is worth: where sums are that many, threads
+ * seldom meet. */
+#define COPIES_BYTES 64e6
+
+static size_t scorers_of(unsigned threads)
+{
+    return threads > 1 ? threads : 1;
+}
+
+static size_t copies_of(double cells, size_t channels, unsigned threads)
+{
+    const double copy_bytes = cells * (double)channels * sizeof(murk_cell);
+    const double copies = floor(COPIES_BYTES / copy_bytes);
+    const double most = (double)scorers_of(threads);
+    return copies < 1 ? 1 : (size_t)(copies < most ? copies : most);
+}
+
+double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
+                           size_t channels, unsigned threads)
+{
+    double cells = 0;
+    for (size_t i = 0; i < n; ++i) {
+        cells += (double)murk_tally_cells(&descs[i]);
+    }
+    const double sums = (double)copies_of(cells, channels, threads) *
+                        (double)channels * sizeof(murk_cell);
+    const double scratch =
+        (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
+    return sizeof(murk_tallies) + cells * (sums + scratch);
+}
+
+static murk_plane plane_of(const murk_tally_desc *d, const murk_box *box,
+                           uint32_t first)
+{
+    const double low[3] = {box->min.x, box->min.y, box->min.z};
+    const double high[3] = {box->max.x, box->max.y, box->max.z};
+    murk_plane plane = {.point = d->point,
+                        .normal = murk_unit(d->normal),
+                        .bins = {(uint32_t)d->bins[0], (uint32_t)d->bins[1]},
+                        .angle_bins = (uint32_t)d->angle_bins,
+                        .first = first};
+    murk_tally_axes(d, plane.axes);
+    for (int i = 0; i < 2; ++i) {
+        const int axis = plane.axes[i];
+        plane.low_m[i] = low[axis];
+        plane.bins_per_m[i] = (double)d->bins[i] / (high[axis] - low[axis]);
+    }
+    return plane;
+}
+
+static murk_vec3 cell_edges(const murk_tally_desc *d)
+{
+    const murk_vec3 all = murk_sub(d->box.max, d->box.min);
+    return murk_vec(all.x / (double)d->size[0], all.y / (double)d->size[1],
+                    all.z / (double)d->size[2]);
+}
+
+static murk_lattice lattice_of(const murk_tally_desc *d, uint32_t first)
+{
+    const murk_vec3 edge = cell_edges(d);
+    return (murk_lattice){.box = d->box,
+                          .cells_per_m = {1 / edge.x, 1 / edge.y, 1 / edge.z},
+                          .size = {(uint32_t)d->size[0], (uint32_t)d->size[1],
+                                   (uint32_t)d->size[2]},
+                          .per_m = 1 / murk_length(edge),
+                          .first = first};
+}
+
+static void prepare(murk_tallies *t, const murk_tally_desc *descs,
+                    const murk_box *box)
+{
+    for (size_t i = 0; i < t->n; ++i) {
+        const murk_tally_desc *d = &descs[i];
+        const uint32_t first = (uint32_t)t->cells;
+        t->desc[i] = *d;
+        t->first[i] = first;
+        t->cells += murk_tally_cells(d);
+        if (d->type == MURK_TALLY_PLANE) {
+            t->plane[t->planes++] = plane_of(d, box, first);
+        } else if (d->type == MURK_TALLY_GRID) {
+            t->lattice[t->lattices++] = lattice_of(d, first);
+        } else {
+            t->probe[t->probes++] = (murk_probe){.center = d->center,
+                                                 .radius_m = d->radius_m,
+                                                 .per_m = 0.5 / d->radius_m,
+                                                 .hemispheres = d->hemispheres,
+                                                 .first = first};
+        }
+    }
+}
+
+static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
+{
+    murk_scorer *s = calloc(1, sizeof *s);
+    if (s) {
+        s->tallies = t;
+        s->side = calloc(t->planes + 1, sizeof *s->side);
+        s->value = calloc(t->cells, sizeof *s->value);
+        s->touched = malloc(t->cells * sizeof *s->touched);
+        s->copy = t->cell + number % t->copies * t->channels * t->cells;
+    }
+    return s;
+}
+
+/* What murk_tallies_create() has checked; false when out of memory. */
+static bool provide(murk_tallies *t, unsigned threads)
+{
+    t->scorers = scorers_of(threads);
+    t->copies = copies_of((double)t->cells, t->channels, threads);
+    t->cell = calloc(t->copies * t->channels * t->cells, sizeof *t->cell);
+    t->scorer = calloc(t->scorers, sizeof *t->scorer);
+    bool has_all = t->cell && t->scorer;
+    for (size_t i = 0; has_all && i < t->scorers; ++i) {
+        murk_scorer *s = t->scorer[i] = scorer_made(t, i);
+        has_all = s && s->side && s->value && s->touched;
+    }
+    return has_all;
+}
+
+murk_status murk_tallies_create(murk_tallies **out,
+                                const murk_tally_desc *descs, size_t n,
+                                const murk_domain *domain, size_t channels,
+                                int bands, unsigned threads,
+                                double memory_most_bytes, murk_error *err)
+{
+    assert(out && n > 0 && channels > 0 && channels % (size_t)bands == 0);
+    murk_status status = murk_tallies_check(descs, n, domain, err);
+    if (status) {
+        return status;
+    }
+    const double bytes = murk_tallies_memory(descs, n, channels, threads);
+    if (!(bytes <= memory_most_bytes)) {
+        size_t largest = 0;
+        for (size_t i = 1; i < n; ++i) {
+            if (murk_tally_cells(&descs[i]) >
+                murk_tally_cells(&descs[largest])) {
+                largest = i;
+            }
+        }
+        return murk_fail(err, MURK_BAD_VALUE, descs[largest].where,
+                         "the tallies take %.3g GB: %zu cells in this one, "
+                         "for each of %zu lights times bands; this machine "
+                         "has %.3g GB free",
+                         bytes / 1e9, murk_tally_cells(&descs[largest]),
+                         channels, memory_most_bytes / 1e9);
+    }
+    murk_tallies *t = calloc(1, sizeof *t);
+    if (t) {
+        t->n = n;
+        t->channels = channels;
+        t->bands = bands;
+        prepare(t, descs, &domain->box);
+    }
+    if (!t || !provide(t, threads)) {
+        murk_tallies_destroy(t);
+        return murk_fail(err, MURK_NO_MEMORY, descs[0].where,
+                         "no memory for the tallies: %.3g GB", bytes / 1e9);
+    }
+    *out = t;
+    return MURK_OK;
+}
+
+void murk_tallies_destroy(murk_tallies *t)
+{
+    if (!t) {
+        return;
+    }
+    for (size_t i = 0; t->scorer && i < t->scorers; ++i) {
+        if (t->scorer[i]) {
+            free(t->scorer[i]->side);
+            free(t->scorer[i]->value);
+            free(t->scorer[i]->touched);
+            free(t->scorer[i]);
+        }
+    }
+    free(t->scorer);
+    free(t->cell);
+    free(t);
+}
+
+bool murk_tallies_fit(const murk_tallies *t, size_t channels, unsigned threads)
+{
+    return t->channels == channels && scorers_of(threads) <= t->scorers;
+}
+
+murk_scorer *murk_tallies_scorer(murk_tallies *t, unsigned worker)
+{
+    return t->scorer[worker % t->scorers];
+}
+
+/* ---- reading ---- */
+
+size_t murk_tallies_count(const murk_tallies *t)
+{
+    return t->n;
+}
+
+const murk_tally_desc *murk_tallies_desc(const murk_tallies *t, size_t tally)
+{
+    return &t->desc[tally];
+}
+
+/* What a whole packet in a cell's sums is worth, a watt of it. */
+static double worth(const murk_tally_desc *d)
+{
+    if (d->type == MURK_TALLY_PLANE) {
+        return 1;
+    }
+    if (d->type == MURK_TALLY_SPHERE) {
+        const double r = d->radius_m;
+        return 2 * r / (4. / 3 * MURK_PI * r * r * r);
+    }
+    const murk_vec3 edge = cell_edges(d);
+    return murk_length(edge) / (edge.x * edge.y * edge.z);
+}
+
+static murk_wide read_sum(const murk_wide_sum *sum)
+{
+    return (murk_wide){atomic_load_explicit(&sum->low, memory_order_relaxed),
+                       atomic_load_explicit(&sum->high, memory_order_relaxed)};
+}
+
+murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
+                                size_t cell, const murk_tally *emitted,
+                                const double *packet_w)
+{
+    double power_w = 0, variance_w2 = 0;
+    for (size_t c = (size_t)band; c < t->channels; c += (size_t)t->bands) {
+        murk_wide sum = {0, 0}, squares = {0, 0};
+        for (size_t copy = 0; copy < t->copies; ++copy) {
+            const murk_cell *from =
+                &t->cell[(copy * t->channels + c) * t->cells + t->first[tally] +
+                         cell];
+            sum = murk_wide_plus(sum, read_sum(&from->sum));
+            squares = murk_wide_plus(squares, read_sum(&from->squares));
+        }
+        const double quantum_w = packet_w[c] / (double)MURK_PACKET;
+        const int64_t n = murk_tally_read(&emitted[c]) / MURK_PACKET;
+        power_w += quantum_w * murk_wide_value(sum);
+        if (n > 0) {
+            variance_w2 += quantum_w * quantum_w * (double)n / (double)(n - 1) *
+                           murk_wide_spread(sum, squares, (uint64_t)n);
+        }
+    }
+    const double w = worth(&t->desc[tally]);
+    return (murk_estimate){w * power_w, w * sqrt(variance_w2)};
+}

@@ -1,0 +1,58 @@
+/* Sums of 128 bits that several threads may add to, and the exact variance of
+ * what was added. Modulo 2^128 and in any order, so taking back is adding the
+ * complement. Private to this room. */
+#ifndef MURK_TRANSPORT_WIDE_H
+#define MURK_TRANSPORT_WIDE_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct murk_wide {
+    uint64_t low, high;
+} murk_wide;
+
+typedef struct murk_wide_sum {
+    _Atomic uint64_t low, high;
+} murk_wide_sum;
+
+static inline murk_wide murk_wide_negated(murk_wide x)
+{
+    return (murk_wide){~x.low + 1, ~x.high + (x.low == 0)};
+}
+
+static inline murk_wide murk_wide_square(uint64_t x)
+{
+    const uint64_t a = x >> 32, b = x & UINT32_MAX;
+    const uint64_t cross = a * b; /* counts twice, 32 bits up */
+    const uint64_t middle = cross << 33, low = b * b + middle;
+    return (murk_wide){low, a * a + (cross >> 31) + (low < middle)};
+}
+
+static inline void murk_wide_add(murk_wide_sum *sum, murk_wide x)
+{
+    const uint64_t before =
+        atomic_fetch_add_explicit(&sum->low, x.low, memory_order_relaxed);
+    const uint64_t high = x.high + (before + x.low < x.low);
+    if (high) {
+        atomic_fetch_add_explicit(&sum->high, high, memory_order_relaxed);
+    }
+}
+
+/* a + b. */
+static inline murk_wide murk_wide_plus(murk_wide a, murk_wide b)
+{
+    const uint64_t low = a.low + b.low;
+    return (murk_wide){low, a.high + b.high + (low < b.low)};
+}
+
+static inline double murk_wide_value(murk_wide x)
+{
+    return (double)x.high * 0x1p64 + (double)x.low;
+}
+
+/* sum x^2 - (sum x)^2 / n of n numbers, n < 2^32, whose sum is below 2^95:
+ * rounded once, so it is exactly 0 where all are the same. */
+double murk_wide_spread(murk_wide sum, murk_wide squares, uint64_t n);
+
+#endif

@@ -1,0 +1,463 @@
+/* What a leg brings to planes, spheres and grids, against plain twins: a plane
+ * by the signs of its two ends, a sphere by fine steps, a grid by clipping the
+ * leg to every cell. Deterministic but for the drawn legs, whose seed is
+ * fixed. */
+#include "base/rng.h"
+#include "check.h"
+#include "transport/score.h"
+
+static const murk_domain domain = {{{-1, -2, -3}, {5, 4, 3}}, false};
+
+static const murk_tally_desc lattice = {.name = "grid",
+                                        .type = MURK_TALLY_GRID,
+                                        .box = {{0, -1, -2}, {4, 2, 2}},
+                                        .size = {4, 6, 5}};
+
+typedef struct scored {
+    murk_tallies *tallies;
+    murk_scorer *scorer;
+    murk_tally emitted;
+} scored;
+
+static scored begun(const murk_tally_desc *descs, size_t n)
+{
+    scored s = {.emitted = 2 * MURK_PACKET};
+    murk_error err = {0};
+    CHECK(!murk_tallies_create(&s.tallies, descs, n, &domain, 1, 1, 1, INFINITY,
+                               &err));
+    s.scorer = murk_tallies_scorer(s.tallies, 0);
+    return s;
+}
+
+/* The sum of a cell over the photons so far, in quanta for planes. */
+static double sum_of(const scored *s, size_t tally, size_t cell)
+{
+    const double packet_w = (double)MURK_PACKET;
+    return murk_tallies_read(s->tallies, tally, 0, cell, &s->emitted, &packet_w)
+        .value;
+}
+
+static murk_station open_at(double x, double y, double z)
+{
+    return (murk_station){{x, y, z}, 0};
+}
+
+/* One photon along a broken line of open places. */
+static void fly(const scored *s, const murk_vec3 *place, size_t n,
+                double quanta)
+{
+    murk_score_start(s->scorer, 0, (murk_station){place[0], 0});
+    for (size_t i = 1; i < n; ++i) {
+        const murk_vec3 way = murk_sub(place[i], place[i - 1]);
+        murk_score_leg(s->scorer, place[i - 1], murk_unit(way),
+                       murk_length(way), quanta, (murk_station){place[i], 0});
+    }
+    murk_score_end(s->scorer, false);
+}
+
+/* ---- grids ---- */
+
+static murk_box cell_box(const murk_tally_desc *d, size_t i, size_t j, size_t k)
+{
+    const murk_vec3 e =
+        murk_vec((d->box.max.x - d->box.min.x) / (double)d->size[0],
+                 (d->box.max.y - d->box.min.y) / (double)d->size[1],
+                 (d->box.max.z - d->box.min.z) / (double)d->size[2]);
+    const murk_vec3 a =
+        murk_add(d->box.min,
+                 murk_vec(e.x * (double)i, e.y * (double)j, e.z * (double)k));
+    return (murk_box){a, murk_add(a, e)};
+}
+
+/* The leg's length in one cell, each cut for itself. */
+static double plain_length(const murk_tally_desc *d, size_t cell,
+                           murk_vec3 from, murk_vec3 along, double length)
+{
+    const size_t i = cell % d->size[0], j = cell / d->size[0] % d->size[1],
+                 k = cell / d->size[0] / d->size[1];
+    const murk_box box = cell_box(d, i, j, k);
+    double t0 = 0, t1 = length;
+    return murk_box_clip(&box, from, along, &t0, &t1) ? t1 - t0 : 0;
+}
+
+/* Metres times packets in a cell: fluence is that over its volume. */
+static double metres(const scored *s, const murk_tally_desc *d, size_t cell)
+{
+    const murk_box box = cell_box(d, 0, 0, 0);
+    const murk_vec3 e = murk_sub(box.max, box.min);
+    return sum_of(s, 0, cell) * e.x * e.y * e.z / (double)MURK_PACKET;
+}
+
+static void test_legs_through_a_grid(uint32_t seed)
+{
+    const murk_tally_desc *d = &lattice;
+    const size_t cells = murk_tally_cells(d);
+    CHECK(cells == 120);
+    double crossed = 0;
+    for (uint64_t n = 0; n < 3000; ++n) {
+        const murk_random4 a = murk_random(seed, MURK_TEST, n, 0, 0);
+        const murk_random4 b = murk_random(seed, MURK_TEST, n, 1, 0);
+        const murk_vec3 p[2] = {
+            {6 * a.u[0] - 1, 6 * a.u[1] - 2, 6 * a.u[2] - 3},
+            {6 * b.u[0] - 1, 6 * b.u[1] - 2, 6 * b.u[2] - 3}};
+        const scored s = begun(d, 1);
+        fly(&s, p, 2, (double)MURK_PACKET);
+        const murk_vec3 way = murk_sub(p[1], p[0]);
+        const double length = murk_length(way);
+        double all = 0, want_all = 0;
+        for (size_t c = 0; c < cells; ++c) {
+            const double want =
+                plain_length(d, c, p[0], murk_unit(way), length);
+            const double got = metres(&s, d, c);
+            CHECK_NEAR(got, want, 2e-9); /* a quantum of a diagonal */
+            crossed += got > 0;
+            all += got;
+            want_all += want;
+        }
+        CHECK_NEAR(all, want_all, 2e-8);
+        murk_tallies_destroy(s.tallies);
+    }
+    CHECK(crossed > 6000);
+}
+
+/* Along an axis, on faces and edges between cells and on the grid's own sides:
+ * all of the length is somewhere, once. */
+static void test_legs_on_faces(void)
+{
+    const murk_tally_desc *d = &lattice;
+    const murk_vec3 ends[][2] = {
+        {{-1, 0, 0}, {5, 0, 0}},       {{5, 0, 0}, {-1, 0, 0}},
+        {{2, -2, 0.4}, {2, 4, 0.4}},   {{2, 4, -2}, {2, -2, -2}},
+        {{0, -1, -2}, {0, -1, 2}},     {{4, 2, 2}, {4, 2, -2}},
+        {{4, 2, 2}, {0, 2, 2}},        {{0, -1, -2}, {4, 2, 2}},
+        {{4, 2, 2}, {0, -1, -2}},      {{1, 0, 0.4}, {1, 0, 0.4 + 1e-13}},
+        {{1, 0.5, 0.4}, {2, 0.5, 0.4}}};
+    const double want[] = {4, 4, 3, 3, 4, 4, 4, sqrt(41), sqrt(41), 1e-13, 1};
+    for (size_t n = 0; n < sizeof want / sizeof *want; ++n) {
+        const scored s = begun(d, 1);
+        fly(&s, ends[n], 2, (double)MURK_PACKET);
+        double all = 0;
+        for (size_t c = 0; c < murk_tally_cells(d); ++c) {
+            all += metres(&s, d, c);
+        }
+        CHECK_NEAR(all, want[n], 1e-8);
+        murk_tallies_destroy(s.tallies);
+    }
+    const scored s = begun(d, 1); /* a face belongs to the cell above it */
+    fly(&s, ends[10], 2, (double)MURK_PACKET);
+    CHECK_NEAR(metres(&s, d, (3 * 6 + 3) * 4 + 1), 1, 1e-8);
+    murk_tallies_destroy(s.tallies);
+}
+
+/* Legs beside the grid, of no length, of no direction: nothing, and an end. */
+static void test_legs_that_bring_nothing(void)
+{
+    const scored s = begun(&lattice, 1);
+    const murk_vec3 beside[][2] = {{{-0.5, 0, 0}, {-1, 0, 0}},
+                                   {{4.5, -1.5, 0}, {4.5, 3, 0}},
+                                   {{1, 1, 1}, {1, 1, 1}}};
+    for (size_t i = 0; i < 3; ++i) {
+        fly(&s, beside[i], 2, (double)MURK_PACKET);
+    }
+    const double odd[] = {0, NAN, INFINITY, -INFINITY, 1e-308, 1e300};
+    for (size_t i = 0; i < 6; ++i) {
+        for (size_t j = 0; j < 6; ++j) {
+            murk_score_start(s.scorer, 0, open_at(odd[i], 0, 0));
+            murk_score_leg(s.scorer, murk_vec(odd[i], 9, 0),
+                           murk_vec(0, odd[j], odd[i]), odd[j], 1,
+                           open_at(odd[j], 9, 0));
+            murk_score_end(s.scorer, false);
+        }
+    }
+    for (size_t c = 0; c < murk_tally_cells(&lattice); ++c) {
+        CHECK(sum_of(&s, 0, c) == 0);
+    }
+    murk_tallies_destroy(s.tallies);
+}
+
+/* ---- spheres ---- */
+
+static void test_legs_through_spheres(uint32_t seed)
+{
+    const murk_tally_desc descs[2] = {{.name = "probe",
+                                       .type = MURK_TALLY_SPHERE,
+                                       .center = {2, 1, 0},
+                                       .radius_m = 1.5,
+                                       .hemispheres = true},
+                                      {.name = "dot",
+                                       .type = MURK_TALLY_SPHERE,
+                                       .center = {-0.5, 3, 1},
+                                       .radius_m = 0.25}};
+    const int steps = 20000;
+    for (uint64_t n = 0; n < 100; ++n) {
+        const murk_random4 a = murk_random(seed, MURK_TEST, n, 2, 0);
+        const murk_random4 b = murk_random(seed, MURK_TEST, n, 3, 0);
+        murk_vec3 p[2] = {{6 * a.u[0] - 1, 6 * a.u[1] - 2, 6 * a.u[2] - 3},
+                          {6 * b.u[0] - 1, 6 * b.u[1] - 2, 6 * b.u[2] - 3}};
+        if (n % 2) { /* towards the small one */
+            p[1] = murk_add(descs[1].center,
+                            murk_scale(0.1, murk_sub(p[1], p[0])));
+        }
+        const scored s = begun(descs, 2);
+        fly(&s, p, 2, (double)MURK_PACKET);
+        const murk_vec3 way = murk_sub(p[1], p[0]);
+        const size_t down = way.z < 0;
+        CHECK(sum_of(&s, 0, !down) == 0);
+        for (size_t i = 0; i < 2; ++i) {
+            const double r = descs[i].radius_m;
+            int inside = 0;
+            for (int k = 0; k < steps; ++k) {
+                inside += murk_length(
+                              murk_sub(murk_along(p[0], (k + 0.5) / steps, way),
+                                       descs[i].center)) < r;
+            }
+            const double step = murk_length(way) / steps;
+            const double got = sum_of(&s, i, i == 0 ? down : 0) /
+                               (double)MURK_PACKET * 4 / 3 * MURK_PI * r * r *
+                               r;
+            CHECK_NEAR(got, inside * step, 1.01 * step);
+        }
+        murk_tallies_destroy(s.tallies);
+    }
+}
+
+/* ---- planes ---- */
+
+static murk_tally_desc plane_at(murk_vec3 point, murk_vec3 normal)
+{
+    return (murk_tally_desc){.name = "plane",
+                             .type = MURK_TALLY_PLANE,
+                             .point = point,
+                             .normal = normal,
+                             .bins = {3, 2},
+                             .angle_bins = 4};
+}
+
+static void test_bins_of_a_plane(void)
+{
+    const murk_tally_desc d = plane_at(murk_vec(0, 0, 1), murk_vec(0, 0, 2));
+    CHECK(murk_tally_cells(&d) == 48);
+    const scored s = begun(&d, 1);
+    /* up at x 2.5 of -1..5 and y 2.5 of -2..4, cosine 0.6: bins 1, 1, 2 */
+    const murk_vec3 up[2] = {{2.1, 2.5, 0.7}, {2.9, 2.5, 1.3}};
+    fly(&s, up, 2, 700);
+    CHECK(sum_of(&s, 0, (2 * 2 + 1) * 3 + 1) == 700);
+    /* straight down: the last bin of angles, backward */
+    const murk_vec3 down[2] = {{-1, -2, 2}, {-1, -2, 0}};
+    fly(&s, down, 2, 300);
+    CHECK(sum_of(&s, 0, (4 + 3) * 2 * 3) == 300);
+    double all = 0;
+    for (size_t c = 0; c < 48; ++c) {
+        all += sum_of(&s, 0, c);
+    }
+    CHECK(all == 1000);
+    murk_tallies_destroy(s.tallies);
+}
+
+static void test_axes_of_a_plane(void)
+{
+    const murk_vec3 normal[] = {{0, 0, -1}, {1, 0, 0},  {0, 3, 0},
+                                {1, 1, 1},  {-2, 2, 1}, {3, 1, -2}};
+    const int want[][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 1}, {0, 2}, {1, 2}};
+    for (size_t i = 0; i < 6; ++i) {
+        const murk_tally_desc d = plane_at(murk_vec(0, 0, 0), normal[i]);
+        int axes[2];
+        murk_tally_axes(&d, axes);
+        CHECK(axes[0] == want[i][0] && axes[1] == want[i][1]);
+    }
+}
+
+/* Forward and backward power of an undivided plane. */
+static void ways_of(const scored *s, double *forward, double *backward)
+{
+    *forward = *backward = 0;
+    for (size_t c = 0; c < 24; ++c) {
+        *forward += sum_of(s, 0, c);
+        *backward += sum_of(s, 0, 24 + c);
+    }
+}
+
+/* To and fro: each passage counts, and what a photon brings is one number for
+ * its error. A slanted plane, ends upon it. */
+static void test_every_passage_counts(uint32_t seed)
+{
+    const murk_tally_desc d =
+        plane_at(murk_vec(1, 1, 0.5), murk_vec(1, -2, 0.5));
+    const murk_vec3 unit = murk_unit(d.normal);
+    const scored s = begun(&d, 1);
+    double up = 0, down = 0;
+    for (uint64_t n = 0; n < 200; ++n) {
+        murk_vec3 p[12];
+        for (uint32_t i = 0; i < 12; ++i) {
+            const murk_random4 a = murk_random(seed, MURK_TEST, n, 4 + i, 0);
+            p[i] = murk_vec(6 * a.u[0] - 1, 6 * a.u[1] - 2, 6 * a.u[2] - 3);
+            if (n % 4 == 0 && i % 3 == 0) {
+                p[i] = d.point;
+            }
+        }
+        for (size_t i = 1; i < 12; ++i) {
+            const bool from = murk_dot(unit, murk_sub(p[i - 1], d.point)) >= 0;
+            const bool to = murk_dot(unit, murk_sub(p[i], d.point)) >= 0;
+            up += 5.0 * (to && !from);
+            down += 5.0 * (from && !to);
+        }
+        fly(&s, p, 12, 5);
+    }
+    double forward, backward;
+    ways_of(&s, &forward, &backward);
+    CHECK(forward == up && backward == down && up > 2000);
+    murk_tallies_destroy(s.tallies);
+}
+
+/* A surface near to a plane is in it, on the side that the normal points to:
+ * light that comes back from it never passed; light through it did. */
+static void test_a_plane_in_a_surface(void)
+{
+    const double off[] = {-1e-7, 0, 1e-7};
+    for (int i = 0; i < 3; ++i) {
+        for (int side = -1; side <= 1; side += 2) {
+            const murk_tally_desc d =
+                plane_at(murk_vec(0, 0, 0), murk_vec(0, 0, side));
+            const scored s = begun(&d, 1);
+            const murk_vec3 down = {0, 0, -1};
+            murk_score_start(s.scorer, 0, open_at(0, 0, 1));
+            murk_score_leg(s.scorer, murk_vec(0, 0, 1), down, 1, 100,
+                           (murk_station){{0, 0, off[i]}, 2e-7});
+            murk_score_leg(s.scorer, murk_vec(0, 0, 4e-7), murk_vec(0, 0, 1), 1,
+                           40, open_at(0, 0, 1));
+            murk_score_leg(s.scorer, murk_vec(0, 0, 1), down, 1, 40,
+                           (murk_station){{0, 0, off[i]}, 2e-7});
+            murk_score_leg(s.scorer, murk_vec(0, 0, -4e-7), down, 1, 10,
+                           open_at(0, 0, -1));
+            murk_score_end(s.scorer, false);
+            double forward, backward;
+            ways_of(&s, &forward, &backward);
+            if (side > 0) {
+                CHECK(forward == 0 && backward == 10);
+            } else {
+                CHECK(forward == 140 && backward == 40);
+            }
+            murk_tallies_destroy(s.tallies);
+        }
+    }
+}
+
+static void test_a_jump_passes_nothing(void)
+{
+    const murk_tally_desc d = plane_at(murk_vec(0, 0, 0), murk_vec(1, 0, 0));
+    const scored s = begun(&d, 1);
+    murk_score_start(s.scorer, 0, open_at(-1, 0, 0));
+    murk_score_jump(s.scorer, open_at(1, 0, 0));
+    murk_score_leg(s.scorer, murk_vec(1, 0, 0), murk_vec(-1, 0, 0), 2, 7,
+                   open_at(-1, 0, 0));
+    murk_score_end(s.scorer, false);
+    double forward, backward;
+    ways_of(&s, &forward, &backward);
+    CHECK(forward == 0 && backward == 7);
+    murk_tallies_destroy(s.tallies);
+}
+
+/* ---- sums ---- */
+
+static void test_taken_back_leaves_nothing(void)
+{
+    const scored s = begun(&lattice, 1);
+    const murk_vec3 kept[2] = {{0.1, 0.2, 0.3}, {3.9, 1.1, -0.7}};
+    const murk_vec3 gone[2] = {{0.3, 0.2, 1}, {3.1, 1.1, -1}};
+    fly(&s, kept, 2, 12345);
+    double before[120], after = 0;
+    for (size_t c = 0; c < 120; ++c) {
+        before[c] = sum_of(&s, 0, c);
+    }
+    for (int sign = 0; sign < 2; ++sign) {
+        const murk_vec3 way = murk_sub(gone[1], gone[0]);
+        murk_score_start(s.scorer, 0, (murk_station){gone[0], 0});
+        murk_score_leg(s.scorer, gone[0], murk_unit(way), murk_length(way),
+                       1e15, (murk_station){gone[1], 0});
+        murk_score_end(s.scorer, sign);
+    }
+    for (size_t c = 0; c < 120; ++c) {
+        CHECK(sum_of(&s, 0, c) == before[c]);
+        after += before[c];
+    }
+    CHECK(after > 0);
+    murk_tallies_destroy(s.tallies);
+}
+
+/* n x^2 - (n x)^2 / n is 0; of {a, b} it is (a - b)^2 / 2: the widest numbers
+ * that a run can bring, too. */
+static void test_exact_spread(void)
+{
+    const uint64_t x[] = {1, 12345678901, (UINT64_C(1) << 47) - 3};
+    for (int i = 0; i < 3; ++i) {
+        murk_wide sum = {0, 0}, squares = {0, 0};
+        for (int k = 0; k < 1000; ++k) {
+            sum = murk_wide_plus(sum, (murk_wide){x[i], 0});
+            squares = murk_wide_plus(squares, murk_wide_square(x[i]));
+        }
+        CHECK(murk_wide_spread(sum, squares, 1000) == 0);
+        CHECK(murk_wide_value(sum) == 1000 * (double)x[i]);
+
+        const uint64_t y = x[i] + 1000;
+        const murk_wide both = {x[i] + y, 0};
+        const murk_wide both_squares =
+            murk_wide_plus(murk_wide_square(x[i]), murk_wide_square(y));
+        CHECK(murk_wide_spread(both, both_squares, 2) == 500000);
+    }
+    /* all of 2^32 photons bring 2^47 - 1, but one that brings nothing */
+    const uint64_t n = UINT32_MAX;
+    murk_wide sum = {0, 0}, squares = {0, 0},
+              one = {(UINT64_C(1) << 47) - 1, 0},
+              square = murk_wide_square(one.low);
+    for (uint64_t bits = n - 1; bits; bits >>= 1) {
+        if (bits & 1) {
+            sum = murk_wide_plus(sum, one);
+            squares = murk_wide_plus(squares, square);
+        }
+        one = murk_wide_plus(one, one);
+        square = murk_wide_plus(square, square);
+    }
+    CHECK_NEAR(murk_wide_spread(sum, squares, n) / 0x1p94, 1, 1e-9);
+    const murk_wide big = murk_wide_square(UINT64_C(0xfedcba9876543210));
+    CHECK(big.high == UINT64_C(0xfdbac097c8dc5acc) &&
+          big.low == UINT64_C(0xdeec6cd7a44a4100));
+    const murk_wide none = murk_wide_plus(big, murk_wide_negated(big));
+    CHECK(none.low == 0 && none.high == 0);
+}
+
+/* Two photons in one channel: value a + b, variance 2/1 (a - b)^2 / 2. */
+static void test_error_of_two_photons(void)
+{
+    const murk_tally_desc d = plane_at(murk_vec(0, 0, 0), murk_vec(0, 0, 1));
+    const scored s = begun(&d, 1);
+    const murk_vec3 up[2] = {{0, 0, -1}, {0, 0, 1}};
+    fly(&s, up, 2, 0x1p30);
+    fly(&s, up, 2, 0x1p29);
+    const double packet_w = 3;
+    const size_t cell = 3 * 6; /* x -1..5 and y -2..4 about 0 */
+    const murk_estimate e =
+        murk_tallies_read(s.tallies, 0, 0, cell, &s.emitted, &packet_w);
+    CHECK_NEAR(e.value, 4.5, 1e-15);
+    CHECK_NEAR(e.standard_error, 1.5, 1e-15);
+    const murk_tally one = MURK_PACKET;
+    CHECK(isnan(
+        murk_tallies_read(s.tallies, 0, 0, 0, &one, &packet_w).standard_error));
+    murk_tallies_destroy(s.tallies);
+}
+
+int main(void)
+{
+    test_legs_through_a_grid(1);
+    test_legs_on_faces();
+    test_legs_that_bring_nothing();
+    test_legs_through_spheres(1);
+    test_bins_of_a_plane();
+    test_axes_of_a_plane();
+    test_every_passage_counts(1);
+    test_a_plane_in_a_surface();
+    test_a_jump_passes_nothing();
+    test_taken_back_leaves_nothing();
+    test_exact_spread();
+    test_error_of_two_photons();
+    return check_done();
+}
