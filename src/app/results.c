@@ -202,35 +202,75 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
     return text;
 }
 
-/* Power of one channel's column in watts. */
-static double channel_watts(const murk_traced *traced, const murk_tally *column,
+/* Power of a channel's quanta. */
+static double channel_watts(const murk_traced *traced, int64_t quanta,
                             size_t channel)
 {
-    return (double)murk_tally_read(&column[channel]) / (double)MURK_PACKET *
-           traced->packet_w[channel];
+    return (double)quanta / (double)MURK_PACKET * traced->packet_w[channel];
 }
 
 double murk_ledger_watts(const murk_traced *traced, const murk_tally *column)
 {
     double sum = 0;
     for (size_t c = 0; c < traced->channels; ++c) {
-        sum += channel_watts(traced, column, c);
+        sum += channel_watts(traced, murk_tally_read(&column[c]), c);
     }
     return sum;
+}
+
+/* {"total": .., "bands": [..]} of quanta[channels]. */
+static void add_watts(cJSON *object, const char *key, const murk_traced *traced,
+                      const int64_t *quanta, int bands)
+{
+    double total_w = 0, band_w[MURK_BANDS_MAX] = {0};
+    for (size_t c = 0; c < traced->channels; ++c) {
+        const double w = channel_watts(traced, quanta[c], c);
+        total_w += w;
+        band_w[c % (size_t)bands] += w;
+    }
+    cJSON *both = cJSON_AddObjectToObject(object, key);
+    murk_json_number(both, "total", total_w);
+    cJSON_AddItemToObject(both, "bands",
+                          cJSON_CreateDoubleArray(band_w, bands));
 }
 
 static void add_column(cJSON *object, const char *key,
                        const murk_traced *traced, const murk_tally *column,
                        int bands)
 {
-    cJSON *both = cJSON_AddObjectToObject(object, key);
-    murk_json_number(both, "total", murk_ledger_watts(traced, column));
-    double band_w[MURK_BANDS_MAX] = {0};
+    int64_t quanta[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
     for (size_t c = 0; c < traced->channels; ++c) {
-        band_w[c % (size_t)bands] += channel_watts(traced, column, c);
+        quanta[c] = murk_tally_read(&column[c]);
     }
-    cJSON_AddItemToObject(both, "bands",
-                          cJSON_CreateDoubleArray(band_w, bands));
+    add_watts(object, key, traced, quanta, bands);
+}
+
+/* What one material or medium took. */
+static void
+add_absorber(cJSON *object, const char *name, const murk_traced *traced,
+             int64_t (*absorbed)(const murk_ledger *, size_t, size_t),
+             size_t number, int bands)
+{
+    int64_t quanta[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    for (size_t c = 0; c < traced->channels; ++c) {
+        quanta[c] = absorbed(traced->ledger, c, number);
+    }
+    add_watts(object, name, traced, quanta, bands);
+}
+
+static void add_absorbers(cJSON *object, const murk_traced *traced,
+                          const murk_scene *scene)
+{
+    cJSON *surfaces = cJSON_AddObjectToObject(object, "absorbed_by_material_w");
+    for (size_t i = 0; i < scene->n_materials; ++i) {
+        add_absorber(surfaces, scene->materials[i].name, traced,
+                     murk_ledger_by_material, i, scene->bands);
+    }
+    cJSON *media = cJSON_AddObjectToObject(object, "absorbed_by_medium_w");
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        add_absorber(media, scene->media[i].name, traced, murk_ledger_by_medium,
+                     i, scene->bands);
+    }
 }
 
 void murk_json_ledger(cJSON *object, const murk_traced *traced,
@@ -245,6 +285,7 @@ void murk_json_ledger(cJSON *object, const murk_traced *traced,
                bands);
     add_column(object, "escaped_w", traced, ledger->escaped, bands);
     add_column(object, "lost_w", traced, ledger->lost, bands);
+    add_absorbers(object, traced, stage->scene);
     cJSON_AddNumberToObject(object, "photons_emitted",
                             (double)murk_tally_read(&ledger->photons));
     cJSON_AddNumberToObject(object, "collisions",

@@ -25,6 +25,24 @@ static void ledger_columns(const murk_ledger *ledger,
     column[4] = ledger->lost;
 }
 
+/* Quanta by [channel][material, then medium]. */
+static size_t absorbers(const murk_ledger *ledger)
+{
+    return ledger->channels * (ledger->materials + ledger->media);
+}
+
+static void absorbed_cells(const murk_ledger *ledger, int64_t *out)
+{
+    for (size_t c = 0; c < ledger->channels; ++c) {
+        for (size_t m = 0; m < ledger->materials; ++m) {
+            *out++ = murk_ledger_by_material(ledger, c, m);
+        }
+        for (size_t m = 0; m < ledger->media; ++m) {
+            *out++ = murk_ledger_by_medium(ledger, c, m);
+        }
+    }
+}
+
 static facts facts_of(const murk_traced *traced)
 {
     const murk_ledger *ledger = traced->ledger;
@@ -53,7 +71,9 @@ murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
                             const char *path, murk_error *err)
 {
     const size_t channels = traced->channels;
-    int64_t *energy = malloc(LEDGER_COLUMNS * channels * sizeof *energy);
+    const size_t n_absorbed = absorbers(traced->ledger);
+    int64_t *energy =
+        malloc((LEDGER_COLUMNS * channels + n_absorbed) * sizeof *energy);
     if (!energy) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
     }
@@ -64,6 +84,8 @@ murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
             energy[k * channels + c] = murk_tally_read(&column[k][c]);
         }
     }
+    int64_t *absorbed = energy + LEDGER_COLUMNS * channels;
+    absorbed_cells(traced->ledger, absorbed);
     const facts f = facts_of(traced);
     const murk_section sections[] = {
         section_of("key", stage->light_key, strlen(stage->light_key)),
@@ -72,6 +94,7 @@ murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
                    channels * sizeof *traced->packet_w),
         section_of("ledger", energy,
                    LEDGER_COLUMNS * channels * sizeof *energy),
+        section_of("absorbed", absorbed, n_absorbed * sizeof *absorbed),
         section_of("surface", murk_photon_map_photons(traced->surface),
                    murk_photon_map_count(traced->surface) *
                        sizeof(murk_photon)),
@@ -168,7 +191,8 @@ static murk_status load_map(murk_photon_map **out, const murk_section *sections,
 }
 
 static void load_ledger(murk_traced *traced, const facts *f,
-                        const murk_section *energy)
+                        const murk_section *energy,
+                        const murk_section *absorbed)
 {
     murk_ledger *ledger = traced->ledger;
     murk_tally *column[LEDGER_COLUMNS];
@@ -178,6 +202,10 @@ static void load_ledger(murk_traced *traced, const facts *f,
         for (size_t c = 0; c < traced->channels; ++c) {
             murk_tally_add(&column[k][c], value[k * traced->channels + c]);
         }
+    }
+    const int64_t *share = absorbed->bytes;
+    for (size_t i = 0; i < absorbers(ledger); ++i) {
+        murk_tally_add(&ledger->absorber[i], share[i]); /* the first lane */
     }
     for (int i = 0; i < MURK_LOSSES; ++i) {
         murk_tally_add(&ledger->lost_photons[i], (int64_t)f->lost_photons[i]);
@@ -194,6 +222,8 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
     const murk_section *fact = murk_light_file_find(sections, n, "facts");
     const murk_section *worth = murk_light_file_find(sections, n, "packet_w");
     const murk_section *energy = murk_light_file_find(sections, n, "ledger");
+    const murk_section *absorbed =
+        murk_light_file_find(sections, n, "absorbed");
     if (!key) {
         return bad_section(path, "key", err);
     }
@@ -221,9 +251,13 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
         energy->size != LEDGER_COLUMNS * traced->channels * sizeof(int64_t)) {
         return bad_section(path, "ledger", err);
     }
+    if (!absorbed ||
+        absorbed->size != absorbers(traced->ledger) * sizeof(int64_t)) {
+        return bad_section(path, "absorbed", err);
+    }
     traced->emitted = f.emitted;
     memcpy(traced->packet_w, worth->bytes, worth->size);
-    load_ledger(traced, &f, energy);
+    load_ledger(traced, &f, energy, absorbed);
     for (int is_volume = 0; is_volume < 2 && !status; ++is_volume) {
         status =
             load_map(is_volume ? &traced->volume : &traced->surface, sections,
