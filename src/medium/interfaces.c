@@ -94,7 +94,7 @@ static bool meet_sphere(const murk_shell *shell, bool is_inside, murk_vec3 o,
     const murk_vec3 off = murk_sub(murk_along(o, nearest, d), shell->center);
     const double left = shell->radius * shell->radius - murk_dot(off, off);
     const double half = left > 0 ? sqrt(left / square) : 0;
-    if (isnan(left) || (!is_inside && !(half > 0 && nearest > 0))) {
+    if (!is_inside && !(half > 0 && nearest > 0)) {
         return false;
     }
     met->distance = fmax(0, is_inside ? nearest + half : nearest - half);
@@ -173,6 +173,10 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
     meeting met[MURK_REGIONS_MAX];
     double nearest = max_m;
     bool any = false;
+    if (isnan(origin.x + origin.y + origin.z + direction.x + direction.y +
+              direction.z)) {
+        return false; /* meets nothing; no shape has to think of it */
+    }
     for (size_t i = 0; i < media->n_shells; ++i) {
         const murk_shell *shell = &media->shells[i];
         const bool is_inside = inside >> shell->region & 1;

@@ -1,5 +1,7 @@
 #include "sensing/segment.h"
 
+#include "medium/interfaces.h"
+
 double murk_domain_extent(const murk_domain *domain)
 {
     const murk_vec3 a = domain->box.min, b = domain->box.max;
@@ -99,6 +101,20 @@ bool murk_segment_blocked(const murk_surfaces *surfaces,
     for (int i = 0; i < n; ++i) {
         if (murk_surfaces_blocked(surfaces, piece[i].from, piece[i].to,
                                   through_sheets)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool murk_segment_bends(const murk_media *media, const murk_domain *domain,
+                        murk_vec3 from, murk_vec3 to)
+{
+    murk_segment piece[MURK_SEGMENT_PIECES];
+    const int n = murk_segment_cut(
+        domain, from, murk_nearest_image(domain, to, from), 0, piece);
+    for (int i = 0; i < n; ++i) {
+        if (murk_media_interface_between(media, piece[i].from, piece[i].to)) {
             return true;
         }
     }

@@ -8,6 +8,7 @@
 
 #include "base/vector.h"
 #include "geometry/surfaces.h"
+#include "medium/media.h"
 
 /* The domain's largest coordinate [m], without sign. */
 double murk_domain_extent(const murk_domain *domain);
@@ -41,5 +42,10 @@ int murk_segment_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
 bool murk_segment_blocked(const murk_surfaces *surfaces,
                           const murk_domain *domain, murk_vec3 from,
                           murk_vec3 to, bool through_sheets);
+
+/* Whether the index of refraction changes on the straight way to the nearest
+ * image of `to`: light bends there, so what is seen beyond is elsewhere. */
+bool murk_segment_bends(const murk_media *media, const murk_domain *domain,
+                        murk_vec3 from, murk_vec3 to);
 
 #endif

@@ -1,6 +1,7 @@
 #include "sensing/sight.h"
 
 #include "base/bands.h"
+#include "medium/interfaces.h"
 #include "sensing/nearby.h"
 #include "sensing/segment.h"
 #include "sensing/weights.h"
@@ -25,7 +26,8 @@ struct murk_sight {
     double range_m; /* finite */
     double position_error_m, hair_m;
     bool has_media;
-    bool has_sheets; /* that let light through */
+    bool has_sheets;     /* that let light through */
+    bool has_interfaces; /* where the index changes */
     uint32_t *weight;
     size_t photons;
     scratch *worker; /* [threads] */
@@ -139,6 +141,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     sight->has_sheets = desc->through_sheets &&
                         desc->visibility == MURK_VISIBILITY_RAY &&
                         murk_surfaces_describe(desc->surfaces).sheets > 0;
+    sight->has_interfaces = murk_media_bends(desc->media);
     sight->photons = murk_photon_map_count(desc->surface_map) +
                      murk_photon_map_count(desc->volume_map);
     status = set_aside(sight, err);
@@ -223,8 +226,8 @@ static bool faces(const side *s, murk_vec3 photon, murk_vec3 sensor,
 
 /* ---- sightlines ---- */
 
-static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
-                            bool *blocked)
+static void test_surfaces(const look *l, const murk_vec3 *from, size_t n,
+                          bool *blocked)
 {
     const murk_sight_desc *desc = &l->sight->desc;
     if (desc->visibility == MURK_VISIBILITY_NORMAL) {
@@ -244,6 +247,20 @@ static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
             murk_nearest_image(&desc->domain, l->sensor, from[i]);
         blocked[i] = murk_segment_blocked(desc->surfaces, &desc->domain,
                                           from[i], to, desc->through_sheets);
+    }
+}
+
+static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
+                            bool *blocked)
+{
+    test_surfaces(l, from, n, blocked);
+    const murk_sight_desc *desc = &l->sight->desc;
+    const bool may_bend =
+        l->sight->has_interfaces && desc->visibility == MURK_VISIBILITY_RAY;
+    for (size_t i = 0; may_bend && i < n; ++i) {
+        blocked[i] =
+            blocked[i] ||
+            murk_segment_bends(desc->media, &desc->domain, from[i], l->sensor);
     }
 }
 

@@ -6,6 +6,9 @@
  * are numbered surface map first, then volume map, each in the map's own
  * order. Immutable but for its counters.
  *
+ * A segment is open when no surface but a thin sheet is in the way and the
+ * index of refraction does not change on it.
+ *
  * Grazing is not seen. "> 0" means above what storing a photon may move it
  * by: 2^-20 of the domain's largest coordinate, and MURK_DIRECTION_ERROR_RAD
  * where its normal is not along an axis (axes are stored exactly). So a sensor
