@@ -26,7 +26,6 @@ static murk_status check_medium(const murk_medium *medium, murk_error *err)
     for (int band = 0; band < MURK_BANDS_MAX; ++band) {
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
-        const double g = medium->phase[band].g;
         if (!(extinction >= 0 && extinction <= EXTINCTION_MAX)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "extinction_per_m is %g (band %d), must be "
@@ -38,11 +37,10 @@ static murk_status check_medium(const murk_medium *medium, murk_error *err)
                              "albedo is %g (band %d), must be 0..1", albedo,
                              band);
         }
-        if (!(g > -1 && g < 1)) {
-            return murk_fail(err, MURK_BAD_VALUE, where,
-                             "mean cosine g is %g (band %d), must be between "
-                             "-1 and 1, both excluded",
-                             g, band);
+        const murk_status status =
+            murk_phase_check(&medium->phase[band], band, where, err);
+        if (status) {
+            return status;
         }
     }
     return MURK_OK;

@@ -27,22 +27,114 @@ double murk_hg_sample(double g, double u)
     return fmin(1, fmax(-1, mu)); /* rounding near the ends of u */
 }
 
+/* The inverse CDF: the one real root of mu^3 + 3 mu = 8 u - 4 (Cardano). */
+static double rayleigh_sample(double u)
+{
+    const double q = fabs(4 * u - 2);
+    const double root = cbrt(q + sqrt(q * q + 1));
+    const double mu = fmin(1, root - 1 / root);
+    return u < .5 ? -mu : mu;
+}
+
+/* u chooses the term; how far it lies in that term's share is uniform again. */
+static double two_hg_sample(const murk_phase *p, double u)
+{
+    if (u < p->weight) {
+        return murk_hg_sample(p->g, u / p->weight);
+    }
+    const double rest = (u - p->weight) / (1 - p->weight);
+    return murk_hg_sample(p->g2, fmax(rest, 0x1p-54)); /* u may be the weight */
+}
+
 murk_phase murk_phase_hg(double g)
 {
     return (murk_phase){.kind = MURK_PHASE_HG, .g = g};
 }
 
+murk_phase murk_phase_rayleigh(void)
+{
+    return (murk_phase){.kind = MURK_PHASE_RAYLEIGH};
+}
+
+murk_phase murk_phase_two_hg(double g1, double g2, double weight1)
+{
+    return (murk_phase){
+        .kind = MURK_PHASE_TWO_HG, .g = g1, .g2 = g2, .weight = weight1};
+}
+
+murk_phase murk_phase_tabulated(const murk_phase_table *table)
+{
+    return (murk_phase){.kind = MURK_PHASE_TABLE, .table = table};
+}
+
+/* The negated comparisons also refuse NaN. */
+murk_status murk_phase_check(const murk_phase *phase, int band,
+                             const char *where, murk_error *err)
+{
+    const double g[] = {phase->g, phase->g2};
+    for (int i = 0; i < 2; ++i) {
+        if (!(g[i] > -1 && g[i] < 1)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "mean cosine g is %g (band %d), must be between "
+                             "-1 and 1, both excluded",
+                             g[i], band);
+        }
+    }
+    if (!(phase->weight >= 0 && phase->weight <= 1)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "weight of g1 is %g (band %d), must be 0..1",
+                         phase->weight, band);
+    }
+    if ((phase->kind == MURK_PHASE_TABLE) != (phase->table != NULL)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "phase function %s a table (band %d)",
+                         phase->table ? "of another kind has" : "misses", band);
+    }
+    return MURK_OK;
+}
+
 double murk_phase_density(const murk_phase *phase, double mu)
 {
+    switch (phase->kind) {
+    case MURK_PHASE_RAYLEIGH:
+        return .75 * (1 + mu * mu) / FOUR_PI;
+    case MURK_PHASE_TWO_HG:
+        return phase->weight * murk_hg_density(phase->g, mu) +
+               (1 - phase->weight) * murk_hg_density(phase->g2, mu);
+    case MURK_PHASE_TABLE:
+        return murk_phase_table_density(phase->table, mu);
+    case MURK_PHASE_HG:
+        break;
+    }
     return murk_hg_density(phase->g, mu);
 }
 
 double murk_phase_sample(const murk_phase *phase, double u)
 {
+    switch (phase->kind) {
+    case MURK_PHASE_RAYLEIGH:
+        return rayleigh_sample(u);
+    case MURK_PHASE_TWO_HG:
+        return two_hg_sample(phase, u);
+    case MURK_PHASE_TABLE:
+        return murk_phase_table_sample(phase->table, u);
+    case MURK_PHASE_HG:
+        break;
+    }
     return murk_hg_sample(phase->g, u);
 }
 
 double murk_phase_mean_cosine(const murk_phase *phase)
 {
+    switch (phase->kind) {
+    case MURK_PHASE_RAYLEIGH:
+        return 0;
+    case MURK_PHASE_TWO_HG:
+        return phase->weight * phase->g + (1 - phase->weight) * phase->g2;
+    case MURK_PHASE_TABLE:
+        return murk_phase_table_facts(phase->table)->mean_cosine;
+    case MURK_PHASE_HG:
+        break;
+    }
     return phase->g;
 }

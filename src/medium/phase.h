@@ -2,24 +2,43 @@
  *
  * Angles are between the directions of travel before and after, so mu = +1 is
  * straight on. The density is per steradian and integrates to 1 over the
- * sphere.
+ * sphere. Fournier-Forand and measured ones are tables: phase_table.h.
  *
- * Source: Henyey & Greenstein, Astrophys. J. 93 (1941) 70, doi:10.1086/144246.
+ * Sources: Henyey & Greenstein, Astrophys. J. 93 (1941) 70,
+ * doi:10.1086/144246; Strutt (Rayleigh), Phil. Mag. 41 (1871) 107,
+ * doi:10.1080/14786447108640452, without depolarisation; two terms of
+ * Henyey-Greenstein: Irvine, Astrophys. J. 142 (1965) 1563, doi:10.1086/148436.
  */
 #ifndef MURK_MEDIUM_PHASE_H
 #define MURK_MEDIUM_PHASE_H
 
+#include "base/status.h"
+#include "medium/phase_table.h"
+
 typedef enum murk_phase_kind {
-    MURK_PHASE_HG /* Henyey-Greenstein; isotropic where g is 0 */
+    MURK_PHASE_HG,       /* Henyey-Greenstein; isotropic where g is 0 */
+    MURK_PHASE_RAYLEIGH, /* 3 (1 + mu^2) / (16 pi) */
+    MURK_PHASE_TWO_HG,   /* weight HG(g) + (1 - weight) HG(g2) */
+    MURK_PHASE_TABLE
 } murk_phase_kind;
 
 /* One phase function, held by value. All zero: isotropic. */
 typedef struct murk_phase {
     murk_phase_kind kind;
-    double g; /* mean cosine, -1 < g < 1 */
+    double g, g2;  /* mean cosines, more than -1 and less than 1 */
+    double weight; /* of g, 0..1 */
+    const murk_phase_table *table; /* borrowed */
 } murk_phase;
 
 murk_phase murk_phase_hg(double g);
+murk_phase murk_phase_rayleigh(void);
+murk_phase murk_phase_two_hg(double g1, double g2, double weight1);
+murk_phase murk_phase_tabulated(const murk_phase_table *table);
+
+/* MURK_BAD_VALUE at `where` when a member is outside of its range; the band is
+ * for the message. */
+murk_status murk_phase_check(const murk_phase *phase, int band,
+                             const char *where, murk_error *err);
 
 /* Density [1/sr] at mu = cos(angle), -1 <= mu <= 1. */
 double murk_phase_density(const murk_phase *phase, double mu);

@@ -1,7 +1,7 @@
-/* The sampled cosine has the mean and the spread that the phase function
- * promises.
+/* Each kind of phase function: the density integrates to 1, the sampled cosine
+ * follows it, the mean is the one that is told. Tables: test_phase_table.c.
  *
- * The z-tests of this file share a 1e-6 chance of a false alarm per seed
+ * The random tests of this file share a 1e-6 chance of a false alarm per seed
  * (Sidak). The seed is fixed, so the verdict repeats; give another as the
  * first argument. */
 #include "base/rng.h"
@@ -9,11 +9,13 @@
 #include "base/vector.h"
 #include "check.h"
 #include "medium/phase.h"
+#include "turns.h"
 
 #include <stdlib.h>
 
-#define SAMPLES 100000
-#define CHECKS  (11 + 11 * 10)
+#define SAMPLES     100000
+#define CHI_SAMPLES 1000000
+#define CHECKS      (11 + 11 * 10 + 2 * 7)
 
 static double limit(void)
 {
@@ -103,6 +105,109 @@ static void test_cosines_stay_in_range(void)
     }
 }
 
+/* ---- all kinds ---- */
+
+static double phase_density(const void *context, double mu)
+{
+    return murk_phase_density(context, mu);
+}
+
+static double phase_sample(const void *context, double u)
+{
+    return murk_phase_sample(context, u);
+}
+
+/* A kind and one that is slightly wrong. */
+typedef struct kind {
+    murk_phase right, wrong;
+    double mean;
+} kind;
+
+static void test_kind(const kind *k, uint32_t seed)
+{
+    CHECK_NEAR(turn_share(phase_density, &k->right, 0, MURK_PI), 1, 1e-9);
+    CHECK_NEAR(murk_phase_mean_cosine(&k->right), k->mean, 1e-15);
+    double sum = 0, squares = 0;
+    for (uint64_t i = 0; i < CHI_SAMPLES; ++i) {
+        const double mu = murk_phase_sample(
+            &k->right, murk_random(seed, MURK_TEST, i, 1, 0).u[0]);
+        sum += mu;
+        squares += mu * mu;
+    }
+    const double mean = sum / CHI_SAMPLES;
+    CHECK_WITHIN(limit(), mean, k->mean,
+                 sqrt((squares / CHI_SAMPLES - mean * mean) / CHI_SAMPLES));
+    CHECK(fabs(turn_misfit(phase_sample, &k->right, phase_density, &k->right,
+                           CHI_SAMPLES, seed)) < limit());
+    CHECK(turn_misfit(phase_sample, &k->right, phase_density, &k->wrong,
+                      CHI_SAMPLES, seed) > 2 * limit()); /* teeth */
+}
+
+static void test_kinds(uint32_t seed)
+{
+    const kind kinds[] = {
+        {{0}, murk_phase_hg(.01), 0},
+        {murk_phase_rayleigh(), murk_phase_hg(.01), 0},
+        {murk_phase_hg(.85), murk_phase_hg(.84), .85},
+        {murk_phase_two_hg(.9, -.4, .8), murk_phase_two_hg(.89, -.4, .8), .64},
+        {murk_phase_two_hg(.9, -.4, .8), murk_phase_two_hg(.9, -.4, .79), .64},
+        {murk_phase_two_hg(.5, .2, 1), murk_phase_two_hg(.49, .2, 1), .5},
+        {murk_phase_two_hg(.5, .2, 0), murk_phase_two_hg(.5, .21, 0), .2}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
+        test_kind(&kinds[i], seed);
+    }
+}
+
+/* u that is the weight itself, and the ends. */
+static void test_two_terms_at_their_seam(void)
+{
+    const murk_phase p = murk_phase_two_hg(.9, -.4, .5);
+    const murk_phase all = murk_phase_two_hg(.9, -.4, 1);
+    const double u[] = {0x1p-33, .5 - 0x1p-53, .5, 1 - 0x1p-33};
+    for (int i = 0; i < 4; ++i) {
+        const double mu = murk_phase_sample(&p, u[i]);
+        CHECK(mu >= -1 && mu <= 1);
+        CHECK(murk_phase_sample(&all, u[i]) == murk_hg_sample(.9, u[i]));
+    }
+}
+
+static void test_rayleigh(void)
+{
+    const murk_phase p = murk_phase_rayleigh();
+    CHECK_NEAR(murk_phase_density(&p, 1) / murk_phase_density(&p, 0), 2, 1e-15);
+    for (int i = 1; i < 64; ++i) { /* the cdf at the sample is u */
+        const double u = i / 64., mu = murk_phase_sample(&p, u);
+        CHECK_NEAR((mu * mu * mu + 3 * mu + 4) / 8, u, 1e-15);
+    }
+}
+
+static void test_bad_members_are_refused(void)
+{
+    static const struct {
+        murk_phase phase;
+        const char *text;
+    } bad[] = {
+        {{.g = 1},
+         "mean cosine g is 1 (band 3), must be between -1 and 1, "
+         "both excluded"},
+        {{.g = NAN},
+         "mean cosine g is nan (band 3), must be between -1 and 1, "
+         "both excluded"},
+        {{.kind = MURK_PHASE_TWO_HG, .g2 = -1},
+         "mean cosine g is -1 (band 3), must be between -1 and 1, both "
+         "excluded"},
+        {{.kind = MURK_PHASE_TWO_HG, .weight = 1.1},
+         "weight of g1 is 1.1 (band 3), must be 0..1"},
+        {{.kind = MURK_PHASE_TABLE}, "phase function misses a table (band 3)"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        murk_error err = {0};
+        CHECK(murk_phase_check(&bad[i].phase, 3, "haze", &err) ==
+              MURK_BAD_VALUE);
+        CHECK_TEXT(err.where, "haze");
+        CHECK_TEXT(err.text, bad[i].text);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
@@ -111,5 +216,9 @@ int main(int argc, char **argv)
     test_shares_follow_the_density(seed);
     test_density_integrates_to_one();
     test_cosines_stay_in_range();
+    test_kinds(seed);
+    test_two_terms_at_their_seam();
+    test_rayleigh();
+    test_bad_members_are_refused();
     return check_done();
 }
