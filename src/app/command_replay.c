@@ -113,7 +113,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
                       (unsigned long long)(emit - 1), (unsigned long long)emit);
         goto done;
     }
-    status = murk_stage_ledger(&ledger, session.stage, err);
+    status = murk_ledger_create(&ledger, &session.stage->world, err);
     if (status) {
         goto done;
     }

@@ -99,6 +99,11 @@ const murk_material *murk_surfaces_material(const murk_surfaces *s,
     return &s->material[material];
 }
 
+size_t murk_surfaces_materials(const murk_surfaces *s)
+{
+    return s->n_materials;
+}
+
 murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *s)
 {
     const murk_soup *soup = &s->soup;

@@ -69,6 +69,7 @@ void murk_surfaces_destroy(murk_surfaces *surfaces);
 
 const murk_material *murk_surfaces_material(const murk_surfaces *surfaces,
                                             size_t material);
+size_t murk_surfaces_materials(const murk_surfaces *surfaces); /* how many */
 
 typedef struct murk_hit {
     double distance_m;

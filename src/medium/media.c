@@ -221,6 +221,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
                            "no memory for %zu regions", n_regions);
         goto done;
     }
+    made->n_media = n_media;
     if (n_media > 0) {
         memcpy(made->media, media, n_media * sizeof *media);
     }
@@ -249,6 +250,11 @@ void murk_media_destroy(murk_media *media)
         free(media->shells);
         free(media);
     }
+}
+
+size_t murk_media_count(const murk_media *media)
+{
+    return media->n_media;
 }
 
 bool murk_media_any(const murk_media *media)

@@ -78,6 +78,9 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
                               murk_error *err);
 void murk_media_destroy(murk_media *media); /* NULL is fine */
 
+/* How many there are, in regions or not. */
+size_t murk_media_count(const murk_media *media);
+
 /* False when no ray can ever meet a medium in any band (no regions, or
  * extinction 0 everywhere). */
 bool murk_media_any(const murk_media *media);

@@ -11,6 +11,7 @@
 
 struct murk_media {
     murk_medium *media;
+    size_t n_media;
     murk_place *places;
     size_t n_places;
     murk_shell *shells; /* of the regions with an index, as listed */

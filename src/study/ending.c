@@ -48,7 +48,7 @@ murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
 {
     const murk_scene *scene = stage->scene;
     murk_ledger *ledger = NULL;
-    murk_status status = murk_stage_ledger(&ledger, stage, err);
+    murk_status status = murk_ledger_create(&ledger, &stage->world, err);
     if (status) {
         return status;
     }

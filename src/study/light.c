@@ -55,7 +55,7 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
         return murk_fail(err, MURK_NO_MEMORY, wish->where,
                          "no memory to trace");
     }
-    status = murk_stage_ledger(&ledger, stage, err);
+    status = murk_ledger_create(&ledger, &stage->world, err);
     if (status) {
         goto done;
     }
@@ -373,7 +373,7 @@ murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
         traced->packet_w = calloc(traced->channels, sizeof *traced->packet_w);
     }
     if (!traced || !traced->packet_w ||
-        murk_stage_ledger(&traced->ledger, stage, err)) {
+        murk_ledger_create(&traced->ledger, &stage->world, err)) {
         murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                   "no memory to trace");
         murk_traced_destroy(traced);

@@ -353,11 +353,3 @@ murk_trace murk_stage_trace(const murk_stage *stage)
     trace.by_delta = stage->scene->by_delta;
     return trace;
 }
-
-murk_status murk_stage_ledger(murk_ledger **out, const murk_stage *stage,
-                              murk_error *err)
-{
-    return murk_ledger_create(out, murk_lights_channels(stage->lights),
-                              stage->scene->n_materials, stage->scene->n_media,
-                              err);
-}

@@ -31,8 +31,4 @@ void murk_stage_destroy(murk_stage *stage); /* NULL is fine */
  * sink are the caller's to set. */
 murk_trace murk_stage_trace(const murk_stage *stage);
 
-/* A ledger for it; the caller's: murk_ledger_destroy(). */
-murk_status murk_stage_ledger(murk_ledger **out, const murk_stage *stage,
-                              murk_error *err);
-
 #endif

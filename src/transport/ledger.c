@@ -16,9 +16,12 @@ static size_t lanes_of(size_t cells)
     return lanes < 1 ? 1 : lanes < LANES ? lanes : LANES;
 }
 
-murk_status murk_ledger_create(murk_ledger **out, size_t channels,
-                               size_t materials, size_t media, murk_error *err)
+murk_status murk_ledger_create(murk_ledger **out, const murk_world *world,
+                               murk_error *err)
 {
+    const size_t channels = murk_lights_channels(world->lights);
+    const size_t materials = murk_surfaces_materials(world->surfaces);
+    const size_t media = murk_media_count(world->media);
     assert(out && channels > 0 && materials > 0);
     const size_t absorbers = channels * (materials + media);
     const size_t lanes = lanes_of(absorbers);

@@ -133,9 +133,9 @@ typedef struct murk_ledger {
     murk_tally photons, collisions; /* plain counts; collisions: real ones */
 } murk_ledger;
 
-/* materials and media as many as the world has, or more. */
-murk_status murk_ledger_create(murk_ledger **out, size_t channels,
-                               size_t materials, size_t media, murk_error *err);
+/* Empty books of a world; the caller's: murk_ledger_destroy(). */
+murk_status murk_ledger_create(murk_ledger **out, const murk_world *world,
+                               murk_error *err);
 void murk_ledger_destroy(murk_ledger *ledger); /* NULL is fine */
 
 /* What one material or medium took: over all of them, absorbed_surfaces and

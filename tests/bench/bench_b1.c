@@ -49,7 +49,8 @@ static murk_status make(parts *p, murk_error *err)
     if (!status) {
         status = murk_lights_create(&p->lights, &beam, 1, 1, &cube, err);
     }
-    return status ? status : murk_ledger_create(&p->ledger, 1, 1, 1, err);
+    const murk_world world = {p->surfaces, p->media, p->lights, cube, 1};
+    return status ? status : murk_ledger_create(&p->ledger, &world, err);
 }
 
 static double murk_rate(parts *p, uint64_t first, unsigned threads)

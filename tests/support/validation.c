@@ -223,9 +223,7 @@ void validation_trace(validation *v, const validation_case *c)
     batch_sums *batch =
         malloc((size_t)(BLOCK_MOST / MURK_BATCH_PHOTONS) * sizeof *batch);
     sums s = {0};
-    if (!batch ||
-        murk_ledger_create(&ledger, murk_lights_channels(c->world->lights), 256,
-                           256, &err)) {
+    if (!batch || murk_ledger_create(&ledger, c->world, &err)) {
         fprintf(stderr, "no memory for the sums of %s\n", c->name);
         exit(1);
     }

@@ -29,12 +29,9 @@ test_world test_world_made(const test_setup *setup)
     must(murk_lights_create(&made.lights, setup->lights, setup->n_lights, 1,
                             &setup->domain, &err),
          &err);
-    must(murk_ledger_create(&made.ledger, setup->n_lights,
-                            setup->n_materials ? setup->n_materials : 1,
-                            setup->n_media, &err),
-         &err);
     made.world =
         (murk_world){made.surfaces, made.media, made.lights, setup->domain, 1};
+    must(murk_ledger_create(&made.ledger, &made.world, &err), &err);
     return made;
 }
 
