@@ -43,12 +43,14 @@ typedef struct answer {
 
 static answer murk_answer(const plain_box *b, uint32_t seed)
 {
-    const double extinction = b->absorption_per_m + b->scattering_per_m;
+    const double extinction =
+        b->matter.absorption_per_m + b->matter.scattering_per_m;
     const murk_light beam =
         test_beam(murk_vec(b->start_m[0], b->start_m[1], b->start_m[2]),
                   murk_vec(b->direction[0], b->direction[1], b->direction[2]));
-    const murk_medium medium = test_medium(
-        extinction, b->scattering_per_m / extinction, b->mean_cosine);
+    const murk_medium medium =
+        test_medium(extinction, b->matter.scattering_per_m / extinction,
+                    b->matter.mean_cosine);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(
         &(test_setup){.domain = {{{0, 0, 0}, {60, 60, 60}}, false},
@@ -88,9 +90,7 @@ static void test_cube_b1(uint32_t seed)
     const plain_box cube = {.size_m = {60, 60, 60},
                             .start_m = {30.1, 30.2, 0},
                             .direction = {0, 0, 1},
-                            .absorption_per_m = .005,
-                            .scattering_per_m = 1,
-                            .mean_cosine = .01,
+                            .matter = {.005, 1, .01},
                             .majorant_per_m = 1.005};
     const answer a = murk_answer(&cube, seed);
     const double n = PHOTONS;
@@ -103,7 +103,7 @@ static void test_cube_b1(uint32_t seed)
                  sqrt(a.collisions / 201));
     /* Teeth: absorption 20 % higher. */
     plain_box wrong = cube;
-    wrong.absorption_per_m = .006;
+    wrong.matter.absorption_per_m = .006;
     CHECK(sigmas_off(murk_answer(&wrong, seed).absorbed / n, .17700,
                      sqrt(.177 * .823 / n)) > limit());
 }
@@ -115,9 +115,7 @@ static void test_twin_agrees(uint32_t seed)
     const plain_box fog = {.size_m = {60, 60, 60},
                            .start_m = {20, 35, 10},
                            .direction = {0.6, 0.48, 0.64},
-                           .absorption_per_m = .004,
-                           .scattering_per_m = .06,
-                           .mean_cosine = .7,
+                           .matter = {.004, .06, .7},
                            .majorant_per_m = .08};
     const answer a = murk_answer(&fog, seed);
     const plain_result b = plain_trace(&fog, PHOTONS, seed);
@@ -128,7 +126,7 @@ static void test_twin_agrees(uint32_t seed)
     }
     /* Teeth: g off by .1 shows in the light that goes on upwards. */
     plain_box wrong = fog;
-    wrong.mean_cosine = .6;
+    wrong.matter.mean_cosine = .6;
     const answer c = murk_answer(&wrong, seed);
     double worst = 0;
     for (int side = 0; side < 6; ++side) {

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 
 /* xorshift64* (Vigna, ACM Trans. Math. Softw. 42 (2016) 30): in (0, 1). */
 static double uniform(uint64_t *state)
@@ -62,13 +63,48 @@ static void count_side(const plain_box *box, const double p[3],
     ++out->escaped[axis][p[axis] > 0];
 }
 
-plain_result plain_trace(const plain_box *box, uint64_t photons, uint64_t seed)
+typedef enum kinds { EVEN, BALL, VOXELS } kinds;
+
+static inline bool is_in_ball(const plain_box *box, const double p[3])
+{
+    double square = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double off = p[k] - box->center_m[k];
+        square += off * off;
+    }
+    return square < box->radius_m * box->radius_m;
+}
+
+static inline double density_at(const plain_box *box, const double p[3])
+{
+    size_t voxel = 0;
+    for (int k = 0; k < 3; ++k) {
+        const size_t n = (size_t)box->size_m[k];
+        const size_t i = (size_t)p[k];
+        voxel = voxel * n + (i < n ? i : n - 1);
+    }
+    return (double)box->density[voxel];
+}
+
+static inline double extinction_of(const plain_matter *m)
+{
+    return m->absorption_per_m + m->scattering_per_m;
+}
+
+/* A loop of its own for each kind, so that none pays for what it has not. */
+static inline plain_result trace(const plain_box *box, kinds kind,
+                                 uint64_t photons, uint64_t seed)
 {
     plain_result out = {0};
     uint64_t state = seed * UINT64_C(0x9e3779b97f4a7c15) + 1;
-    const double extinction = box->absorption_per_m + box->scattering_per_m;
-    const double real = extinction / box->majorant_per_m;
-    const double absorbs = box->absorption_per_m / extinction;
+    const double majorant = box->majorant_per_m;
+    const double real = extinction_of(&box->matter) / majorant;
+    const double real_in_ball = extinction_of(&box->ball) / majorant;
+    const double absorbs =
+        box->matter.absorption_per_m / extinction_of(&box->matter);
+    const double absorbs_in_ball =
+        kind == BALL ? box->ball.absorption_per_m / extinction_of(&box->ball)
+                     : 0;
     for (uint64_t i = 0; i < photons; ++i) {
         double p[3], d[3];
         for (int k = 0; k < 3; ++k) {
@@ -76,7 +112,7 @@ plain_result plain_trace(const plain_box *box, uint64_t photons, uint64_t seed)
             d[k] = box->direction[k];
         }
         for (;;) {
-            const double step = -log(uniform(&state)) / box->majorant_per_m;
+            const double step = -log(uniform(&state)) / majorant;
             for (int k = 0; k < 3; ++k) {
                 p[k] += step * d[k];
             }
@@ -84,16 +120,28 @@ plain_result plain_trace(const plain_box *box, uint64_t photons, uint64_t seed)
                 count_side(box, p, d, &out);
                 break;
             }
-            if (real < 1 && uniform(&state) > real) {
+            const bool in_ball = kind == BALL && is_in_ball(box, p);
+            const double share = in_ball          ? real_in_ball
+                                 : kind == VOXELS ? real * density_at(box, p)
+                                                  : real;
+            if (share < 1 && uniform(&state) > share) {
                 continue;
             }
             ++out.collisions;
-            if (uniform(&state) < absorbs) {
+            if (uniform(&state) < (in_ball ? absorbs_in_ball : absorbs)) {
                 ++out.absorbed;
                 break;
             }
-            turn(d, box->mean_cosine, &state);
+            turn(d, in_ball ? box->ball.mean_cosine : box->matter.mean_cosine,
+                 &state);
         }
     }
     return out;
+}
+
+plain_result plain_trace(const plain_box *box, uint64_t photons, uint64_t seed)
+{
+    return box->density        ? trace(box, VOXELS, photons, seed)
+           : box->radius_m > 0 ? trace(box, BALL, photons, seed)
+                               : trace(box, EVEN, photons, seed);
 }

@@ -1,17 +1,30 @@
-/* The simple twin of the photon tracer: one box of one even medium, a pencil
- * of photons, delta tracking (Woodcock et al., ANL-7050, 1965), a generator of
- * its own. It shares no code with murk, so agreement means something; it is
- * also the plain scalar loop that murk's speed is measured against. */
+/* The simple twin of the photon tracer: one box of one medium (even, with a
+ * ball of another in it, or of voxels), a pencil of photons, delta tracking
+ * (Woodcock et al., ANL-7050, 1965), a generator of its own. It shares no code
+ * with murk, so agreement means something; it is also the plain scalar loop
+ * that murk's speed is measured against. */
 #ifndef MURK_TESTS_PLAIN_TRACER_H
 #define MURK_TESTS_PLAIN_TRACER_H
 
 #include <stdint.h>
 
+typedef struct plain_matter {
+    double absorption_per_m, scattering_per_m, mean_cosine;
+} plain_matter;
+
 typedef struct plain_box {
     double size_m[3]; /* from the origin */
     double start_m[3], direction[3];
-    double absorption_per_m, scattering_per_m, mean_cosine;
-    double majorant_per_m; /* at least absorption + scattering */
+    plain_matter matter;
+    double majorant_per_m; /* at least the extinction anywhere */
+
+    /* A ball of other matter in place of the box's; none where radius_m is 0.
+     */
+    double center_m[3], radius_m;
+    plain_matter ball;
+
+    /* What the extinction is times, in voxels of 1 m, x slowest; NULL: 1. */
+    const float *density;
 } plain_box;
 
 /* Counts of photons, and of real collisions. */
