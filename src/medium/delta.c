@@ -1,13 +1,25 @@
 #include "medium/delta.h"
 
 #include "medium/bricks.h"
+#include "medium/nodes.h"
 
 #include <assert.h>
 #include <math.h>
 
-/* Of the edges tried, bricks of 16 voxels cost least on most grids (see
- * src/README.md). */
-#define EDGE 16
+/* The tighter the bounds, the fewer null collisions, and those cost more than
+ * steps from brick to brick (src/README.md has figures). */
+#define EDGE MURK_BRICK_EDGE_MIN
+
+/* One grid of a piece. */
+typedef struct track {
+    const murk_place *place;
+    double extinction_per_m; /* at density 1 */
+    murk_brick_walk walk;
+
+    /* The cell of 128 voxels last looked into. */
+    const unsigned char *lower;
+    int32_t lower_first[3];
+} track;
 
 /* The next pair of the flight's numbers: how far, and what is met there. */
 static void throw(murk_flight * f)
@@ -27,18 +39,64 @@ static void throw(murk_flight * f)
     dice->has_pair = true;
 }
 
-/* Whether what was met at t is real. */
-static bool is_real(murk_flight *f, double t, double bound,
-                    const murk_place *const *grids, size_t n, double even_per_m,
-                    double *density)
+/* The lower node around a voxel of the tree; NULL and the one value there
+ * where there is none. */
+static const unsigned char *find_lower(const murk_tree *tree,
+                                       const int32_t voxel[3], float *value)
 {
-    const murk_vec3 p = murk_along(f->origin, t, f->direction);
+    const murk_root_cell *root = murk_tree_root_cell(tree, voxel);
+    *value = root ? root->value : 0;
+    if (!root || !root->node) {
+        return NULL;
+    }
+    const murk_cell cell =
+        murk_upper_cell(root->node, voxel[0], voxel[1], voxel[2]);
+    *value = cell.value;
+    return cell.child;
+}
+
+/* The density at t, which lies in the tree's box but for rounding. */
+static inline double density_at(track *k, double t)
+{
+    const murk_brick_walk *w = &k->walk;
+    const murk_tree *tree = k->place->tree;
+    int32_t voxel[3];
+    bool is_known = k->lower != NULL;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double at = w->origin[axis] + t * w->direction[axis];
+        const double last = tree->last[axis];
+        voxel[axis] = !(at > tree->first[axis]) ? tree->first[axis]
+                      : at >= last              ? tree->last[axis]
+                                                : (int32_t)floor(at);
+        is_known &= ((voxel[axis] ^ k->lower_first[axis]) & ~127) == 0;
+    }
+    if (!is_known) {
+        float value;
+        k->lower = find_lower(tree, voxel, &value);
+        if (!k->lower) {
+            return (double)value;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            k->lower_first[axis] = voxel[axis] & ~127;
+        }
+    }
+    const murk_cell cell =
+        murk_lower_cell(k->lower, voxel[0], voxel[1], voxel[2]);
+    return cell.child ? (double)murk_leaf_values(
+                            cell.child)[(voxel[0] & 7) << 6 |
+                                        (voxel[1] & 7) << 3 | (voxel[2] & 7)]
+                      : (double)cell.value;
+}
+
+/* Whether what was met at t is real. */
+static inline bool is_real(murk_flight *f, double t, double bound,
+                           track *tracks, size_t n, double even_per_m,
+                           double *density)
+{
     double real = even_per_m;
     for (size_t i = 0; i < n; ++i) {
-        if (!murk_place_density(grids[i], p, &density[i])) {
-            density[i] = 0;
-        }
-        real += murk_flight_extinction(f, grids[i]) * density[i];
+        density[i] = density_at(&tracks[i], t);
+        real += tracks[i].extinction_per_m * density[i];
     }
     if (!(f->u * bound < real)) {
         return false;
@@ -54,41 +112,51 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
 {
     murk_flight *f = flight;
     const double factor = f->media->bound_factor;
-    murk_brick_walk walk[MURK_REGIONS_MAX];
+    track tracks[MURK_REGIONS_MAX];
     for (size_t i = 0; i < n; ++i) {
         const murk_affine *to_local = &grids[i]->to_local;
-        murk_brick_walk_begin(
-            &walk[i], grids[i]->bricks, murk_affine_point(to_local, f->origin),
-            murk_affine_direction(to_local, f->direction), *from, to);
+        tracks[i].place = grids[i];
+        tracks[i].extinction_per_m = murk_flight_extinction(f, grids[i]);
+        tracks[i].lower = NULL;
+        murk_brick_walk_begin(&tracks[i].walk, grids[i]->bricks,
+                              murk_affine_point(to_local, f->origin),
+                              murk_affine_direction(to_local, f->direction),
+                              *from, to);
     }
     double t = *from;
     while (t < to) {
         double bound = even_per_m, end = to;
         for (size_t i = 0; i < n; ++i) {
-            while (walk[i].to <= t && murk_brick_walk_next(&walk[i])) {
+            murk_brick_walk *w = &tracks[i].walk;
+            while (w->to <= t && murk_brick_walk_next(w)) {
             }
-            bound += murk_flight_extinction(f, grids[i]) * walk[i].bound;
-            end = fmin(end, walk[i].to);
+            bound += tracks[i].extinction_per_m * w->bound;
+            end = w->to < end ? w->to : end;
         }
         bound *= factor;
-        const double more = f->depth + bound * (end - t);
-        if (!(more >= f->limit && bound > 0)) {
-            f->depth = more;
-            t = end;
-            continue;
-        }
-        t = fmin(end, t + (f->limit - f->depth) / bound);
-        if (is_real(f, t, bound, grids, n, even_per_m, density)) {
-            return true;
-        }
-        throw(f);
-        f->depth = 0;
-        if (++f->dice->nulls > MURK_NULLS_MAX) {
-            f->dice = NULL;
-            break;
+        /* Collision after collision, up to the end of these bounds. */
+        for (;;) {
+            const double more = f->depth + bound * (end - t);
+            if (!(more >= f->limit && bound > 0)) {
+                f->depth = more;
+                t = end;
+                break;
+            }
+            const double next = t + (f->limit - f->depth) / bound;
+            t = next < end ? next : end;
+            if (is_real(f, t, bound, tracks, n, even_per_m, density)) {
+                return true;
+            }
+            throw(f);
+            f->depth = 0;
+            if (++f->dice->nulls > MURK_NULLS_MAX) {
+                f->dice = NULL;
+                *from = t;
+                return false;
+            }
         }
     }
-    *from = t;
+    *from = to;
     return false;
 }
 

@@ -1,0 +1,172 @@
+/* Case flight: free flights by delta tracking against free flights by march,
+ * through density grids, one thread.
+ *
+ *   bench_flight [--edge N] [FILE.vdb]...     N: voxels along a brick
+ *
+ * Rays start anywhere in the grid's box and go any way until they leave it, as
+ * scattered light does; the extinction is such that they meet a mean optical
+ * depth of .3, 3 and 30. Timings alternate; the figure is the median. The two
+ * must agree on how many flights collide. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/progress.h"
+#include "medium/delta.h"
+
+#define RAYS    40000
+#define REPEATS 7
+
+static const double DEPTHS[] = {.3, 3, 30};
+
+typedef struct contest {
+    const char *file;
+    const murk_grid *grid;
+    murk_media *media;
+    murk_box box;
+    double collided[2], nulls;
+} contest;
+
+static _Noreturn void stop(const char *file, const char *why)
+{
+    fprintf(stderr, "bench_flight: %s: %s\n", file, why);
+    exit(1);
+}
+
+static murk_media *media_of(const char *file, const murk_grid *grid,
+                            double extinction_per_m, int32_t edge)
+{
+    murk_media *media = NULL;
+    murk_error err = {0};
+    murk_medium medium = {.grid = grid, .where = file};
+    medium.extinction_per_m.band[0] = extinction_per_m;
+    const murk_region region = {.shape = MURK_REGION_GRID,
+                                .to_world = murk_affine_identity(),
+                                .where = file};
+    const murk_box domain = {murk_vec(-1e6, -1e6, -1e6),
+                             murk_vec(1e6, 1e6, 1e6)};
+    if (murk_media_create(&media, &medium, 1, &region, 1, &domain, &err) ||
+        (edge > 0 ? murk_delta_prepare(media, edge, 1, &err)
+                  : murk_media_prepare_delta(media, &err))) {
+        stop(file, err.text);
+    }
+    return media;
+}
+
+static void ray_of(const murk_box *box, uint64_t i, murk_vec3 *from,
+                   murk_vec3 *along)
+{
+    const murk_random4 a = murk_random(1, MURK_TEST, i, 0, 0);
+    const murk_random4 b = murk_random(1, MURK_TEST, i, 0, 1);
+    const murk_vec3 size = murk_sub(box->max, box->min);
+    *from = murk_vec(box->min.x + a.u[0] * size.x, box->min.y + a.u[1] * size.y,
+                     box->min.z + a.u[2] * size.z);
+    *along =
+        murk_about(murk_vec(0, 0, 1), 2 * b.u[0] - 1, 2 * MURK_PI * b.u[1]);
+}
+
+static double mean_depth(const contest *c)
+{
+    double sum = 0;
+    for (uint64_t i = 0; i < RAYS; ++i) {
+        murk_vec3 from, along;
+        ray_of(&c->box, i, &from, &along);
+        sum += murk_media_optical_depth(c->media, 0, 0, from, along, INFINITY);
+    }
+    return sum / RAYS;
+}
+
+static double seconds_of(contest *c, bool by_delta)
+{
+    const double begin = murk_clock_s();
+    for (uint64_t i = 0; i < RAYS; ++i) {
+        murk_vec3 from, along;
+        ray_of(&c->box, i, &from, &along);
+        const murk_address address = {1, MURK_TEST, i, 1};
+        const murk_random4 r = murk_random_at(&address, 0);
+        murk_collision met;
+        murk_dice dice = {.address = &address};
+        c->collided[by_delta] +=
+            by_delta ? murk_delta_fly(c->media, 0, 0, from, along, INFINITY,
+                                      -log(r.u[0]), r.u[1], &dice, &met)
+                     : murk_media_fly(c->media, 0, 0, from, along, INFINITY,
+                                      -log(r.u[0]), r.u[1], &met);
+        c->nulls += dice.nulls;
+    }
+    return murk_clock_s() - begin;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *x)
+{
+    qsort(x, REPEATS, sizeof *x, ascending);
+    return x[REPEATS / 2];
+}
+
+static void run(const char *file, const murk_grid *grid, double depth,
+                int32_t edge)
+{
+    contest c = {.file = file, .grid = grid};
+    c.media = media_of(file, grid, 1, edge);
+    c.box = murk_media_bounds(c.media);
+    const double extinction = depth / mean_depth(&c);
+    murk_media_destroy(c.media);
+    c.media = media_of(file, grid, extinction, edge);
+    double march[REPEATS], delta[REPEATS];
+    for (int i = 0; i < REPEATS; ++i) {
+        march[i] = seconds_of(&c, false);
+        delta[i] = seconds_of(&c, true);
+    }
+    murk_media_destroy(c.media);
+    const double march_s = median(march), delta_s = median(delta);
+    const char *slash = strrchr(file, '/');
+    printf("{\"case\": \"flight\", \"value\": %.4g, \"unit\": \"flights/s by "
+           "delta\", \"reference\": \"march, %s, depth %g, %.1f nulls\", "
+           "\"reference_value\": %.4g, \"ratio\": %.3f, \"threads\": 1}\n",
+           RAYS / delta_s, slash ? slash + 1 : file, depth,
+           c.nulls / RAYS / REPEATS, RAYS / march_s, march_s / delta_s);
+    /* The same rays, other numbers but for the first of each. */
+    const double share = c.collided[0] / RAYS / REPEATS;
+    const double sigma = sqrt(2. * RAYS * share * (1 - share)) * REPEATS;
+    if (!(fabs(c.collided[0] - c.collided[1]) <= 5 * sigma)) {
+        stop(file, "march and delta do not agree");
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const usual[] = {"media/smoke_r64_f50.vdb",
+                                        "../shared/data/vdb/arnold_smoke.vdb"};
+    int32_t edge = 0;
+    if (argc > 2 && strcmp(argv[1], "--edge") == 0) {
+        edge = (int32_t)strtol(argv[2], NULL, 10);
+        argv += 2;
+        argc -= 2;
+    }
+    const char *const *files = argc > 1 ? (const char *const *)&argv[1] : usual;
+    const int n = argc > 1 ? argc - 1 : 2;
+    for (int i = 0; i < n; ++i) {
+        murk_grid *grid = NULL;
+        murk_error err = {0};
+        if (files == usual && i > 0 && access(files[i], R_OK) != 0) {
+            fprintf(stderr, "bench_flight: %s is not there: left out\n",
+                    files[i]);
+            continue;
+        }
+        if (murk_grid_read(&grid, files[i], NULL, files[i], &err)) {
+            stop(files[i], err.text);
+        }
+        for (size_t k = 0; k < sizeof DEPTHS / sizeof *DEPTHS; ++k) {
+            run(files[i], grid, DEPTHS[k], edge);
+        }
+        murk_grid_destroy(grid);
+    }
+    return 0;
+}
