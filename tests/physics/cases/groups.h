@@ -5,8 +5,9 @@
 
 #include "validation.h"
 
-#define VALIDATION_GROUPS(X) \
-    X(slabs) /* even slabs of fog: reflectance, transmittance */
+#define VALIDATION_GROUPS(X)                                      \
+    X(slabs)  /* even slabs of fog: reflectance, transmittance */ \
+    X(points) /* a point lamp in an infinite medium */
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)
