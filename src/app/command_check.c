@@ -1,5 +1,7 @@
 #include "app/session.h"
 
+#include <string.h>
+
 #include "study/extent.h"
 #include "study/machine.h"
 
@@ -80,6 +82,41 @@ static murk_box region_box(const findings *f, const murk_scene_region *r)
     return box.min.z < box.max.z ? box : murk_box_empty();
 }
 
+static const murk_phase *phase_of(const findings *f, size_t medium, int band)
+{
+    return &f->session->stage->phases->medium[medium][band];
+}
+
+/* A band's phase function, and of a table what normalising it told. */
+static cJSON *phase_json(const findings *f, size_t medium, int band)
+{
+    const murk_scene_medium *m = &f->session->scene->media[medium];
+    const murk_phase *phase = phase_of(f, medium, band);
+    cJSON *item = cJSON_CreateObject();
+    cJSON_AddStringToObject(item, "kind", murk_phases_kind(m, band));
+    cJSON_AddNumberToObject(item, "mean_cosine", murk_phase_mean_cosine(phase));
+    if (phase->table) {
+        const murk_phase_facts *facts = murk_phase_table_facts(phase->table);
+        cJSON_AddNumberToObject(item, "backward", facts->backward);
+        cJSON_AddNumberToObject(item, "integral", facts->integral);
+        cJSON_AddNumberToObject(item, "before_first", facts->before_first);
+        cJSON_AddNumberToObject(item, "behind_last", facts->behind_last);
+    }
+    return item;
+}
+
+static void add_phases(cJSON *item, const findings *f, size_t medium)
+{
+    const int bands = f->session->scene->bands;
+    murk_spectrum mean = {{0}};
+    cJSON *list = cJSON_AddArrayToObject(item, "phase");
+    for (int band = 0; band < bands; ++band) {
+        mean.band[band] = murk_phase_mean_cosine(phase_of(f, medium, band));
+        cJSON_AddItemToArray(list, phase_json(f, medium, band));
+    }
+    add_spectrum(item, "mean_cosine", &mean, bands);
+}
+
 static void add_media(cJSON *root, const findings *f)
 {
     const murk_scene *scene = f->session->scene;
@@ -91,7 +128,7 @@ static void add_media(cJSON *root, const findings *f)
         add_spectrum(item, "extinction_per_m", &m->extinction_per_m,
                      scene->bands);
         add_spectrum(item, "albedo", &m->albedo, scene->bands);
-        add_spectrum(item, "mean_cosine", &m->mean_cosine, scene->bands);
+        add_phases(item, f, i);
         const murk_grid *grid = f->session->stage->grid[i];
         if (grid) {
             const murk_grid_facts *facts = murk_grid_describe(grid);
@@ -161,14 +198,56 @@ static cJSON *check_json(const findings *f)
     return root;
 }
 
+static void print_phase(const findings *f, size_t medium, int band)
+{
+    const murk_phase *phase = phase_of(f, medium, band);
+    const char *kind =
+        murk_phases_kind(&f->session->scene->media[medium], band);
+    printf("%s, mean cosine %.6g", kind, murk_phase_mean_cosine(phase));
+    if (phase->table) {
+        printf(", %.4g backward",
+               murk_phase_table_facts(phase->table)->backward);
+    }
+    if (strcmp(kind, "table") == 0) {
+        const murk_phase_facts *facts = murk_phase_table_facts(phase->table);
+        printf(" (integral %.6g before it became 1; share before the first "
+               "row %.3g, behind the last %.3g)",
+               facts->integral, facts->before_first, facts->behind_last);
+    }
+}
+
+static bool is_same(const murk_phase *a, const murk_phase *b)
+{
+    return a->kind == b->kind && a->g == b->g && a->g2 == b->g2 &&
+           a->weight == b->weight && a->table == b->table;
+}
+
+/* One phase, or one a band where they differ. */
+static void print_phases(const findings *f, size_t medium)
+{
+    const murk_scene *scene = f->session->scene;
+    bool are_equal = true;
+    for (int band = 1; band < scene->bands; ++band) {
+        are_equal = are_equal &&
+                    is_same(phase_of(f, medium, band), phase_of(f, medium, 0));
+    }
+    printf("phase       %s: ", scene->media[medium].name);
+    for (int band = 0; band < (are_equal ? 1 : scene->bands); ++band) {
+        if (!are_equal) {
+            printf("%s%.6g nm ", band ? "; " : "", scene->band_nm[band]);
+        }
+        print_phase(f, medium, band);
+    }
+    printf("\n");
+}
+
 static void print_media(const findings *f)
 {
     const murk_scene *scene = f->session->scene;
     for (size_t i = 0; i < scene->n_media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
-        printf("medium      %s: extinction %.6g /m, albedo %.4g, g %.4g",
-               m->name, m->extinction_per_m.band[0], m->albedo.band[0],
-               m->mean_cosine.band[0]);
+        printf("medium      %s: extinction %.6g /m, albedo %.4g", m->name,
+               m->extinction_per_m.band[0], m->albedo.band[0]);
         const murk_grid *grid = f->session->stage->grid[i];
         if (grid) {
             const murk_grid_facts *facts = murk_grid_describe(grid);
@@ -177,6 +256,7 @@ static void print_media(const findings *f)
                    facts->voxel_m[0], facts->minimum, facts->maximum);
         }
         printf("%s\n", scene->bands > 1 ? " (first band)" : "");
+        print_phases(f, i);
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];

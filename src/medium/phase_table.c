@@ -11,6 +11,7 @@
 
 #define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere lies before */
 #define LAST_DEG_MIN  150.0 /* less than 7 % behind */
+#define ROWS_MAX      1000000
 #define VALUE_MIN     1e-30
 #define VALUE_MAX     1e30
 
@@ -55,10 +56,9 @@ static murk_status check_angle(const murk_phase_rows *rows, size_t i,
 
 static murk_status check_rows(const murk_phase_rows *rows, murk_error *err)
 {
-    if (rows->rows < 2) {
+    if (rows->rows < 2 || rows->rows > ROWS_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, rows->where,
-                         "%zu rows, a phase function needs at least 2",
-                         rows->rows);
+                         "%zu rows, must be 2..%d", rows->rows, ROWS_MAX);
     }
     for (size_t i = 0; i < rows->rows; ++i) {
         const double value = rows->phase_per_sr[i];

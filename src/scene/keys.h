@@ -19,11 +19,14 @@ typedef enum murk_key_kind {
                             -1 where absent */
     MURK_KEY_VECTOR,     /* murk_vec3 */
     MURK_KEY_SIZES,      /* size_t[3] */
+    MURK_KEY_NUMBERS,    /* double[]: a list, one for each of `items` */
     MURK_KEY_BANDS,      /* 1..16 rising doubles: the scene's bands */
     MURK_KEY_BAND_EDGES, /* 2..17 rising doubles: the scene's bands */
     MURK_KEY_SPECTRUM,   /* one value for all bands, or a list */
     MURK_KEY_SHARED,     /* a total spread over the bands, or a list */
     MURK_KEY_MAP,        /* keys into the same struct; or one of `words` */
+    MURK_KEY_PER_BAND,   /* maps or words, one or a list, one a band: an array
+                            of structs in the same struct */
     MURK_KEY_LIST,       /* maps: an array of structs, or (item_size 0) at most
                             one map into the same struct */
     MURK_KEY_NAMED       /* maps by name: an array of structs */
@@ -50,9 +53,10 @@ typedef struct murk_key {
     int group;          /* not 0: at most one key of a group */
     double factor;      /* to SI; 0: 1 */
     const murk_word *words;
-    const murk_keys *keys; /* of the map, or of each item */
-    const char *of;        /* references: "media" or "materials" */
-    size_t at, size;       /* member; size 0: kept in no struct */
+    const murk_keys *keys;        /* of the map, or of each item */
+    const struct murk_key *items; /* numbers: name and range of each */
+    const char *of;               /* references: "media" or "materials" */
+    size_t at, size;              /* member; size 0: kept in no struct */
     bool has_flag;
     size_t flag_at; /* a bool that says whether the key is there */
     bool lights;    /* top level: the traced light depends on it */

@@ -11,17 +11,51 @@ static murk_status choose_medium(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
+static murk_status choose_phase(murk_walk *walk, const murk_yaml *map,
+                                int *variant)
+{
+    (void)walk;
+    *variant = murk_yaml_get(map, "two_hg") ? MURK_SCENE_PHASE_TWO_HG
+               : murk_yaml_get(map, "fournier_forand")
+                   ? MURK_SCENE_PHASE_FOURNIER_FORAND
+               : murk_yaml_get(map, "table") ? MURK_SCENE_PHASE_TABLE
+                                             : MURK_SCENE_PHASE_HG;
+    return MURK_OK;
+}
+
+#define COSINE .least = -1, .most = 1, .above = true, .below = true
+
+static const murk_key TWO_HG_ITEMS[] = {
+    ROW("g1", NUMBER, COSINE),
+    ROW("g2", NUMBER, COSINE),
+    ROW("weight1", NUMBER, SHARE),
+    END,
+};
+
+static const murk_key FOURNIER_FORAND_ITEMS[] = {
+    ROW("n", NUMBER, .least = 1.001, .most = 2),
+    ROW("mu", NUMBER, .least = 3, .most = 5, .above = true, .below = true),
+    END,
+};
+
 static const murk_key PHASE_ROWS[] = {
-    ROW("hg", SPECTRUM, .group = 1, NEEDED, .least = -1, .most = 1,
-        .above = true, .below = true, AT(murk_scene_medium, mean_cosine)),
-    LATER("two_hg"),
-    LATER("fournier_forand"),
-    LATER("table"),
+    ROW("hg", SPECTRUM, .group = 1, NEEDED, COSINE,
+        AT(murk_scene_phase, mean_cosine)),
+    ROW("two_hg", NUMBERS, .group = 1, NEEDED, .items = TWO_HG_ITEMS,
+        AT(murk_scene_phase, two_hg)),
+    ROW("fournier_forand", NUMBERS, .group = 1, NEEDED,
+        .items = FOURNIER_FORAND_ITEMS, AT(murk_scene_phase, fournier_forand)),
+    ROW("table", PATH, .group = 1, NEEDED, AT(murk_scene_phase, table)),
     END,
 };
 
 static const murk_keys PHASE = {
     .noun = "phase",
+    .choose = choose_phase,
+    VARIANT(murk_scene_phase, kind),
+    WHERE(murk_scene_phase, where),
+    .item_size = sizeof(murk_scene_phase),
+    .count_at = offsetof(murk_scene_medium, n_phases),
     .key = PHASE_ROWS,
 };
 
@@ -34,8 +68,8 @@ static const murk_word INTERPOLATION_WORDS[] = {
 };
 
 static const murk_word PHASE_WORDS[] = {
-    {"isotropic", 0, false},
-    {"rayleigh", 1, true},
+    {"isotropic", MURK_SCENE_PHASE_HG, false},
+    {"rayleigh", MURK_SCENE_PHASE_RAYLEIGH, false},
     WORDS_END,
 };
 
@@ -48,8 +82,8 @@ static const murk_key MEDIUM_ROWS[] = {
     ROW("extinction_per_m", SPECTRUM, NEEDED, .most = 1e9, .unit = "1/m",
         AT(murk_scene_medium, extinction_per_m)),
     ROW("albedo", SPECTRUM, NEEDED, SHARE, AT(murk_scene_medium, albedo)),
-    ROW("phase", MAP, .keys = &PHASE, .preset = "isotropic",
-        .words = PHASE_WORDS),
+    ROW("phase", PER_BAND, .keys = &PHASE, .preset = "isotropic",
+        .words = PHASE_WORDS, AT(murk_scene_medium, phase)),
     LATER("preset"),
     LATER("visibility_m"),
     LATER("mor_m"),

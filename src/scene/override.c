@@ -79,6 +79,14 @@ static murk_status unknown_key(const option_context *option,
     return unknown(option, owner, part, names, n);
 }
 
+/* Whether its keys are those of a map, not of the items in it. */
+static bool is_map(const spot *at)
+{
+    return at->key->kind == MURK_KEY_MAP ||
+           (at->key->kind == MURK_KEY_PER_BAND &&
+            at->node->kind != MURK_YAML_LIST);
+}
+
 /* What the table says of a child of this spot. Names and items are maps. */
 static const murk_key *child_key(const spot *at, const char *part,
                                  murk_key *item)
@@ -86,7 +94,7 @@ static const murk_key *child_key(const spot *at, const char *part,
     if (!at->key || !at->key->keys) {
         return NULL;
     }
-    if (at->key->kind == MURK_KEY_MAP) {
+    if (is_map(at)) {
         return murk_keys_find(at->key->keys, part);
     }
     *item = (murk_key){
@@ -122,10 +130,9 @@ static murk_status remove_rivals(const option_context *option, murk_yaml *map,
  * table allows one. */
 static bool make_map(murk_yaml *node, const spot *at)
 {
-    const bool can =
-        node->kind == MURK_YAML_SCALAR && at->key &&
-        (at->key->kind == MURK_KEY_MAP ||
-         (at->key->kind == MURK_KEY_NAMED && murk_yaml_is_null(node)));
+    const bool can = node->kind == MURK_YAML_SCALAR && at->key &&
+                     (is_map(at) || (at->key->kind == MURK_KEY_NAMED &&
+                                     murk_yaml_is_null(node)));
     if (can) {
         murk_yaml_clear(node);
         node->kind = MURK_YAML_MAP;
@@ -179,7 +186,7 @@ static murk_status step_map(const option_context *option, spot *at,
         return unknown(option, owner, part, (const char *const *)map->key,
                        map->n);
     }
-    if (next && owner->kind == MURK_KEY_MAP) {
+    if (next && is_map(at)) {
         const murk_status status = remove_rivals(option, map, owner, next);
         if (status) {
             return status;

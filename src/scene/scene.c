@@ -195,6 +195,9 @@ void murk_scene_destroy(murk_scene *scene)
     for (size_t i = 0; i < scene->n_media; ++i) {
         free(scene->media[i].vdb);
         free(scene->media[i].grid);
+        for (size_t k = 0; k < scene->media[i].n_phases; ++k) {
+            free(scene->media[i].phase[k].table);
+        }
     }
     free(scene->geometry);
     free(scene->materials);

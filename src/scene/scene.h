@@ -50,12 +50,31 @@ typedef struct murk_scene_material { /* [0] is `default` */
     double ior; /* 0: none */
 } murk_scene_material;
 
+typedef enum murk_scene_phase_kind {
+    MURK_SCENE_PHASE_HG, /* and isotropic: mean_cosine 0 */
+    MURK_SCENE_PHASE_RAYLEIGH,
+    MURK_SCENE_PHASE_TWO_HG,
+    MURK_SCENE_PHASE_FOURNIER_FORAND,
+    MURK_SCENE_PHASE_TABLE
+} murk_scene_phase_kind;
+
+typedef struct murk_scene_phase {
+    murk_scene_where where; /* of a map; empty for words */
+    murk_scene_phase_kind kind;
+    murk_spectrum mean_cosine;
+    double two_hg[3];          /* g1, g2, weight of g1 */
+    double fournier_forand[2]; /* n, mu */
+    char *table;               /* CSV file as it is to be opened; or NULL */
+} murk_scene_phase;
+
 typedef struct murk_scene_medium {
     murk_scene_name name;
     murk_scene_where where;
-    murk_spectrum extinction_per_m, albedo, mean_cosine;
-    char *vdb;  /* file as it is to be opened; NULL: homogeneous */
-    char *grid; /* name; NULL: the file's only one, or `density` */
+    murk_spectrum extinction_per_m, albedo;
+    murk_scene_phase phase[MURK_BANDS_MAX];
+    size_t n_phases; /* 1: the same one in all bands; else one a band */
+    char *vdb;       /* file as it is to be opened; NULL: homogeneous */
+    char *grid;      /* name; NULL: the file's only one, or `density` */
 } murk_scene_medium;
 
 typedef enum murk_scene_region_shape {

@@ -134,6 +134,30 @@ static murk_status read_vector(murk_walk *walk, const murk_key *key,
     return status;
 }
 
+static size_t items_of(const murk_key *key)
+{
+    size_t n = 0;
+    while (key->items[n].name) {
+        ++n;
+    }
+    return n;
+}
+
+static murk_status numbers_item(murk_walk *walk, const murk_key *key,
+                                murk_yaml *node, size_t index, void *out)
+{
+    return read_number(walk, &key->items[index], node, (double *)out + index);
+}
+
+static murk_status read_numbers(murk_walk *walk, const murk_key *key,
+                                murk_yaml *node, double *out)
+{
+    if (node->kind != MURK_YAML_LIST || node->n != items_of(key)) {
+        return wrong(walk, key, node);
+    }
+    return read_items(walk, key, node, numbers_item, out);
+}
+
 static murk_status read_bands(murk_walk *walk, const murk_key *key,
                               murk_yaml *node, double *out)
 {
@@ -431,6 +455,8 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
             return wrong(walk, key, node);
         }
         return read_items(walk, key, node, count_item, member);
+    case MURK_KEY_NUMBERS:
+        return read_numbers(walk, key, node, member);
     case MURK_KEY_BANDS:
     case MURK_KEY_BAND_EDGES:
         return read_bands(walk, key, node, member);
@@ -441,6 +467,7 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
         return read_only(walk, key, node);
     case MURK_KEY_LATER:
     case MURK_KEY_MAP:
+    case MURK_KEY_PER_BAND:
     case MURK_KEY_LIST:
     case MURK_KEY_NAMED:
         break;

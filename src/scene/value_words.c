@@ -72,6 +72,22 @@ static void show_words(const murk_word *words, char *out, size_t size)
     }
 }
 
+/* "[n, mu], n 1.001..2, mu more than 3 and less than 5" */
+static void show_items(const murk_key *items, char *out, size_t size)
+{
+    size_t length = 0;
+    for (const murk_key *item = items; item->name && length < size; ++item) {
+        length += (size_t)snprintf(out + length, size - length, "%s%s",
+                                   item == items ? "[" : ", ", item->name);
+    }
+    for (const murk_key *item = items; item->name && length < size; ++item) {
+        char range[MURK_ALLOWED_SIZE / 2];
+        murk_value_range(item, range, sizeof range);
+        length += (size_t)snprintf(out + length, size - length, "%s, %s %s",
+                                   item == items ? "]" : "", item->name, range);
+    }
+}
+
 size_t murk_value_most_bytes(const murk_key *key)
 {
     return (key->size == sizeof(murk_scene_name) ? MURK_SCENE_NAME_SIZE
@@ -102,6 +118,9 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
         break;
     case MURK_KEY_SIZES:
         snprintf(out, size, "[nx, ny, nz], each a whole number, %s", range);
+        break;
+    case MURK_KEY_NUMBERS:
+        show_items(key->items, out, size);
         break;
     case MURK_KEY_BANDS:
         snprintf(out, size, "a list of 1..%d rising wavelengths, each %s",
@@ -136,6 +155,13 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
             show_words(key->words, words, sizeof words);
             snprintf(out, size, "%s or a map of keys", words);
         }
+        break;
+    case MURK_KEY_PER_BAND:
+        show_words(key->words, range, sizeof range);
+        snprintf(out, size,
+                 "%s or a map of keys, or a list of them, one a "
+                 "band",
+                 range);
         break;
     case MURK_KEY_LIST:
         if (key->keys->needs_item) {

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scene/value.h"
+#include "scene/walk_bands.h"
 #include "scene/walk_names.h"
 #include "scene/words.h"
 
@@ -174,9 +175,6 @@ static void sort_by_table(const murk_keys *keys, murk_yaml *map, int variant)
     }
 }
 
-static murk_status walk_value(murk_walk *walk, const murk_key *key,
-                              murk_yaml *node, void *item);
-
 static void mark_absent(const murk_keys *keys, const murk_yaml *map,
                         int variant, void *item)
 {
@@ -212,7 +210,7 @@ static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
         const murk_key *key = murk_walk_find(keys, map->key[i], variant);
         assert(key);
         const size_t back = murk_walk_enter(walk, key->name);
-        status = walk_value(walk, key, map->child[i], item);
+        status = murk_walk_value(walk, key, map->child[i], item);
         murk_walk_leave(walk, back);
         if (status) {
             return status;
@@ -258,7 +256,8 @@ static murk_status walk_items(murk_walk *walk, const murk_keys *keys,
                    strlen(node->key[i]) + 1);
         }
         const murk_key one = {.name = "", .kind = MURK_KEY_MAP, .keys = keys};
-        const murk_status status = walk_value(walk, &one, node->child[i], item);
+        const murk_status status =
+            murk_walk_value(walk, &one, node->child[i], item);
         murk_walk_leave(walk, back);
         if (status) {
             return status;
@@ -336,8 +335,8 @@ static murk_status walk_array(murk_walk *walk, const murk_key *key,
     return walk_items(walk, keys, node, items);
 }
 
-static murk_status walk_value(murk_walk *walk, const murk_key *key,
-                              murk_yaml *node, void *item)
+murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, void *item)
 {
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);
@@ -350,6 +349,9 @@ static murk_status walk_value(murk_walk *walk, const murk_key *key,
             murk_value_store(item, key->at, key->size, word);
         }
         return status;
+    }
+    if (key->kind == MURK_KEY_PER_BAND) {
+        return murk_walk_bands(walk, key, node, item);
     }
     const bool wants_map =
         key->kind == MURK_KEY_MAP || key->kind == MURK_KEY_NAMED;

@@ -20,6 +20,11 @@ struct murk_walk {
 /* scene->path is set, all else is empty. */
 murk_status murk_walk_scene(murk_walk *walk);
 
+/* One value, map or list under the walk's present key, into its member of the
+ * struct `item`. */
+murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, void *item);
+
 /* Adds a part to the present key; gives back the length to return to by
  * murk_walk_leave(). */
 size_t murk_walk_enter(murk_walk *walk, const char *part);

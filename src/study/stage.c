@@ -66,6 +66,22 @@ static murk_status import_files(murk_stage *stage, murk_error *err)
     return status;
 }
 
+static murk_status make_phases(murk_stage *stage, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        for (size_t k = 0; k < m->n_phases && !status; ++k) {
+            if (m->phase[k].table) {
+                status =
+                    sign_file(stage, m->phase[k].table, m->phase[k].where, err);
+            }
+        }
+    }
+    return status ? status : murk_phases_create(&stage->phases, scene, err);
+}
+
 static murk_surface_desc surface_of(const murk_scene_geometry *g,
                                     const murk_mesh *mesh)
 {
@@ -156,9 +172,8 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
                                   .albedo = m->albedo,
                                   .grid = stage->grid[i],
                                   .where = m->where};
-        for (int band = 0; band < scene->bands; ++band) {
-            medium[i].phase[band] = murk_phase_hg(m->mean_cosine.band[band]);
-        }
+        memcpy(medium[i].phase, stage->phases->medium[i],
+               sizeof medium[i].phase);
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         region[i] = region_of(&scene->regions[i]);
@@ -296,6 +311,9 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     }
     status = import_files(stage, err);
     if (!status) {
+        status = make_phases(stage, err);
+    }
+    if (!status) {
         status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,
                                     stage->grid, err);
     }
@@ -331,6 +349,7 @@ void murk_stage_destroy(murk_stage *stage)
     }
     murk_lights_destroy(stage->lights);
     murk_media_destroy(stage->media);
+    murk_phases_destroy(stage->phases);
     murk_surfaces_destroy(stage->surfaces);
     for (size_t i = 0; stage->grid && i < stage->scene->n_media; ++i) {
         murk_grid_destroy(stage->grid[i]);

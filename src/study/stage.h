@@ -8,6 +8,7 @@
 
 #include "base/status.h"
 #include "scene/scene.h"
+#include "study/phases.h"
 #include "transport/trace.h"
 
 typedef struct murk_stage {
@@ -15,6 +16,7 @@ typedef struct murk_stage {
     murk_world world;
     murk_grid **grid; /* [scene->n_media]; NULL for homogeneous media */
     murk_mesh **mesh; /* [scene->geometries]; NULL for the other shapes */
+    murk_phases *phases;
     murk_surfaces *surfaces;
     murk_media *media;
     murk_lights *lights;

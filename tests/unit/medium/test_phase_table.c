@@ -381,7 +381,7 @@ static void test_refusals(void)
 {
     const double nan = NAN;
     refused((const double[][2]){{0, 1}}, 1, "rows.csv",
-            "1 rows, a phase function needs at least 2");
+            "1 rows, must be 2..1000000");
     refused((const double[][2]){{0, 1}, {90, 1}, {80, 1}, {180, 1}}, 4,
             "rows.csv:12: angle_deg",
             "80, must be more than the 90 degrees before");

@@ -116,19 +116,63 @@ static const refusal REFUSALS[] = {
      "1, must be more than -1 and less than 1"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: isotrop}\n", VALUE,
      "fog.yaml:3:48: media.fog.phase",
-     "isotrop, must be isotropic or a map of keys"},
+     "isotrop, must be isotropic, rayleigh or a map of keys"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {}}\n", VALUE,
-     "fog.yaml:3:41: media.fog.phase", "misses a key of a phase, must be hg"},
+     "fog.yaml:3:41: media.fog.phase",
+     "misses a key of a phase, must be one of hg, two_hg, fournier_forand, "
+     "table"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, grid: a}\n", VALUE,
      "fog.yaml:3:41: media.fog.grid",
      "not a key of a medium (homogeneous), must be one of vdb, "
      "extinction_per_m, albedo, phase"},
-    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: rayleigh}\n",
-     LATER, "fog.yaml:3:48: media.fog.phase",
-     "rayleigh is not supported yet, must be isotropic or a map of keys"},
-    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, 0, "
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, "
+     "0]}}\n",
+     VALUE, "fog.yaml:3:49: media.fog.phase.two_hg",
+     "a list, must be [g1, g2, weight1], g1 more than -1 and less than 1, g2 "
+     "more than -1 and less than 1, weight1 0..1"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, 1, "
      "1]}}\n",
-     LATER, "fog.yaml:3:49: media.fog.phase.two_hg", "not supported yet"},
+     VALUE, "fog.yaml:3:61: media.fog.phase.two_hg.1",
+     "1, must be more than -1 and less than 1"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, 0, "
+     "2]}}\n",
+     VALUE, "fog.yaml:3:64: media.fog.phase.two_hg.2", "2, must be 0..1"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, 0, "
+     "x]}}\n",
+     VALUE, "fog.yaml:3:64: media.fog.phase.two_hg.2",
+     "x, must be a number, 0..1"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {fournier_forand: "
+     "1.1}}\n",
+     VALUE, "fog.yaml:3:66: media.fog.phase.fournier_forand",
+     "1.1, must be [n, mu], n 1.001..2, mu more than 3 and less than 5"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {fournier_forand: "
+     "[1, 3.5]}}\n",
+     VALUE, "fog.yaml:3:67: media.fog.phase.fournier_forand.0",
+     "1, must be 1.001..2"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {fournier_forand: "
+     "[1.1, 3]}}\n",
+     VALUE, "fog.yaml:3:72: media.fog.phase.fournier_forand.1",
+     "3, must be more than 3 and less than 5"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {table: []}}\n",
+     VALUE, "fog.yaml:3:49: media.fog.phase.table",
+     "an empty list, must be the name of a file"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {hg: 0, table: "
+     "x}}\n",
+     VALUE, "fog.yaml:3:41: media.fog.phase",
+     "has hg and table, must have one of them"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: [rayleigh, "
+     "isotropic]}\n",
+     VALUE, "fog.yaml:3:41: media.fog.phase",
+     "a list of 2, must be one phase or a list of 1, one a band"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: [rayleig]}\n",
+     VALUE, "fog.yaml:3:49: media.fog.phase.0",
+     "rayleig, must be isotropic, rayleigh or a map of keys"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: [{hg: [0]}]}\n",
+     VALUE, "fog.yaml:3:50: media.fog.phase.0.hg",
+     "a list inside a list of bands, must be one number"},
+    {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: [{hg: 2}]}\n",
+     VALUE, "fog.yaml:3:54: media.fog.phase.0.hg",
+     "2, must be more than -1 and less than 1"},
     {"media:\n  fog: {preset: fog/radiation}\n", LATER,
      "fog.yaml:3:9: media.fog.preset", "not supported yet"},
     {"media:\n  a: {vdb: x, extinction_per_m: 1, albedo: 1, interpolation: "
@@ -393,6 +437,9 @@ static void test_options_apply(void)
     static const murk_override options[] = {
         {.text = "media.haze.phase=isotropic"},
         {.text = "media.thin.phase.hg=0.5"}, /* was a word: now a map */
+        {.text = "media.smoke.phase=[rayleigh, {hg: .1}]"},
+        {.text = "media.smoke.phase.0.two_hg=[.9, -.1, .7]"},
+        {.text = "media.smoke.phase.1.hg=.2"},
         {.text = "lights.1.power_w.0=11"},
         {.text = "photons.emit=1e6"}, /* in place of store */
         {.text = "photons.emit=2e6"}, /* the last of equals wins */
@@ -411,8 +458,13 @@ static void test_options_apply(void)
     if (status) {
         return;
     }
-    CHECK(scene->media[0].mean_cosine.band[0] == 0);
-    CHECK(scene->media[2].mean_cosine.band[1] == 0.5);
+    CHECK(scene->media[0].phase[0].mean_cosine.band[0] == 0);
+    CHECK(scene->media[2].phase[0].mean_cosine.band[1] == 0.5);
+    const murk_scene_medium *smoke = &scene->media[1];
+    CHECK(smoke->n_phases == 2);
+    CHECK(smoke->phase[0].kind == MURK_SCENE_PHASE_TWO_HG);
+    CHECK(smoke->phase[0].two_hg[2] == .7);
+    CHECK(smoke->phase[1].mean_cosine.band[1] == .2);
     CHECK(scene->lights[1].power_w.band[0] == 11);
     CHECK(scene->lights[1].power_w.band[1] == 30);
     CHECK(scene->photons.emit == 2000000 && scene->photons.store == 0);

@@ -52,13 +52,13 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK(scene->n_media == 3);
     CHECK_TEXT(scene->media[0].name, "haze");
     CHECK_TEXT(scene->media[0].where, "fog.yaml:18:3: media.haze");
-    CHECK(scene->media[0].mean_cosine.band[1] == 0.8);
+    CHECK(scene->media[0].phase[0].mean_cosine.band[1] == 0.8);
     CHECK(scene->media[0].vdb == NULL && scene->media[0].grid == NULL);
     CHECK_TEXT(scene->media[1].vdb, "smoke.vdb");
     CHECK_TEXT(scene->media[1].grid, "density");
-    CHECK(scene->media[1].mean_cosine.band[1] == -0.5);
+    CHECK(scene->media[1].phase[0].mean_cosine.band[1] == -0.5);
     CHECK(scene->media[2].extinction_per_m.band[0] == 1e-3);
-    CHECK(scene->media[2].mean_cosine.band[0] == 0);
+    CHECK(scene->media[2].phase[0].mean_cosine.band[0] == 0);
 
     CHECK(scene->n_regions == 5);
     CHECK(scene->regions[0].shape == MURK_SCENE_EVERYWHERE);
@@ -149,6 +149,38 @@ static void test_band_edges(void)
     CHECK(scene->bands == 2 && scene->has_edges);
     CHECK(scene->band_nm[0] == 450 && scene->band_nm[1] == 600);
     CHECK(scene->band_edge_nm[2] == 700);
+    murk_scene_destroy(scene);
+}
+
+/* Each kind of phase function, for all bands and by band; a table's file lies
+ * beside the scene, and belongs to what the light depends on. */
+static void test_phases(void)
+{
+    const murk_override phases[] = {
+        {.text = "media.haze.phase={fournier_forand: [1.1, 3.5835]}"},
+        {.text = "media.smoke.phase={two_hg: [0.9, -0.4, 0.8]}"},
+        {.text = "media.thin.phase=[rayleigh, {table: t/water.csv}]"}};
+    murk_scene *scene = must_read(FULL_SCENE, phases, 3);
+    const murk_scene_medium *m = scene->media;
+    CHECK(m[0].n_phases == 1);
+    CHECK(m[0].phase[0].kind == MURK_SCENE_PHASE_FOURNIER_FORAND);
+    CHECK(m[0].phase[0].fournier_forand[0] == 1.1);
+    CHECK(m[0].phase[0].fournier_forand[1] == 3.5835);
+    CHECK(m[1].n_phases == 1);
+    CHECK(m[1].phase[0].kind == MURK_SCENE_PHASE_TWO_HG);
+    CHECK(m[1].phase[0].two_hg[1] == -.4);
+    CHECK(m[2].n_phases == 2);
+    CHECK(m[2].phase[0].kind == MURK_SCENE_PHASE_RAYLEIGH);
+    CHECK(m[2].phase[0].table == NULL);
+    CHECK(m[2].phase[1].kind == MURK_SCENE_PHASE_TABLE);
+    CHECK_TEXT(m[2].phase[1].table, "t/water.csv");
+    CHECK_MENTIONS(scene->light_key, "[rayleigh, {table: water.csv}]");
+    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    CHECK_TEXT(again->resolved, scene->resolved);
+    CHECK_TEXT(again->light_key, scene->light_key);
+    CHECK_MENTIONS(again->media[2].phase[1].table, "/t/water.csv");
+    CHECK(again->media[2].phase[1].table[0] == '/');
+    murk_scene_destroy(again);
     murk_scene_destroy(scene);
 }
 
@@ -311,6 +343,7 @@ int main(void)
     murk_scene_destroy(scene);
     test_defaults();
     test_band_edges();
+    test_phases();
     test_spacing_fills_the_grid();
     test_resolved_reads_back(FULL_SCENE);
     test_resolved_reads_back("{murk: 1, band_edges_nm: [1, 2, 3, 5.5], lights: "

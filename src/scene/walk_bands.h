@@ -1,0 +1,12 @@
+/* What may be given once for all bands, or as a list, one a band. */
+#ifndef MURK_SCENE_WALK_BANDS_H
+#define MURK_SCENE_WALK_BANDS_H
+
+#include "scene/walk.h"
+
+/* Fills the array of structs in `owner` that a row of kind MURK_KEY_PER_BAND
+ * speaks of, and its count. */
+murk_status murk_walk_bands(murk_walk *walk, const murk_key *key,
+                            murk_yaml *node, void *owner);
+
+#endif
