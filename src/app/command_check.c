@@ -74,7 +74,7 @@ static murk_box region_box(const findings *f, const murk_scene_region *r)
     const murk_stage *stage = f->session->stage;
     murk_box box = stage->world.domain.box;
     if (murk_extent_is_bounded(r)) {
-        return murk_extent_region(r, stage->grid[r->medium]);
+        return murk_extent_region(stage->scene, r, stage->grid[r->medium]);
     }
     if (r->shape == MURK_SCENE_BELOW && r->below_z_m < box.max.z) {
         box.max.z = r->below_z_m;

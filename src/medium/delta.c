@@ -1,6 +1,7 @@
 #include "medium/delta.h"
 
 #include "medium/bricks.h"
+#include "medium/linear.h"
 #include "medium/nodes.h"
 
 #include <assert.h>
@@ -55,11 +56,25 @@ static const unsigned char *find_lower(const murk_tree *tree,
     return cell.child;
 }
 
+/* Between the centres of voxels. */
+static double linear_at(const track *k, double t)
+{
+    const murk_brick_walk *w = &k->walk;
+    const murk_vec3 p = {w->origin[0] + t * w->direction[0],
+                         w->origin[1] + t * w->direction[1],
+                         w->origin[2] + t * w->direction[2]};
+    double density = 0;
+    return murk_linear_density(k->place->tree, p, &density) ? density : 0;
+}
+
 /* The density at t, which lies in the tree's box but for rounding. */
 static inline double density_at(track *k, double t)
 {
     const murk_brick_walk *w = &k->walk;
     const murk_tree *tree = k->place->tree;
+    if (k->place->filling == MURK_FILLED_BY_LINEAR) {
+        return linear_at(k, t);
+    }
     int32_t voxel[3];
     bool is_known = k->lower != NULL;
     for (int axis = 0; axis < 3; ++axis) {
@@ -114,13 +129,13 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
     const double factor = f->media->bound_factor;
     track tracks[MURK_REGIONS_MAX];
     for (size_t i = 0; i < n; ++i) {
-        const murk_affine *to_local = &grids[i]->to_local;
+        const murk_affine *to_index = &grids[i]->to_index;
         tracks[i].place = grids[i];
         tracks[i].extinction_per_m = murk_flight_extinction(f, grids[i]);
         tracks[i].lower = NULL;
         murk_brick_walk_begin(&tracks[i].walk, grids[i]->bricks,
-                              murk_affine_point(to_local, f->origin),
-                              murk_affine_direction(to_local, f->direction),
+                              murk_affine_point(to_index, f->origin),
+                              murk_affine_direction(to_index, f->direction),
                               *from, to);
     }
     double t = *from;
@@ -169,8 +184,9 @@ murk_status murk_delta_prepare(murk_media *media, int32_t edge, double factor,
         murk_place *place = &media->places[i];
         if (place->tree) {
             murk_bricks *bricks;
+            const bool is_linear = place->filling == MURK_FILLED_BY_LINEAR;
             const murk_status status =
-                murk_bricks_create(&bricks, place->tree, edge, 0, 0,
+                murk_bricks_create(&bricks, place->tree, edge, 0, is_linear,
                                    media->media[place->medium].where, err);
             if (status) {
                 return status;

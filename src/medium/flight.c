@@ -1,11 +1,12 @@
 /* How rays and media meet: every region gives the stretch of the ray inside
  * it; the ends of all stretches cut the ray into pieces on each of which the
- * same regions are present; a piece is crossed in closed form, by one march
- * through one grid, or by several grids' marches side by side; or, where the
- * flight throws dice, by delta tracking (delta.h). Optical depth and free
+ * same regions are present; a piece is crossed in closed form, by one course
+ * through one grid or profile, or by several courses side by side; or, where
+ * the flight throws dice, by delta tracking (delta.h). Optical depth and free
  * flight are one and the same crossing, with and without a limit. */
 #include "medium/media.h"
 
+#include "medium/course.h"
 #include "medium/delta.h"
 #include "medium/flight.h"
 
@@ -18,7 +19,12 @@ typedef murk_flight ray;
 typedef struct stretch {
     double from, to;
     const murk_place *place;
+    bool hides, fills; /* takes the place of what is listed before; adds its
+                          own density */
 } stretch;
+
+/* A place may hide along its shape and fill a part of that. */
+#define STRETCHES_MAX (2 * MURK_REGIONS_MAX)
 
 static double extinction_of(const ray *r, const murk_place *place)
 {
@@ -47,40 +53,75 @@ static inline bool cross_even(ray *r, double from, double to,
     return true;
 }
 
-/* Crosses a piece with one grid, in which `even` more is spread evenly. */
-static bool cross_grid(ray *r, double from, double to, const murk_place *place,
-                       double even_per_m, double *density)
+/* Crosses a piece with one course, in which `even` more is spread evenly. */
+static bool cross_course(ray *r, double from, double to,
+                         const murk_place *place, double even_per_m,
+                         double *density)
 {
-    murk_march march;
-    murk_place_march(place, r->origin, r->direction, from, to, &march);
-    const bool stops = murk_march_integrate(&march, extinction_of(r, place),
-                                            even_per_m, r->limit, &r->depth);
-    r->stop_m = march.to;
-    *density = march.value;
+    murk_course course;
+    double stop = to;
+    murk_course_begin(&course, place, r->band, r->origin, r->direction, from,
+                      to);
+    const bool stops =
+        murk_course_integrate(&course, extinction_of(r, place), even_per_m,
+                              r->limit, &r->depth, &stop, density);
+    r->stop_m = stop;
     return stops;
 }
 
-/* Crosses a piece with several grids: to the nearest end of their segments,
- * over and over. */
-static bool cross_grids(ray *r, double from, double to,
-                        const murk_place *const *places, size_t n,
-                        double even_per_m, double *density)
+/* Crosses a part in which the extinction is a cubic; true when the ray stops
+ * in it. */
+static bool cross_cubic(ray *r, double from, double to, const murk_cubic *total)
 {
-    murk_march march[MURK_REGIONS_MAX];
+    const double mean = murk_cubic_integral(total, 1);
+    if (!(mean > 0)) {
+        return false;
+    }
+    const double depth = mean * (to - from), more = r->depth + depth;
+    if (!(more >= r->limit)) {
+        r->depth = more;
+        return false;
+    }
+    const double s = murk_cubic_reach(total, (r->limit - r->depth) / depth);
+    r->stop_m = fmin(to, from + s * (to - from));
+    r->depth = r->limit;
+    return true;
+}
+
+/* Crosses a piece with several courses: to the nearest end of their segments,
+ * over and over. A part of even extinction is crossed as everywhere else. */
+static bool cross_courses(ray *r, double from, double to,
+                          const murk_place *const *places, size_t n,
+                          double even_per_m, double *density)
+{
+    murk_course course[MURK_REGIONS_MAX];
+    murk_cubic cubic[MURK_REGIONS_MAX];
     for (size_t i = 0; i < n; ++i) {
-        murk_place_march(places[i], r->origin, r->direction, from, to,
-                         &march[i]);
+        murk_course_begin(&course[i], places[i], r->band, r->origin,
+                          r->direction, from, to);
     }
     while (from < to) {
-        double total = even_per_m, least = to;
+        double least = to;
         for (size_t i = 0; i < n; ++i) {
-            while (march[i].to <= from && murk_march_next(&march[i])) {
+            while (murk_course_to(&course[i]) <= from &&
+                   murk_course_next(&course[i])) {
             }
-            density[i] = march[i].value;
-            total += extinction_of(r, places[i]) * density[i];
-            least = fmin(least, march[i].to);
+            least = fmin(least, murk_course_to(&course[i]));
         }
-        if (cross_even(r, from, least, total)) {
+        murk_cubic total = {{even_per_m, 0, 0, 0}};
+        for (size_t i = 0; i < n; ++i) {
+            cubic[i] = murk_course_cubic(&course[i], from, least);
+            murk_cubic_add(&total, extinction_of(r, places[i]), &cubic[i]);
+        }
+        const bool is_even =
+            total.c[1] == 0 && total.c[2] == 0 && total.c[3] == 0;
+        const double length = least - from;
+        if (is_even ? cross_even(r, from, least, total.c[0])
+                    : cross_cubic(r, from, least, &total)) {
+            const double s = length > 0 ? (r->stop_m - from) / length : 0;
+            for (size_t i = 0; i < n; ++i) {
+                density[i] = murk_cubic_value(&cubic[i], s);
+            }
             return true;
         }
         from = least;
@@ -88,45 +129,59 @@ static bool cross_grids(ray *r, double from, double to,
     return false;
 }
 
-/* Crosses a piece with grids; density[n] is theirs where the ray stops. */
-static bool cross_with_grids(ray *r, double from, double to,
-                             const murk_place *const *grids, size_t n,
-                             double even_per_m, double *density)
+static bool are_grids(const murk_place *const *places, size_t n)
 {
-    if (r->dice) {
-        if (murk_delta_cross(r, &from, to, grids, n, even_per_m, density)) {
+    for (size_t i = 0; i < n; ++i) {
+        if (!places[i]->tree) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Crosses a piece with courses; density[n] is theirs where the ray stops.
+ * Delta tracking is for grids: a profile is crossed faster than bounded. */
+static bool cross_with_courses(ray *r, double from, double to,
+                               const murk_place *const *places, size_t n,
+                               double even_per_m, double *density)
+{
+    if (r->dice && are_grids(places, n)) {
+        if (murk_delta_cross(r, &from, to, places, n, even_per_m, density)) {
             return true;
         }
         if (!(from < to)) {
             return false;
         }
     }
-    return n == 1 ? cross_grid(r, from, to, grids[0], even_per_m, density)
-                  : cross_grids(r, from, to, grids, n, even_per_m, density);
+    return n == 1 ? cross_course(r, from, to, places[0], even_per_m, density)
+                  : cross_courses(r, from, to, places, n, even_per_m, density);
 }
 
 /* Crosses a piece in which exactly these places are present. */
 static bool cross_piece(ray *r, double from, double to,
                         const murk_place *const *present, size_t n)
 {
-    const murk_place *grids[MURK_REGIONS_MAX];
+    const murk_place *courses[MURK_REGIONS_MAX];
     double density[MURK_REGIONS_MAX];
-    size_t n_grids = 0;
+    size_t n_courses = 0;
     double even = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (present[i]->tree) {
-            grids[n_grids++] = present[i];
+        if (present[i]->filling != MURK_FILLED_EVENLY) {
+            courses[n_courses++] = present[i];
         } else {
             even += extinction_of(r, present[i]);
         }
     }
-    const bool stops = n_grids == 0 ? cross_even(r, from, to, even)
-                                    : cross_with_grids(r, from, to, grids,
-                                                       n_grids, even, density);
+    const bool stops = n_courses == 0
+                           ? cross_even(r, from, to, even)
+                           : cross_with_courses(r, from, to, courses, n_courses,
+                                                even, density);
     if (stops) {
-        size_t grid = 0;
+        size_t course = 0;
         for (size_t i = 0; i < n; ++i) {
-            const double value = present[i]->tree ? density[grid++] : 1;
+            const double value = present[i]->filling != MURK_FILLED_EVENLY
+                                     ? density[course++]
+                                     : 1;
             meet(r, present[i], value * extinction_of(r, present[i]));
         }
     }
@@ -141,10 +196,12 @@ static size_t list_present(const stretch *stretches, size_t n, double from,
     size_t n_present = 0;
     for (size_t i = 0; i < n; ++i) {
         if (stretches[i].from <= from && stretches[i].to >= to) {
-            if (stretches[i].place->replaces) {
+            if (stretches[i].hides) {
                 n_present = 0;
             }
-            present[n_present++] = stretches[i].place;
+            if (stretches[i].fills) {
+                present[n_present++] = stretches[i].place;
+            }
         }
     }
     return n_present;
@@ -167,7 +224,7 @@ static void sort_ends(const stretch *stretches, size_t n, double *ends)
 
 static bool cross_overlapping(ray *r, const stretch *stretches, size_t n)
 {
-    double ends[2 * MURK_REGIONS_MAX];
+    double ends[2 * STRETCHES_MAX];
     const murk_place *present[MURK_REGIONS_MAX];
     sort_ends(stretches, n, ends);
     for (size_t i = 0; i + 1 < 2 * n; ++i) {
@@ -184,23 +241,45 @@ static bool cross_overlapping(ray *r, const stretch *stretches, size_t n)
 
 static bool cross_alone(ray *r, const stretch *only)
 {
-    const double extinction = extinction_of(r, only->place);
+    const murk_place *place = only->place;
+    const double extinction = extinction_of(r, place);
     double density = 1;
-    const bool stops = only->place->tree
-                           ? cross_with_grids(r, only->from, only->to,
-                                              &only->place, 1, 0, &density)
-                           : cross_even(r, only->from, only->to, extinction);
+    const bool stops =
+        only->fills && (place->filling != MURK_FILLED_EVENLY
+                            ? cross_with_courses(r, only->from, only->to,
+                                                 &place, 1, 0, &density)
+                            : cross_even(r, only->from, only->to, extinction));
     if (stops) {
-        meet(r, only->place, density * extinction);
+        meet(r, place, density * extinction);
     }
     return stops;
+}
+
+/* Adds the stretches of a place that the ray is in from one end to the other:
+ * one, or, where it fills only a part of what it hides, two. Returns how many
+ * there are now. */
+static size_t add_stretches(const ray *r, const murk_place *place, double from,
+                            double to, stretch *stretches, size_t n)
+{
+    double first = from, last = to;
+    const bool fills = murk_place_clip_filling(place, &r->origin, &r->direction,
+                                               &first, &last);
+    const bool is_whole = fills && first == from && last == to;
+    if (place->replaces && !is_whole) {
+        stretches[n++] = (stretch){from, to, place, true, false};
+    }
+    if (fills) {
+        stretches[n++] =
+            (stretch){first, last, place, place->replaces && is_whole, true};
+    }
+    return n;
 }
 
 /* Follows the ray until its depth reaches the limit (true) or its length is
  * used up. A place that neither extinguishes nor hides others is left out. */
 static bool follow(ray *r, double length_m)
 {
-    stretch stretches[MURK_REGIONS_MAX];
+    stretch stretches[STRETCHES_MAX];
     size_t n = 0;
     /* cppcheck-suppress ctuuninitvar ; the callers fill all that is read */
     const murk_vec3 o = r->origin, d = r->direction;
@@ -214,7 +293,7 @@ static bool follow(ray *r, double length_m)
         }
         double from = 0, to = length_m;
         if (murk_place_clip(place, &r->origin, &r->direction, &from, &to)) {
-            stretches[n++] = (stretch){from, to, place};
+            n = add_stretches(r, place, from, to, stretches, n);
         }
     }
     return n == 0   ? false

@@ -10,64 +10,19 @@
 #include "medium/march.h"
 
 #include "medium/nodes.h"
+#include "medium/steps.h"
 
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-/* With few root cells (nearly every grid) the next one is found by trying all;
- * with more, only where walking cell by cell would take longer. */
-#define FEW_ROOT_CELLS 64
-
-/* One instruction each, where fmin() and fmax() are calls. */
-static inline double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-/* 1 / d, or 0 for a ray that never meets the faces of this axis. */
-static double invert(double d)
-{
-    const double inverse = 1 / d;
-    return isfinite(inverse) ? inverse : 0;
-}
-
-/* The part of [*t0, *t1] in which one axis stays inside [low, high). */
-static bool clip_axis(double low, double high, double origin, double inverse,
-                      double *t0, double *t1)
-{
-    if (inverse == 0) {
-        return origin >= low && origin < high;
-    }
-    const double a = (low - origin) * inverse;
-    const double b = (high - origin) * inverse;
-    const double enter = inverse > 0 ? a : b;
-    const double leave = inverse > 0 ? b : a;
-    *t0 = *t0 > enter ? *t0 : enter;
-    *t1 = *t1 < leave ? *t1 : leave;
-    return *t0 < *t1;
-}
-
-static int32_t voxel_at(double place, int32_t first, int32_t last)
-{
-    if (!(place > first)) {
-        return first;
-    }
-    return place >= last ? last : (int32_t)floor(place);
-}
 
 static bool clip_root_cell(const murk_march *m, const murk_root_cell *cell,
                            double *t0, double *t1)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const double low = cell->first[axis];
-        if (!clip_axis(low, low + MURK_ROOT_CELL, m->origin[axis],
-                       m->inverse[axis], t0, t1)) {
+        if (!murk_clip_axis(low, low + MURK_ROOT_CELL, m->origin[axis],
+                            m->inverse[axis], t0, t1)) {
             return false;
         }
     }
@@ -79,19 +34,9 @@ static void place_in_cell(murk_march *m, const int32_t first[3], int32_t size,
                           double t)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        m->at[axis] = voxel_at(m->origin[axis] + t * m->direction[axis],
-                               first[axis], first[axis] + size - 1);
+        m->at[axis] = murk_voxel_at(m->origin[axis] + t * m->direction[axis],
+                                    first[axis], first[axis] + size - 1);
     }
-}
-
-static bool trying_all_is_cheaper(const murk_tree *tree)
-{
-    double steps = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        steps +=
-            ((double)tree->last[axis] - tree->first[axis]) / MURK_ROOT_CELL;
-    }
-    return tree->n_cells <= FEW_ROOT_CELLS || (double)tree->n_cells < steps;
 }
 
 /* Across all that is empty, to the nearest root cell ahead. A cell that the
@@ -127,7 +72,7 @@ static void cross_cell(murk_march *m, int32_t size, double value)
         leave[axis] = m->inverse[axis] == 0
                           ? INFINITY
                           : (face - m->origin[axis]) * m->inverse[axis];
-        least = smaller(least, leave[axis]);
+        least = murk_smaller(least, leave[axis]);
     }
     place_in_cell(m, first, size, least);
     for (int axis = 0; axis < 3; ++axis) {
@@ -136,7 +81,7 @@ static void cross_cell(murk_march *m, int32_t size, double value)
                 m->inverse[axis] > 0 ? first[axis] + size : first[axis] - 1;
         }
     }
-    m->to = smaller(larger(least, m->from), m->end);
+    m->to = murk_smaller(murk_larger(least, m->from), m->end);
     m->value = value;
 }
 
@@ -147,8 +92,8 @@ static inline void cross_voxel(murk_march *m)
     m->value = m->leaf[((in[0] ^ mirror[0]) << 6) | ((in[1] ^ mirror[1]) << 3) |
                        (in[2] ^ mirror[2])];
     const double least =
-        smaller(smaller(m->cross[0], m->cross[1]), m->cross[2]);
-    m->to = smaller(larger(least, m->from), m->end);
+        murk_smaller(murk_smaller(m->cross[0], m->cross[1]), m->cross[2]);
+    m->to = murk_smaller(murk_larger(least, m->from), m->end);
 }
 
 static void enter_leaf(murk_march *m, const unsigned char *node)
@@ -186,21 +131,6 @@ static void leave_leaf(murk_march *m)
     m->leaf = NULL;
 }
 
-/* at[] lies in the cell of `size` voxels that begins at first[]. */
-static inline bool holds(const int32_t first[3], const int32_t at[3],
-                         int32_t size)
-{
-    return (((first[0] ^ at[0]) | (first[1] ^ at[1]) | (first[2] ^ at[2])) &
-            ~(size - 1)) == 0;
-}
-
-static void remember(int32_t first[3], const int32_t at[3], int32_t size)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        first[axis] = at[axis] & ~(size - 1);
-    }
-}
-
 /* Makes `upper` the node around at[]; false when there is none, and then the
  * segment is made. */
 static bool find_upper(murk_march *m)
@@ -208,12 +138,12 @@ static bool find_upper(murk_march *m)
     const murk_root_cell *cell = murk_tree_root_cell(m->tree, m->at);
     if (cell && cell->node) {
         m->upper = cell->node;
-        remember(m->upper_first, m->at, MURK_ROOT_CELL);
+        murk_remember(m->upper_first, m->at, MURK_ROOT_CELL);
         return true;
     }
     if (cell) {
         cross_cell(m, MURK_ROOT_CELL, cell->value);
-    } else if (trying_all_is_cheaper(m->tree)) {
+    } else if (murk_trying_all_is_cheaper(m->tree)) {
         skip_to_root_cell(m);
     } else {
         cross_cell(m, MURK_ROOT_CELL, 0);
@@ -223,7 +153,7 @@ static bool find_upper(murk_march *m)
 
 static bool find_lower(murk_march *m)
 {
-    if (!(m->upper && holds(m->upper_first, m->at, MURK_ROOT_CELL)) &&
+    if (!(m->upper && murk_holds(m->upper_first, m->at, MURK_ROOT_CELL)) &&
         !find_upper(m)) {
         return false;
     }
@@ -234,14 +164,15 @@ static bool find_lower(murk_march *m)
         return false;
     }
     m->lower = cell.child;
-    remember(m->lower_first, m->at, 128);
+    murk_remember(m->lower_first, m->at, 128);
     return true;
 }
 
 /* The segment that begins in the voxel at[]. */
 static void cross_at(murk_march *m)
 {
-    if (!(m->lower && holds(m->lower_first, m->at, 128)) && !find_lower(m)) {
+    if (!(m->lower && murk_holds(m->lower_first, m->at, 128)) &&
+        !find_lower(m)) {
         return;
     }
     const murk_cell cell =
@@ -276,8 +207,8 @@ bool murk_march_clip(const murk_tree *tree, murk_vec3 origin,
     const double o[3] = {origin.x, origin.y, origin.z};
     const double d[3] = {direction.x, direction.y, direction.z};
     for (int axis = 0; axis < 3; ++axis) {
-        if (!clip_axis(tree->first[axis], (double)tree->last[axis] + 1, o[axis],
-                       invert(d[axis]), t0, t1)) {
+        if (!murk_clip_axis(tree->first[axis], (double)tree->last[axis] + 1,
+                            o[axis], murk_invert(d[axis]), t0, t1)) {
             return false;
         }
     }
@@ -296,11 +227,11 @@ void murk_march_begin(murk_march *march, const murk_tree *tree,
                       .from = t0,
                       .to = t0};
     for (int axis = 0; axis < 3; ++axis) {
-        m->inverse[axis] = invert(m->direction[axis]);
+        m->inverse[axis] = murk_invert(m->direction[axis]);
         m->stride[axis] = fabs(m->inverse[axis]);
         m->mirror[axis] = m->inverse[axis] < 0 ? 7 : 0;
-        m->at[axis] = voxel_at(m->origin[axis] + t0 * m->direction[axis],
-                               tree->first[axis], tree->last[axis]);
+        m->at[axis] = murk_voxel_at(m->origin[axis] + t0 * m->direction[axis],
+                                    tree->first[axis], tree->last[axis]);
     }
 }
 
@@ -321,7 +252,7 @@ static inline bool add_segment(tally *sum, double from, double *to,
     const double density = sum->scale * value + sum->offset;
     const double more = sum->reached + density * (*to - from);
     if (more >= sum->limit && density > 0) {
-        *to = smaller(*to, from + (sum->limit - sum->reached) / density);
+        *to = murk_smaller(*to, from + (sum->limit - sum->reached) / density);
         sum->reached = sum->limit;
         return true;
     }
@@ -338,15 +269,16 @@ static bool integrate_leaf(murk_march *m, tally *sum)
     const double dx = m->stride[0], dy = m->stride[1], dz = m->stride[2];
     const int mx = m->mirror[0], my = m->mirror[1], mz = m->mirror[2];
     double from = m->from, to, value;
-    double tx = larger(m->cross[0], from), ty = larger(m->cross[1], from);
-    double tz = larger(m->cross[2], from);
+    double tx = murk_larger(m->cross[0], from),
+           ty = murk_larger(m->cross[1], from);
+    double tz = murk_larger(m->cross[2], from);
     int x = m->in_leaf[0], y = m->in_leaf[1], z = m->in_leaf[2];
     tally t = *sum;
     bool stops;
     for (;;) {
         value = (double)leaf[((x ^ mx) << 6) | ((y ^ my) << 3) | (z ^ mz)];
-        const double face = smaller(smaller(tx, ty), tz);
-        to = smaller(face, end);
+        const double face = murk_smaller(murk_smaller(tx, ty), tz);
+        to = murk_smaller(face, end);
         stops = add_segment(&t, from, &to, value);
         if (stops || face >= end) {
             break;

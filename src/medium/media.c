@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "medium/parts.h"
+#include "medium/tree.h"
 
 #include <assert.h>
 #include <math.h>
@@ -17,6 +18,44 @@
 static const char *place_of(const char *where, const char *otherwise)
 {
     return where ? where : otherwise;
+}
+
+/* The profile's extinction counts as a density does: within one range. */
+static murk_status check_profile(const murk_profile *profile, const char *where,
+                                 murk_error *err)
+{
+    if (!(profile->n >= 2)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a profile of %zu heights, must be 2 or more",
+                         profile->n);
+    }
+    for (size_t i = 0; i < profile->n; ++i) {
+        const double z = profile->z_m[i];
+        const bool is_jump = i > 0 && z == profile->z_m[i - 1];
+        const bool rises = i == 0 || z > profile->z_m[i - 1] ||
+                           (is_jump && (i < 2 || z > profile->z_m[i - 2]));
+        if (!(isfinite(z) && rises)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "profile height %zu is %g m, must be finite and "
+                             "rising, each given twice at most",
+                             i, z);
+        }
+        for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+            const double value = profile->extinction_per_m[i].band[band];
+            if (!(value >= 0 && value <= EXTINCTION_MAX)) {
+                return murk_fail(err, MURK_BAD_VALUE, where,
+                                 "profile extinction %zu is %g (band %d), "
+                                 "must be 0..%g [1/m]",
+                                 i, value, band, EXTINCTION_MAX);
+            }
+        }
+    }
+    if (!(profile->z_m[0] < profile->z_m[profile->n - 1])) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a profile of one height, %g m, must span a layer",
+                         profile->z_m[0]);
+    }
+    return MURK_OK;
 }
 
 /* The negated comparisons also refuse NaN. */
@@ -43,7 +82,12 @@ static murk_status check_medium(const murk_medium *medium, murk_error *err)
             return status;
         }
     }
-    return MURK_OK;
+    if (medium->profile && medium->grid) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "has a grid and a profile, must be one of them");
+    }
+    return medium->profile ? check_profile(medium->profile, where, err)
+                           : MURK_OK;
 }
 
 static bool is_solid(const murk_box *box)
@@ -64,12 +108,15 @@ static murk_status check_region(const murk_region *region,
                          n_media);
     }
     const bool has_grid = media[region->medium].grid != NULL;
-    if (has_grid != (region->shape == MURK_REGION_GRID)) {
+    if (has_grid && region->shape == MURK_REGION_EVERYWHERE) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         has_grid ? "a medium with a grid lies where its grid "
-                                    "lies: no other shape"
-                                  : "this medium has no grid that says where "
-                                    "it lies: needs a shape");
+                         "a medium with a grid is nowhere beyond its grid, "
+                         "must have a shape or lie where the grid lies");
+    }
+    if (!has_grid && region->shape == MURK_REGION_GRID) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "this medium has no grid that says where it lies: "
+                         "needs a shape");
     }
     if (!(region->ior == 0 ||
           (region->ior >= 1 && region->ior <= MURK_IOR_MAX))) {
@@ -124,6 +171,19 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
     }
 }
 
+/* No density anywhere in that band. */
+static bool holds_nothing(const murk_medium *medium, int band)
+{
+    if (medium->grid) {
+        return murk_grid_tree(medium->grid)->n_cells == 0;
+    }
+    bool is_empty = medium->profile != NULL;
+    for (size_t i = 0; is_empty && i < medium->profile->n; ++i) {
+        is_empty = !(medium->profile->extinction_per_m[i].band[band] > 0);
+    }
+    return is_empty;
+}
+
 static murk_status place_all(murk_media *media, const murk_region *regions,
                              size_t n_regions, const murk_box *domain,
                              murk_error *err)
@@ -132,17 +192,16 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
         const murk_medium *medium = &media->media[regions[i].medium];
         const char *where = place_of(regions[i].where, "region");
         murk_place *place = &media->places[i];
-        if (!murk_place_make(place, &regions[i], medium->grid)) {
+        if (!murk_place_make(place, &regions[i], medium)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "placement cannot be inverted: scale must be "
                              "above 0 and all numbers finite");
         }
         ++media->n_places;
         warn_outside(place, domain, where);
-        const bool holds_nothing = place->tree && place->tree->n_cells == 0;
         for (int band = 0; band < MURK_BANDS_MAX; ++band) {
-            media->in_band[band] |=
-                !holds_nothing && medium->extinction_per_m.band[band] > 0;
+            media->in_band[band] |= !holds_nothing(medium, band) &&
+                                    medium->extinction_per_m.band[band] > 0;
         }
     }
     return MURK_OK;
@@ -276,7 +335,7 @@ static double sum_at(const murk_media *media, int band, murk_vec3 p,
         const murk_place *place = &media->places[i];
         const murk_medium *medium = &media->media[place->medium];
         double density;
-        if (murk_place_density(place, p, &density)) {
+        if (murk_place_density(place, band, p, &density)) {
             sum = place->replaces ? 0 : sum;
             sum += density * medium->extinction_per_m.band[band] *
                    (scattered ? medium->albedo.band[band] : 1);

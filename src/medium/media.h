@@ -1,6 +1,7 @@
 /* Participating media in their places: what a photon meets between surfaces.
  *
- * sigma_t(x) = density(x) * extinction_per_m. Media of overlapping regions add
+ * sigma_t(x) = density(x) * extinction_per_m. Density is 1, or a grid's, or a
+ * profile's by height. Media of overlapping regions add
  * (extinctions sum, the partner of a collision is drawn in proportion to its
  * extinction), except that a region that replaces takes the place of those
  * listed before it; one with an index of refraction replaces, too
@@ -8,8 +9,8 @@
  * with it. Lower faces belong to a region, upper ones do not, so that regions
  * that share a face never count twice.
  *
- * Free flight and optical depth march exactly, region by region and, in
- * grids, voxel by voxel through the tree (nearest-voxel values), so that
+ * Free flight and optical depth march exactly, region by region, in grids cell
+ * by cell through the tree, in profiles layer by layer, so that
  * T(ac) = T(ab) T(bc). Immutable after creation: any number of threads. */
 #ifndef MURK_MEDIUM_MEDIA_H
 #define MURK_MEDIUM_MEDIA_H
@@ -29,16 +30,37 @@
 #define MURK_REGIONS_MAX 64
 #define MURK_IOR_MAX     10
 
+/* Between a grid's voxels. */
+typedef enum murk_interpolation {
+    MURK_NEAREST, /* a voxel has one value throughout */
+    MURK_LINEAR   /* trilinear between the voxels' centres; 0 from one voxel
+                     beyond the outermost centres on */
+} murk_interpolation;
+
+/* Extinction by height in the region's own frame: linear between the heights,
+ * which rise; one given twice is a jump. Nothing below the first and above
+ * the last. */
+typedef struct murk_profile {
+    size_t n; /* 2 or more */
+    const double *z_m;
+    const murk_spectrum *extinction_per_m;
+} murk_profile;
+
 typedef struct murk_medium {
-    murk_spectrum extinction_per_m;   /* >= 0; times density in a grid */
+    /* >= 0; times the density of a grid or profile */
+    murk_spectrum extinction_per_m;
     murk_spectrum albedo;             /* scattered / extinguished, 0..1 */
     murk_phase phase[MURK_BANDS_MAX]; /* all zero: isotropic */
-    const murk_grid *grid; /* NULL: density 1; borrowed for the lifetime */
+    /* Density: of the grid, or of the profile (whose extinction is one), else
+     * 1. Borrowed for the lifetime. */
+    const murk_grid *grid;
+    murk_interpolation interpolation;
+    const murk_profile *profile;
     const char *where;
 } murk_medium;
 
 typedef enum murk_region_shape {
-    MURK_REGION_EVERYWHERE, /* homogeneous media only */
+    MURK_REGION_EVERYWHERE, /* no media with a grid */
     MURK_REGION_BOX,
     MURK_REGION_SPHERE,
     MURK_REGION_GRID, /* where the medium's grid lies by its own transform */

@@ -1,5 +1,9 @@
 #include "medium/place.h"
 
+#include "medium/layers.h"
+#include "medium/linear.h"
+#include "medium/march.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -33,32 +37,41 @@ static murk_box sphere_bounds(const murk_affine *map, murk_vec3 center,
     return (murk_box){murk_sub(middle, reach), murk_add(middle, reach)};
 }
 
-/* Voxel i covers [i, i + 1) once index space is shifted by a half. */
+/* Where a grid lies. Beyond its voxels nothing is; between the centres of
+ * voxels the field reaches one voxel beyond the outermost. */
 static bool place_grid(murk_place *place, const murk_region *region,
-                       const murk_grid *grid)
+                       const murk_medium *medium)
 {
     const murk_affine to_world = murk_affine_compose(
-        &region->to_world, &murk_grid_describe(grid)->index_to_world);
-    if (!murk_affine_invert(&to_world, &place->to_local)) {
+        &region->to_world, &murk_grid_describe(medium->grid)->index_to_world);
+    const bool is_linear = medium->interpolation == MURK_LINEAR;
+    if (!murk_affine_invert(&to_world, &place->to_index)) {
         return false;
     }
-    place->to_local.shift =
-        murk_add(place->to_local.shift, murk_vec(0.5, 0.5, 0.5));
+    place->filling = is_linear ? MURK_FILLED_BY_LINEAR : MURK_FILLED_BY_NEAREST;
+    if (!is_linear) {
+        place->to_index.shift =
+            murk_add(place->to_index.shift, murk_vec(0.5, 0.5, 0.5));
+    }
+    place->tree = murk_grid_tree(medium->grid);
+    if (place->shape != MURK_REGION_GRID) {
+        return true;
+    }
+    place->to_local = place->to_index;
     place->is_moved = true;
-    place->tree = murk_grid_tree(grid);
-
     const int32_t *first = place->tree->first, *last = place->tree->last;
     if (place->tree->n_cells > 0) {
+        const double out = is_linear ? 1 : 0.5;
         const murk_box voxels = {
-            {first[0] - 0.5, first[1] - 0.5, first[2] - 0.5},
-            {last[0] + 0.5, last[1] + 0.5, last[2] + 0.5}};
+            {first[0] - out, first[1] - out, first[2] - out},
+            {last[0] + out, last[1] + out, last[2] + out}};
         place->bounds = box_around(&to_world, &voxels);
     }
     return true;
 }
 
 bool murk_place_make(murk_place *place, const murk_region *region,
-                     const murk_grid *grid)
+                     const murk_medium *medium)
 {
     const murk_affine identity = murk_affine_identity();
     murk_place made = {.medium = region->medium,
@@ -68,6 +81,9 @@ bool murk_place_make(murk_place *place, const murk_region *region,
                        .center = region->center,
                        .radius = region->radius_m,
                        .level = region->below_z_m,
+                       .profile = medium->profile,
+                       .filling = medium->profile ? MURK_FILLED_BY_LAYERS
+                                                  : MURK_FILLED_EVENLY,
                        .bounds = murk_box_empty()};
     const bool is_movable = region->shape != MURK_REGION_EVERYWHERE &&
                             region->shape != MURK_REGION_BELOW;
@@ -93,14 +109,15 @@ bool murk_place_make(murk_place *place, const murk_region *region,
             sphere_bounds(&region->to_world, region->center, region->radius_m);
         break;
     case MURK_REGION_GRID:
-        if (!place_grid(&made, region, grid)) {
-            return false;
-        }
-        break;
+        break; /* below */
     }
-    const bool is_bounded = made.shape != MURK_REGION_EVERYWHERE &&
-                            made.shape != MURK_REGION_BELOW &&
-                            !(made.tree && made.tree->n_cells == 0);
+    if (medium->grid && !place_grid(&made, region, medium)) {
+        return false;
+    }
+    const bool is_bounded =
+        made.shape != MURK_REGION_EVERYWHERE &&
+        made.shape != MURK_REGION_BELOW &&
+        !(made.shape == MURK_REGION_GRID && made.tree->n_cells == 0);
     if (is_bounded &&
         !(murk_is_finite(made.bounds.min) && murk_is_finite(made.bounds.max))) {
         return false; /* overflow or NaN somewhere in the placement */
@@ -177,18 +194,33 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
     case MURK_REGION_SPHERE:
         return clip_sphere(place->center, place->radius, o, d, t0, t1);
     case MURK_REGION_GRID:
-        return murk_march_clip(place->tree, *o, *d, t0, t1);
+        return place->filling == MURK_FILLED_BY_LINEAR
+                   ? murk_linear_clip(place->tree, *o, *d, t0, t1)
+                   : murk_march_clip(place->tree, *o, *d, t0, t1);
     }
     return false;
 }
 
-void murk_place_march(const murk_place *place, murk_vec3 origin,
-                      murk_vec3 direction, double t0, double t1,
-                      murk_march *march)
+bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
+                             const murk_vec3 *direction, double *t0, double *t1)
 {
-    murk_march_begin(
-        march, place->tree, murk_affine_point(&place->to_local, origin),
-        murk_affine_direction(&place->to_local, direction), t0, t1);
+    if (place->filling == MURK_FILLED_BY_LAYERS) {
+        murk_vec3 o = *origin, d = *direction;
+        if (place->is_moved) {
+            o = murk_affine_point(&place->to_local, *origin);
+            d = murk_affine_direction(&place->to_local, *direction);
+        }
+        return murk_layers_clip(place->profile, o.z, d.z, t0, t1);
+    }
+    if (place->filling == MURK_FILLED_EVENLY ||
+        place->shape == MURK_REGION_GRID) {
+        return *t0 < *t1;
+    }
+    const murk_vec3 o = murk_affine_point(&place->to_index, *origin);
+    const murk_vec3 d = murk_affine_direction(&place->to_index, *direction);
+    return place->filling == MURK_FILLED_BY_LINEAR
+               ? murk_linear_clip(place->tree, o, d, t0, t1)
+               : murk_march_clip(place->tree, o, d, t0, t1);
 }
 
 static bool box_holds(const murk_box *box, murk_vec3 p)
@@ -197,23 +229,53 @@ static bool box_holds(const murk_box *box, murk_vec3 p)
            p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
 }
 
-bool murk_place_density(const murk_place *place, murk_vec3 p, double *density)
+/* Whether p lies in what fills the shape, and the density there. */
+static bool filling_at(const murk_place *place, int band, murk_vec3 at,
+                       murk_vec3 p, double *density)
 {
-    const murk_vec3 at =
-        place->is_moved ? murk_affine_point(&place->to_local, p) : p;
+    const bool is_grid = place->shape == MURK_REGION_GRID;
+    switch (place->filling) {
+    case MURK_FILLED_EVENLY:
+        *density = 1;
+        return true;
+    case MURK_FILLED_BY_NEAREST:
+    case MURK_FILLED_BY_LINEAR:
+        at = is_grid ? at : murk_affine_point(&place->to_index, p);
+        return place->filling == MURK_FILLED_BY_LINEAR
+                   ? murk_linear_density(place->tree, at, density)
+                   : murk_tree_density(place->tree, at, density);
+    case MURK_FILLED_BY_LAYERS:
+        return murk_layers_density(place->profile, band, at.z, density);
+    }
+    return false;
+}
+
+static bool shape_holds(const murk_place *place, murk_vec3 at)
+{
     const murk_vec3 off = murk_sub(at, place->center);
-    *density = 1;
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
+    case MURK_REGION_GRID: /* as its filling says */
         return true;
     case MURK_REGION_BELOW:
-        return p.z < place->level;
+        return at.z < place->level;
     case MURK_REGION_BOX:
         return box_holds(&place->box, at);
     case MURK_REGION_SPHERE:
         return murk_dot(off, off) < place->radius * place->radius;
-    case MURK_REGION_GRID:
-        return murk_tree_density(place->tree, at, density);
     }
     return false;
+}
+
+bool murk_place_density(const murk_place *place, int band, murk_vec3 p,
+                        double *density)
+{
+    const murk_vec3 at =
+        place->is_moved ? murk_affine_point(&place->to_local, p) : p;
+    if (!shape_holds(place, at)) {
+        return false;
+    }
+    *density = 0;
+    return filling_at(place, band, at, p, density) ||
+           place->shape != MURK_REGION_GRID;
 }

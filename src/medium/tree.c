@@ -110,21 +110,58 @@ const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
     return NULL;
 }
 
-float murk_tree_value(const murk_tree *tree, const int32_t voxel[3])
+/* The leaf that holds the voxel, or NULL and the one value there. */
+static const float *leaf_at(const murk_tree *tree, const int32_t voxel[3],
+                            float *value)
 {
     const murk_root_cell *root = murk_tree_root_cell(tree, voxel);
     if (!root || !root->node) {
-        return root ? root->value : 0;
+        *value = root ? root->value : 0;
+        return NULL;
     }
     const int32_t i = voxel[0], j = voxel[1], k = voxel[2];
     const murk_cell lower = murk_upper_cell(root->node, i, j, k);
     if (!lower.child) {
-        return lower.value;
+        *value = lower.value;
+        return NULL;
     }
     const murk_cell leaf = murk_lower_cell(lower.child, i, j, k);
-    return leaf.child ? murk_leaf_values(
-                            leaf.child)[(i & 7) << 6 | (j & 7) << 3 | (k & 7)]
-                      : leaf.value;
+    *value = leaf.value;
+    return leaf.child ? murk_leaf_values(leaf.child) : NULL;
+}
+
+static int offset_in_leaf(const int32_t voxel[3])
+{
+    return (voxel[0] & 7) << 6 | (voxel[1] & 7) << 3 | (voxel[2] & 7);
+}
+
+float murk_tree_value(const murk_tree *tree, const int32_t voxel[3])
+{
+    float value;
+    const float *leaf = leaf_at(tree, voxel, &value);
+    return leaf ? leaf[offset_in_leaf(voxel)] : value;
+}
+
+void murk_tree_corners(const murk_tree *tree, const int32_t voxel[3],
+                       double corner[8])
+{
+    float value;
+    const float *leaf = leaf_at(tree, voxel, &value);
+    const int offset = offset_in_leaf(voxel);
+    const bool is_inside = (voxel[0] & 7) != 7 && (voxel[1] & 7) != 7 &&
+                           (voxel[2] & 7) != 7; /* of 8 voxels at least */
+    for (int which = 0; which < 8; ++which) {
+        const int32_t at[3] = {voxel[0] + (which >> 2),
+                               voxel[1] + (which >> 1 & 1),
+                               voxel[2] + (which & 1)};
+        if (!is_inside) {
+            value = murk_tree_value(tree, at);
+        } else if (leaf) {
+            value = leaf[offset + ((which & 4) << 4) + ((which & 2) << 2) +
+                         (which & 1)];
+        }
+        corner[which] = (double)value;
+    }
 }
 
 bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density)

@@ -47,6 +47,11 @@ float murk_tree_value(const murk_tree *tree, const int32_t voxel[3]);
  * voxels, and the value there. */
 bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density);
 
+/* The values at the corners of the cell between voxel[] and the next ones:
+ * corner[4 x + 2 y + z]. */
+void murk_tree_corners(const murk_tree *tree, const int32_t voxel[3],
+                       double corner[8]);
+
 /* A grid's tree. */
 const murk_tree *murk_grid_tree(const murk_grid *grid);
 

@@ -63,7 +63,7 @@ static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid"};
 
 static const murk_word INTERPOLATION_WORDS[] = {
     {"nearest", 0, false},
-    {"linear", 1, true},
+    {"linear", 1, false},
     WORDS_END,
 };
 
@@ -78,7 +78,8 @@ static const murk_key MEDIUM_ROWS[] = {
     ROW("grid", TEXT, .variants = BIT(MEDIUM_GRID),
         AT(murk_scene_medium, grid)),
     ROW("interpolation", WORD, .variants = BIT(MEDIUM_GRID),
-        .preset = "nearest", .words = INTERPOLATION_WORDS),
+        .preset = "nearest", .words = INTERPOLATION_WORDS,
+        AT(murk_scene_medium, is_linear)),
     ROW("extinction_per_m", SPECTRUM, NEEDED, .most = 1e9, .unit = "1/m",
         AT(murk_scene_medium, extinction_per_m)),
     ROW("albedo", SPECTRUM, NEEDED, SHARE, AT(murk_scene_medium, albedo)),
@@ -148,16 +149,11 @@ static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
                : murk_yaml_get(map, "below_z_m") ? MURK_SCENE_BELOW
                : has_grid                        ? MURK_SCENE_IN_GRID
                                                  : MURK_SCENE_EVERYWHERE;
-    if (has_grid && *variant != MURK_SCENE_IN_GRID) {
-        return murk_walk_fail(walk, MURK_UNSUPPORTED, map, false,
-                              "a %s around a grid medium is not supported yet, "
-                              "must be the grid alone",
-                              REGION_VARIANTS[*variant]);
-    }
     return MURK_OK;
 }
 
-/* What may have an index of refraction: anything but a grid. */
+/* What may have an index of refraction: anything but a grid without a shape.
+ */
 #define SHARP (~BIT(MURK_SCENE_IN_GRID))
 
 #define MOVABLE                                                      \

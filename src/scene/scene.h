@@ -75,6 +75,7 @@ typedef struct murk_scene_medium {
     size_t n_phases; /* 1: the same one in all bands; else one a band */
     char *vdb;       /* file as it is to be opened; NULL: homogeneous */
     char *grid;      /* name; NULL: the file's only one, or `density` */
+    bool is_linear;  /* interpolation: linear; false: nearest */
 } murk_scene_medium;
 
 typedef enum murk_scene_region_shape {

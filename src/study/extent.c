@@ -68,28 +68,59 @@ bool murk_extent_is_bounded(const murk_scene_region *r)
     return r->shape != MURK_SCENE_EVERYWHERE && r->shape != MURK_SCENE_BELOW;
 }
 
-murk_box murk_extent_region(const murk_scene_region *r, const murk_grid *grid)
+static murk_box meet(murk_box a, murk_box b)
 {
-    const murk_affine placed =
-        murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
-    if (r->shape == MURK_SCENE_IN_SPHERE) {
-        return box_of_sphere(murk_affine_point(&placed, r->center),
-                             r->radius_m * r->scale);
-    }
-    if (r->shape == MURK_SCENE_IN_BOX) {
-        return box_around(&placed, &r->box);
-    }
-    const murk_grid_facts *facts = grid ? murk_grid_describe(grid) : NULL;
-    if (!facts || facts->active == 0) {
+    const murk_box both = {{fmax(a.min.x, b.min.x), fmax(a.min.y, b.min.y),
+                            fmax(a.min.z, b.min.z)},
+                           {fmin(a.max.x, b.max.x), fmin(a.max.y, b.max.y),
+                            fmin(a.max.z, b.max.z)}};
+    const bool is_none = both.min.x > both.max.x || both.min.y > both.max.y ||
+                         both.min.z > both.max.z;
+    return is_none ? murk_box_empty() : both;
+}
+
+/* Nearest voxels reach half a voxel beyond their centres, linear ones one. */
+static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
+                            bool is_linear)
+{
+    const murk_grid_facts *facts = murk_grid_describe(grid);
+    if (facts->active == 0) {
         return murk_box_empty();
     }
     const int64_t *low = facts->index_min, *high = facts->index_max;
+    const double out = is_linear ? 1 : 0.5;
     const murk_box voxels = {
-        {(double)low[0] - 0.5, (double)low[1] - 0.5, (double)low[2] - 0.5},
-        {(double)high[0] + 0.5, (double)high[1] + 0.5, (double)high[2] + 0.5}};
+        {(double)low[0] - out, (double)low[1] - out, (double)low[2] - out},
+        {(double)high[0] + out, (double)high[1] + out, (double)high[2] + out}};
     const murk_affine whole =
-        murk_affine_compose(&placed, &facts->index_to_world);
+        murk_affine_compose(placed, &facts->index_to_world);
     return box_around(&whole, &voxels);
+}
+
+murk_box murk_extent_region(const murk_scene *scene, const murk_scene_region *r,
+                            const murk_grid *grid)
+{
+    const murk_affine placed =
+        murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+    const bool is_linear = scene->media[r->medium].is_linear;
+    murk_box box = murk_box_empty();
+    switch (r->shape) {
+    case MURK_SCENE_IN_SPHERE:
+        box = box_of_sphere(murk_affine_point(&placed, r->center),
+                            r->radius_m * r->scale);
+        break;
+    case MURK_SCENE_IN_BOX:
+        box = box_around(&placed, &r->box);
+        break;
+    case MURK_SCENE_IN_GRID:
+        return grid ? box_of_grid(&placed, grid, is_linear) : box;
+    case MURK_SCENE_EVERYWHERE:
+    case MURK_SCENE_BELOW:
+        return box;
+    }
+    const bool hides = r->replaces || r->ior > 0;
+    return grid && !hides ? meet(box, box_of_grid(&placed, grid, is_linear))
+                          : box;
 }
 
 static murk_box light_box(const murk_scene_light *light)
@@ -128,7 +159,7 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
                              "a half space needs a domain or geometry");
         }
         if (murk_extent_is_bounded(r)) {
-            all = join(all, murk_extent_region(r, grid[r->medium]));
+            all = join(all, murk_extent_region(scene, r, grid[r->medium]));
         }
     }
     for (size_t i = 0; i < scene->n_lights; ++i) {

@@ -6,10 +6,12 @@
 #include "medium/grid.h"
 #include "scene/scene.h"
 
-/* World box of one item; mesh for files, grid for grid regions, else NULL. */
+/* World box of one item; mesh for files, the grid of the region's medium or
+ * NULL. A shape around a grid reaches as far as both do, unless it replaces. */
 murk_box murk_extent_geometry(const murk_scene_geometry *geometry,
                               const murk_mesh *mesh);
-murk_box murk_extent_region(const murk_scene_region *region,
+murk_box murk_extent_region(const murk_scene *scene,
+                            const murk_scene_region *region,
                             const murk_grid *grid);
 
 /* Whether that box is finite: neither everywhere nor a half space. */

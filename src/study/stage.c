@@ -171,6 +171,8 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
         medium[i] = (murk_medium){.extinction_per_m = m->extinction_per_m,
                                   .albedo = m->albedo,
                                   .grid = stage->grid[i],
+                                  .interpolation =
+                                      m->is_linear ? MURK_LINEAR : MURK_NEAREST,
                                   .where = m->where};
         memcpy(medium[i].phase, stage->phases->medium[i],
                sizeof medium[i].phase);
@@ -247,7 +249,8 @@ static void warn_of_cuts(const murk_stage *stage)
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (murk_extent_is_bounded(r)) {
-            const murk_box box = murk_extent_region(r, stage->grid[r->medium]);
+            const murk_box box =
+                murk_extent_region(stage->scene, r, stage->grid[r->medium]);
             warn_if_cut(r->where, &box, domain);
         }
     }
@@ -263,7 +266,8 @@ static bool touches_sides(const murk_stage *stage, const murk_scene_region *r)
     if (r->shape == MURK_SCENE_BELOW) {
         return r->below_z_m > domain->min.z;
     }
-    const murk_box box = murk_extent_region(r, stage->grid[r->medium]);
+    const murk_box box =
+        murk_extent_region(stage->scene, r, stage->grid[r->medium]);
     return box.min.x <= domain->min.x || box.max.x >= domain->max.x ||
            box.min.y <= domain->min.y || box.max.y >= domain->max.y ||
            box.min.z <= domain->min.z || box.max.z >= domain->max.z;

@@ -1,0 +1,566 @@
+/* The walk in cells between voxel centres.
+ *
+ * A cell takes its corners from up to eight nodes of the tree. Two ways of
+ * crossing cover all cases: where only constant nodes take part, the largest
+ * box of cells that sees the same of them is one segment; where a leaf takes
+ * part, the ray goes cell by cell through the block of 8 x 8 x 8 cells that
+ * begins there. As in march.c the cell behind a face is known as a whole
+ * number, so rounding can shift a crossing by its last digits but never skip
+ * a cell, enter one twice, or stall. */
+#include "medium/linear.h"
+
+#include "medium/nodes.h"
+#include "medium/steps.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+/* Two values side by side along z: one instruction does both. */
+typedef double pair __attribute__((vector_size(16)));
+
+static double clamp01(double x)
+{
+    return murk_smaller(murk_larger(x, 0), 1);
+}
+
+/* ---- nodes ---- */
+
+/* A leaf, or one value for a cell of the tree. */
+typedef struct node {
+    const float *leaf;
+    float value;
+    int32_t size;
+} node;
+
+static node node_at(murk_linear *m, const int32_t voxel[3])
+{
+    const int32_t i = voxel[0], j = voxel[1], k = voxel[2];
+    if (!(m->lower && murk_holds(m->lower_first, voxel, 128))) {
+        const murk_root_cell *root = murk_tree_root_cell(m->tree, voxel);
+        if (!root || !root->node) {
+            return (node){NULL, root ? root->value : 0, MURK_ROOT_CELL};
+        }
+        const murk_cell cell = murk_upper_cell(root->node, i, j, k);
+        if (!cell.child) {
+            return (node){NULL, cell.value, 128};
+        }
+        m->lower = cell.child;
+        murk_remember(m->lower_first, voxel, 128);
+    }
+    const murk_cell cell = murk_lower_cell(m->lower, i, j, k);
+    return cell.child ? (node){murk_leaf_values(cell.child), 0, 8}
+                      : (node){NULL, cell.value, 8};
+}
+
+/* ---- boxes of cells that see constant nodes only ---- */
+
+typedef struct even_box {
+    float value[8];  /* of the nodes, by the axes along which they lie behind */
+    int32_t size;    /* of the smallest of them */
+    unsigned behind; /* the axes at whose end the cell lies: 4 x, 2 y, 1 z */
+} even_box;
+
+static unsigned axes_at_end(const int32_t at[3], int32_t size)
+{
+    unsigned axes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        axes |= (at[axis] & (size - 1)) == size - 1 ? 4U >> axis : 0;
+    }
+    return axes;
+}
+
+/* The box around the cell at[]; false when a leaf takes part. A smaller node
+ * behind an end cuts the box, which may bring it to further ends: at most once
+ * for each size of nodes. */
+static bool find_even_box(murk_linear *m, even_box *box)
+{
+    const node own = node_at(m, m->at);
+    if (own.leaf) {
+        return false;
+    }
+    box->value[0] = own.value;
+    box->size = own.size;
+    for (;;) {
+        int32_t least = box->size;
+        box->behind = axes_at_end(m->at, box->size);
+        for (unsigned which = 1; which < 8; ++which) {
+            if (which & ~box->behind) {
+                continue;
+            }
+            const int32_t voxel[3] = {m->at[0] + (int32_t)(which >> 2),
+                                      m->at[1] + (int32_t)(which >> 1 & 1),
+                                      m->at[2] + (int32_t)(which & 1)};
+            const node other = node_at(m, voxel);
+            if (other.leaf) {
+                return false;
+            }
+            box->value[which] = other.value;
+            least = other.size < least ? other.size : least;
+        }
+        if (least == box->size) {
+            return true;
+        }
+        box->size = least;
+    }
+}
+
+static bool is_nothing(const even_box *box)
+{
+    bool is_zero = box->size == MURK_ROOT_CELL;
+    for (unsigned which = 0; which < 8; ++which) {
+        is_zero &= (which & ~box->behind) || box->value[which] == 0;
+    }
+    return is_zero;
+}
+
+/* Moves at[] to the ray's place at t, between the cells first and last. */
+static void place_between(murk_linear *m, const int32_t first[3],
+                          const int32_t last[3], double t)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        m->at[axis] = murk_voxel_at(m->origin[axis] + t * m->direction[axis],
+                                    first[axis], last[axis]);
+    }
+}
+
+/* One segment across the cells first to last. */
+static void cross_between(murk_linear *m, const int32_t first[3],
+                          const int32_t last[3])
+{
+    double leave[3], least = INFINITY;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double face =
+            m->inverse[axis] > 0 ? (double)last[axis] + 1 : (double)first[axis];
+        leave[axis] = m->inverse[axis] == 0
+                          ? INFINITY
+                          : (face - m->origin[axis]) * m->inverse[axis];
+        least = murk_smaller(least, leave[axis]);
+    }
+    place_between(m, first, last, least);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (leave[axis] <= least && m->inverse[axis] != 0) {
+            m->at[axis] =
+                m->inverse[axis] > 0 ? last[axis] + 1 : first[axis] - 1;
+        }
+    }
+    m->to = murk_smaller(murk_larger(least, m->from), m->end);
+}
+
+static void cross_even_box(murk_linear *m, const even_box *box)
+{
+    int32_t first[3], last[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const int32_t end = m->at[axis] | (box->size - 1);
+        first[axis] = m->at[axis] & ~(box->size - 1);
+        last[axis] = end - 1;
+        if (box->behind & (4U >> axis)) {
+            first[axis] = last[axis] = m->at[axis];
+        }
+        m->low[axis] = m->at[axis];
+    }
+    for (unsigned which = 0; which < 8; ++which) {
+        m->corner[which] = (double)box->value[which & box->behind];
+    }
+    cross_between(m, first, last);
+}
+
+/* Across all that is empty, to the nearest root cell ahead, with the cells
+ * below it that see it. Those that the ray has left end at or before `from`,
+ * by the same arithmetic. */
+static void skip_to_root_cell(murk_linear *m)
+{
+    const murk_root_cell *nearest = NULL;
+    double least = m->end;
+    for (size_t i = 0; i < m->tree->n_cells; ++i) {
+        const murk_root_cell *cell = &m->tree->cells[i];
+        double t0 = m->from, t1 = m->end;
+        bool is_met = true;
+        for (int axis = 0; axis < 3 && is_met; ++axis) {
+            const double low = (double)cell->first[axis] - 1;
+            is_met =
+                murk_clip_axis(low, low + MURK_ROOT_CELL + 1, m->origin[axis],
+                               m->inverse[axis], &t0, &t1);
+        }
+        if (is_met && t0 < least) {
+            least = t0;
+            nearest = cell;
+        }
+    }
+    m->to = least;
+    for (int axis = 0; axis < 3; ++axis) {
+        m->low[axis] = m->at[axis];
+    }
+    for (int which = 0; which < 8; ++which) {
+        m->corner[which] = 0;
+    }
+    if (nearest) {
+        const int32_t *f = nearest->first;
+        const int32_t first[3] = {f[0] - 1, f[1] - 1, f[2] - 1};
+        const int32_t last[3] = {f[0] + MURK_ROOT_CELL - 1,
+                                 f[1] + MURK_ROOT_CELL - 1,
+                                 f[2] + MURK_ROOT_CELL - 1};
+        place_between(m, first, last, least);
+    }
+}
+
+/* ---- blocks ---- */
+
+static void enter_block(murk_linear *m)
+{
+    m->is_in_block = true;
+    m->known = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        m->block_first[axis] = m->at[axis] & ~7;
+        m->in_block[axis] = m->at[axis] & 7;
+        const double face =
+            (double)m->at[axis] + (m->inverse[axis] > 0 ? 1 : 0);
+        m->cross[axis] = m->inverse[axis] == 0
+                             ? INFINITY
+                             : (face - m->origin[axis]) * m->inverse[axis];
+    }
+}
+
+static void leave_block(murk_linear *m)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        m->at[axis] = m->block_first[axis] + m->in_block[axis];
+    }
+    m->is_in_block = false;
+}
+
+static void look_up(murk_linear *m, unsigned which)
+{
+    const int32_t voxel[3] = {m->block_first[0] + (int32_t)(which >> 2) * 8,
+                              m->block_first[1] + (int32_t)(which >> 1 & 1) * 8,
+                              m->block_first[2] + (int32_t)(which & 1) * 8};
+    const node found = node_at(m, voxel);
+    m->tile[which] = found.value;
+    m->leaf[which] = found.leaf ? found.leaf : &m->tile[which];
+    m->offset_mask[which] = found.leaf ? -1 : 0;
+    m->known |= 1U << which;
+}
+
+/* A voxel of the block or, at 8, behind it. */
+static double far_corner(murk_linear *m, int x, int y, int z)
+{
+    const unsigned which = (unsigned)((x >> 3) << 2 | (y >> 3) << 1 | (z >> 3));
+    if (!(m->known & (1U << which))) {
+        look_up(m, which);
+    }
+    const int offset = (x & 7) << 6 | (y & 7) << 3 | (z & 7);
+    return (double)m->leaf[which][offset & m->offset_mask[which]];
+}
+
+/* The corners of the block's cell, in pairs along z: [2 x + y]. */
+static inline void load_corners(murk_linear *m, int x, int y, int z,
+                                pair corner[4])
+{
+    if ((m->known & 1) && m->offset_mask[0] && x < 7 && y < 7 && z < 7) {
+        const float *v = m->leaf[0] + (x << 6 | y << 3 | z);
+        corner[0] = (pair){(double)v[0], (double)v[1]};
+        corner[1] = (pair){(double)v[8], (double)v[9]};
+        corner[2] = (pair){(double)v[64], (double)v[65]};
+        corner[3] = (pair){(double)v[72], (double)v[73]};
+        return;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const int cx = x + (i >> 1), cy = y + (i & 1);
+        corner[i] =
+            (pair){far_corner(m, cx, cy, z), far_corner(m, cx, cy, z + 1)};
+    }
+}
+
+static inline double lerp_pairs(const pair corner[4], double x, double y,
+                                double z)
+{
+    const pair fx = {x, x}, fy = {y, y};
+    const pair low = corner[0] + fx * (corner[2] - corner[0]);
+    const pair high = corner[1] + fx * (corner[3] - corner[1]);
+    const pair both = low + fy * (high - low);
+    return murk_larger(both[0] + z * (both[1] - both[0]), 0);
+}
+
+static void load_cell(murk_linear *m)
+{
+    const int *in = m->in_block;
+    pair corner[4];
+    load_corners(m, in[0], in[1], in[2], corner);
+    for (int i = 0; i < 4; ++i) {
+        m->corner[2 * i] = corner[i][0];
+        m->corner[2 * i + 1] = corner[i][1];
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        m->low[axis] = (double)m->block_first[axis] + in[axis];
+    }
+}
+
+/* The segment in the cell of the block where the walk stands. */
+static void cross_cell(murk_linear *m)
+{
+    load_cell(m);
+    const double least =
+        murk_smaller(murk_smaller(m->cross[0], m->cross[1]), m->cross[2]);
+    m->to = murk_smaller(murk_larger(least, m->from), m->end);
+}
+
+/* On to the next cell of the block; false when that lies outside. */
+static bool step_in_block(murk_linear *m)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool leaves = m->cross[axis] <= m->from;
+        m->in_block[axis] += leaves ? m->step[axis] : 0;
+        m->cross[axis] += leaves ? m->stride[axis] : 0;
+    }
+    return !((m->in_block[0] | m->in_block[1] | m->in_block[2]) & ~7);
+}
+
+/* ---- segments ---- */
+
+/* The segment that begins in the cell at[]; true when a block is entered
+ * instead. */
+static bool cross_at(murk_linear *m)
+{
+    even_box box;
+    if (!find_even_box(m, &box)) {
+        enter_block(m);
+        return true;
+    }
+    if (is_nothing(&box) && murk_trying_all_is_cheaper(m->tree)) {
+        skip_to_root_cell(m);
+    } else {
+        cross_even_box(m, &box);
+    }
+    return false;
+}
+
+bool murk_linear_clip(const murk_tree *tree, murk_vec3 origin,
+                      murk_vec3 direction, double *t0, double *t1)
+{
+    const double o[3] = {origin.x, origin.y, origin.z};
+    const double d[3] = {direction.x, direction.y, direction.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!murk_clip_axis((double)tree->first[axis] - 1,
+                            (double)tree->last[axis] + 1, o[axis],
+                            murk_invert(d[axis]), t0, t1)) {
+            return false;
+        }
+    }
+    return tree->n_cells > 0;
+}
+
+void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
+                       murk_vec3 origin, murk_vec3 direction, double t0,
+                       double t1)
+{
+    murk_linear *m = linear;
+    *m = (murk_linear){.tree = tree,
+                       .origin = {origin.x, origin.y, origin.z},
+                       .direction = {direction.x, direction.y, direction.z},
+                       .end = fmin(t1, DBL_MAX), /* so that 0 * length is 0 */
+                       .from = t0,
+                       .to = t0};
+    for (int axis = 0; axis < 3; ++axis) {
+        m->inverse[axis] = murk_invert(m->direction[axis]);
+        m->stride[axis] = fabs(m->inverse[axis]);
+        m->step[axis] = m->inverse[axis] < 0 ? -1 : 1;
+        m->at[axis] = murk_voxel_at(m->origin[axis] + t0 * m->direction[axis],
+                                    tree->first[axis] - 1, tree->last[axis]);
+    }
+}
+
+bool murk_linear_next(murk_linear *linear)
+{
+    murk_linear *m = linear;
+    m->from = m->to;
+    if (!(m->from < m->end)) {
+        return false;
+    }
+    if (m->is_in_block) {
+        if (step_in_block(m)) {
+            cross_cell(m);
+            return true;
+        }
+        leave_block(m);
+    }
+    if (cross_at(m)) {
+        cross_cell(m);
+    }
+    return true;
+}
+
+/* The ray's place at t in the present cell. */
+static void place_in_cell(const murk_linear *m, double t, double in[3])
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        in[axis] =
+            clamp01(m->origin[axis] + t * m->direction[axis] - m->low[axis]);
+    }
+}
+
+murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1)
+{
+    double a[3], b[3];
+    place_in_cell(linear, t0, a);
+    place_in_cell(linear, t1, b);
+    return murk_cubic_in_cell(linear->corner, a, b);
+}
+
+/* What an integration carries from segment to segment. */
+typedef struct tally {
+    double scale, offset, limit, reached;
+} tally;
+
+/* The limit is met in the present segment, whose field has that mean: draws
+ * `to` back. A field of 0 where it is met (its end, by rounding) would be a
+ * collision with nothing: the mean stands for it. */
+static void stop_in_segment(murk_linear *m, tally *sum, double mean)
+{
+    const double length = m->to - m->from;
+    const double density = sum->scale * mean + sum->offset;
+    const murk_cubic field = murk_linear_cubic(m, m->from, m->to);
+    murk_cubic whole = {{sum->offset, 0, 0, 0}};
+    murk_cubic_add(&whole, sum->scale, &field);
+    const double s = murk_cubic_reach(&whole, (sum->limit - sum->reached) /
+                                                  (density * length));
+    m->to = murk_smaller(m->to, m->from + s * length);
+    m->value = murk_cubic_value(&field, s);
+    m->value = m->value > 0 ? m->value : mean;
+    sum->reached = sum->limit;
+}
+
+/* Adds a segment of that mean; true when the limit is met in it. */
+static inline bool add_segment(tally *sum, double length, double mean)
+{
+    const double density = sum->scale * mean + sum->offset;
+    const double more = sum->reached + density * length;
+    if (more >= sum->limit && density > 0) {
+        return true;
+    }
+    sum->reached = more;
+    return false;
+}
+
+static bool integrate_segment(murk_linear *m, tally *sum)
+{
+    const murk_cubic field = murk_linear_cubic(m, m->from, m->to);
+    const double mean = murk_larger(murk_cubic_integral(&field, 1), 0);
+    if (add_segment(sum, m->to - m->from, mean)) {
+        stop_in_segment(m, sum, mean);
+        return true;
+    }
+    return false;
+}
+
+/* The rest of a block: cross_cell() and step_in_block() over and over, by
+ * Simpson's rule. The end of one segment is the start of the next, so that
+ * each costs two values of the field. */
+static bool integrate_block(murk_linear *m, tally *sum)
+{
+    const double end = m->end;
+    const double ox = m->origin[0] - m->block_first[0];
+    const double oy = m->origin[1] - m->block_first[1];
+    const double oz = m->origin[2] - m->block_first[2];
+    const double dx = m->direction[0], dy = m->direction[1];
+    const double dz = m->direction[2];
+    double from = m->from, to = from, mean = 0;
+    double tx = murk_larger(m->cross[0], from);
+    double ty = murk_larger(m->cross[1], from);
+    double tz = murk_larger(m->cross[2], from);
+    int x = m->in_block[0], y = m->in_block[1], z = m->in_block[2];
+    double px = clamp01(ox + from * dx - x), py = clamp01(oy + from * dy - y);
+    double pz = clamp01(oz + from * dz - z);
+    double start = -1; /* the field at `from`; not known yet */
+    tally t = *sum;
+    bool stops = false;
+    if (!(m->known & 1)) {
+        look_up(m, 0);
+    }
+    for (;;) {
+        pair corner[4];
+        load_corners(m, x, y, z, corner);
+        const double face = murk_smaller(murk_smaller(tx, ty), tz);
+        to = murk_smaller(face, end);
+        const double qx = clamp01(ox + to * dx - x);
+        const double qy = clamp01(oy + to * dy - y);
+        const double qz = clamp01(oz + to * dz - z);
+        if (start < 0) {
+            start = lerp_pairs(corner, px, py, pz);
+        }
+        const double middle =
+            lerp_pairs(corner, (px + qx) / 2, (py + qy) / 2, (pz + qz) / 2);
+        const double stop = lerp_pairs(corner, qx, qy, qz);
+        mean = (start + 4 * middle + stop) * (1.0 / 6);
+        stops = add_segment(&t, to - from, mean);
+        if (stops || face >= end) {
+            break;
+        }
+        from = to;
+        start = stop;
+        const bool bx = tx <= face, by = ty <= face, bz = tz <= face;
+        tx += bx ? m->stride[0] : 0;
+        ty += by ? m->stride[1] : 0;
+        tz += bz ? m->stride[2] : 0;
+        const int sx = bx ? m->step[0] : 0, sy = by ? m->step[1] : 0;
+        const int sz = bz ? m->step[2] : 0;
+        x += sx;
+        y += sy;
+        z += sz;
+        px = qx - sx;
+        py = qy - sy;
+        pz = qz - sz;
+        if ((x | y | z) & ~7) {
+            break;
+        }
+    }
+    m->from = from;
+    m->to = to;
+    m->in_block[0] = x;
+    m->in_block[1] = y;
+    m->in_block[2] = z;
+    if (stops) {
+        load_cell(m);
+        stop_in_segment(m, &t, mean);
+    }
+    *sum = t;
+    return stops;
+}
+
+bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
+                           double limit, double *sum)
+{
+    murk_linear *m = linear;
+    tally t = {scale, offset, limit, *sum};
+    bool stops = false;
+    while (!stops && m->to < m->end) {
+        m->from = m->to;
+        if (cross_at(m)) {
+            stops = integrate_block(m, &t);
+            leave_block(m);
+        } else {
+            stops = integrate_segment(m, &t);
+        }
+    }
+    *sum = t.reached;
+    return stops;
+}
+
+bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density)
+{
+    const double place[3] = {p.x, p.y, p.z};
+    int32_t cell[3];
+    double in[3], corner[8];
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = floor(place[axis]);
+        if (!(low >= (double)tree->first[axis] - 1 &&
+              low <= tree->last[axis])) {
+            return false;
+        }
+        cell[axis] = (int32_t)low;
+        in[axis] = place[axis] - low;
+    }
+    murk_tree_corners(tree, cell, corner);
+    const murk_cubic there = murk_cubic_in_cell(corner, in, in);
+    *density = murk_cubic_value(&there, 0);
+    return tree->n_cells > 0;
+}
