@@ -5,7 +5,8 @@
 
 static const char *const method_name[] = {[MURK_SCENE_BEST] = "best",
                                           [MURK_SCENE_SPOQ] = "spoq",
-                                          [MURK_SCENE_GREEDY] = "greedy"};
+                                          [MURK_SCENE_GREEDY] = "greedy",
+                                          [MURK_SCENE_EXACT] = "exact"};
 
 static double share(uint64_t value, uint64_t whole)
 {
@@ -85,7 +86,12 @@ static void add_placement(cJSON *root, const murk_plan *plan,
                             (double)plan->place.evaluations);
     cJSON_AddNumberToObject(object, "queries", (double)plan->queries);
     cJSON_AddNumberToObject(object, "shadow_rays", (double)plan->shadow_rays);
-    cJSON_AddNullToObject(object, "cut_by");
+    cJSON_AddNumberToObject(object, "nodes", (double)plan->place.nodes);
+    if (plan->place.is_cut) {
+        cJSON_AddStringToObject(object, "cut_by", "nodes");
+    } else {
+        cJSON_AddNullToObject(object, "cut_by");
+    }
 }
 
 static cJSON *plan_json(const murk_session *session, const murk_plan *plan)

@@ -128,6 +128,11 @@ static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
     b->live_count = kept;
 }
 
+static inline uint16_t floor_at(const murk_bound *b, size_t slot)
+{
+    return b->floor ? b->floor[slot] : 0;
+}
+
 /* One projected step down the subgradient w (1 - count), in the metric of the
  * weights, so that merging equal photons would change nothing. */
 static void step_down(murk_bound *b, size_t chosen, double excess, double step,
@@ -143,7 +148,7 @@ static void step_down(murk_bound *b, size_t chosen, double excess, double step,
     double norm = 0;
     for (size_t i = 0; i < layout->slots; ++i) {
         float down = 1 - (float)b->count[i];
-        if (down > 0 && b->rounded.best[i] == 0) {
+        if (down > 0 && b->rounded.best[i] == floor_at(b, i)) {
             down = 0; /* at the floor already */
         }
         if (!is_first) {
@@ -158,23 +163,18 @@ static void step_down(murk_bound *b, size_t chosen, double excess, double step,
     const float length = (float)(step * excess / norm);
     for (size_t i = 0; i < layout->slots; ++i) {
         const float to = b->threshold[i] - length * b->direction[i];
-        b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR : to > 0 ? to : 0;
+        const float least = floor_at(b, i);
+        b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR
+                          : to > least    ? to
+                                          : least;
     }
 }
 
-uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
-                            const uint32_t *plan, size_t plan_count,
-                            size_t rounds)
+/* Lowers the bound over the live candidates. */
+static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 {
     const murk_oracle *o = b->oracle;
     const size_t slots = o->layout->slots;
-    if (plan) {
-        start_at_plan(b, plan, plan_count);
-    }
-    b->live_count = o->undominated;
-    for (size_t k = 0; k < o->undominated; ++k) {
-        b->live[k] = o->ranked[k].candidate;
-    }
     uint64_t upper = o->ceiling;
     uint64_t lowest = UINT64_MAX;
     double step = FIRST_STEP;
@@ -184,12 +184,13 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
         if (murk_interrupted() || step < LEAST_STEP) {
             break;
         }
-        const uint64_t base = round_thresholds(b);
+        b->base = round_thresholds(b);
         murk_oracle_gains(o, &b->rounded, b->live, b->live_count,
                           o->wide_threads, 0, b->gain);
+        b->evaluations += b->live_count;
         b->looks += o->matrix ? 0 : b->live_count;
         const size_t chosen = find_top(b, n);
-        uint64_t now = base;
+        uint64_t now = b->base;
         for (size_t k = 0; k < chosen; ++k) {
             now = sum_saturated(now, b->top[k].bound);
         }
@@ -203,10 +204,13 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
         now -= now % o->grain;
         now = now > lower ? now : lower;
         upper = now < upper ? now : upper;
-        if (upper <= lower || round + 1 == rounds) {
+        if (upper <= lower) {
             break;
         }
-        leave_out(b, base, n, chosen, lower);
+        if (round + 1 == rounds && !b->floor) {
+            break;
+        }
+        leave_out(b, b->base, n, chosen, lower);
         if (since_gain >= PATIENCE) {
             step *= SHRINK;
             since_gain = 0;
@@ -218,4 +222,31 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
     }
     memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
     return upper > lower ? upper : lower;
+}
+
+uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
+                            const uint32_t *plan, size_t plan_count,
+                            size_t rounds)
+{
+    const murk_oracle *o = b->oracle;
+    if (plan) {
+        start_at_plan(b, plan, plan_count);
+    }
+    b->floor = NULL;
+    b->live_count = o->undominated;
+    for (size_t k = 0; k < o->undominated; ++k) {
+        b->live[k] = o->ranked[k].candidate;
+    }
+    return descend(b, n, lower, rounds);
+}
+
+uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
+                                   const uint16_t *floor, size_t rounds)
+{
+    b->floor = floor;
+    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
+        const float least = floor[i];
+        b->threshold[i] = b->threshold[i] > least ? b->threshold[i] : least;
+    }
+    return descend(b, n, lower, rounds);
 }

@@ -30,7 +30,10 @@ typedef struct murk_bound {
     uint64_t *gain;     /* [candidates] above the thresholds */
     uint32_t *live;     /* [candidates] not yet left out */
     size_t live_count;
-    murk_ranked *top; /* [candidates] */
+    const uint16_t *floor; /* [slots] thresholds do not go below; NULL: 0 */
+    uint64_t base;         /* sum w t of the last evaluation */
+    murk_ranked *top;      /* [candidates] */
+    uint64_t evaluations;  /* candidates weighed */
     uint64_t looks;
 } murk_bound;
 
@@ -45,5 +48,12 @@ void murk_bound_release(murk_bound *bound);
 uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds);
+
+/* The same for plans that hold a given set and n more, all of them among
+ * bound->live, which the caller fills: `floor` [slots] is the set's cover.
+ * Goes on from the present thresholds, raised to the floor. Afterwards live
+ * and gain are those that can still be in a plan worth more than `lower`. */
+uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,
+                                   const uint16_t *floor, size_t rounds);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "placement/bound.h"
+#include "placement/exact.h"
 #include "placement/search.h"
 
 #include <assert.h>
@@ -63,6 +64,7 @@ murk_place_desc murk_place_defaults(void)
     return (murk_place_desc){.method = MURK_PLACE_BEST,
                              .count = 1,
                              .restarts = 200,
+                             .nodes = 1000000,
                              .seed = 1,
                              .with_curve = true};
 }
@@ -166,6 +168,27 @@ static murk_curve_point find_once(placing *p, uint32_t *plan, size_t n,
         n, value, murk_bound_tighten(&p->bound, n, value, plan, n, rounds)};
 }
 
+/* Branch and bound from a plan whose bound was tightened last. */
+static murk_status prove(placing *p, murk_curve_point *point, murk_error *err)
+{
+    const bool is_wanted = p->desc->method == MURK_PLACE_BEST ||
+                           p->desc->method == MURK_PLACE_EXACT;
+    if (!p->oracle->matrix || !is_wanted || point->count < 2) {
+        return MURK_OK;
+    }
+    murk_exact exact;
+    const murk_status status =
+        murk_exact_search(&exact, &p->bound, p->plan, point->count,
+                          point->value, point->upper, p->desc->nodes, err);
+    if (!status) {
+        point->value = exact.value;
+        point->upper = exact.upper;
+        p->result->nodes = exact.nodes;
+        p->result->is_cut = exact.is_cut;
+    }
+    return status;
+}
+
 static size_t curve_starts(size_t restarts)
 {
     const size_t share = restarts / RESTARTS_PER_CURVE_START;
@@ -178,7 +201,7 @@ static size_t curve_rounds(size_t rounds)
                                            : rounds;
 }
 
-static void find_all(placing *p)
+static murk_status find_all(placing *p, murk_error *err)
 {
     murk_place_result *result = p->result;
     const size_t n = p->desc->count;
@@ -188,6 +211,7 @@ static void find_all(placing *p)
     }
     murk_curve_point last = {0};
     const uint32_t *from = NULL;
+    murk_status status = MURK_OK;
     for (size_t k = p->desc->with_curve ? 1 : n; k <= n && !murk_interrupted();
          ++k) {
         const bool is_plan = k == n;
@@ -199,6 +223,9 @@ static void find_all(placing *p)
         last = is_best ? find_best(p, p->plan, k, from, last.value, most,
                                    rounds, made)
                        : find_once(p, p->plan, k, rounds, made);
+        if (is_plan && !murk_interrupted()) {
+            status = prove(p, &last, err);
+        }
         if (result->curve) {
             result->curve[k - 1] = last;
         }
@@ -209,6 +236,7 @@ static void find_all(placing *p)
     result->upper = last.upper;
     result->evaluations += p->search.evaluations;
     result->looks += p->search.looks + p->bound.looks + p->oracle->looks;
+    return status;
 }
 
 static uint64_t lesser(uint64_t a, uint64_t b)
@@ -254,7 +282,7 @@ static size_t rounds_for(const murk_oracle *oracle)
                                    : (size_t)rounds;
 }
 
-static murk_status check(const murk_problem *problem,
+static murk_status check(const murk_problem *problem, bool known,
                          const murk_place_desc *desc, murk_error *err)
 {
     if (desc->count < 1) {
@@ -266,6 +294,11 @@ static murk_status check(const murk_problem *problem,
                          "%zu sensors asked for, but only %zu usable "
                          "candidates",
                          desc->count, problem->candidates);
+    }
+    if (desc->method == MURK_PLACE_EXACT && !known) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "method exact needs what every candidate sees: "
+                         "knowledge must be known");
     }
     if (desc->restarts < 1) {
         return murk_fail(err, MURK_BAD_VALUE, "",
@@ -366,7 +399,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     placing p = {0};
     murk_place_result result = {.count = desc->count,
                                 .guarantee = guarantee_of(desc->method)};
-    murk_status status = check(problem, desc, err);
+    murk_status status = check(problem, matrix != NULL, desc, err);
     if (!status) {
         status = murk_oracle_init(&oracle, problem, matrix, err);
     }
@@ -377,10 +410,12 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
         goto done;
     }
     murk_progress_begin("place", desc->restarts, "starts");
-    find_all(&p);
+    status = find_all(&p, err);
     murk_progress_end();
-    if (murk_interrupted()) {
+    if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    if (status) {
         goto done;
     }
     for (size_t k = 0; k < result.count; ++k) {

@@ -6,7 +6,9 @@
  * the others, ties at random; until a sweep brings no gain. `best` takes
  * greedy and SPOQ starts, then certified relocation: a sensor stays on ties,
  * and sweeps go on until one moves nothing, so no single relocation helps and
- * the plan is worth at least n / (2n - 1) of the optimum.
+ * the plan is worth at least n / (2n - 1) of the optimum; then, where the
+ * environment is known, branch and bound within `nodes`. `exact` is greedy and
+ * branch and bound alone.
  *
  * Source: SPOQ, shared paper of 2013; Nemhauser, Wolsey, Fisher, Math.
  * Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
@@ -20,18 +22,21 @@
 typedef enum murk_place_method {
     MURK_PLACE_BEST,
     MURK_PLACE_SPOQ,
-    MURK_PLACE_GREEDY
+    MURK_PLACE_GREEDY,
+    MURK_PLACE_EXACT
 } murk_place_method;
 
 typedef struct murk_place_desc {
     murk_place_method method;
     size_t count;    /* sensors wanted, 1 .. candidates */
     size_t restarts; /* SPOQ starts at most, >= 1; `spoq` makes exactly one */
+    uint64_t nodes;  /* work of the branch and bound at most
+                        (placement/exact.h), known environment; 0: none */
     uint32_t seed;
     bool with_curve; /* also the best found for 1 .. count - 1 sensors */
 } murk_place_desc;
 
-murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1, true */
+murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1e6, 1, true */
 
 typedef struct murk_curve_point {
     size_t count;
@@ -50,6 +55,8 @@ typedef struct murk_place_result {
     uint64_t whole;        /* sum_i weight_i * MURK_CLEAR: everything */
     size_t after_presolve; /* candidates left after dominance */
     size_t restarts;       /* SPOQ starts made */
+    uint64_t nodes;        /* of branch and bound */
+    bool is_cut;           /* it ended by desc->nodes, unproven */
     uint64_t evaluations;  /* candidates weighed against a present plan */
     uint64_t looks;        /* calls of look (unknown: each a query) */
     murk_curve_point *curve; /* [curve_points], by count; NULL without */

@@ -209,7 +209,7 @@ static const murk_word METHOD_WORDS[] = {
     {"best", MURK_SCENE_BEST, false},
     {"spoq", MURK_SCENE_SPOQ, false},
     {"greedy", MURK_SCENE_GREEDY, false},
-    {"exact", 0, true},
+    {"exact", MURK_SCENE_EXACT, false},
     WORDS_END,
 };
 
@@ -262,7 +262,8 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
         .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
     ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
-    ROW("nodes", ONLY, .preset = "1000000"),
+    ROW("nodes", COUNT, .most = 1e15, .preset = "1000000",
+        AT(murk_scene, placement.nodes)),
     ROW("over", ONLY, .preset = "null"),
     ROW("condition_weights", ONLY, .preset = "{}"),
     END,

@@ -149,7 +149,8 @@ typedef struct murk_scene_sensors {
 typedef enum murk_scene_method {
     MURK_SCENE_BEST,
     MURK_SCENE_SPOQ,
-    MURK_SCENE_GREEDY
+    MURK_SCENE_GREEDY,
+    MURK_SCENE_EXACT
 } murk_scene_method;
 
 typedef struct murk_scene_placement {
@@ -158,7 +159,7 @@ typedef struct murk_scene_placement {
     bool by_normal; /* visibility: normal; false: ray */
     bool block;     /* through: block; false: thin */
     bool unknown;   /* knowledge: unknown; false: known */
-    uint64_t restarts;
+    uint64_t restarts, nodes;
     bool balanced; /* weights */
     double weight_surface, weight_volume;
     bool hold_out;

@@ -11,7 +11,7 @@ for case in "paper-room 1500 best" "paper-room 1500 spoq" "paper-room 1500 greed
     set -- $case
     for knowledge in known unknown; do
         "$murk" place "scenes/$1.yaml" --quiet --store "$2" -o "$dir/$knowledge" \
-            --set "placement={method: $3, restarts: 2, knowledge: $knowledge}"
+            --set "placement={method: $3, restarts: 2, nodes: 0, knowledge: $knowledge}"
     done
     cmp "$dir/known/sensors.csv" "$dir/unknown/sensors.csv"
     cmp "$dir/known/coverage.csv" "$dir/unknown/coverage.csv"

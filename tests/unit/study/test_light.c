@@ -125,10 +125,13 @@ static void test_refusals(void)
                    MURK_BAD_VALUE, "max_stored allows 100");
     expect_refusal("photons={emit: 1}", "seed=1", MURK_BAD_VALUE,
                    "must be at least 2");
-    /* white walls and a white fog: light that nothing ends is lost to the cap
-     * on events */
+    /* white walls and a white fog: light that nothing ends */
     expect_refusal("photons={emit: 2, maps: none}", "materials.wall.diffuse=1",
-                   MURK_RUN_FAILED, "were lost");
+                   MURK_BAD_VALUE, "light does not end");
+    /* nearly so: half of the light is lost to the cap on events */
+    expect_refusal("photons={emit: 20, maps: none}",
+                   "materials.wall.diffuse=0.99998", MURK_RUN_FAILED,
+                   "were lost");
 }
 
 static void test_laid_candidates(void)

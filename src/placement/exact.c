@@ -1,0 +1,252 @@
+#include "placement/exact.h"
+
+#include "base/interrupt.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Bounds made at the root, and at each node below it. */
+#define ROUNDS_AT_ROOT 60
+#define ROUNDS_BELOW   60
+
+/* Rows of clarities take so many times as long as rows of bits. */
+#define WORK_OF_CLARITIES 4
+
+/* A node whose `k` first are chosen. */
+typedef struct level {
+    murk_cover cover;  /* of the chosen; bits where all is clear */
+    uint16_t *best;    /* [slots] the same as clarities */
+    float *threshold;  /* [slots] where its bound was lowest */
+    murk_ranked *live; /* [candidates] that may join, by falling gain */
+    size_t live_count;
+    uint64_t base;  /* what the thresholds are worth */
+    uint64_t value; /* of the chosen */
+} level;
+
+typedef struct exact {
+    murk_bound *bound;
+    const murk_oracle *oracle;
+    size_t n;
+    level *level;      /* [n] */
+    uint32_t *chosen;  /* [n] */
+    uint32_t *members; /* [candidates] of a leaf's parent */
+    uint64_t *gain;    /* [candidates] likewise */
+    uint32_t *plan;
+    uint64_t value; /* of the plan */
+    uint64_t weighings, weighings_most;
+    bool is_cut;
+} exact;
+
+static void count_work(exact *e, uint64_t candidates)
+{
+    e->weighings += candidates * e->oracle->layout->slots *
+                    (e->oracle->all_clear ? 1 : WORK_OF_CLARITIES);
+    e->is_cut |= e->weighings > e->weighings_most || murk_interrupted();
+}
+
+/* A plan's value is a multiple of the grain. */
+static uint64_t in_grains(const exact *e, uint64_t value)
+{
+    return value - value % e->oracle->grain;
+}
+
+static void take_if_better(exact *e, uint64_t value)
+{
+    if (value > e->value) {
+        e->value = value;
+        memcpy(e->plan, e->chosen, e->n * sizeof *e->plan);
+    }
+}
+
+/* One sensor is left to choose: weighs all that may join. */
+static void finish(exact *e, const level *l)
+{
+    for (size_t k = 0; k < l->live_count; ++k) {
+        e->members[k] = l->live[k].candidate;
+    }
+    murk_oracle_gains(e->oracle, &l->cover, e->members, l->live_count,
+                      e->oracle->wide_threads, 0, e->gain);
+    count_work(e, l->live_count);
+    for (size_t k = 0; k < l->live_count; ++k) {
+        e->chosen[e->n - 1] = e->members[k];
+        take_if_better(e, l->value + e->gain[k]);
+    }
+}
+
+/* Lowers the bound of a level from its parent's thresholds. Its live
+ * candidates become those that can still be in a better plan, ranked. */
+static uint64_t bound_level(exact *e, level *l, size_t left,
+                            const float *threshold, size_t rounds)
+{
+    murk_bound *b = e->bound;
+    const size_t slots = e->oracle->layout->slots;
+    if (threshold != b->threshold) {
+        memcpy(b->threshold, threshold, slots * sizeof *threshold);
+    }
+    for (size_t k = 0; k < l->live_count; ++k) {
+        b->live[k] = l->live[k].candidate;
+    }
+    b->live_count = l->live_count;
+    b->evaluations = 0;
+    const uint64_t upper =
+        murk_bound_tighten_within(b, left, e->value, l->best, rounds);
+    count_work(e, b->evaluations);
+    memcpy(l->threshold, b->threshold, slots * sizeof *l->threshold);
+    for (size_t k = 0; k < b->live_count; ++k) {
+        l->live[k] = (murk_ranked){b->gain[k], b->live[k]};
+    }
+    l->live_count = b->live_count;
+    l->base = b->base;
+    murk_ranked_sort(l->live, l->live_count);
+    return upper;
+}
+
+/* What the level's candidates from number k on can make together. */
+static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
+{
+    uint64_t sum = l->base;
+    for (size_t i = k; i < l->live_count && i < k + left; ++i) {
+        sum += l->live[i].bound;
+    }
+    return in_grains(e, sum);
+}
+
+static void descend(exact *e, size_t depth, size_t k)
+{
+    const murk_layout *layout = e->oracle->layout;
+    const level *from = &e->level[depth];
+    level *to = &e->level[depth + 1];
+    const uint32_t candidate = from->live[k].candidate;
+    const murk_row row = murk_oracle_row(e->oracle, 0, candidate);
+    e->chosen[depth] = candidate;
+    to->value = from->value + murk_row_gain(layout, &row, &from->cover);
+    murk_cover_clear(&to->cover, layout);
+    murk_cover_join(&to->cover, layout, &from->cover);
+    murk_cover_add(&to->cover, layout, &row);
+    if (to->cover.best != to->best) {
+        murk_cover as_clarities = {.best = to->best};
+        memcpy(to->best, from->best, layout->slots * sizeof *to->best);
+        murk_cover_add(&as_clarities, layout, &row);
+    }
+    to->live_count = from->live_count - k - 1;
+    memcpy(to->live, from->live + k + 1, to->live_count * sizeof *to->live);
+}
+
+/* No plan below this node is worth more than what it returns, and none that
+ * was passed over is worth more than the plan kept. */
+static uint64_t explore(exact *e, size_t depth, const float *threshold,
+                        size_t rounds)
+{
+    level *l = &e->level[depth];
+    const size_t left = e->n - depth;
+    if (left == 1) {
+        finish(e, l);
+        return e->value;
+    }
+    const uint64_t upper = bound_level(e, l, left, threshold, rounds);
+    uint64_t highest = e->value;
+    for (size_t k = 0; k + left <= l->live_count; ++k) {
+        uint64_t rest = rest_of(e, l, k, left);
+        rest = rest < upper ? rest : upper;
+        if (rest <= e->value) {
+            break;
+        }
+        if (e->is_cut) {
+            return rest > highest ? rest : highest;
+        }
+        descend(e, depth, k);
+        const uint64_t below =
+            explore(e, depth + 1, l->threshold, ROUNDS_BELOW);
+        highest = below > highest ? below : highest;
+    }
+    return highest > e->value ? highest : e->value;
+}
+
+static bool level_init(level *l, const murk_oracle *oracle)
+{
+    const size_t slots = oracle->layout->slots + 1;
+    if (!murk_cover_init(&l->cover, oracle->layout, oracle->all_clear)) {
+        return false;
+    }
+    l->best = l->cover.best ? l->cover.best : calloc(slots, sizeof *l->best);
+    l->threshold = calloc(slots, sizeof *l->threshold);
+    l->live = calloc(oracle->candidates + 1, sizeof *l->live);
+    return l->best && l->threshold && l->live;
+}
+
+static void level_release(level *l)
+{
+    if (l->best != l->cover.best) {
+        free(l->best);
+    }
+    murk_cover_release(&l->cover);
+    free(l->threshold);
+    free(l->live);
+}
+
+static bool exact_init(exact *e)
+{
+    const size_t candidates = e->oracle->candidates + 1;
+    e->level = calloc(e->n, sizeof *e->level);
+    e->chosen = calloc(e->n, sizeof *e->chosen);
+    e->members = calloc(candidates, sizeof *e->members);
+    e->gain = calloc(candidates, sizeof *e->gain);
+    bool has_memory = e->level && e->chosen && e->members && e->gain;
+    for (size_t k = 0; k < e->n && has_memory; ++k) {
+        has_memory = level_init(&e->level[k], e->oracle);
+    }
+    return has_memory;
+}
+
+static void exact_release(exact *e)
+{
+    for (size_t k = 0; e->level && k < e->n; ++k) {
+        level_release(&e->level[k]);
+    }
+    free(e->level);
+    free(e->chosen);
+    free(e->members);
+    free(e->gain);
+}
+
+murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
+                              uint32_t *plan, size_t n, uint64_t value,
+                              uint64_t upper, uint64_t nodes, murk_error *err)
+{
+    const murk_oracle *oracle = bound->oracle;
+    assert(oracle->matrix && n >= 1);
+    exact e = {.bound = bound,
+               .oracle = oracle,
+               .n = n,
+               .plan = plan,
+               .value = value,
+               .weighings_most = nodes < UINT64_MAX / MURK_NODE_WEIGHINGS
+                                     ? nodes * MURK_NODE_WEIGHINGS
+                                     : UINT64_MAX};
+    murk_status status = MURK_OK;
+    *out = (murk_exact){.value = value, .upper = upper, .is_cut = true};
+    if (upper <= value || nodes == 0) {
+        out->is_cut = upper > value;
+        return MURK_OK;
+    }
+    if (!exact_init(&e)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to search %zu sensors", n);
+        goto done;
+    }
+    level *root = &e.level[0];
+    root->live_count = oracle->undominated;
+    memcpy(root->live, oracle->ranked, root->live_count * sizeof *root->live);
+    const uint64_t highest = explore(&e, 0, bound->threshold, ROUNDS_AT_ROOT);
+    *out = (murk_exact){.value = e.value,
+                        .upper = highest < upper ? highest : upper,
+                        .nodes = e.weighings / MURK_NODE_WEIGHINGS,
+                        .is_cut = e.is_cut};
+    if (out->upper < out->value) {
+        out->upper = out->value;
+    }
+done:
+    exact_release(&e);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* Branch and bound: the best plan of a count, or how far from it the best
+ * known can be.
+ *
+ * Depth first over sets of undominated candidates. A node holds the candidates
+ * chosen so far and those that may still join them; its bound is that of
+ * placement/bound.h with thresholds not below what the chosen see, lowered by
+ * a few subgradient steps from where its parent stopped; on the way candidates
+ * that are in no better plan drop out. Children take the candidates in falling
+ * order of what they add above the thresholds, each leaving those before it to
+ * its elder brothers.
+ *
+ * Source: Land and Doig, Econometrica 28 (1960) 497, doi:10.2307/1910129. */
+#ifndef MURK_PLACEMENT_EXACT_H
+#define MURK_PLACEMENT_EXACT_H
+
+#include "placement/bound.h"
+
+/* The unit of work that is limited, so that the same run gives the same plan:
+ * so many weighings of one photon for one candidate. */
+#define MURK_NODE_WEIGHINGS 32768
+
+typedef struct murk_exact {
+    uint64_t value, upper; /* of the plan; no plan of n is worth more */
+    uint64_t nodes;        /* work done */
+    bool is_cut;           /* by the limit, or interrupted */
+} murk_exact;
+
+/* Improves plan[n], worth `value`, by at most `nodes` of work. The bound must
+ * have been tightened for plans of n last, and gives `upper`; needs a matrix.
+ * Fails when out of memory. */
+murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
+                              uint32_t *plan, size_t n, uint64_t value,
+                              uint64_t upper, uint64_t nodes, murk_error *err);
+
+#endif
