@@ -4,8 +4,10 @@
 #include "check.h"
 #include "medium/phase_table.h"
 #include "moments.h"
+#include "scene/table.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #define REFERENCE "tests/physics/reference/cloud_c1_haze_l_moments.csv"
 
@@ -65,6 +67,33 @@ static void test_table_gives_them_back(const series *s, double cost)
     murk_phase_table_destroy(table);
 }
 
+/* What is written for a scene reads back as it was. */
+static void test_file(const series *s)
+{
+    static double angle_deg[MOMENTS_ROWS], phase_per_sr[MOMENTS_ROWS];
+    char path[] = "/tmp/murk_moments_XXXXXX";
+    const int fd = mkstemp(path);
+    murk_table *csv = NULL;
+    murk_error err = {0};
+    CHECK(fd >= 0);
+    close(fd);
+    moments_write(path, s->chi, s->n);
+    moments_tabulate(s->chi, s->n, angle_deg, phase_per_sr);
+    CHECK(murk_table_read(&csv, path, &err) == MURK_OK);
+    unlink(path);
+    CHECK(csv && csv->rows == MOMENTS_ROWS && csv->columns == 2);
+    for (size_t i = 0; csv && i < csv->rows; ++i) {
+        double angle = -1, value = -1;
+        murk_table_number(csv, i, murk_table_column(csv, "angle_deg"), NAN,
+                          &angle, &err);
+        murk_table_number(csv, i, murk_table_column(csv, "phase_per_sr"), NAN,
+                          &value, &err);
+        CHECK(angle == angle_deg[i]);
+        CHECK_NEAR(value / phase_per_sr[i], 1, 1e-14);
+    }
+    murk_table_destroy(csv);
+}
+
 static void test_column(const char *column, size_t moments, double cost)
 {
     series s = {.n = 0};
@@ -73,6 +102,7 @@ static void test_column(const char *column, size_t moments, double cost)
     if (s.n == moments) {
         test_series_gives_its_moments_back(s);
         test_table_gives_them_back(&s, cost);
+        test_file(&s);
     }
 }
 
