@@ -1,4 +1,5 @@
 #include "app/session.h"
+#include "app/tallies_out.h"
 
 #include <string.h>
 
@@ -187,6 +188,7 @@ static cJSON *check_json(const findings *f)
     } else {
         cJSON_AddNullToObject(root, "candidates");
     }
+    murk_json_tallies(root, f->session);
     cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
     cJSON_AddNumberToObject(forecast, "pilot_photons",
                             (double)f->forecast.pilot_photons);
@@ -312,6 +314,7 @@ static void print_findings(const findings *f)
     } else {
         printf("candidates  none: the scene has no sensors\n");
     }
+    murk_print_asked_tallies(f->session);
     printf("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
            "volume (from a pilot of %llu photons)\n",
            f->forecast.emitted, f->forecast.surface, f->forecast.volume,

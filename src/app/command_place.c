@@ -1,5 +1,6 @@
 #include "app/coverage_out.h"
 #include "app/session.h"
+#include "app/tallies_out.h"
 
 #include "study/machine.h"
 
@@ -113,6 +114,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
     const murk_place_result *place = &plan->place;
     const murk_candidates *c = plan->candidates;
     murk_print_light(session);
+    murk_print_tallies(session);
     printf("candidates  %zu asked, %zu usable: %zu not reached from a light, "
            "%zu too close, %zu doubtful\n",
            c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
@@ -148,6 +150,9 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
         status = murk_session_add_ledger(session, err);
+    }
+    if (!status) {
+        status = murk_add_tallies(session, err);
     }
     if (!status) {
         status = murk_add_sensors_csv(&session->results, session->scene,

@@ -1,6 +1,7 @@
 #include "app/coverage_out.h"
 #include "app/placement_in.h"
 #include "app/session.h"
+#include "app/tallies_out.h"
 
 #include <stdlib.h>
 
@@ -38,6 +39,9 @@ static murk_status write_coverage(murk_session *session,
         status = murk_session_add_ledger(session, err);
     }
     if (!status) {
+        status = murk_add_tallies(session, err);
+    }
+    if (!status) {
         status = murk_add_coverage_csv(&session->results, session->scene,
                                        sensor, n, coverage, err);
     }
@@ -53,6 +57,7 @@ static void print_coverage(const murk_session *session, const murk_vec3 *sensor,
                            size_t n, const murk_coverage *coverage)
 {
     murk_print_light(session);
+    murk_print_tallies(session);
     murk_print_sensors(session->scene, sensor, n, coverage);
     printf("coverage    %.4f +- %.4f (one standard error, by emitted photon; ",
            coverage->total.value, coverage->total.standard_error);

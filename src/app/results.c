@@ -45,48 +45,58 @@ static murk_status stage_name(murk_results *results, const char *name,
     return MURK_OK;
 }
 
-/* What failed under the staged name is told of the final one. */
-static murk_status as_final(const murk_results *results, murk_status status,
-                            const murk_error *told, murk_error *err)
+murk_status murk_results_add(murk_results *results, const char *name,
+                             murk_results_writer write, const void *context,
+                             murk_error *err)
 {
-    return status ? murk_fail(err, status, results->path[results->n - 1], "%s",
-                              told->text)
-                  : MURK_OK;
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    murk_error told = {0};
+    murk_status status = stage_name(results, name, err);
+    if (!status) {
+        status = write(results->staged[results->n - 1], context, &told);
+        if (status) { /* under the staged name; told of the final one */
+            status = murk_fail(err, status, results->path[results->n - 1], "%s",
+                               told.text);
+        }
+    }
+    return status;
+}
+
+static murk_status write_text(const char *path, const void *text,
+                              murk_error *err)
+{
+    return murk_file_write(path, text, strlen(text), err);
 }
 
 murk_status murk_results_add_text(murk_results *results, const char *name,
                                   const char *text, murk_error *err)
 {
-    if (!results->folder) {
-        return MURK_OK;
-    }
-    if (!text) {
+    if (results->folder && !text) {
         return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     }
-    murk_error told = {0};
-    const murk_status status = stage_name(results, name, err);
-    return status ? status
-                  : as_final(results,
-                             murk_file_write(results->staged[results->n - 1],
-                                             text, strlen(text), &told),
-                             &told, err);
+    return murk_results_add(results, name, write_text, text, err);
+}
+
+typedef struct light_parts {
+    const murk_traced *traced;
+    const murk_stage *stage;
+} light_parts;
+
+static murk_status write_light(const char *path, const void *context,
+                               murk_error *err)
+{
+    const light_parts *parts = context;
+    return murk_light_save(parts->traced, parts->stage, path, err);
 }
 
 murk_status murk_results_add_light(murk_results *results,
                                    const murk_traced *traced,
                                    const murk_stage *stage, murk_error *err)
 {
-    if (!results->folder) {
-        return MURK_OK;
-    }
-    murk_error told = {0};
-    const murk_status status = stage_name(results, "light.murk", err);
-    return status ? status
-                  : as_final(results,
-                             murk_light_save(traced, stage,
-                                             results->staged[results->n - 1],
-                                             &told),
-                             &told, err);
+    const light_parts parts = {traced, stage};
+    return murk_results_add(results, "light.murk", write_light, &parts, err);
 }
 
 murk_status murk_results_show(murk_results *results, murk_error *err)

@@ -13,7 +13,8 @@
 
 #include <cjson/cJSON.h>
 
-#define MURK_RESULTS_MAX 16
+/* Two of each grid tally, and the others. */
+#define MURK_RESULTS_MAX (2 * MURK_TALLIES_MAX + 16)
 
 typedef struct murk_results {
     const char *folder; /* NULL: nothing is written */
@@ -27,7 +28,15 @@ typedef struct murk_results {
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                murk_error *err);
 
+/* Writes one file whole, or fails with nothing there. */
+typedef murk_status (*murk_results_writer)(const char *path,
+                                           const void *context,
+                                           murk_error *err);
+
 /* One more file of the folder, staged. */
+murk_status murk_results_add(murk_results *results, const char *name,
+                             murk_results_writer write, const void *context,
+                             murk_error *err);
 murk_status murk_results_add_text(murk_results *results, const char *name,
                                   const char *text, murk_error *err);
 murk_status murk_results_add_light(murk_results *results,

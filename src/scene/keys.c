@@ -334,7 +334,7 @@ static const murk_key SCENE_ROWS[] = {
         .lights = true),
     ROW("flight", WORD, .preset = "march", .lights = true,
         .words = FLIGHT_WORDS, AT(murk_scene, by_delta)),
-    ROW("tallies", ONLY, .preset = "[]"),
+    ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
     ROW("sensors", MAP, .keys = &SENSORS, FLAG(murk_scene, sensors.given)),
     ROW("placement", MAP, .keys = &PLACEMENT, .preset = "{}"),
     ROW("conditions", ONLY, .preset = "{}"),

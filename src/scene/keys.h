@@ -18,7 +18,7 @@ typedef enum murk_key_kind {
     MURK_KEY_REFERENCE,  /* index among the names of `of`: size_t, or int with
                             -1 where absent */
     MURK_KEY_VECTOR,     /* murk_vec3 */
-    MURK_KEY_SIZES,      /* size_t[3] */
+    MURK_KEY_SIZES,      /* size_t[3] or [2], by the member's size */
     MURK_KEY_NUMBERS,    /* double[]: a list, one for each of `items` */
     MURK_KEY_BANDS,      /* 1..16 rising doubles: the scene's bands */
     MURK_KEY_BAND_EDGES, /* 2..17 rising doubles: the scene's bands */

@@ -47,7 +47,7 @@
 
 /* One table per part of a scene; keys.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
-    murk_region_keys, murk_light_keys, murk_photon_keys;
+    murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys;
 
 /* min less than max on each axis. */
 murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box);

@@ -204,6 +204,7 @@ void murk_scene_destroy(murk_scene *scene)
     free(scene->media);
     free(scene->regions);
     free(scene->lights);
+    free(scene->tallies);
     free(scene->resolved);
     free(scene->light_key);
     free(scene->path);

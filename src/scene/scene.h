@@ -133,6 +133,25 @@ typedef struct murk_scene_photons {
     uint64_t max_stored;
 } murk_scene_photons;
 
+typedef enum murk_scene_tally_type {
+    MURK_SCENE_TALLY_PLANE,
+    MURK_SCENE_TALLY_GRID,
+    MURK_SCENE_TALLY_SPHERE
+} murk_scene_tally_type;
+
+typedef struct murk_scene_tally {
+    murk_scene_name name;
+    murk_scene_where where;
+    murk_scene_tally_type type;
+    murk_vec3 point, normal; /* plane */
+    size_t bins[2], angle_bins;
+    murk_box box; /* grid */
+    size_t size[3];
+    murk_vec3 center; /* sphere */
+    double radius_m;
+    bool hemispheres;
+} murk_scene_tally;
+
 typedef struct murk_scene_sensors {
     murk_scene_where where; /* of `sensors` */
     bool given;             /* the scene has sensors */
@@ -188,6 +207,8 @@ typedef struct murk_scene {
     size_t n_lights;
     murk_scene_photons photons;
     bool by_delta; /* flight: delta; false: march */
+    murk_scene_tally *tallies;
+    size_t n_tallies;
     murk_scene_sensors sensors;
     murk_scene_placement placement;
     char *resolved;  /* the whole scene as it was used, overrides and defaults

@@ -451,7 +451,8 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
     case MURK_KEY_VECTOR:
         return read_vector(walk, key, node, member);
     case MURK_KEY_SIZES:
-        if (node->kind != MURK_YAML_LIST || node->n != 3) {
+        if (node->kind != MURK_YAML_LIST ||
+            node->n != key->size / sizeof(size_t)) {
             return wrong(walk, key, node);
         }
         return read_items(walk, key, node, count_item, member);

@@ -117,7 +117,8 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
         snprintf(out, size, "[x, y, z], each %s", range);
         break;
     case MURK_KEY_SIZES:
-        snprintf(out, size, "[nx, ny, nz], each a whole number, %s", range);
+        snprintf(out, size, "[nx, ny%s], each a whole number, %s",
+                 key->size > 2 * sizeof(size_t) ? ", nz" : "", range);
         break;
     case MURK_KEY_NUMBERS:
         show_items(key->items, out, size);

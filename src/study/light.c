@@ -5,6 +5,7 @@
 #include "study/ending.h"
 #include "study/harvest.h"
 #include "study/machine.h"
+#include "study/tallies.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -342,6 +343,14 @@ murk_status murk_light_trace(murk_traced **out, const murk_stage *stage,
     if (!j.traced || !j.harvest) {
         status =
             murk_fail(err, MURK_NO_MEMORY, wish->where, "no memory to trace");
+        goto done;
+    }
+    if (stream == 0) {
+        status = murk_tallies_of_stage(
+            &j.traced->tallies, stage, threads,
+            murk_machine_memory_bytes() - forecast.memory_bytes, err);
+    }
+    if (status) {
         goto done;
     }
     const double begun_s = murk_clock_s();

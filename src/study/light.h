@@ -16,7 +16,8 @@ typedef struct murk_traced {
     size_t channels;  /* light * bands + band */
     double *packet_w; /* [channels]: power of one packet; 0 without photons */
     murk_ledger *ledger;
-    murk_tallies *tallies; /* NULL: none asked for, or light from a file */
+    murk_tallies *tallies; /* of stream 0; NULL: none asked for, or light from
+                              a file */
     double trace_s, map_s; /* for the run's own record */
 } murk_traced;
 

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "study/extent.h"
+#include "study/tallies.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -330,6 +331,10 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     if (!status) {
         status = build_lights(stage, err);
     }
+    if (!status) {
+        status =
+            murk_tallies_asked(&stage->tally, scene, &stage->world.domain, err);
+    }
     if (status) {
         goto done;
     }
@@ -362,6 +367,7 @@ void murk_stage_destroy(murk_stage *stage)
         murk_mesh_destroy(stage->mesh[i]);
     }
     free(stage->light_key);
+    free(stage->tally);
     free(stage->grid);
     free(stage->mesh);
     free(stage);

@@ -20,6 +20,7 @@ typedef struct murk_stage {
     murk_surfaces *surfaces;
     murk_media *media;
     murk_lights *lights;
+    murk_tally_desc *tally; /* [scene->n_tallies]; NULL for none */
     char *light_key; /* the scene's, and a checksum of each file it names: equal
                         keys trace equal light */
 } murk_stage;

@@ -229,6 +229,14 @@ static murk_wide read_sum(const murk_wide_sum *sum)
                        atomic_load_explicit(&sum->high, memory_order_relaxed)};
 }
 
+/* Of the sum over n photons. */
+static double variance(murk_wide sum, murk_wide squares, int64_t n)
+{
+    return n > 1 ? (double)n / (double)(n - 1) *
+                       murk_wide_spread(sum, squares, (uint64_t)n)
+                 : murk_wide_value(squares);
+}
+
 murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
                                 size_t cell, const murk_tally *emitted,
                                 const double *packet_w)
@@ -247,8 +255,7 @@ murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
         const int64_t n = murk_tally_read(&emitted[c]) / MURK_PACKET;
         power_w += quantum_w * murk_wide_value(sum);
         if (n > 0) {
-            variance_w2 += quantum_w * quantum_w * (double)n / (double)(n - 1) *
-                           murk_wide_spread(sum, squares, (uint64_t)n);
+            variance_w2 += quantum_w * quantum_w * variance(sum, squares, n);
         }
     }
     const double w = worth(&t->desc[tally]);

@@ -102,8 +102,8 @@ const murk_tally_desc *murk_tallies_desc(const murk_tallies *tallies,
 /* One cell in one band, of all lights together: W of a plane, W/m2 of grids
  * and spheres. emitted[channels] in quanta is the ledger's, packet_w[channels]
  * the power of one packet. The error is that of a sum over channels of n
- * independent photons each, packet_w^2 n/(n - 1) (sum x^2 - (sum x)^2 / n),
- * and NaN where a channel has one photon only. */
+ * independent photons each, packet_w^2 n/(n - 1) (sum x^2 - (sum x)^2 / n); a
+ * channel that has one photon only counts with all that it brings. */
 murk_estimate murk_tallies_read(const murk_tallies *tallies, size_t tally,
                                 int band, size_t cell,
                                 const murk_tally *emitted,

@@ -292,8 +292,31 @@ static const refusal REFUSALS[] = {
      "woodcock, must be march, delta"},
     {"cameras: [{name: a}]\n", LATER, "fog.yaml:2:1: cameras",
      "a list is not supported yet, must be []"},
-    {"tallies: [{name: a}]\n", LATER, "fog.yaml:2:1: tallies",
-     "a list is not supported yet, must be []"},
+    {"tallies: [{name: a}]\n", VALUE, "fog.yaml:2:11: tallies.0",
+     "misses type, must be plane, grid, sphere"},
+    {"tallies: [{name: a, type: cone}]\n", VALUE,
+     "fog.yaml:2:27: tallies.0.type", "cone, must be plane, grid, sphere"},
+    {"tallies: [{name: a, type: sphere, center_m: [0, 0, 0], radius_m: 1, "
+     "bins: [2, 2]}]\n",
+     VALUE, "fog.yaml:2:69: tallies.0.bins",
+     "not a key of a tally (sphere), must be one of name, type, center_m, "
+     "radius_m, hemispheres"},
+    {"tallies: [{name: a, type: plane, point_m: [0, 0, 0], normal: [0, 0, "
+     "0]}]\n",
+     VALUE, "fog.yaml:2:11: tallies.0",
+     "normal is [0, 0, 0], must point somewhere"},
+    {"tallies: [{name: a, type: plane, point_m: [0, 0, 0], normal: [0, 0, 1], "
+     "bins: [2, 2, 2]}]\n",
+     VALUE, "fog.yaml:2:73: tallies.0.bins",
+     "a list, must be [nx, ny], each a whole number, 1..1e6 bins"},
+    {"tallies: [{name: a, type: plane, point_m: [0, 0, 0], normal: [0, 0, 1], "
+     "angle_bins: 0}]\n",
+     VALUE, "fog.yaml:2:85: tallies.0.angle_bins", "0, must be 1..1e6 bins"},
+    {"tallies: [{name: a, type: grid, min_m: [0, 0, 0], max_m: [1, 0, 1], "
+     "size: [2, 2, 2]}]\n",
+     VALUE, "fog.yaml:2:11: tallies.0",
+     "min_m [0, 0, 0] and max_m [1, 0, 1], min must be less than max on each "
+     "axis, m"},
     {"conditions: {fog: {}}\n", LATER, "fog.yaml:2:1: conditions",
      "a map is not supported yet, must be {}"},
     {"photon: {}\n", VALUE, "fog.yaml:2:1: photon",

@@ -89,6 +89,21 @@ static void test_lights(const murk_scene *scene)
     CHECK(light[4].direction.z == -1 && light[4].power_w.band[1] == 500);
 }
 
+static void test_tallies(const murk_scene *scene)
+{
+    CHECK(scene->n_tallies == 3);
+    const murk_scene_tally *tally = scene->tallies;
+    CHECK_TEXT(tally[0].name, "up");
+    CHECK(tally[0].type == MURK_SCENE_TALLY_PLANE && tally[0].point.z == 9);
+    CHECK(tally[0].normal.z == 1 && tally[0].angle_bins == 1);
+    CHECK(tally[0].bins[0] == 32 && tally[0].bins[1] == 1);
+    CHECK(tally[1].type == MURK_SCENE_TALLY_GRID);
+    CHECK(tally[1].size[0] == 60 && tally[1].size[2] == 20);
+    CHECK(tally[1].box.max.y == 20);
+    CHECK(tally[2].type == MURK_SCENE_TALLY_SPHERE && tally[2].hemispheres);
+    CHECK(tally[2].center.x == 5 && tally[2].radius_m == 0.2);
+}
+
 static void test_the_rest(const murk_scene *scene)
 {
     CHECK_TEXT(scene->path, "fog.yaml");
@@ -108,7 +123,7 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
     CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
     CHECK(sensors->grid_max.y == 19);
-    CHECK_TEXT(sensors->grid_where, "fog.yaml:47:5: sensors.candidates.grid");
+    CHECK_TEXT(sensors->grid_where, "fog.yaml:53:5: sensors.candidates.grid");
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
@@ -339,6 +354,7 @@ int main(void)
     test_surfaces_and_materials(scene);
     test_media_and_regions(scene);
     test_lights(scene);
+    test_tallies(scene);
     test_the_rest(scene);
     murk_scene_destroy(scene);
     test_defaults();

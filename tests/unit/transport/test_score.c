@@ -439,9 +439,24 @@ static void test_error_of_two_photons(void)
         murk_tallies_read(s.tallies, 0, 0, cell, &s.emitted, &packet_w);
     CHECK_NEAR(e.value, 4.5, 1e-15);
     CHECK_NEAR(e.standard_error, 1.5, 1e-15);
+    murk_tallies_destroy(s.tallies);
+}
+
+/* Nothing is known of how a lamp's photons differ when it has sent but one. */
+static void test_error_of_one_photon(void)
+{
+    const murk_tally_desc d = plane_at(murk_vec(0, 0, 0), murk_vec(0, 0, 1));
+    const scored s = begun(&d, 1);
+    const murk_vec3 up[2] = {{0, 0, -1}, {0, 0, 1}};
+    fly(&s, up, 2, 0x1p29);
+    const double packet_w = 3;
     const murk_tally one = MURK_PACKET;
-    CHECK(isnan(
-        murk_tallies_read(s.tallies, 0, 0, 0, &one, &packet_w).standard_error));
+    const murk_estimate e =
+        murk_tallies_read(s.tallies, 0, 0, 3 * 6, &one, &packet_w);
+    CHECK(e.value == 1.5 && e.standard_error == 1.5);
+    CHECK(
+        murk_tallies_read(s.tallies, 0, 0, 0, &one, &packet_w).standard_error ==
+        0);
     murk_tallies_destroy(s.tallies);
 }
 
@@ -459,5 +474,6 @@ int main(void)
     test_taken_back_leaves_nothing();
     test_exact_spread();
     test_error_of_two_photons();
+    test_error_of_one_photon();
     return check_done();
 }

@@ -1,0 +1,66 @@
+/* What is measured along the photons' ways. Names and places are looked at
+ * where the domain is known. */
+#include "scene/keys_rows.h"
+
+static murk_status check_tally(murk_walk *walk, const murk_yaml *map,
+                               void *item)
+{
+    const murk_scene_tally *tally = item;
+    if (tally->type == MURK_SCENE_TALLY_GRID) {
+        return murk_check_box(walk, map, tally->box);
+    }
+    if (tally->type == MURK_SCENE_TALLY_PLANE &&
+        !(murk_length(tally->normal) > 0)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "normal is [0, 0, 0], must point somewhere");
+    }
+    return MURK_OK;
+}
+
+static const char *const TALLY_VARIANTS[] = {"plane", "grid", "sphere"};
+
+#define PLANE  .variants = BIT(MURK_SCENE_TALLY_PLANE)
+#define GRID   .variants = BIT(MURK_SCENE_TALLY_GRID)
+#define SPHERE .variants = BIT(MURK_SCENE_TALLY_SPHERE)
+
+static const murk_word TALLY_WORDS[] = {
+    {"plane", MURK_SCENE_TALLY_PLANE, false},
+    {"grid", MURK_SCENE_TALLY_GRID, false},
+    {"sphere", MURK_SCENE_TALLY_SPHERE, false},
+    WORDS_END,
+};
+
+static const murk_key TALLY_ROWS[] = {
+    ROW("name", TEXT, NEEDED, AT(murk_scene_tally, name)),
+    ROW("type", WORD, NEEDED, .words = TALLY_WORDS),
+    ROW("point_m", VECTOR, NEEDED, LONG_M, PLANE, AT(murk_scene_tally, point)),
+    ROW("normal", VECTOR, NEEDED, ANY_UNIT, PLANE,
+        AT(murk_scene_tally, normal)),
+    ROW("bins", SIZES, .least = 1, .most = 1e6, .unit = "bins",
+        .preset = "[1, 1]", PLANE, AT(murk_scene_tally, bins)),
+    ROW("angle_bins", COUNT, .least = 1, .most = 1e6, .unit = "bins",
+        .preset = "1", PLANE, AT(murk_scene_tally, angle_bins)),
+    ROW("min_m", VECTOR, NEEDED, LONG_M, GRID, AT(murk_scene_tally, box.min)),
+    ROW("max_m", VECTOR, NEEDED, LONG_M, GRID, AT(murk_scene_tally, box.max)),
+    ROW("size", SIZES, NEEDED, .least = 1, .most = 1e6, .unit = "cells", GRID,
+        AT(murk_scene_tally, size)),
+    ROW("center_m", VECTOR, NEEDED, LONG_M, SPHERE,
+        AT(murk_scene_tally, center)),
+    ROW("radius_m", NUMBER, NEEDED, SIZE_M, SPHERE,
+        AT(murk_scene_tally, radius_m)),
+    ROW("hemispheres", BOOL, .preset = "false", SPHERE,
+        AT(murk_scene_tally, hemispheres)),
+    END,
+};
+
+const murk_keys murk_tally_keys = {
+    .noun = "tally",
+    .selector = "type",
+    .check = check_tally,
+    .variant_names = TALLY_VARIANTS,
+    VARIANT(murk_scene_tally, type),
+    WHERE(murk_scene_tally, where),
+    ITEMS(murk_scene_tally, tallies, n_tallies),
+    .most_items = 64,
+    .key = TALLY_ROWS,
+};

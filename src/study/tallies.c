@@ -1,0 +1,91 @@
+#include "study/tallies.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A voxel of one band while it is written: its float, its place in the tree,
+ * and twice in the file's bytes. */
+#define WRITTEN_BYTES 16
+
+static murk_tally_desc desc_of(const murk_scene_tally *t)
+{
+    static const murk_tally_type type[] = {
+        [MURK_SCENE_TALLY_PLANE] = MURK_TALLY_PLANE,
+        [MURK_SCENE_TALLY_GRID] = MURK_TALLY_GRID,
+        [MURK_SCENE_TALLY_SPHERE] = MURK_TALLY_SPHERE};
+    murk_tally_desc desc = {.where = t->where,
+                            .type = type[t->type],
+                            .point = t->point,
+                            .normal = t->normal,
+                            .bins = {t->bins[0], t->bins[1]},
+                            .angle_bins = t->angle_bins,
+                            .box = t->box,
+                            .size = {t->size[0], t->size[1], t->size[2]},
+                            .center = t->center,
+                            .radius_m = t->radius_m,
+                            .hemispheres = t->hemispheres};
+    _Static_assert(sizeof desc.name == sizeof t->name, "names fit");
+    memcpy(desc.name, t->name, sizeof desc.name);
+    return desc;
+}
+
+murk_status murk_tallies_asked(murk_tally_desc **out, const murk_scene *scene,
+                               const murk_domain *domain, murk_error *err)
+{
+    *out = NULL;
+    if (scene->n_tallies == 0) {
+        return MURK_OK;
+    }
+    murk_tally_desc *descs = calloc(scene->n_tallies, sizeof *descs);
+    if (!descs) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for the tallies");
+    }
+    for (size_t i = 0; i < scene->n_tallies; ++i) {
+        descs[i] = desc_of(&scene->tallies[i]);
+    }
+    const murk_status status =
+        murk_tallies_check(descs, scene->n_tallies, domain, err);
+    if (status) {
+        free(descs);
+        return status;
+    }
+    *out = descs;
+    return MURK_OK;
+}
+
+/* Most that writing one of the grids takes. */
+static double writing_bytes(const murk_stage *stage)
+{
+    size_t cells = 0;
+    for (size_t i = 0; i < stage->scene->n_tallies; ++i) {
+        const murk_tally_desc *d = &stage->tally[i];
+        const size_t n = murk_tally_cells(d);
+        cells = d->type == MURK_TALLY_GRID && n > cells ? n : cells;
+    }
+    return (double)cells * stage->scene->bands * WRITTEN_BYTES;
+}
+
+double murk_tallies_bytes(const murk_stage *stage, unsigned threads)
+{
+    return stage->tally
+               ? murk_tallies_memory(stage->tally, stage->scene->n_tallies,
+                                     murk_lights_channels(stage->lights),
+                                     threads) +
+                     writing_bytes(stage)
+               : 0;
+}
+
+murk_status murk_tallies_of_stage(murk_tallies **out, const murk_stage *stage,
+                                  unsigned threads, double memory_most_bytes,
+                                  murk_error *err)
+{
+    *out = NULL;
+    return stage->tally
+               ? murk_tallies_create(
+                     out, stage->tally, stage->scene->n_tallies,
+                     &stage->world.domain, murk_lights_channels(stage->lights),
+                     stage->scene->bands, threads,
+                     memory_most_bytes - writing_bytes(stage), err)
+               : MURK_OK;
+}
