@@ -1,10 +1,18 @@
 #include "study/phases.h"
 
+#include "base/log.h"
 #include "scene/table.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+
+/* Some 130 MB: a scene may name many files. */
+#define NODES_MAX 4000000
+
+/* Share that no row speaks of, from which on it is worth a warning. */
+#define BEYOND_ROWS .1
 
 static murk_status no_memory(const char *where, murk_error *err)
 {
@@ -43,6 +51,17 @@ static murk_status read_column(double **out, const murk_table *csv,
     return status;
 }
 
+static void warn_of_guesses(const murk_phase_table *table, const char *path)
+{
+    const murk_phase_facts *facts = murk_phase_table_facts(table);
+    if (facts->before_first > BEYOND_ROWS || facts->behind_last > BEYOND_ROWS) {
+        murk_warn(path,
+                  "%.3g %% of the light turns by less than the first angle and "
+                  "%.3g %% by more than the last: as the rows are extended",
+                  100 * facts->before_first, 100 * facts->behind_last);
+    }
+}
+
 static murk_status read_table(murk_phase_table **out, const char *path,
                               murk_error *err)
 {
@@ -63,25 +82,70 @@ static murk_status read_table(murk_phase_table **out, const char *path,
                                       .where = path};
         status = murk_phase_table_create(out, &rows, err);
     }
+    if (!status) {
+        warn_of_guesses(*out, path);
+    }
     free(angle);
     free(value);
     murk_table_destroy(csv);
     return status;
 }
 
-/* The table that a phase needs; *out stays NULL where it needs none. */
+static bool needs_table(const murk_scene_phase *phase)
+{
+    return phase->kind == MURK_SCENE_PHASE_TABLE ||
+           phase->kind == MURK_SCENE_PHASE_FOURNIER_FORAND;
+}
+
+static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
+{
+    return a->kind == b->kind &&
+           (a->kind == MURK_SCENE_PHASE_TABLE
+                ? strcmp(a->table, b->table) == 0
+                : a->fournier_forand[0] == b->fournier_forand[0] &&
+                      a->fournier_forand[1] == b->fournier_forand[1]);
+}
+
 static murk_status make_table(murk_phase_table **out,
                               const murk_scene_phase *phase, murk_error *err)
 {
-    if (phase->kind == MURK_SCENE_PHASE_TABLE) {
-        return read_table(out, phase->table, err);
+    return phase->kind == MURK_SCENE_PHASE_TABLE
+               ? read_table(out, phase->table, err)
+               : murk_phase_table_fournier_forand(
+                     out, phase->fournier_forand[0], phase->fournier_forand[1],
+                     phase->where, err);
+}
+
+/* The table of this phase: one that is there already, or a new one. NULL in
+ * *out where it needs none. */
+static murk_status find_table(const murk_phase_table **out, murk_phases *phases,
+                              const murk_scene_phase *phase, murk_error *err)
+{
+    *out = NULL;
+    if (!needs_table(phase)) {
+        return MURK_OK;
     }
-    if (phase->kind == MURK_SCENE_PHASE_FOURNIER_FORAND) {
-        return murk_phase_table_fournier_forand(out, phase->fournier_forand[0],
-                                                phase->fournier_forand[1],
-                                                phase->where, err);
+    for (size_t i = 0; i < phases->n && !*out; ++i) {
+        *out = is_same(phases->of[i], phase) ? phases->table[i] : NULL;
     }
-    return MURK_OK;
+    if (*out) {
+        return MURK_OK;
+    }
+    murk_phase_table *made = NULL;
+    const murk_status status = make_table(&made, phase, err);
+    if (status) {
+        return status;
+    }
+    phases->of[phases->n] = phase;
+    phases->table[phases->n++] = made;
+    *out = made;
+    phases->nodes += murk_phase_table_facts(made)->nodes;
+    return phases->nodes <= NODES_MAX
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, phase->where,
+                           "the scene's phase tables have more than %d nodes "
+                           "together up to here",
+                           NODES_MAX);
 }
 
 static murk_phase phase_of(const murk_scene_phase *p, int band,
@@ -107,13 +171,12 @@ static murk_status fill_medium(murk_phases *phases, const murk_scene *scene,
     const murk_scene_medium *m = &scene->media[medium];
     murk_status status = MURK_OK;
     for (size_t k = 0; k < m->n_phases && !status; ++k) {
-        murk_phase_table **table = &phases->table[phases->n];
-        status = make_table(table, &m->phase[k], err);
-        phases->n += *table != NULL;
+        const murk_phase_table *table;
+        status = find_table(&table, phases, &m->phase[k], err);
         for (int band = 0; band < scene->bands && !status; ++band) {
             if (m->n_phases == 1 || (size_t)band == k) {
                 phases->medium[medium][band] =
-                    phase_of(&m->phase[k], band, *table);
+                    phase_of(&m->phase[k], band, table);
             }
         }
     }
@@ -130,10 +193,11 @@ murk_status murk_phases_create(murk_phases **out, const murk_scene *scene,
         most += scene->media[i].n_phases;
     }
     if (phases) {
-        phases->table = calloc(most + 1, sizeof(murk_phase_table *));
+        phases->table = calloc(most + 1, sizeof *phases->table);
+        phases->of = calloc(most + 1, sizeof *phases->of);
         phases->medium = calloc(scene->n_media + 1, sizeof *phases->medium);
     }
-    if (!phases || !phases->table || !phases->medium) {
+    if (!phases || !phases->table || !phases->of || !phases->medium) {
         status = no_memory(scene->path, err);
         goto done;
     }
@@ -156,6 +220,7 @@ void murk_phases_destroy(murk_phases *phases)
             murk_phase_table_destroy(phases->table[i]);
         }
         free(phases->table);
+        free(phases->of);
         free(phases->medium);
         free(phases);
     }

@@ -7,13 +7,15 @@
 #include "scene/scene.h"
 
 typedef struct murk_phases {
-    size_t n; /* tables */
+    size_t n; /* different tables */
     murk_phase_table **table;
+    const murk_scene_phase **of; /* [n]: the first phase that needs it */
+    size_t nodes;                /* of all tables */
     murk_phase (*medium)[MURK_BANDS_MAX]; /* [scene->n_media]; bands past the
                                              scene's are isotropic */
 } murk_phases;
 
-/* *out is the caller's: murk_phases_destroy(); the scene need not live on.
+/* *out is the caller's: murk_phases_destroy(); the scene must outlive it.
  * Fails at the place in the scene, or at the file and line of a table. */
 murk_status murk_phases_create(murk_phases **out, const murk_scene *scene,
                                murk_error *err);

@@ -25,6 +25,22 @@ static murk_status stage_of(murk_scene **scene, murk_stage **stage,
     return status;
 }
 
+/* Equal tables are made once, however many bands and media have them. */
+static void test_tables_are_shared(void)
+{
+    murk_scene *scene;
+    murk_stage *stage;
+    murk_error err;
+    put_file("p.csv", GOOD, strlen(GOOD));
+    CHECK(stage_of(&scene, &stage, SCENE("[{table: p.csv}, {table: p.csv}]"),
+                   &err) == MURK_OK);
+    CHECK(stage && stage->phases->n == 1);
+    CHECK(stage && stage->phases->medium[0][0].table ==
+                       stage->phases->medium[0][1].table);
+    murk_stage_destroy(stage);
+    murk_scene_destroy(scene);
+}
+
 /* Each kind in one band or the other, as medium/phase.h makes it. */
 static void test_kinds_and_bands(void)
 {
@@ -157,6 +173,7 @@ int main(void)
     }
     test_kinds_and_bands();
     test_tables();
+    test_tables_are_shared();
     test_bad_tables();
     folder_leave((const char *const[]){"fog.yaml", "p.csv", NULL});
     return check_done();
