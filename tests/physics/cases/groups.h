@@ -7,7 +7,8 @@
 
 #define VALIDATION_GROUPS(X)                                      \
     X(slabs)  /* even slabs of fog: reflectance, transmittance */ \
-    X(points) /* a point lamp in an infinite medium */
+    X(points) /* a point lamp in an infinite medium */            \
+    X(sea)    /* under a level sea */
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)
