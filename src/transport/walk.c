@@ -42,6 +42,7 @@ typedef struct walk {
     murk_vec3 position, direction, probe;
     murk_solids solids;
     murk_inside inside; /* regions with a boundary that it is in */
+    double silent_m;    /* flown to boundaries that were no event, since one */
 } walk;
 
 static murk_address address_of(const walk *w, murk_purpose purpose)
@@ -103,8 +104,10 @@ static murk_event event_of(const walk *w, murk_event_kind kind)
                         .direction_in = w->direction};
 }
 
-static void tell(const walk *w, const murk_event *event)
+static void tell(walk *w, murk_event *event)
 {
+    event->path_m += w->silent_m;
+    w->silent_m = 0;
     w->course->trace->sink(w->course->trace->context, w->batch, event);
 }
 
@@ -281,6 +284,7 @@ static void meet_boundary(walk *w, const murk_boundary *b)
     const double n_to = index_in(w, &w->solids, beyond);
     if (n_from == n_to) {
         w->inside = beyond;
+        w->silent_m += b->distance_m;
         return;
     }
     const murk_bounce bent = murk_refract(n_from, n_to, arriving, b->normal,
