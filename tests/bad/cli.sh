@@ -128,6 +128,17 @@ with lights '[{type: point, position_m: [2, 2, 20], power_w: 1}]'
 place 2 "lights.0"
 with lights '[{type: sun, latitude_deg: 52}]'
 place 2 "not supported yet"
+{
+    grep -v '^geometry' "$dir/good.yaml"
+    echo 'media: {water: {extinction_per_m: 0.1, albedo: 0.5}}'
+    echo 'regions:'
+    echo '  - {medium: water, below_z_m: 1, ior: 1.34}'
+    echo '  - {medium: water, sphere: {center_m: [2, 2, 1], radius_m: 0.5}, ior: 1.5}'
+} >"$dir/bad.yaml"
+place 2 "bad.yaml:12:5: regions.1: crosses"
+place 2 "regions.0.ior=0.9: 0.9, must be 1..10" --set regions.0.ior=0.9
+sed -i '/^domain/d' "$dir/bad.yaml"
+place 2 "bad.yaml:10:5: regions.0: a half space needs a domain or geometry"
 expect 2 "sensors" place "$dir/good.yaml" --count 49 -o "$dir/out"
 expect 2 "must be 1..48" place "$dir/good.yaml" --count 49 -o "$dir/out"
 expect 2 "candidates" place "$dir/good.yaml" -o "$dir/out" \

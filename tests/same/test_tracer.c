@@ -49,7 +49,8 @@ static void keep(books *b, const murk_ledger *l)
     b->collisions = murk_tally_read(&l->collisions);
 }
 
-/* A room with glass, fog in a part of it, two lamps, periodic sides. */
+/* A room with glass that stands in water, a ball of water, fog in a part of it,
+ * two lamps, periodic sides. */
 static books traced(unsigned threads, uint32_t seed)
 {
     murk_light lights[2] = {test_point(murk_vec(1, 1, 2)),
@@ -62,8 +63,12 @@ static books traced(unsigned threads, uint32_t seed)
         test_rect(murk_vec(0, 0, 4), murk_vec(4, 0, 0), murk_vec(0, 4, 0), 0),
         test_sphere(murk_vec(2, 2, 1), 0.8, 1)};
     const murk_medium fog = test_medium(0.8, 0.95, 0.8);
-    const murk_region region =
-        test_box_region(0, murk_vec(0, 0, 0), murk_vec(3, 4, 2));
+    murk_region regions[3] = {
+        test_box_region(0, murk_vec(0, 0, 0), murk_vec(3, 4, 2)),
+        test_everywhere(0), test_ball_region(0, murk_vec(3, 1, 3), 0.5)};
+    regions[1].shape = MURK_REGION_BELOW;
+    regions[1].below_z_m = 0.4;
+    regions[1].ior = regions[2].ior = 1.34;
     test_world w =
         test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {4, 4, 4}}, true},
                                       .lights = lights,
@@ -74,8 +79,8 @@ static books traced(unsigned threads, uint32_t seed)
                                       .n_materials = 2,
                                       .media = &fog,
                                       .n_media = 1,
-                                      .regions = &region,
-                                      .n_regions = 1});
+                                      .regions = regions,
+                                      .n_regions = 3});
     books b = {.collisions = 0};
     murk_trace trace = murk_trace_defaults();
     trace.world = &w.world;

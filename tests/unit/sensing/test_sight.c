@@ -236,6 +236,58 @@ static void test_regions_dim_where_they_are(void)
     tear_down(&w);
 }
 
+/* Water below z = 2 with a bubble in it, and a photon on its floor, which lies
+ * in the lower face of the water: each side sees its own, in periodic domains
+ * too, and by normals alone everything. */
+static void test_light_bends_out_of_sight(void)
+{
+    const murk_medium clear = {.where = "clear"};
+    const murk_region regions[2] = {{.shape = MURK_REGION_BOX,
+                                     .box = {{0, 0, 0.1}, {10, 8, 2}},
+                                     .to_world = murk_affine_identity(),
+                                     .ior = 1.34,
+                                     .where = "water"},
+                                    {.shape = MURK_REGION_SPHERE,
+                                     .center = {5, 4, 1},
+                                     .radius_m = 0.5,
+                                     .to_world = murk_affine_identity(),
+                                     .ior = 1,
+                                     .where = "bubble"}};
+    const murk_surface_desc floor =
+        a_rect(murk_vec(0, 0, 0.1), murk_vec(10, 0, 0), murk_vec(0, 8, 0), 0);
+    const murk_photon photon[5] = {
+        a_photon(murk_vec(3, 4, 1), none, 0),
+        a_photon(murk_vec(3, 4, 3), none, 1),
+        a_photon(murk_vec(5, 4, 1.2), none, 2),
+        a_photon(murk_vec(3, 4, 0.1), murk_vec(0, 0, 1), 3),
+        a_photon(murk_vec(9.5, 4, 1), none, 4)};
+    /* who sees what, from air, water, the bubble, water behind the bubble; from
+     * the second the last photon is behind the bubble, or across the side */
+    const murk_vec3 sensor[4] = {
+        {3.5, 4, 2.5}, {3.5, 4, 1.5}, {5.1, 4, 1}, {7, 4, 1}};
+    const char *const sees[4] = {"01000", "10010", "00100", "00001"};
+    const char *const around[4] = {"01000", "10011", "00100", "00001"};
+    for (int v = 0; v < 3; ++v) {
+        murk_sight_desc desc = plain(&hall);
+        desc.domain.is_periodic = v == 1;
+        desc.visibility = v == 2 ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY;
+        murk_media *m = NULL;
+        murk_error err = {0};
+        CHECK(murk_media_create(&m, &clear, 1, regions, 2, &hall.box, &err) ==
+              MURK_OK);
+        CHECK_TEXT(err.text, "");
+        world w = build(&floor, 1, m, photon, 5, desc);
+        for (int k = 0; k < 4; ++k) {
+            const char *want = v == 0 ? sees[k] : v == 1 ? around[k] : "11111";
+            for (uint32_t i = 0; i < 5; ++i) {
+                CHECK(seen_from(&w, sensor[k], i) ==
+                      (want[i] == '1' ? MURK_CLEAR : 0));
+            }
+        }
+        tear_down(&w);
+    }
+}
+
 static void test_sheets_dim_or_block(void)
 {
     const murk_surface_desc d[3] = {
@@ -519,6 +571,7 @@ int main(void)
     test_range_is_inclusive();
     test_mist_dims_by_band_and_distance();
     test_regions_dim_where_they_are();
+    test_light_bends_out_of_sight();
     test_sheets_dim_or_block();
     test_agrees_with_the_plain_twin();
     test_the_step_off_is_the_same_everywhere();
