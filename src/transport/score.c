@@ -113,8 +113,14 @@ void murk_score_end(murk_scorer *scorer, bool takes_back)
             sum = murk_wide_negated(sum);
             square = murk_wide_negated(square);
         }
-        murk_wide_add(&scorer->cell[cell].sum, sum);
-        murk_wide_add(&scorer->cell[cell].squares, square);
+        murk_cell *const to = &scorer->cell[cell];
+        if (scorer->is_alone) {
+            murk_wide_add_alone(&to->sum, sum);
+            murk_wide_add_alone(&to->squares, square);
+        } else {
+            murk_wide_add(&to->sum, sum);
+            murk_wide_add(&to->squares, square);
+        }
         scorer->value[cell] = 0;
     }
     scorer->n_touched = 0;

@@ -54,7 +54,8 @@ typedef struct murk_scorer {
     double *value;     /* [cells]: of this photon; 0 between photons */
     uint32_t *touched; /* [cells]: those that are not 0 */
     size_t n_touched;
-    murk_cell *copy; /* [channels][cells]: its own, or shared with others */
+    murk_cell *copy; /* [channels][cells] */
+    bool is_alone;   /* no other scorer adds to it */
 } murk_scorer;
 
 struct murk_tallies {
@@ -101,7 +102,8 @@ static inline void murk_score_add(murk_scorer *scorer, uint32_t cell,
     if (!(value > 0)) {
         return;
     }
-    if (*sum == 0) {
+    if (*sum == 0) { /* its sums are wanted at the photon's end: on their way */
+        __builtin_prefetch(&scorer->cell[cell], 1);
         scorer->touched[scorer->n_touched++] = cell;
     }
     *sum += value;

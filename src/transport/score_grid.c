@@ -14,7 +14,8 @@
 typedef struct way {
     double at, pace, per_pace; /* in cells; pace: cells a metre */
     int64_t cell, step;
-    double next_m; /* to the face ahead */
+    int64_t stride; /* from a cell to the next one ahead */
+    double next_m;  /* to the face ahead */
 } way;
 
 static inline void see_ahead(way *w)
@@ -22,7 +23,8 @@ static inline void see_ahead(way *w)
     w->next_m = ((double)(w->cell + (w->step > 0)) - w->at) * w->per_pace;
 }
 
-static inline way way_of(double at, double pace, double start_m, uint32_t size)
+static inline way way_of(double at, double pace, double start_m, uint32_t size,
+                         uint32_t stride)
 {
     way w = {.at = at, .pace = pace, .next_m = INFINITY};
     const double cell = floor(at + pace * start_m);
@@ -31,6 +33,7 @@ static inline way way_of(double at, double pace, double start_m, uint32_t size)
                                   : 0;
     if (fabs(pace) > STILL) {
         w.step = pace > 0 ? 1 : -1;
+        w.stride = w.step * (int64_t)stride;
         w.per_pace = 1 / pace;
         see_ahead(&w);
     }
@@ -48,25 +51,25 @@ static inline uint32_t cell_at(const murk_lattice *lattice, int64_t x,
 static void cross_cells(murk_scorer *scorer, const murk_lattice *lattice,
                         way w[3], double t, double end_m, double quanta_per_m)
 {
+    int64_t cell = cell_at(lattice, w[0].cell, w[1].cell, w[2].cell);
     for (;;) {
         const int nearest = w[0].next_m < w[1].next_m
                                 ? (w[0].next_m < w[2].next_m ? 0 : 2)
                                 : (w[1].next_m < w[2].next_m ? 1 : 2);
         way *const ahead = &w[nearest];
         const int64_t next = ahead->cell + ahead->step;
-        const bool is_last = !(ahead->next_m < end_m) || next < 0 ||
-                             next >= (int64_t)lattice->size[nearest];
+        const bool is_last = !(ahead->next_m < end_m) ||
+                             (uint64_t)next >= lattice->size[nearest];
         const double until = is_last ? end_m : ahead->next_m;
         if (until > t) {
-            murk_score_add(scorer,
-                           cell_at(lattice, w[0].cell, w[1].cell, w[2].cell),
-                           (until - t) * quanta_per_m);
+            murk_score_add(scorer, (uint32_t)cell, (until - t) * quanta_per_m);
             t = until;
         }
         if (is_last) {
             return;
         }
         ahead->cell = next;
+        cell += ahead->stride;
         see_ahead(ahead);
     }
 }
@@ -112,9 +115,9 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
     if (!murk_box_clip(&lattice->box, from, direction, &begin_m, &end_m)) {
         return;
     }
-    way w[3];
-    for (int a = 0; a < 3; ++a) {
-        w[a] = way_of(at[a], pace[a], begin_m, lattice->size[a]);
-    }
+    const uint32_t *const n = lattice->size;
+    way w[3] = {way_of(at[0], pace[0], begin_m, n[0], 1),
+                way_of(at[1], pace[1], begin_m, n[1], n[0]),
+                way_of(at[2], pace[2], begin_m, n[2], n[0] * n[1])};
     cross_cells(scorer, lattice, w, begin_m, end_m, quanta_per_m);
 }

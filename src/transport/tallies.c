@@ -106,6 +106,7 @@ static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
         s->side = calloc(t->planes + 1, sizeof *s->side);
         s->value = calloc(t->cells, sizeof *s->value);
         s->touched = malloc(t->cells * sizeof *s->touched);
+        s->is_alone = t->copies == t->scorers;
         s->copy = t->cell + number % t->copies * t->channels * t->cells;
     }
     return s;
