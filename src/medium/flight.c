@@ -6,6 +6,7 @@
  * flight are one and the same crossing, with and without a limit. */
 #include "medium/media.h"
 
+#include "medium/albedo.h"
 #include "medium/course.h"
 #include "medium/delta.h"
 #include "medium/flight.h"
@@ -33,7 +34,7 @@ static double extinction_of(const ray *r, const murk_place *place)
 
 static void meet(ray *r, const murk_place *place, double extinction_per_m)
 {
-    r->met[r->n_met++] = (murk_meeting){place->medium, extinction_per_m};
+    r->met[r->n_met++] = (murk_meeting){place, extinction_per_m};
 }
 
 /* Crosses a piece of even extinction; true when the ray stops in it. */
@@ -301,6 +302,11 @@ static bool follow(ray *r, double length_m)
                     : cross_overlapping(r, stretches, n);
 }
 
+static double albedo_of(const ray *r, const murk_place *place, murk_vec3 at)
+{
+    return murk_albedo_at(&r->media->media[place->medium], place, r->band, at);
+}
+
 static bool fly(ray *r, double length_m, murk_collision *collision)
 {
     const murk_media *media = r->media;
@@ -311,28 +317,28 @@ static bool fly(ray *r, double length_m, murk_collision *collision)
     if (!media->in_band[band] || !follow(r, length_m)) {
         return false;
     }
+    const murk_vec3 at = murk_along(r->origin, r->stop_m, r->direction);
     double total = 0, scattering = 0;
     for (size_t i = 0; i < r->n_met; ++i) {
         const murk_meeting *met = &r->met[i];
         total += met->extinction_per_m;
-        scattering +=
-            met->extinction_per_m * media->media[met->medium].albedo.band[band];
+        scattering += met->extinction_per_m * albedo_of(r, met->place, at);
     }
     /* The last with any extinction is left for a u that rounding puts past
      * the end. */
-    size_t partner = r->met[0].medium;
+    const murk_place *partner = r->met[0].place;
     double left = r->u * total;
     for (size_t i = 0; i < r->n_met && left >= 0; ++i) {
         if (r->met[i].extinction_per_m > 0) {
-            partner = r->met[i].medium;
+            partner = r->met[i].place;
             left -= r->met[i].extinction_per_m;
         }
     }
     *collision =
         (murk_collision){.distance_m = r->stop_m,
-                         .medium = partner,
-                         .albedo = media->media[partner].albedo.band[band],
-                         .phase = &media->media[partner].phase[band],
+                         .medium = partner->medium,
+                         .albedo = albedo_of(r, partner, at),
+                         .phase = &media->media[partner->medium].phase[band],
                          .scattering_per_m = scattering};
     return true;
 }

@@ -17,7 +17,7 @@ typedef struct murk_dice {
 
 /* What is met where the flight stops. */
 typedef struct murk_meeting {
-    size_t medium;
+    const murk_place *place;
     double extinction_per_m;
 } murk_meeting;
 

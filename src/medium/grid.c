@@ -35,7 +35,7 @@ typedef struct job {
     const size_t *size;      /* of samples */
     const float *density;
     double index_to_world[12]; /* three rows of four */
-    bool as_tiles;
+    bool as_tiles, is_albedo;
     const char *where;
 } job;
 
@@ -54,7 +54,8 @@ static murk_status read_in_child(murk_child *child, void *context,
 {
     job *j = context;
     j->child = child;
-    return murk_vdb_read(j->path, j->name, send_grid, j, j->where, err);
+    return murk_vdb_read(j->path, j->name, j->is_albedo, send_grid, j, j->where,
+                         err);
 }
 
 static murk_status make_in_child(murk_child *child, void *context,
@@ -71,7 +72,8 @@ static murk_grid_facts take_facts(const murk_vdb_facts *vdb)
     murk_grid_facts facts = {.active = vdb->active,
                              .minimum = vdb->minimum,
                              .maximum = vdb->maximum,
-                             .sum = vdb->sum};
+                             .sum = vdb->sum,
+                             .background = vdb->background};
     memcpy(facts.name, vdb->name, sizeof facts.name);
     double edge_squared[3] = {0};
     for (int row = 0; row < 3; ++row) {
@@ -111,7 +113,8 @@ static murk_status copy_buffer(murk_grid *grid, const unsigned char *bytes,
 
 /* Builds the grid from what the child sent. */
 static murk_status adopt(murk_grid **out, const unsigned char *sent,
-                         size_t size, const char *where, murk_error *err)
+                         size_t size, bool is_albedo, const char *where,
+                         murk_error *err)
 {
     murk_vdb_facts facts;
     if (size < sizeof facts) {
@@ -133,6 +136,7 @@ static murk_status adopt(murk_grid **out, const unsigned char *sent,
     if (status) {
         goto done;
     }
+    grid->tree.elsewhere = is_albedo ? MURK_VDB_NO_ALBEDO : 0;
     if (facts.cleared > 0) {
         murk_warn(where,
                   "grid %s: %llu voxels hold a value but are not active; "
@@ -159,7 +163,7 @@ static murk_status run(murk_grid **out, murk_child_work work, job *j,
     murk_status status =
         murk_child_run(&sent, &size, work, j, &limits, j->where, err);
     if (!status) {
-        status = adopt(out, sent, size, j->where, err);
+        status = adopt(out, sent, size, j->is_albedo, j->where, err);
     }
     free(sent);
     return status;
@@ -206,22 +210,41 @@ static murk_status check_file(const char *path, uint64_t *size,
     return MURK_OK;
 }
 
+static murk_status read_grid(murk_grid **out, const char *path,
+                             const char *name, bool is_albedo,
+                             const char *where, murk_error *err)
+{
+    uint64_t size = 0;
+    const murk_status status = check_file(path, &size, where, err);
+    job j = {
+        .path = path, .name = name, .is_albedo = is_albedo, .where = where};
+    return status ? status : run(out, read_in_child, &j, size, err);
+}
+
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
                            const char *where, murk_error *err)
 {
     char place[sizeof err->where];
     snprintf(place, sizeof place, "%s: %s", where, path);
-    uint64_t size = 0;
-    murk_status status = check_file(path, &size, place, err);
-    if (status) {
-        return status;
-    }
-    job j = {.path = path, .name = name, .where = place};
-    status = run(out, read_in_child, &j, size, err);
+    const murk_status status = read_grid(out, path, name, false, place, err);
     if (!status && (*out)->facts.maximum == 0) {
         murk_warn(place, "grid %s %s: there is nothing in the way of light",
                   (*out)->facts.name,
                   (*out)->facts.active ? "is 0 everywhere" : "is empty");
+    }
+    return status;
+}
+
+murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
+                                  const char *name, const char *where,
+                                  murk_error *err)
+{
+    char place[sizeof err->where];
+    snprintf(place, sizeof place, "%s: %s", where, path);
+    const murk_status status = read_grid(out, path, name, true, place, err);
+    if (!status && (*out)->facts.active == 0) {
+        murk_warn(place, "grid %s is empty: the albedo is %g everywhere",
+                  (*out)->facts.name, (*out)->facts.background);
     }
     return status;
 }

@@ -1,9 +1,9 @@
 /* Density grids from OpenVDB files, as NanoVDB buffers.
  *
  * The file is parsed in a child process with limits (base/child.h), checked
- * (float or half, not a level set, finite, not negative, sane size) and handed
- * over as one NanoVDB float grid; huge sparse boxes are never densified. Call
- * before any thread or ray device exists.
+ * (float, half or double, not a level set, finite, not negative, sane size) and
+ * handed over as one NanoVDB float grid; huge sparse boxes are never densified.
+ * Call before any thread or ray device exists.
  *
  * Source: Museth, ACM Trans. Graph. 32 (2013) 27, doi:10.1145/2487228.2487235;
  * Museth, NanoVDB, SIGGRAPH Talks 2021, doi:10.1145/3450623.3464653. */
@@ -22,7 +22,8 @@ typedef struct murk_grid_facts {
     char name[128];
     uint64_t active; /* voxels, tiles counted by their voxels */
     double minimum, maximum,
-        sum; /* over active voxels; 0 when there are none */
+        sum;           /* over active voxels; 0 when there are none */
+    double background; /* what holds elsewhere: 0 of densities */
     int64_t index_min[3], index_max[3]; /* inclusive box of active voxels */
     double voxel_m[3]; /* edge lengths before the scene places the grid */
     murk_affine index_to_world; /* voxel i covers [i - 1/2, i + 1/2] */
@@ -36,6 +37,12 @@ typedef struct murk_grid_facts {
  * choice is not clear, with count and first place of bad values. */
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
                            const char *where, murk_error *err);
+
+/* The same of a grid of albedos: values and background 0..1. Where it has no
+ * active voxel its background holds. Only for murk_medium.albedo_grid. */
+murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
+                                  const char *name, const char *where,
+                                  murk_error *err);
 
 /* From dense samples, x fastest: size[0] * size[1] * size[2] values, voxel
  * (0,0,0) first; zero voxels are left out. For tests and tools. */

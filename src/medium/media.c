@@ -1,6 +1,7 @@
 #include "medium/media.h"
 
 #include "base/log.h"
+#include "medium/albedo.h"
 #include "medium/parts.h"
 #include "medium/tree.h"
 
@@ -338,7 +339,7 @@ static double sum_at(const murk_media *media, int band, murk_vec3 p,
         if (murk_place_density(place, band, p, &density)) {
             sum = place->replaces ? 0 : sum;
             sum += density * medium->extinction_per_m.band[band] *
-                   (scattered ? medium->albedo.band[band] : 1);
+                   (scattered ? murk_albedo_at(medium, place, band, p) : 1);
         }
     }
     return sum;

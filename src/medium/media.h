@@ -49,7 +49,9 @@ typedef struct murk_profile {
 typedef struct murk_medium {
     /* >= 0; times the density of a grid or profile */
     murk_spectrum extinction_per_m;
-    murk_spectrum albedo;             /* scattered / extinguished, 0..1 */
+    murk_spectrum albedo;         /* scattered / extinguished, 0..1 */
+    const murk_grid *albedo_grid; /* not NULL: albedo by place, in all bands,
+                                     instead; murk_grid_read_albedo() */
     murk_phase phase[MURK_BANDS_MAX]; /* all zero: isotropic */
     /* Density: of the grid, or of the profile (whose extinction is one), else
      * 1. Borrowed for the lifetime. */

@@ -114,6 +114,13 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     if (medium->grid && !place_grid(&made, region, medium)) {
         return false;
     }
+    if (medium->albedo_grid) {
+        const murk_affine albedo_to_world = murk_affine_compose(
+            to_world, &murk_grid_describe(medium->albedo_grid)->index_to_world);
+        if (!murk_affine_invert(&albedo_to_world, &made.to_albedo)) {
+            return false;
+        }
+    }
     const bool is_bounded =
         made.shape != MURK_REGION_EVERYWHERE &&
         made.shape != MURK_REGION_BELOW &&

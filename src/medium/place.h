@@ -39,8 +39,9 @@ typedef struct murk_place {
      * centres of voxels i and i + 1. */
     murk_affine to_index;
     const murk_tree *tree;
-    murk_bricks *bricks; /* grids, where prepared for delta tracking; owned by
-                            the murk_media */
+    murk_affine to_albedo; /* index space of the albedo's grid, as it is */
+    murk_bricks *bricks;   /* grids, where prepared for delta tracking; owned by
+                              the murk_media */
     const murk_profile *profile;
     murk_box bounds; /* of the shape in the world; infinite when everywhere,
                         empty when nothing is there */

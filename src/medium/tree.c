@@ -116,7 +116,7 @@ static const float *leaf_at(const murk_tree *tree, const int32_t voxel[3],
 {
     const murk_root_cell *root = murk_tree_root_cell(tree, voxel);
     if (!root || !root->node) {
-        *value = root ? root->value : 0;
+        *value = root ? root->value : tree->elsewhere;
         return NULL;
     }
     const int32_t i = voxel[0], j = voxel[1], k = voxel[2];

@@ -27,6 +27,7 @@ typedef struct murk_tree {
     murk_root_cell *cells; /* sorted by first[]; owned */
     size_t n_cells;
     int32_t first[3], last[3]; /* box of active voxels, inclusive */
+    float elsewhere;           /* where no cell is: 0, or no albedo */
 } murk_tree;
 
 /* Opens a NanoVDB float grid of our own making (so: trusted) in `buffer`,
@@ -40,7 +41,7 @@ void murk_tree_close(murk_tree *tree);
 const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
                                           const int32_t voxel[3]);
 
-/* The value of a voxel; 0 where nothing is. */
+/* The value of a voxel; `elsewhere` where nothing is. */
 float murk_tree_value(const murk_tree *tree, const int32_t voxel[3]);
 
 /* Whether p (in index space shifted by a half) lies in the box of active

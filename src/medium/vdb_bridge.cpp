@@ -4,6 +4,8 @@ extern "C" {
 
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
@@ -36,7 +38,7 @@ struct Entry {
 
 bool is_float(const Entry &entry)
 {
-    return entry.type == "float";
+    return entry.type == "float" || entry.type == "double";
 }
 
 /* What the file holds, without reading any tree. */
@@ -133,9 +135,10 @@ murk_status check_kind(const Entry &entry, const Place &at)
 {
     const char *name = entry.unique.c_str();
     if (!is_float(entry)) {
-        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                         "grid %.100s holds %.60s, must be float or half", name,
-                         entry.type.c_str());
+        return murk_fail(
+            at.err, MURK_BAD_VALUE, at.where,
+            "grid %.100s holds %.60s, must be float, half or double", name,
+            entry.type.c_str());
     }
     if (entry.is_level_set) {
         return murk_fail(at.err, MURK_BAD_VALUE, at.where,
@@ -196,9 +199,14 @@ double volume(const openvdb::CoordBBox &box)
     return double(edge.x()) * edge.y() * edge.z();
 }
 
-/* Counts, sums, and refuses what is no density. */
-murk_status check_values(const openvdb::FloatGrid &grid, murk_vdb_facts &facts,
-                         const Place &at)
+bool fits(double value, bool is_albedo)
+{
+    return value >= 0 && (is_albedo ? value <= 1 : std::isfinite(value));
+}
+
+/* Counts, sums, and refuses what is no density, or no albedo. */
+murk_status check_values(const openvdb::FloatGrid &grid, bool is_albedo,
+                         murk_vdb_facts &facts, const Place &at)
 {
     uint64_t bad = 0;
     openvdb::Coord first_bad;
@@ -206,7 +214,7 @@ murk_status check_values(const openvdb::FloatGrid &grid, murk_vdb_facts &facts,
     for (auto it = grid.tree().cbeginValueOn(); it; ++it) {
         const double value = *it;
         const uint64_t voxels = it.getVoxelCount();
-        if (!(value >= 0 && std::isfinite(value))) {
+        if (!fits(value, is_albedo)) {
             if (bad == 0) {
                 first_bad = it.getCoord();
                 first_value = value;
@@ -222,30 +230,43 @@ murk_status check_values(const openvdb::FloatGrid &grid, murk_vdb_facts &facts,
     }
     if (bad > 0) {
         const openvdb::Vec3d p = grid.indexToWorld(first_bad);
-        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                         "grid %.100s: %llu of %llu values are negative or "
-                         "not finite, the first is %g at voxel (%d, %d, %d), "
-                         "(%g, %g, %g) m; density must be 0 or more",
-                         facts.name, (unsigned long long)bad,
-                         (unsigned long long)(bad + facts.active), first_value,
-                         first_bad.x(), first_bad.y(), first_bad.z(), p.x(),
-                         p.y(), p.z());
+        return murk_fail(
+            at.err, MURK_BAD_VALUE, at.where,
+            "grid %.100s: %llu of %llu values are %s, the first "
+            "is %g at voxel (%d, %d, %d), (%g, %g, %g) m; %s",
+            facts.name, (unsigned long long)bad,
+            (unsigned long long)(bad + facts.active),
+            is_albedo ? "no share" : "negative or not finite", first_value,
+            first_bad.x(), first_bad.y(), first_bad.z(), p.x(), p.y(), p.z(),
+            is_albedo ? "albedo must be 0..1" : "density must be 0 or more");
     }
     const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
-    if (facts.active > 0 && double(facts.active) < volume(box)) {
+    if (!is_albedo && facts.active > 0 && double(facts.active) < volume(box)) {
         facts.minimum = 0;
     }
-    if (grid.background() != 0) { /* NaN, too */
+    facts.background = grid.background();
+    if (is_albedo ? !fits(facts.background, true)
+                  : facts.background != 0) { /* NaN, too */
         return murk_fail(at.err, MURK_BAD_VALUE, at.where,
                          "grid %.100s has the value %g everywhere outside "
-                         "(its background), must be 0",
-                         facts.name, double(grid.background()));
+                         "(its background), must be %s",
+                         facts.name, facts.background,
+                         is_albedo ? "0..1" : "0");
     }
     return MURK_OK;
 }
 
-/* Values that are not active count for nothing: the march reads values
- * without asking whether they are active. */
+/* Of an albedo, where it holds none: what reads values does not ask whether
+ * they are active. */
+void mark_inactive(openvdb::FloatGrid &grid)
+{
+    for (auto it = grid.tree().beginValueOff(); it; ++it) {
+        it.setValue(MURK_VDB_NO_ALBEDO);
+    }
+    grid.tree().root().setBackground(MURK_VDB_NO_ALBEDO, false);
+}
+
+/* Densities that are not active count for nothing. */
 void clear_inactive(openvdb::FloatGrid &grid, murk_vdb_facts &facts)
 {
     for (auto it = grid.tree().beginValueOff(); it; ++it) {
@@ -256,15 +277,16 @@ void clear_inactive(openvdb::FloatGrid &grid, murk_vdb_facts &facts)
     }
 }
 
-murk_status hand_over(openvdb::FloatGrid::Ptr grid, murk_vdb_facts &facts,
-                      murk_vdb_taker take, void *context, const Place &at)
+murk_status hand_over(openvdb::FloatGrid::Ptr grid, bool is_albedo,
+                      murk_vdb_facts &facts, murk_vdb_taker take, void *context,
+                      const Place &at)
 {
     murk_status status = read_transform(*grid, facts, at);
     if (!status) {
         status = check_box(*grid, facts, at);
     }
     if (!status) {
-        status = check_values(*grid, facts, at);
+        status = check_values(*grid, is_albedo, facts, at);
     }
     if (status) {
         return status;
@@ -272,7 +294,11 @@ murk_status hand_over(openvdb::FloatGrid::Ptr grid, murk_vdb_facts &facts,
     if (facts.active == 0) {
         return take(context, &facts, nullptr, 0);
     }
-    clear_inactive(*grid, facts);
+    if (is_albedo) {
+        mark_inactive(*grid);
+    } else {
+        clear_inactive(*grid, facts);
+    }
     /* The tree alone matters: a long name or an odd transform stays here. */
     auto bare = openvdb::FloatGrid::create(grid->treePtr());
     nanovdb::OpenToNanoVDB<float, float> convert;
@@ -288,8 +314,42 @@ void set_name(murk_vdb_facts &facts, const std::string &name)
     std::strncpy(facts.name, name.c_str(), sizeof facts.name - 1);
 }
 
-murk_status read(const char *path, const char *name, murk_vdb_taker take,
-                 void *context, const Place &at)
+/* In double precision: values that a float cannot hold are refused here, as
+ * after the conversion they would be infinite. */
+murk_status convert(const openvdb::DoubleGrid &fine, const char *name,
+                    openvdb::FloatGrid::Ptr &grid, const Place &at)
+{
+    const double most = std::numeric_limits<float>::max();
+    for (auto it = fine.tree().cbeginValueAll(); it; ++it) {
+        if (std::isfinite(*it) && std::fabs(*it) > most) {
+            const openvdb::Coord v = it.getCoord();
+            return murk_fail(at.err, MURK_BAD_VALUE, at.where,
+                             "grid %.100s holds %g at voxel (%d, %d, %d), "
+                             "must be at most %g, as floats hold",
+                             name, *it, v.x(), v.y(), v.z(), most);
+        }
+    }
+    grid = std::make_shared<openvdb::FloatGrid>(fine);
+    return MURK_OK;
+}
+
+/* The grid as floats, whatever its precision. */
+murk_status read_values(openvdb::io::File &file, const char *name,
+                        openvdb::FloatGrid::Ptr &grid, const Place &at)
+{
+    const openvdb::GridBase::Ptr any = file.readGrid(name);
+    const auto fine = openvdb::gridPtrCast<openvdb::DoubleGrid>(any);
+    if (fine) {
+        return convert(*fine, name, grid, at);
+    }
+    grid = openvdb::gridPtrCast<openvdb::FloatGrid>(any);
+    return grid ? MURK_OK
+                : murk_fail(at.err, MURK_BAD_FILE, at.where,
+                            "grid %.100s is not what its header says", name);
+}
+
+murk_status read(const char *path, const char *name, bool is_albedo,
+                 murk_vdb_taker take, void *context, const Place &at)
 {
     openvdb::initialize();
     openvdb::io::File file(path);
@@ -304,17 +364,15 @@ murk_status read(const char *path, const char *name, murk_vdb_taker take,
     if (status) {
         return status;
     }
-    auto grid =
-        openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(entry->unique));
-    if (!grid) {
-        return murk_fail(at.err, MURK_BAD_FILE, at.where,
-                         "grid %.100s is not what its header says",
-                         entry->unique.c_str());
+    openvdb::FloatGrid::Ptr grid;
+    status = read_values(file, entry->unique.c_str(), grid, at);
+    if (status) {
+        return status;
     }
     file.close();
     murk_vdb_facts facts = {};
     set_name(facts, entry->unique);
-    return hand_over(std::move(grid), facts, take, context, at);
+    return hand_over(std::move(grid), is_albedo, facts, take, context, at);
 }
 
 /* Dense samples, x fastest, as a tree; zeros are left out. */
@@ -354,7 +412,7 @@ murk_status from_samples(const size_t size[3], const float *density,
     }
     murk_vdb_facts facts = {};
     set_name(facts, "samples");
-    return hand_over(grid, facts, take, context, at);
+    return hand_over(grid, false, facts, take, context, at);
 }
 
 /* The library's own writer of files does not ask whether its stream failed,
@@ -417,11 +475,14 @@ template <typename Work> murk_status guard(const Place &at, Work work)
 } // namespace
 
 extern "C" murk_status murk_vdb_read(const char *path, const char *name,
-                                     murk_vdb_taker take, void *context,
-                                     const char *where, murk_error *err)
+                                     int is_albedo, murk_vdb_taker take,
+                                     void *context, const char *where,
+                                     murk_error *err)
 {
     const Place at{where, err};
-    return guard(at, [&] { return read(path, name, take, context, at); });
+    return guard(at, [&] {
+        return read(path, name, is_albedo != 0, take, context, at);
+    });
 }
 
 extern "C" murk_status murk_vdb_from_samples(const size_t size[3],

@@ -1,6 +1,6 @@
-/* The one door to OpenVDB: one density grid of a file, checked, as a NanoVDB
- * float grid; and dense fields as the bytes of a file. Inside this room only;
- * plain C for both sides.
+/* The one door to OpenVDB: one grid of a file, a density or an albedo,
+ * checked, as a NanoVDB float grid; and dense fields as the bytes of a file.
+ * Inside this room only; plain C for both sides.
  *
  * Runs in a child process (base/child.h): a hostile file may crash it or make
  * it ask for any memory.
@@ -17,12 +17,12 @@
 
 typedef struct murk_vdb_facts {
     char name[128];
-    uint64_t active;              /* voxels, tiles by their voxels */
-    uint64_t cleared;             /* voxels that were not active and not 0:
-                                     now 0 */
-    double minimum, maximum, sum; /* medium/grid.h */
-    int64_t index_min[3], index_max[3]; /* inclusive */
-    double index_to_world[12];          /* three rows of four */
+    uint64_t active;  /* voxels, tiles by their voxels */
+    uint64_t cleared; /* voxels that were not active and not 0:
+                         now 0 */
+    double minimum, maximum, sum, background; /* medium/grid.h */
+    int64_t index_min[3], index_max[3];       /* inclusive */
+    double index_to_world[12];                /* three rows of four */
 } murk_vdb_facts;
 
 /* Receives the result, once: bytes[size] hold the NanoVDB grid (size 0 where
@@ -31,9 +31,14 @@ typedef murk_status (*murk_vdb_taker)(void *context,
                                       const murk_vdb_facts *facts,
                                       const void *bytes, size_t size);
 
-/* Reads the grid that `name` chooses (medium/grid.h) from `path` and calls
- * `take`. Fails with MURK_BAD_FILE or MURK_BAD_VALUE at `where`. */
-murk_status murk_vdb_read(const char *path, const char *name,
+/* What an albedo grid holds where it has no active value, in place of what the
+ * file has there. */
+#define MURK_VDB_NO_ALBEDO (-1)
+
+/* Reads the grid that `name` chooses (medium/grid.h) from `path`, as a density
+ * or an albedo, and calls `take`. Fails with MURK_BAD_FILE or MURK_BAD_VALUE
+ * at `where`. */
+murk_status murk_vdb_read(const char *path, const char *name, int is_albedo,
                           murk_vdb_taker take, void *context, const char *where,
                           murk_error *err);
 

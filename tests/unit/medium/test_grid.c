@@ -157,8 +157,56 @@ static void test_names(void)
             "several grids, choose one by name (such as [0]) among " ALL);
     refuses("names.vdb", "smoke[2]", MURK_BAD_VALUE,
             "no grid named smoke[2]; there are " ALL);
-    refuses("names.vdb", "fine", MURK_BAD_VALUE,
-            "grid fine holds double, must be float or half");
+    refuses("names.vdb", "mask", MURK_BAD_VALUE,
+            "grid mask holds bool, must be float, half or double");
+    grid = reads("names.vdb", "fine"); /* in double precision, but empty */
+    CHECK(grid && murk_grid_describe(grid)->active == 0);
+    murk_grid_destroy(grid);
+}
+
+static void test_double_precision_is_read_as_floats(void)
+{
+    murk_grid *grid = reads("fine.vdb", NULL);
+    CHECK(grid && murk_grid_value(grid, 1, 2, 3) == (double)0.1F);
+    CHECK(grid && murk_grid_value(grid, 9, 2, 3) == 0); /* 1e-300 */
+    CHECK(grid && murk_grid_describe(grid)->active == 513);
+    murk_grid_destroy(grid);
+    refuses("fine_overflow.vdb", NULL, MURK_BAD_VALUE,
+            "grid density holds 1e+39 at voxel (2, 2, 3), must be at most "
+            "3.40282e+38, as floats hold");
+}
+
+static void refuses_albedo(const char *file, const char *text)
+{
+    char path[128];
+    snprintf(path, sizeof path, FOLDER "%s", file);
+    murk_grid *grid = NULL;
+    murk_error err = {0};
+    CHECK(murk_grid_read_albedo(&grid, path, "albedo", "test", &err) ==
+          MURK_BAD_VALUE);
+    CHECK(grid == NULL);
+    CHECK_TEXT(err.text, text);
+}
+
+static void test_albedos_have_a_background(void)
+{
+    murk_grid *grid = NULL;
+    murk_error err = {0};
+    warned[0] = '\0';
+    CHECK(murk_grid_read_albedo(&grid, FOLDER "albedo.vdb", NULL, "test",
+                                &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    CHECK_TEXT(warned, "");
+    CHECK(grid && murk_grid_describe(grid)->background == 0.5);
+    CHECK(grid && murk_grid_describe(grid)->minimum == 0);
+    CHECK(grid && murk_grid_describe(grid)->maximum == 0.75);
+    murk_grid_destroy(grid);
+    refuses_albedo("albedo_above.vdb",
+                   "grid albedo: 1 of 4 values are no share, the first is 1.5 "
+                   "at voxel (2, 0, 0), (2, 0, 0) m; albedo must be 0..1");
+    refuses_albedo("albedo_background.vdb",
+                   "grid albedo has the value -1 everywhere outside (its "
+                   "background), must be 0..1");
 }
 
 static void test_what_is_no_density_is_refused(void)
@@ -182,9 +230,9 @@ static void test_what_is_no_density_is_refused(void)
             "grid density has the value nan everywhere outside (its "
             "background), must be 0");
     refuses("mask.vdb", NULL, MURK_BAD_VALUE,
-            "grid mask holds bool, must be float or half");
+            "grid mask holds bool, must be float, half or double");
     refuses("points.vdb", NULL, MURK_BAD_VALUE,
-            "grid points holds ptdataidx32, must be float or half");
+            "grid points holds ptdataidx32, must be float, half or double");
     refuses("frustum.vdb", NULL, MURK_BAD_VALUE,
             "grid density has a frustum transform, must be linear");
     refuses("overflow.vdb", NULL, MURK_BAD_FILE,
@@ -242,6 +290,8 @@ int main(void)
     test_transforms_and_half_floats();
     test_what_is_not_active_counts_as_nothing();
     test_names();
+    test_double_precision_is_read_as_floats();
+    test_albedos_have_a_background();
     test_what_is_no_density_is_refused();
     test_samples_are_checked_like_files();
     return check_done();

@@ -339,6 +339,49 @@ static void test_slopes_that_cancel(void)
     murk_media_destroy(both);
 }
 
+/* The albedo's grid holds 0.25, 0.75, none, 0 along x and 0.5 elsewhere; it is
+ * moved with the density, from which its transform may differ. */
+static void test_albedo_by_a_grid(void)
+{
+    murk_grid *albedo = NULL;
+    murk_error err = {0};
+    CHECK(murk_grid_read_albedo(&albedo, "tests/unit/medium/grids/albedo.vdb",
+                                NULL, "test", &err) == MURK_OK);
+    for (int is_linear = 0; is_linear < 2; ++is_linear) {
+        murk_medium media[] = {medium(2), medium(1)};
+        media[0].albedo_grid = albedo;
+        media[0].interpolation = is_linear ? MURK_LINEAR : MURK_NEAREST;
+        murk_region regions[] = {region(0, MURK_REGION_BOX),
+                                 region(1, MURK_REGION_EVERYWHERE)};
+        regions[0].box = (murk_box){{-3, -3, -3}, {6, 3, 3}};
+        regions[0].to_world =
+            murk_affine_place(murk_vec(0, 0, 90), 2, murk_vec(5, 0, 0));
+        murk_media *made = build(media, 2, regions, 2);
+        /* x of the grid is y of the world, at half the scale */
+        static const double at[] = {-1, -0.4, 0.2, 0.8, 1.2, 2.6, 3.2, 4.1};
+        static const double nearest[] = {0.5,  0.25, 0.25, 0.75,
+                                         0.75, 0,    0,    0.5};
+        /* none of the neighbours but one counts next to the gap at 2 */
+        static const double linear[] = {0.5, 0.25, 0.35, 0.65, 0.75, 0, 0, 0.5};
+        for (int i = 0; i < 8; ++i) {
+            const murk_vec3 p = {5, 2 * at[i], 0};
+            const double want = is_linear ? linear[i] : nearest[i];
+            CHECK_NEAR(murk_media_scattering(made, 0, 0, p), 2 * want + 0.5,
+                       1e-14);
+            murk_collision c;
+            const murk_vec3 from = {p.x - 0.1, p.y, p.z};
+            CHECK(murk_media_fly(made, 0, 0, from, murk_vec(1, 0, 0), 1, 0.3,
+                                 0.1, &c));
+            CHECK(c.medium == 0);
+            CHECK_NEAR(c.distance_m, 0.1, 1e-15);
+            CHECK_NEAR(c.albedo, want, 1e-14);
+            CHECK_NEAR(c.scattering_per_m, 2 * want + 0.5, 1e-14);
+        }
+        murk_media_destroy(made);
+    }
+    murk_grid_destroy(albedo);
+}
+
 static void refuses(const murk_medium *m, murk_region_shape shape,
                     const char *part)
 {
@@ -389,6 +432,7 @@ int main(int argc, char **argv)
     test_shapes_around_fillings(seed);
     test_a_profile_moves_with_its_region();
     test_slopes_that_cancel();
+    test_albedo_by_a_grid();
     test_refusals();
     murk_grid_destroy(grid[0]);
     murk_grid_destroy(grid[1]);

@@ -97,6 +97,29 @@ int main()
     inactive->tree().fill(CoordBBox(Coord(8, 0, 0), Coord(15, 7, 7)), 5, false);
     write("inactive.vdb", {inactive});
 
+    /* Double precision; once with a value that no float holds. */
+    auto fine = openvdb::DoubleGrid::create(0);
+    fine->setName("density");
+    fine->tree().setValueOn(Coord(1, 2, 3), 0.1);
+    fine->tree().fill(CoordBBox(Coord(8, 0, 0), Coord(15, 7, 7)), 1e-300);
+    openvdb::io::File("fine.vdb").write({fine});
+    fine->tree().setValueOn(Coord(2, 2, 3), 1e39);
+    openvdb::io::File("fine_overflow.vdb").write({fine});
+
+    /* Albedos: two voxels apart from each other, 0.5 elsewhere; a value and a
+     * background that are no shares. */
+    auto albedo = fog("albedo", 0.5);
+    set(albedo, 0, 0, 0, 0.25);
+    set(albedo, 1, 0, 0, 0.75);
+    set(albedo, 3, 0, 0, 0);
+    albedo->tree().setValueOff(Coord(0, 1, 0), 7);
+    write("albedo.vdb", {albedo});
+    set(albedo, 2, 0, 0, 1.5);
+    write("albedo_above.vdb", {albedo});
+    auto dark = fog("albedo", -1);
+    set(dark, 0, 0, 0, 1);
+    write("albedo_background.vdb", {dark});
+
     auto frustum = fog("density");
     set(frustum, 1, 1, 1, 1);
     frustum->setTransform(openvdb::math::Transform::createFrustumTransform(

@@ -1,0 +1,65 @@
+#include "medium/albedo.h"
+
+#include "medium/tree.h"
+
+#include <math.h>
+
+/* The voxel or cell at p in index space; false outside of the tree's box. */
+static bool voxel_of(const murk_tree *tree, murk_vec3 p, int32_t beyond,
+                     int32_t voxel[3], double in[3])
+{
+    const double place[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = floor(place[axis]);
+        if (!(low >= (double)tree->first[axis] - beyond &&
+              low <= tree->last[axis])) {
+            return false;
+        }
+        voxel[axis] = (int32_t)low;
+        in[axis] = place[axis] - low;
+    }
+    return true;
+}
+
+/* Below 0 where there is none. */
+static double nearest(const murk_tree *tree, murk_vec3 p)
+{
+    int32_t voxel[3];
+    double in[3];
+    const murk_vec3 shifted = murk_add(p, murk_vec(0.5, 0.5, 0.5));
+    return voxel_of(tree, shifted, 0, voxel, in)
+               ? (double)murk_tree_value(tree, voxel)
+               : -1;
+}
+
+static double linear(const murk_tree *tree, murk_vec3 p)
+{
+    int32_t cell[3];
+    double in[3], corner[8], sum = 0, weights = 0;
+    if (!voxel_of(tree, p, 1, cell, in)) {
+        return -1;
+    }
+    murk_tree_corners(tree, cell, corner);
+    for (int which = 0; which < 8; ++which) {
+        const double weight = (which & 4 ? in[0] : 1 - in[0]) *
+                              (which & 2 ? in[1] : 1 - in[1]) *
+                              (which & 1 ? in[2] : 1 - in[2]);
+        sum += corner[which] >= 0 ? weight * corner[which] : 0;
+        weights += corner[which] >= 0 ? weight : 0;
+    }
+    return weights > 0 ? fmin(1, sum / weights) : -1;
+}
+
+double murk_albedo_by_grid(const murk_medium *medium, const murk_place *place,
+                           murk_vec3 p)
+{
+    const murk_tree *tree = murk_grid_tree(medium->albedo_grid);
+    const murk_vec3 at = murk_affine_point(&place->to_albedo, p);
+    double albedo = -1;
+    if (tree->n_cells > 0) {
+        albedo = medium->interpolation == MURK_LINEAR ? linear(tree, at)
+                                                      : nearest(tree, at);
+    }
+    return albedo >= 0 ? albedo
+                       : murk_grid_describe(medium->albedo_grid)->background;
+}
