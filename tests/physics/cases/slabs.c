@@ -35,7 +35,8 @@ static void trace(validation *v, const char *name, const char *is_wrong,
 
 static void trace_row(validation *v, const murk_table *t, size_t row)
 {
-    const layer of = {.albedo = reference_number(t, row, "albedo"),
+    const layer of = {.index = reference_number(t, row, "index"),
+                      .albedo = reference_number(t, row, "albedo"),
                       .phase = murk_phase_hg(reference_number(t, row, "g")),
                       .tau = reference_number(t, row, "tau")};
     char name[80];
@@ -62,9 +63,15 @@ void cases_slabs(validation *v)
     for (size_t row = 0; row < t->rows; ++row) {
         trace_row(v, t, row);
     }
-    const layer wrong = {.albedo = .9, .phase = murk_phase_hg(.49), .tau = 5};
-    trace(v, "index 1 albedo 0.9 g 0.5 tau 5", "g .49", &wrong,
+    const layer less_forward = {
+        .albedo = .9, .phase = murk_phase_hg(.49), .tau = 5};
+    trace(v, "index 1 albedo 0.9 g 0.5 tau 5", "g .49", &less_forward,
           (validation_reference[2]){{"reflected", .270013, 5e-7},
                                     {"transmitted", .171606, 5e-7}});
+    const layer less_dense = {
+        .index = 1.49, .albedo = .9, .phase = murk_phase_hg(.5), .tau = 5};
+    trace(v, "index 1.5 albedo 0.9 g 0.5 tau 5", "index 1.46", &less_dense,
+          (validation_reference[2]){{"reflected", .173280, 5e-7},
+                                    {"transmitted", .113333, 5e-7}});
     murk_table_destroy(t);
 }
