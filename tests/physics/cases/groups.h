@@ -1,14 +1,16 @@
-/* The groups of reference cases: each a file NAME.c here, with a function
- * cases_NAME. Results list them in this order. */
+/* The groups of reference cases: each a file NAME.c here, whose head says what
+ * it holds, with a function cases_NAME. Results list them in this order. */
 #ifndef MURK_TESTS_CASES_GROUPS_H
 #define MURK_TESTS_CASES_GROUPS_H
 
 #include "validation.h"
 
-#define VALIDATION_GROUPS(X)                                      \
-    X(slabs)  /* even slabs of fog: reflectance, transmittance */ \
-    X(points) /* a point lamp in an infinite medium */            \
-    X(sea)    /* under a level sea */
+#define VALIDATION_GROUPS(X) \
+    X(slabs)                 \
+    X(published)             \
+    X(depth)                 \
+    X(points)                \
+    X(sea)
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)

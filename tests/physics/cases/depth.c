@@ -1,0 +1,129 @@
+/* Fluence and irradiances inside semi-infinite media, against depth: each
+ * photon that passes a level counts, the fluence over its cosine. The quick
+ * form has the medium `A`, whose light is spent soonest, with the others'
+ * twins. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cases/groups.h"
+#include "cases/layer.h"
+#include "cases/reference.h"
+#include "scores.h"
+
+/* The level "just inside of the face" [optical depths]. */
+#define INSIDE 1e-7
+
+/* Halves the time to the same error here, against roulette alone. */
+#define LEAST_WEIGHT .2
+
+#define DEPTHS_MAX 12
+#define KINDS      3
+
+typedef struct profile {
+    char name[64];
+    layer of;
+    double extinction_per_cm;
+    score_of score[KINDS * DEPTHS_MAX];
+    validation_reference reference[KINDS * DEPTHS_MAX];
+    char quantity[KINDS * DEPTHS_MAX][32];
+    size_t n;
+} profile;
+
+static void name_of(const murk_table *t, size_t row, char name[64])
+{
+    snprintf(name, 64, "%s, index %s", reference_text(t, row, "case"),
+             reference_text(t, row, "index"));
+}
+
+static void add_depth(profile *p, const murk_table *t, size_t row,
+                      double least_value)
+{
+    static const char *const column[KINDS] = {"fluence", "down", "up"};
+    static const score_of kind[KINDS] = {
+        {.kind = SCORE_FLUENCE},
+        {.kind = SCORE_POWER, .way = 1},
+        {.kind = SCORE_POWER, .way = -1},
+    };
+    const double depth =
+        reference_number(t, row, "z_cm") * p->extinction_per_cm;
+    for (int k = 0; k < KINDS; ++k) {
+        /* All light goes down through the face, where nothing mirrors it. */
+        const bool is_plain = depth == 0 && k == 1 && !(p->of.index > 1);
+        if (is_plain || !(reference_number(t, row, column[k]) >= least_value)) {
+            continue;
+        }
+        snprintf(p->quantity[p->n], sizeof p->quantity[p->n], "%s at %s cm",
+                 column[k], reference_text(t, row, "z_cm"));
+        p->score[p->n] = kind[k];
+        p->score[p->n].z_m = depth > 0 ? depth : INSIDE;
+        p->reference[p->n] =
+            reference_value(t, row, column[k], p->quantity[p->n]);
+        ++p->n;
+    }
+}
+
+/* The rows of one profile follow one another. Returns the row after its last.
+ */
+static size_t read_profile(profile *p, const murk_table *t, size_t row,
+                           double least_value)
+{
+    const double absorption = reference_number(t, row, "absorption_per_cm");
+    const double scattering = reference_number(t, row, "scattering_per_cm");
+    *p = (profile){.extinction_per_cm = absorption + scattering};
+    p->of = (layer){.index = reference_number(t, row, "index"),
+                    .albedo = scattering / p->extinction_per_cm,
+                    .phase = murk_phase_hg(reference_number(t, row, "g")),
+                    .tau = INFINITY};
+    name_of(t, row, p->name);
+    for (; row < t->rows; ++row) {
+        char name[64];
+        name_of(t, row, name);
+        if (strcmp(name, p->name) != 0) {
+            break;
+        }
+        add_depth(p, t, row, least_value);
+    }
+    return row;
+}
+
+static void trace(validation *v, const profile *p, const char *is_wrong)
+{
+    if (!validation_wants(v, p->name)) {
+        return;
+    }
+    test_world w = layer_made(&p->of);
+    const scores score = {p->score, p->n};
+    validation_trace(v, &(validation_case){.name = p->name,
+                                           .source = "adding-doubling",
+                                           .is_wrong = is_wrong,
+                                           .world = &w.world,
+                                           .reference = p->reference,
+                                           .quantities = p->n,
+                                           .score = scores_add,
+                                           .context = &score,
+                                           .least_weight = LEAST_WEIGHT});
+    test_world_unmade(&w);
+}
+
+void cases_depth(validation *v)
+{
+    murk_table *t = reference_read("depth.csv");
+    const bool is_quick = validation_is_quick(v);
+    for (size_t row = 0; row < t->rows;) {
+        profile p;
+        row = read_profile(&p, t, row, is_quick ? .05 : 1e-5);
+        const bool is_thick = strncmp(p.name, "thick", strlen("thick")) == 0;
+        if (!is_quick || !is_thick) {
+            trace(v, &p, NULL);
+        }
+        if (strcmp(p.name, "B, index 1.37") == 0) {
+            p.of.index = 1.36;
+            trace(v, &p, "index 1.36");
+        } else if (strcmp(p.name, "A, index 1") == 0) {
+            p.of.albedo = .899;
+            trace(v, &p, "albedo .899");
+        }
+    }
+    murk_table_destroy(t);
+}

@@ -1,0 +1,173 @@
+/* Slabs with published values: van de Hulst's with the angles at which light
+ * leaves it, oblique light, semi-infinite media with and without an index.
+ *
+ * Where a published value agrees with the adding-doubling solution to its last
+ * digit, the published one is the reference. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "cases/groups.h"
+#include "cases/layer.h"
+#include "cases/reference.h"
+#include "cases/spline.h"
+#include "scores.h"
+
+static layer layer_of(const murk_table *t, size_t row)
+{
+    const char *light = reference_text(t, row, "light");
+    const bool is_diffuse = strcmp(light, "diffuse") == 0;
+    return (layer){.index = reference_number(t, row, "index"),
+                   .albedo = reference_number(t, row, "albedo"),
+                   .phase = murk_phase_hg(reference_number(t, row, "g")),
+                   .tau = reference_number(t, row, "tau"),
+                   .mu0 = is_diffuse ? 1 : reference_number(t, row, "light"),
+                   .is_diffuse = is_diffuse};
+}
+
+static void trace_layer(validation *v, const validation_case *c,
+                        const layer *of)
+{
+    if (validation_wants(v, c->name)) {
+        test_world w = layer_made(of);
+        validation_case traced = *c;
+        traced.world = &w.world;
+        traced.score = scores_add;
+        validation_trace(v, &traced);
+        test_world_unmade(&w);
+    }
+}
+
+/* The rows of one case follow one another. Returns the row after the last. */
+static size_t trace_case(validation *v, const murk_table *t, size_t row)
+{
+    static const score_of reflected = {.kind = SCORE_ESCAPED, .way = -1};
+    static const score_of transmitted = {.kind = SCORE_ESCAPED, .way = 1};
+    const char *name = reference_text(t, row, "case");
+    score_of of[2];
+    validation_reference reference[2];
+    scores score = {of, 0};
+    const layer lit = layer_of(t, row);
+    const char *source = reference_text(t, row, "source");
+    for (; row < t->rows && score.n < 2 &&
+           strcmp(reference_text(t, row, "case"), name) == 0;
+         ++row, ++score.n) {
+        const char *quantity = reference_text(t, row, "quantity");
+        const bool is_published =
+            strlen(reference_text(t, row, "published")) > strlen(".26");
+        of[score.n] =
+            strcmp(quantity, "reflected") == 0 ? reflected : transmitted;
+        reference[score.n] = reference_value(
+            t, row, is_published ? "published" : "computed", quantity);
+    }
+    trace_layer(v,
+                &(validation_case){.name = name,
+                                   .source = source,
+                                   .reference = reference,
+                                   .quantities = score.n,
+                                   .context = &score},
+                &lit);
+    return row;
+}
+
+/* ---- angles ---- */
+
+#define BINS 10 /* of equal width in cosine */
+
+/* Simpson's rule is exact to far below the digits of the table. */
+#define PANELS 200
+
+static double radian(double degrees)
+{
+    return degrees * MURK_PI / 180;
+}
+
+/* 2 pi times the integral of L mu over a bin of cosine. */
+static double power_in_bin(const spline *radiance, size_t bin)
+{
+    const double from = (double)bin / BINS, step = 1. / BINS / PANELS;
+    double sum = 0;
+    for (size_t i = 0; i <= PANELS; ++i) {
+        const double mu = from + (double)i * step;
+        const double weight = i == 0 || i == PANELS ? 1 : i % 2 ? 4 : 2;
+        sum += weight * mu * spline_at(radiance, acos(fmin(mu, 1)));
+    }
+    return 2 * MURK_PI * sum * step / 3;
+}
+
+/* The table between its angles by a spline in the angle; its error by what
+ * every other angle alone would give: at fourth order the difference is 15
+ * times the error, a third of it is taken. */
+static void bins_of(const murk_table *t, const char *column,
+                    validation_reference reference[BINS], char names[BINS][48],
+                    const char *word)
+{
+    double angle[SPLINE_NODES_MAX], value[SPLINE_NODES_MAX];
+    double angle2[SPLINE_NODES_MAX], value2[SPLINE_NODES_MAX];
+    size_t n2 = 0;
+    for (size_t i = 0; i < t->rows; ++i) {
+        angle[i] = radian(reference_number(t, i, "angle_deg"));
+        value[i] = reference_number(t, i, column);
+        if (i % 2 == 0) {
+            angle2[n2] = angle[i];
+            value2[n2++] = value[i];
+        }
+    }
+    const spline all = spline_through(angle, value, t->rows);
+    const spline half = spline_through(angle2, value2, n2);
+    for (size_t k = 0; k < BINS; ++k) {
+        const double power = power_in_bin(&all, k);
+        const double printed =
+            validation_half_digit_of(reference_text(t, 0, column)) * 2 *
+            MURK_PI * ((double)k + .5) / BINS / BINS;
+        snprintf(names[k], sizeof names[k], "%s, cosine %.1f to %.1f", word,
+                 (double)k / BINS, (double)(k + 1) / BINS);
+        reference[k] = (validation_reference){
+            names[k], power,
+            hypot(printed, (power_in_bin(&half, k) - power) / 3)};
+    }
+}
+
+static void trace_angles(validation *v, const char *is_wrong, double g)
+{
+    murk_table *t = reference_read("vdhulst_slab_angular.csv");
+    validation_reference reference[2 * BINS];
+    char names[2 * BINS][48];
+    score_of of[2 * BINS];
+    bins_of(t, "reflected_per_sr", reference, names, "reflected");
+    bins_of(t, "transmitted_per_sr", reference + BINS, names + BINS,
+            "scattered through");
+    for (size_t k = 0; k < 2 * BINS; ++k) {
+        const double bin = (double)(k % BINS);
+        of[k] = (score_of){.kind = SCORE_ESCAPED,
+                           .light = SCORE_DIFFUSE,
+                           .way = k < BINS ? -1 : 1,
+                           .mu_least = bin / BINS,
+                           .mu_most = bin + 1 == BINS ? 2 : (bin + 1) / BINS};
+    }
+    const scores score = {of, 2 * BINS};
+    trace_layer(v,
+                &(validation_case){
+                    .name = "van de Hulst slab, angles",
+                    .source = "adding-doubling, van de Hulst 1980 table 35; "
+                              "spline between its angles",
+                    .is_wrong = is_wrong,
+                    .reference = reference,
+                    .quantities = score.n,
+                    .context = &score},
+                &(layer){.albedo = .9, .phase = murk_phase_hg(g), .tau = 2});
+    murk_table_destroy(t);
+}
+
+void cases_published(validation *v)
+{
+    murk_table *t = reference_read("slabs_published.csv");
+    for (size_t row = 0; row < t->rows;) {
+        row = trace_case(v, t, row);
+    }
+    murk_table_destroy(t);
+    trace_angles(v, NULL, .75);
+    trace_angles(v, "g .74", .74);
+}
