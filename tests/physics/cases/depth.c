@@ -117,9 +117,9 @@ void cases_depth(validation *v)
         if (!is_quick || !is_thick) {
             trace(v, &p, NULL);
         }
-        if (strcmp(p.name, "B, index 1.37") == 0) {
-            p.of.index = 1.36;
-            trace(v, &p, "index 1.36");
+        if (strcmp(p.name, "A, index 1.37") == 0) {
+            p.of.index = 1.34;
+            trace(v, &p, "index 1.34");
         } else if (strcmp(p.name, "A, index 1") == 0) {
             p.of.albedo = .899;
             trace(v, &p, "albedo .899");
