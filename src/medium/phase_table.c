@@ -118,8 +118,10 @@ static murk_status lay_head(murk_phase_nodes *nodes,
                             const murk_phase_rows *rows, murk_error *err)
 {
     const double s = s_of(rows->angle_deg[0] * DEGREE);
-    const stretch law =
-        is_straight(rows, 0) ? (stretch){0} : stretch_of(rows, 0);
+    stretch law = {0, 0, 0};
+    if (!is_straight(rows, 0)) {
+        law = stretch_of(rows, 0);
+    }
     if (!(law.power < 0)) {
         murk_phase_nodes_begin(nodes, 0, rows->phase_per_sr[0], 0);
         murk_phase_nodes_line(nodes, s, rows->phase_per_sr[0]);

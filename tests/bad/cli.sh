@@ -168,6 +168,14 @@ place 2 "nowhere.vdb"
 sed 's|nowhere.vdb|good.yaml|' "$dir/bad.yaml" >"$dir/bad2.yaml"
 expect 2 "media.smoke" place "$dir/bad2.yaml" -o "$dir/out"
 
+printf 'angle_deg,phase_per_sr\n0,1\n90,1\n80,1\n180,1\n' >"$dir/turns.csv"
+{
+    cat "$dir/good.yaml"
+    echo 'media: {sea: {extinction_per_m: 1, albedo: 0.5, phase: {table: turns.csv}}}'
+    echo 'regions: [{medium: sea}]'
+} >"$dir/bad.yaml"
+place 2 "turns.csv:4: angle_deg: 80, must be more than the 90 degrees before"
+
 # ---- more than the 2 GB that there are, said before it is begun ----
 [ -n "$sanitizer" ] || expect 2 "GB free" trace "$dir/good.yaml" -o "$dir/out" --store 100000000
 
