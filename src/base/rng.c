@@ -2,8 +2,8 @@
 
 #include <Random123/philox.h>
 
-void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
-                       uint32_t event, uint32_t slot, uint32_t word[4])
+static inline void words_at(uint32_t seed, uint32_t purpose, uint64_t photon,
+                            uint32_t event, uint32_t slot, uint32_t word[4])
 {
     const philox4x32_key_t key = {{seed, purpose}};
     const philox4x32_ctr_t counter = {
@@ -14,11 +14,17 @@ void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
     }
 }
 
+void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
+                       uint32_t event, uint32_t slot, uint32_t word[4])
+{
+    words_at(seed, purpose, photon, event, slot, word);
+}
+
 murk_random4 murk_random(uint32_t seed, uint32_t purpose, uint64_t photon,
                          uint32_t event, uint32_t slot)
 {
     uint32_t word[4];
-    murk_random_words(seed, purpose, photon, event, slot, word);
+    words_at(seed, purpose, photon, event, slot, word);
     murk_random4 out;
     for (int i = 0; i < 4; ++i) {
         out.u[i] = (word[i] + 0.5) * 0x1p-32; /* mid-bin: never 0 or 1 */

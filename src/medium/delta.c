@@ -23,7 +23,7 @@ typedef struct track {
 } track;
 
 /* The next pair of the flight's numbers: how far, and what is met there. */
-static void throw(murk_flight * f)
+static void throw_dice(murk_flight *f)
 {
     murk_dice *dice = f->dice;
     if (dice->has_pair) {
@@ -162,7 +162,7 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
             if (is_real(f, t, bound, tracks, n, even_per_m, density)) {
                 return true;
             }
-            throw(f);
+            throw_dice(f);
             f->depth = 0;
             if (++f->dice->nulls > MURK_NULLS_MAX) {
                 f->dice = NULL;

@@ -49,7 +49,8 @@ static inline bool cross_even(ray *r, double from, double to,
         r->depth = more;
         return false;
     }
-    r->stop_m = fmin(to, from + (r->limit - r->depth) / extinction_per_m);
+    const double stop = from + (r->limit - r->depth) / extinction_per_m;
+    r->stop_m = stop < to ? stop : to;
     r->depth = r->limit;
     return true;
 }
@@ -307,11 +308,38 @@ static double albedo_of(const ray *r, const murk_place *place, murk_vec3 at)
     return murk_albedo_at(&r->media->media[place->medium], place, r->band, at);
 }
 
+/* What fly() comes to in a world of one even medium, which most of a photon's
+ * time would else go into finding out. */
+static bool fly_evenly(const ray *r, double length_m, murk_collision *collision)
+{
+    const murk_vec3 o = r->origin, d = r->direction;
+    const size_t number = r->media->places[0].medium;
+    const murk_medium *medium = &r->media->media[number];
+    const double extinction = medium->extinction_per_m.band[r->band];
+    if (!(extinction > 0 && length_m > 0 &&
+          extinction * length_m >= r->limit) ||
+        isnan(o.x + o.y + o.z + d.x + d.y + d.z)) {
+        return false;
+    }
+    const double distance = r->limit / extinction;
+    const double albedo = medium->albedo.band[r->band];
+    *collision = (murk_collision){.distance_m =
+                                      distance < length_m ? distance : length_m,
+                                  .medium = number,
+                                  .albedo = albedo,
+                                  .phase = &medium->phase[r->band],
+                                  .scattering_per_m = extinction * albedo};
+    return true;
+}
+
 static bool fly(ray *r, double length_m, murk_collision *collision)
 {
     const murk_media *media = r->media;
     const int band = r->band;
     assert(band >= 0 && band < MURK_BANDS_MAX);
+    if (media->is_even) {
+        return fly_evenly(r, length_m, collision);
+    }
     r->depth = 0;
     r->n_met = 0;
     if (!media->in_band[band] || !follow(r, length_m)) {

@@ -286,6 +286,10 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
         memcpy(made->media, media, n_media * sizeof *media);
     }
     status = place_all(made, regions, n_regions, domain, err);
+    made->is_even = n_regions == 1 &&
+                    made->places[0].shape == MURK_REGION_EVERYWHERE &&
+                    made->places[0].filling == MURK_FILLED_EVENLY &&
+                    !made->media[made->places[0].medium].albedo_grid;
     if (!status) {
         status = shell_all(made, regions, n_regions, domain, err);
     }

@@ -24,7 +24,7 @@ double murk_hg_sample(double g, double u)
     }
     const double s = (1 - g * g) / (1 - g + 2 * g * u);
     const double mu = (1 + g * g - s * s) / (2 * g);
-    return fmin(1, fmax(-1, mu)); /* rounding near the ends of u */
+    return mu > 1 ? 1 : mu < -1 ? -1 : mu; /* rounding near the ends of u */
 }
 
 /* The inverse CDF: the one real root of mu^3 + 3 mu = 8 u - 4 (Cardano). */
