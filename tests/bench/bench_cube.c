@@ -6,7 +6,8 @@
  *   b2    scattering 10, g .9
  *   sph   b1 with a ball of radius 15 in the middle: .002, 5, .9
  *   ramp  b1 times a density that grows from 0 to 2 along the beam, in voxels
- *         of side 1
+ *         of side 1; and ramp-linear, the same between the values at whole
+ *         heights
  *
  * The reference is the plain scalar loop of tests/support/plain_tracer.c (delta
  * tracking, the same roulette), timed in turns with murk; two such loops side
@@ -27,20 +28,21 @@
 
 #define REPEATS 9
 #define SIDE    60
-#define VOXELS  (SIDE * SIDE * SIDE)
+#define SLOPE   (2. / SIDE) /* of the ramp's density */
 
 typedef struct cube {
     const char *name;
     uint64_t photons; /* of a repeat */
     plain_matter matter, ball;
-    bool is_ramp;
+    bool is_ramp, is_linear;
 } cube;
 
 static const cube CUBES[] = {
-    {"b1", 40960, {.005, 1, .01}, {0, 0, 0}, false},
-    {"b2", 8192, {.005, 10, .9}, {0, 0, 0}, false},
-    {"sph", 16384, {.005, 1, .01}, {.002, 5, .9}, false},
-    {"ramp", 16384, {.005, 1, .01}, {0, 0, 0}, true},
+    {"b1", 40960, {.005, 1, .01}, {0, 0, 0}, false, false},
+    {"b2", 8192, {.005, 10, .9}, {0, 0, 0}, false, false},
+    {"sph", 16384, {.005, 1, .01}, {.002, 5, .9}, false, false},
+    {"ramp", 16384, {.005, 1, .01}, {0, 0, 0}, true, false},
+    {"ramp-linear", 16384, {.005, 1, .01}, {0, 0, 0}, true, true},
 };
 
 typedef struct parts {
@@ -63,27 +65,41 @@ static murk_medium medium_of(const plain_matter *m)
                          .where = "cube"};
 }
 
-/* z grows slowest in murk's samples, fastest in the plain loop's: a ramp along
- * z is filled for both. */
-static murk_status make_ramp(parts *p, murk_error *err)
+/* murk's samples: by voxels, or (one more along an axis) at whole coordinates,
+ * so that the field is a ramp up to the faces. */
+static murk_status make_ramp(parts *p, bool is_linear, murk_error *err)
 {
-    static const size_t size[3] = {SIDE, SIDE, SIDE};
+    const size_t n = is_linear ? SIDE + 1 : SIDE;
+    const size_t size[3] = {n, n, n};
+    const double first = is_linear ? 0 : .5;
     murk_affine place = murk_affine_identity();
-    place.shift = murk_vec(.5, .5, .5);
-    float *slowest = calloc(VOXELS, sizeof *slowest);
-    p->density = calloc(VOXELS, sizeof *p->density);
-    if (!slowest || !p->density) {
-        free(slowest);
+    place.shift = murk_vec(first, first, first);
+    float *sample = calloc(n * n * n, sizeof *sample);
+    if (!sample) {
         return murk_fail(err, MURK_NO_MEMORY, "ramp", "no memory");
     }
-    for (size_t i = 0; i < VOXELS; ++i) {
-        slowest[i] = (float)(2 * ((double)(i / SIDE / SIDE) + .5) / SIDE);
-        p->density[i] = (float)(2 * ((double)(i % SIDE) + .5) / SIDE);
+    for (size_t i = 0; i < n * n * n; ++i) {
+        sample[i] = (float)(((double)(i / n / n) + first) * SLOPE);
     }
     const murk_status status =
-        murk_grid_from_samples(&p->grid, size, slowest, &place, "ramp", err);
-    free(slowest);
+        murk_grid_from_samples(&p->grid, size, sample, &place, "ramp", err);
+    free(sample);
     return status;
+}
+
+/* The plain loop's, for which z grows fastest. */
+static murk_status make_plain_ramp(parts *p, bool is_linear, murk_error *err)
+{
+    const size_t n = is_linear ? SIDE + 1 : SIDE;
+    p->density = calloc(n * n * n, sizeof *p->density);
+    if (!p->density) {
+        return murk_fail(err, MURK_NO_MEMORY, "ramp", "no memory");
+    }
+    for (size_t i = 0; i < n * n * n; ++i) {
+        p->density[i] =
+            (float)(((double)(i % n) + (is_linear ? 0 : .5)) * SLOPE);
+    }
+    return MURK_OK;
 }
 
 static murk_world world_of(const parts *p)
@@ -115,9 +131,13 @@ static murk_status make(parts *p, const cube *c, murk_error *err)
                              .direction = {0, 0, 1},
                              .power_w = {{1}},
                              .where = "beam"};
-    murk_status status = c->is_ramp ? make_ramp(p, err) : MURK_OK;
+    murk_status status = c->is_ramp ? make_ramp(p, c->is_linear, err) : MURK_OK;
+    if (!status && c->is_ramp) {
+        status = make_plain_ramp(p, c->is_linear, err);
+    }
     if (p->grid) {
         media[0].grid = p->grid;
+        media[0].interpolation = c->is_linear ? MURK_LINEAR : MURK_NEAREST;
         regions[0].shape = MURK_REGION_GRID;
     }
     if (!status) {
@@ -230,7 +250,8 @@ static plain_box plain_box_of(const cube *c, const parts *p)
                        .center_m = {SIDE / 2, SIDE / 2, SIDE / 2},
                        .radius_m = in_ball > 0 ? 15 : 0,
                        .ball = c->ball,
-                       .density = p->density};
+                       .density = p->density,
+                       .is_linear = c->is_linear};
 }
 
 /* Times one case and prints its lines; false when the two disagree. */

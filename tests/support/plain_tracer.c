@@ -63,7 +63,7 @@ static void count_side(const plain_box *box, const double p[3],
     ++out->escaped[axis][p[axis] > 0];
 }
 
-typedef enum kinds { EVEN, BALL, VOXELS } kinds;
+typedef enum kinds { EVEN, BALL, VOXELS, LINEAR } kinds;
 
 static inline bool is_in_ball(const plain_box *box, const double p[3])
 {
@@ -89,6 +89,28 @@ static inline double density_at(const plain_box *box, const double p[3])
 static inline double extinction_of(const plain_matter *m)
 {
     return m->absorption_per_m + m->scattering_per_m;
+}
+
+static inline double linear_at(const plain_box *box, const double p[3])
+{
+    size_t corner = 0, stride[3], n = 1;
+    double high[3], density = 0;
+    for (int k = 2; k >= 0; --k) {
+        const size_t cells = (size_t)box->size_m[k], i = (size_t)p[k];
+        const size_t cell = i < cells ? i : cells - 1;
+        high[k] = p[k] - (double)cell;
+        stride[k] = n;
+        corner += cell * n;
+        n *= cells + 1;
+    }
+    for (int which = 0; which < 8; ++which) {
+        const int x = which >> 2, y = which >> 1 & 1, z = which & 1;
+        density += (x ? high[0] : 1 - high[0]) * (y ? high[1] : 1 - high[1]) *
+                   (z ? high[2] : 1 - high[2]) *
+                   (double)box->density[corner + (x ? stride[0] : 0) +
+                                        (y ? stride[1] : 0) + (size_t)z];
+    }
+    return density;
 }
 
 /* A loop of its own for each kind, so that none pays for what it has not. */
@@ -123,6 +145,7 @@ static inline plain_result trace(const plain_box *box, kinds kind,
             const bool in_ball = kind == BALL && is_in_ball(box, p);
             const double share = in_ball          ? real_in_ball
                                  : kind == VOXELS ? real * density_at(box, p)
+                                 : kind == LINEAR ? real * linear_at(box, p)
                                                   : real;
             if (share < 1 && uniform(&state) > share) {
                 continue;
@@ -141,7 +164,8 @@ static inline plain_result trace(const plain_box *box, kinds kind,
 
 plain_result plain_trace(const plain_box *box, uint64_t photons, uint64_t seed)
 {
-    return box->density        ? trace(box, VOXELS, photons, seed)
-           : box->radius_m > 0 ? trace(box, BALL, photons, seed)
-                               : trace(box, EVEN, photons, seed);
+    return box->density && box->is_linear ? trace(box, LINEAR, photons, seed)
+           : box->density                 ? trace(box, VOXELS, photons, seed)
+           : box->radius_m > 0            ? trace(box, BALL, photons, seed)
+                                          : trace(box, EVEN, photons, seed);
 }

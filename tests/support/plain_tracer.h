@@ -1,11 +1,12 @@
 /* The simple twin of the photon tracer: one box of one medium (even, with a
- * ball of another in it, or of voxels), a pencil of photons, delta tracking
- * (Woodcock et al., ANL-7050, 1965), a generator of its own. It shares no code
- * with murk, so agreement means something; it is also the plain scalar loop
- * that murk's speed is measured against. */
+ * ball of another in it, or of densities on a grid), a pencil of photons, delta
+ * tracking (Woodcock et al., ANL-7050, 1965), a generator of its own. It shares
+ * no code with murk, so agreement means something; it is also the plain scalar
+ * loop that murk's speed is measured against. */
 #ifndef MURK_TESTS_PLAIN_TRACER_H
 #define MURK_TESTS_PLAIN_TRACER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct plain_matter {
@@ -23,8 +24,10 @@ typedef struct plain_box {
     double center_m[3], radius_m;
     plain_matter ball;
 
-    /* What the extinction is times, in voxels of 1 m, x slowest; NULL: 1. */
+    /* What the extinction is times, x slowest; NULL: 1. In voxels of 1 m, or
+     * trilinear between whole coordinates, one more along an axis. */
     const float *density;
+    bool is_linear;
 } plain_box;
 
 /* Counts of photons, and of real collisions. */
