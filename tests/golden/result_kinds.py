@@ -114,7 +114,9 @@ CHECK = HEAD | {
     "surfaces": {"triangles": count, "spheres": count, "area_m2": number(0),
                  "materials": many({"name": text(".+"), "area_m2": number(0)})},
     "media": many({"name": text(".+"), "extinction_per_m": [number(0)] * 2,
-                   "albedo": [fraction] * 2}),
+                   "albedo": [fraction] * 2, "mean_cosine": [number(-1, 1)] * 2,
+                   "phase": many({"kind": text("[a-z_]+"),
+                                  "mean_cosine": number(-1, 1)})}),
     "candidates": {"asked": count, "usable": count, "doubtful": count}}
 REPLAY = HEAD | {
     "photon": count,

@@ -265,6 +265,53 @@ def sigmas(one, one_error, other, other_error):
     return abs(one - other) / math.hypot(one_error, other_error)
 
 
+TABLE = [(0.5, 200), (2, 30), (10, 1.5), (60, 0.02), (120, 0.004), (180, 0.006)]
+
+
+def mean_cosine(rows):
+    """Of the table, by trapezoids of what lies between its rows in logs."""
+    first, last = (math.log(rows[i][1]) for i in (0, 1))
+    power = (last - first) / math.log(rows[1][0] / rows[0][0])
+    rows = [(1e-12, rows[0][1] * (1e-12 / rows[0][0]) ** power)] + rows
+    whole = turned = 0
+    for (a, p), (b, q) in zip(rows, rows[1:]):
+        steps = 5000
+        power = math.log(q / p) / math.log(b / a)
+        angles = [a * (b / a) ** (i / steps) for i in range(steps + 1)]
+        shares = [p * (x / a) ** power * math.sin(math.radians(x)) for x in angles]
+        for x, y, f, g in zip(angles, angles[1:], shares, shares[1:]):
+            whole += (f + g) * (y - x)
+            turned += (f * math.cos(math.radians(x)) + g * math.cos(math.radians(y))) * (y - x)
+    return turned / whole
+
+
+def test_phases(murk):
+    """A phase function for each band; light belongs to its table's bytes."""
+    def write_table(rows):
+        murk.write("turns.csv", "angle_deg,phase_per_sr\n" +
+                   "".join(f"{a},{p}\n" for a, p in rows))
+
+    write_table(TABLE)
+    scene = murk.write("phases.yaml",
+                       OPEN.replace("{hg: 0.7}", "[{two_hg: [0.9, -0.5, 0.75]}, {table: turns.csv}]"))
+    medium = murk.run("check", scene)["media"][0]
+    check([p["kind"] for p in medium["phase"]] == ["two_hg", "table"], medium)
+    near(medium["mean_cosine"][0], 0.55, 1e-12, "mean cosine of two_hg")
+    near(medium["mean_cosine"][1], mean_cosine(TABLE), 1e-5, "mean cosine of the table")
+    changed = TABLE[:2] + [(10, 1.6)] + TABLE[3:]
+    check(abs(mean_cosine(changed) - medium["mean_cosine"][1]) > 1e-3, "no teeth")
+
+    plan = murk.run("place", scene, "-o", murk.path("turned"))
+    light = murk.path("turned", "light.murk")
+    again = murk.run("place", murk.path("turned", "scene.yaml"), "--light", light)
+    check(again["coverage"] == plan["coverage"], "light used again", again["coverage"])
+    write_table(changed)
+    done = subprocess.run([murk.program, "place", scene, "--light", light],
+                          capture_output=True, text=True, timeout=60)
+    check(done.returncode == 2 and "checksum" in done.stderr,
+          "light of another table:", done.returncode, done.stderr)
+
+
 def test_coverage(murk):
     scene = murk.write("room.yaml", ROOM)
     plan = murk.run("place", scene, "-o", murk.path("room"))
@@ -359,6 +406,7 @@ def main():
         test_files(murk)
         test_coverage(murk)
         test_replay(murk)
+        test_phases(murk)
     print("all results are as described" if not failures else f"{failures} failed")
     return failures != 0
 
