@@ -9,6 +9,7 @@
     X(slabs)                 \
     X(published)             \
     X(depth)                 \
+    X(disort)                \
     X(points)                \
     X(sea)
 
