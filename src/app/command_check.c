@@ -319,6 +319,9 @@ static void print_findings(const findings *f)
            "volume (from a pilot of %llu photons)\n",
            f->forecast.emitted, f->forecast.surface, f->forecast.volume,
            (unsigned long long)f->forecast.pilot_photons);
+    if (!(f->forecast.memory_bytes + matrix_bytes(f) >= 1e5)) {
+        return; /* not worth a word */
+    }
     printf("memory      about %.3g GB a map while tracing; to place in a known "
            "environment at most %.3g GB more\n",
            f->forecast.memory_bytes / 1e9, matrix_bytes(f) / 1e9);
