@@ -107,6 +107,8 @@ COVERAGE = HEAD | LIGHT | SENSORS | {
 WATTS = {"total": number(0), "bands": [number(0)] * 2}
 COLUMNS = ("absorbed_surfaces_w", "absorbed_media_w", "escaped_w", "lost_w")
 LEDGER = HEAD | {name: WATTS for name in ("emitted_w",) + COLUMNS} | {
+    "absorbed_by_material_w": {"default": WATTS, "floor": WATTS, "pane": WATTS},
+    "absorbed_by_medium_w": {"fog": WATTS},
     "photons_emitted": whole(1), "collisions": count,
     "lost": {"events": count, "wraps": count, "numerical": count},
     "imbalance_quanta": whole(0, 0)}
@@ -117,6 +119,8 @@ CHECK = HEAD | {
                    "albedo": [fraction] * 2, "mean_cosine": [number(-1, 1)] * 2,
                    "phase": many({"kind": text("[a-z_]+"),
                                   "mean_cosine": number(-1, 1)})}),
+    "tallies": many({"name": text(".+"), "type": one_of("plane", "grid", "sphere"),
+                     "cells": whole(1), "unit": one_of("W", "W/m2")}),
     "candidates": {"asked": count, "usable": count, "doubtful": count}}
 REPLAY = HEAD | {
     "photon": count,

@@ -249,6 +249,101 @@ def test_files(murk):
     check_coverage_csv(murk, "sense", plan["sensors"])
 
 
+# ---- tallies ----
+
+SIDES = [(axis, side) for axis in range(3) for side in (0, 1)]
+
+
+def side_plane(axis, side):
+    point, normal = [0, 0, 0], [0, 0, 0]
+    point[axis], normal[axis] = side * [4, 4, 3][axis], 2 * side - 1
+    return f"  - {{name: side-{axis}{side}, type: plane, point_m: {point}, normal: {normal}}}\n"
+
+
+TALLIES = OPEN.replace("photons:", "tallies:\n" + "".join(
+    side_plane(*side) for side in SIDES) + """\
+  - {name: floor, type: plane, point_m: [1, 1, 0.1], normal: [0, 0, -1]}
+  - {name: tiles, type: plane, point_m: [1, 1, 0.1], normal: [0, 0, -3], bins: [3, 2], angle_bins: 4}
+  - {name: probe, type: sphere, center_m: [1, 1, 1], radius_m: 0.5}
+  - {name: halves, type: sphere, center_m: [1, 1, 1], radius_m: 0.5, hemispheres: true}
+  - {name: fluence, type: grid, min_m: [0, 0, 0], max_m: [4, 2, 3], size: [8, 2, 6]}
+  - {name: one-cell, type: grid, min_m: [0, 0, 0], max_m: [4, 2, 3], size: [1, 1, 1]}
+photons:""")
+HEADER = "tally,band_nm,bin_i,bin_j,bin_k,direction,value,standard_error,unit"
+
+
+def read_grid(murk, name, grid):
+    """What murk itself finds in a grid of a .vdb."""
+    scene = murk.write("grid.yaml", f"""\
+murk: 1
+domain: {{min_m: [0, 0, 0], max_m: [4, 4, 3]}}
+media: {{m: {{vdb: {murk.path("tallies", name)}, grid: {grid}, extinction_per_m: 1, albedo: 1}}}}
+regions: [{{medium: m}}]
+lights: [{{type: point, position_m: [1, 1, 1], power_w: 1}}]
+""")
+    found = murk.run("check", scene)
+    return found["media"][0]["grid"], found["regions"][0]["bounds"]
+
+
+def test_tallies(murk):
+    scene = murk.write("tallies.yaml", TALLIES)
+    asked = {t["name"]: t["cells"] for t in murk.run("check", scene)["tallies"]}
+    check(asked["tiles"] == 48 and asked["halves"] == 2 and asked["fluence"] == 96, asked)
+    ledger = murk.run("trace", scene, "-o", murk.path("tallies"))
+    fits(ledger, kinds.LEDGER, "ledger.json")
+    check_ledger(ledger, [10, 6], "ledger.json")
+    value, error = {}, {}
+    for tally, band, i, j, k, direction, watts, its_error, unit in murk.rows(
+            HEADER, "tallies", "tallies.csv"):
+        key = tally, float(band), direction, int(i), int(j), int(k)
+        check(key not in value, "tallies.csv has twice", key)
+        value[key], error[key] = float(watts), float(its_error)
+        kind = {"probe": "W/m2", "halves": "W/m2"}.get(tally, "W")
+        check(unit == kind and 0 <= error[key] <= 1.001 * value[key] + 1e-30, key, unit)
+    check(len(value) == 2 * (7 * 2 + 48 + 1 + 2), "tallies.csv has rows:", len(value))
+
+    def total(tally, band, direction):
+        return sum(v for key, v in value.items() if key[:3] == (tally, band, direction))
+
+    for number, band in enumerate((450, 650)):
+        out = sum(total(f"side-{axis}{side}", band, "forward") for axis, side in SIDES)
+        near(out, ledger["escaped_w"]["bands"][number], 1e-9, "escaped by planes")
+        back = sum(total(f"side-{axis}{side}", band, "backward") for axis, side in SIDES)
+        check(back == 0, "light from outside", back)
+        stays = total("floor", band, "forward") - total("floor", band, "backward")
+        near(stays, ledger["absorbed_by_material_w"]["floor"]["bands"][number], 1e-9,
+             "the floor keeps")
+        for direction in ("forward", "backward"):
+            near(total("tiles", band, direction), total("floor", band, direction), 1e-9,
+                 "all bins", direction)
+        near(total("halves", band, "up") + total("halves", band, "down"),
+             total("probe", band, ""), 1e-9, "both hemispheres")
+        for kind, account in (("material", "surfaces"), ("medium", "media")):
+            near(sum(part["bands"][number]
+                     for part in ledger[f"absorbed_by_{kind}_w"].values()),
+                 ledger[f"absorbed_{account}_w"]["bands"][number], 1e-9, "by", kind)
+        for file in ("", "_error"):
+            grid, bounds = read_grid(murk, f"fluence{file}.vdb", f"fluence_{band}nm")
+            check(grid["voxel_m"] == [0.5, 1, 0.5], grid["voxel_m"])
+            check(bounds == {"min_m": [0, 0, 0], "max_m": [4, 2, 3]}, bounds)
+            if not file:
+                whole, _ = read_grid(murk, "one-cell.vdb", f"fluence_{band}nm")
+                near(grid["sum"] / 96, whole["sum"], 1e-6 * whole["sum"], "mean fluence")
+                check(total("probe", band, "") < grid["maximum"], grid)
+    check(set(ledger["absorbed_by_material_w"]) == {"default", "floor", "pane"},
+          ledger["absorbed_by_material_w"])
+
+    # light from a file is not measured, and tallies do not count for it
+    without = murk.write("open.yaml", OPEN)
+    again = murk.run("place", scene, "--light", murk.path("tallies", "light.murk"),
+                     "-o", murk.path("again"))
+    murk.run("place", without, "--light", murk.path("tallies", "light.murk"))
+    check(not os.path.exists(murk.path("again", "tallies.csv")), "tallies of a file")
+    kept = murk.read("again", "ledger.json")
+    kept.pop("run"), ledger.pop("run")
+    check(kept == ledger and again["photons"]["emitted"] == 4000, "ledger of a file")
+
+
 # ---- coverage, again ----
 
 def off_by(result, again):
@@ -404,6 +499,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         murk = Murk(os.path.abspath(sys.argv[1]), folder)
         test_files(murk)
+        test_tallies(murk)
         test_coverage(murk)
         test_replay(murk)
         test_phases(murk)
