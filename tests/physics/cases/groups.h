@@ -11,7 +11,8 @@
     X(depth)                 \
     X(disort)                \
     X(points)                \
-    X(sea)
+    X(sea)                   \
+    X(cloud)
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)
