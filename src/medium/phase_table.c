@@ -10,6 +10,7 @@
 #define DEGREE 0.017453292519943295
 
 #define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere lies before */
+#define LEAST_DEG     1e-6  /* a smaller angle has the cosine of 0 */
 #define LAST_DEG_MIN  150.0 /* less than 7 % behind */
 #define ROWS_MAX      1000000
 #define VALUE_MIN     1e-30
@@ -38,8 +39,9 @@ static murk_status check_angle(const murk_phase_rows *rows, size_t i,
 {
     const double angle = rows->angle_deg[i];
     char text[160] = "";
-    if (!(angle >= 0 && angle <= 180)) {
-        snprintf(text, sizeof text, "%.9g, must be 0..180 degrees", angle);
+    if (!(angle == 0 || (angle >= LEAST_DEG && angle <= 180))) {
+        snprintf(text, sizeof text, "%.9g, must be 0 or %g..180 degrees", angle,
+                 LEAST_DEG);
     } else if (i > 0 && !(angle > rows->angle_deg[i - 1])) {
         snprintf(text, sizeof text,
                  "%.9g, must be more than the %.9g degrees before", angle,

@@ -25,7 +25,7 @@ typedef struct murk_phase_table murk_phase_table;
  * one its value goes on to 180. */
 typedef struct murk_phase_rows {
     size_t rows;                /* 2..1e6 */
-    const double *angle_deg;    /* rising; the first 0..10, last 150..180 */
+    const double *angle_deg;    /* rising: first 0 or 1e-6..10, last 150..180 */
     const double *phase_per_sr; /* 0, or 1e-30..1e30; of any scale */
     const int *line;            /* [rows] of the file; NULL: not from a file */
     const char *where;          /* "petzold.csv" */

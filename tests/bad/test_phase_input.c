@@ -87,7 +87,7 @@ static void test_flipped_bytes(void)
 
 static void test_ends_of_the_range(void)
 {
-    static const char *const angles[] = {"0", "5e-324", "1e-300", "1e-9",
+    static const char *const angles[] = {"0", "5e-324", "1e-300", "1e-6",
                                          "9.999999"};
     static const char *const values[] = {"0",    "1e-30", "1e-31", "1e30",
                                          "1e31", "1e308", "1"};

@@ -389,11 +389,13 @@ static void test_refusals(void)
             "rows.csv:12: angle_deg",
             "90, must be more than the 90 degrees before");
     refused((const double[][2]){{-1, 1}, {180, 1}}, 2, "rows.csv:10: angle_deg",
-            "-1, must be 0..180 degrees");
+            "-1, must be 0 or 1e-06..180 degrees");
     refused((const double[][2]){{0, 1}, {181, 1}}, 2, "rows.csv:11: angle_deg",
-            "181, must be 0..180 degrees");
+            "181, must be 0 or 1e-06..180 degrees");
     refused((const double[][2]){{nan, 1}, {180, 1}}, 2,
-            "rows.csv:10: angle_deg", "nan, must be 0..180 degrees");
+            "rows.csv:10: angle_deg", "nan, must be 0 or 1e-06..180 degrees");
+    refused((const double[][2]){{1e-7, 1}, {180, 1}}, 2,
+            "rows.csv:10: angle_deg", "1e-07, must be 0 or 1e-06..180 degrees");
     refused((const double[][2]){{20, 1}, {180, 1}}, 2, "rows.csv:10: angle_deg",
             "begins at 20, must be 0..10 degrees");
     refused((const double[][2]){{0, 1}, {90, 1}}, 2, "rows.csv:11: angle_deg",
