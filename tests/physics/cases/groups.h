@@ -12,7 +12,8 @@
     X(disort)                \
     X(points)                \
     X(sea)                   \
-    X(cloud)
+    X(cloud)                 \
+    X(cube)
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)
