@@ -3,10 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A voxel of one band while it is written: its float, its place in the tree,
- * and twice in the file's bytes. */
-#define WRITTEN_BYTES 16
-
 static murk_tally_desc desc_of(const murk_scene_tally *t)
 {
     static const murk_tally_type type[] = {
@@ -54,25 +50,12 @@ murk_status murk_tallies_asked(murk_tally_desc **out, const murk_scene *scene,
     return MURK_OK;
 }
 
-/* Most that writing one of the grids takes. */
-static double writing_bytes(const murk_stage *stage)
-{
-    size_t cells = 0;
-    for (size_t i = 0; i < stage->scene->n_tallies; ++i) {
-        const murk_tally_desc *d = &stage->tally[i];
-        const size_t n = murk_tally_cells(d);
-        cells = d->type == MURK_TALLY_GRID && n > cells ? n : cells;
-    }
-    return (double)cells * stage->scene->bands * WRITTEN_BYTES;
-}
-
 double murk_tallies_bytes(const murk_stage *stage, unsigned threads)
 {
     return stage->tally
                ? murk_tallies_memory(stage->tally, stage->scene->n_tallies,
                                      murk_lights_channels(stage->lights),
-                                     threads) +
-                     writing_bytes(stage)
+                                     stage->scene->bands, threads)
                : 0;
 }
 
@@ -85,7 +68,6 @@ murk_status murk_tallies_of_stage(murk_tallies **out, const murk_stage *stage,
                ? murk_tallies_create(
                      out, stage->tally, stage->scene->n_tallies,
                      &stage->world.domain, murk_lights_channels(stage->lights),
-                     stage->scene->bands, threads,
-                     memory_most_bytes - writing_bytes(stage), err)
+                     stage->scene->bands, threads, memory_most_bytes, err)
                : MURK_OK;
 }

@@ -11,6 +11,10 @@
  * seldom meet. */
 #define COPIES_BYTES 64e6
 
+/* A voxel of one band while it is written: its float, its place in a tree of
+ * voxels, and twice in the file's bytes. */
+#define WRITTEN_BYTES 16
+
 static size_t scorers_of(unsigned threads)
 {
     return threads > 1 ? threads : 1;
@@ -25,17 +29,22 @@ static size_t copies_of(double cells, size_t channels, unsigned threads)
 }
 
 double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
-                           size_t channels, unsigned threads)
+                           size_t channels, int bands, unsigned threads)
 {
-    double cells = 0;
+    double cells = 0, largest_grid = 0;
     for (size_t i = 0; i < n; ++i) {
-        cells += (double)murk_tally_cells(&descs[i]);
+        const double own = (double)murk_tally_cells(&descs[i]);
+        cells += own;
+        if (descs[i].type == MURK_TALLY_GRID) {
+            largest_grid = fmax(largest_grid, own);
+        }
     }
     const double sums = (double)copies_of(cells, channels, threads) *
                         (double)channels * sizeof(murk_cell);
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
-    return sizeof(murk_tallies) + cells * (sums + scratch);
+    return sizeof(murk_tallies) + cells * (sums + scratch) +
+           largest_grid * bands * WRITTEN_BYTES;
 }
 
 static murk_plane plane_of(const murk_tally_desc *d, const murk_box *box,
@@ -138,7 +147,8 @@ murk_status murk_tallies_create(murk_tallies **out,
     if (status) {
         return status;
     }
-    const double bytes = murk_tallies_memory(descs, n, channels, threads);
+    const double bytes =
+        murk_tallies_memory(descs, n, channels, bands, threads);
     if (!(bytes <= memory_most_bytes)) {
         size_t largest = 0;
         for (size_t i = 1; i < n; ++i) {

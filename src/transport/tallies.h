@@ -75,9 +75,10 @@ void murk_tally_axes(const murk_tally_desc *desc, int axes[2]);
 murk_status murk_tallies_check(const murk_tally_desc *descs, size_t n,
                                const murk_domain *domain, murk_error *err);
 
-/* Bytes that the tallies take. channels: lights * bands. */
+/* Bytes that the tallies take while photons are traced, and on top of that the
+ * writing of the largest grid. channels: lights * bands. */
 double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
-                           size_t channels, unsigned threads);
+                           size_t channels, int bands, unsigned threads);
 
 typedef struct murk_tallies murk_tallies;
 

@@ -90,6 +90,27 @@ expect 2 "replay needs --photon" replay "$dir/good.yaml"
 expect 2 "--photon: 2000" replay "$dir/good.yaml" --photon 2000
 expect 2 "sense needs --sensors" sense "$dir/good.yaml"
 
+# ---- tallies ----
+# a grid of 120 GB is refused before it is traced
+tallies() {
+    code=$1
+    part=$2
+    expect "$code" "$part" trace "$dir/good.yaml" -o "$dir/out" --threads 1 --set "tallies=[$3]"
+}
+plane="type: plane, point_m: [1, 1, 1], normal: [0, 0, 1]"
+grid="type: grid, min_m: [0, 0, 0], max_m: [4, 4, 3]"
+tallies 2 "point_m is outside the domain" "{name: a, type: plane, point_m: [1, 1, 4], normal: [0, 0, 1]}"
+tallies 2 "must point somewhere" "{name: a, type: plane, point_m: [1, 1, 1], normal: [0, 0, 0]}"
+tallies 2 "1e+12 bins, must be 1..1000000" "{name: a, $plane, bins: [1000000, 1000000]}"
+tallies 2 "reaches outside the domain" "{name: a, type: sphere, center_m: [1, 1, 1], radius_m: 1.5}"
+tallies 2 "min must be less than max" "{name: a, type: grid, min_m: [0, 0, 0], max_m: [4, 0, 3], size: [1, 1, 1]}"
+tallies 2 "size makes 1e+18 cells" "{name: a, $grid, size: [1000000, 1000000, 1000000]}"
+tallies 2 "the tallies take 120 GB" "{name: a, $grid, size: [1000, 1000, 2000]}"
+tallies 2 "is also that of another tally" "{name: a, $plane}, {name: a, $plane}"
+tallies 2 "its files are also those" "{name: a, $grid, size: [1, 1, 1]}, {name: a_error, $grid, size: [1, 1, 1]}"
+tallies 2 "files are named by it" "{name: ../../a, $plane}"
+tallies 2 "not a key of a tally (plane)" "{name: a, $plane, radius_m: 1}"
+
 # ---- scene files ----
 expect 2 "No such file" place "$dir/nowhere.yaml" -o "$dir/out"
 expect 2 "a folder" place "$dir" -o "$dir/out"

@@ -144,6 +144,48 @@ static void test_planes_in_a_floor(void)
     }
 }
 
+/* Light from both sides onto water: a plane in its surface counts what passes
+ * just below with the normal up, just above with the normal down. */
+static void test_planes_in_an_interface(void)
+{
+    const double levels[] = {1, 0.3, 1.7};
+    const uint64_t n = 4000;
+    for (int i = 0; i < 3; ++i) {
+        const double level = levels[i];
+        const murk_light lamps[2] = {
+            test_beam(murk_vec(0.3, 1, level + 0.2), murk_vec(0.2, 0.1, -1)),
+            test_beam(murk_vec(0.6, 1, level - 0.2), murk_vec(0.2, 0.1, 1))};
+        const murk_medium clear = test_medium(0, 1, 0);
+        murk_region water = test_everywhere(0);
+        water.shape = MURK_REGION_BELOW;
+        water.below_z_m = level;
+        water.ior = 1.5;
+        const test_setup setup = {.domain = cube,
+                                  .lights = lamps,
+                                  .n_lights = 2,
+                                  .media = &clear,
+                                  .n_media = 1,
+                                  .regions = &water,
+                                  .n_regions = 1};
+        double below[2], above[2], under[2], over[2];
+        murk_tally_desc d = plane(level, 1);
+        measured(&setup, &d, n, 2, below);
+        d = plane(level - 0.001, 1);
+        measured(&setup, &d, n, 2, under);
+        d = plane(level, -1);
+        measured(&setup, &d, n, 2, above);
+        d = plane(level + 0.001, -1);
+        measured(&setup, &d, n, 2, over);
+        CHECK(below[0] == under[0] && below[1] == under[1]);
+        CHECK(above[0] == over[0] && above[1] == over[1]);
+        /* each lamp's photons arrive, and as many pass below as above */
+        CHECK(fabs(below[0] - (double)n / 2) < 5 &&
+              below[0] + above[0] == (double)n);
+        CHECK(below[0] - below[1] == above[1] - above[0]);
+        CHECK(below[0] != above[1]); /* some are reflected */
+    }
+}
+
 /* A lamp that lies in a plane sends out by its two sides as it shines. */
 static void test_a_lamp_in_a_plane(void)
 {
@@ -163,9 +205,10 @@ static void test_a_lamp_in_a_plane(void)
     CHECK(ways[0] == 0 && ways[1] == 0);
 }
 
-/* In fog, between mirrors and glass, in a periodic domain: what a plane passes
- * forward less backward is what ends beyond it less what starts there, to the
- * quantum. No photon starts below; half of the light absorbed lies there. */
+/* In fog, between mirrors, glass and water, in a periodic domain: what a plane
+ * passes forward less backward is what ends beyond it less what starts there,
+ * to the quantum. No photon starts below; half of the light absorbed lies
+ * there. */
 static void add_ends_below(void *context, uint64_t batch, const murk_event *e)
 {
     (void)batch;
@@ -192,7 +235,10 @@ static void test_nothing_is_lost_at_a_plane(double least_weight)
         test_rect(murk_vec(0, 0, 1), murk_vec(1, 0, 0.5), murk_vec(0, 2, 0), 0),
         test_sphere(murk_vec(1.2, 1, 1), 0.4, 1)};
     const murk_medium fog = test_medium(3, 0.95, 0.5);
-    const murk_region region = test_everywhere(0);
+    murk_region regions[2] = {
+        test_everywhere(0),
+        test_box_region(0, murk_vec(0.1, 0.2, 0.3), murk_vec(1.9, 0.9, 1.3))};
+    regions[1].ior = 1.3;
     const test_setup setup = {.domain = tile,
                               .lights = &light,
                               .n_lights = 1,
@@ -202,8 +248,8 @@ static void test_nothing_is_lost_at_a_plane(double least_weight)
                               .n_materials = 2,
                               .media = &fog,
                               .n_media = 1,
-                              .regions = &region,
-                              .n_regions = 1};
+                              .regions = regions,
+                              .n_regions = 2};
     test_world w = test_world_made(&setup);
     murk_error err = {0};
     murk_tallies *tallies = NULL;
@@ -336,14 +382,14 @@ static void test_memory_is_said_before_it_is_taken(void)
     murk_tally_desc d[2] = {plane(1, 1), grid_tally()};
     d[1].where = "x.yaml:2:1: tallies.1";
     d[1].size[0] = d[1].size[1] = d[1].size[2] = 1000;
-    const double bytes = murk_tallies_memory(d, 2, 6, 2);
-    CHECK_NEAR(bytes / 1e9, 6 * 32 + 2 * 12, 0.1);
+    const double bytes = murk_tallies_memory(d, 2, 6, 3, 2);
+    CHECK_NEAR(bytes / 1e9, 6 * 32 + 2 * 12 + 3 * 16, 0.1);
     murk_tallies *tallies = NULL;
     murk_error err = {0};
     CHECK(murk_tallies_create(&tallies, d, 2, &cube, 6, 3, 2, 8e9, &err) ==
           MURK_BAD_VALUE);
     CHECK_TEXT(err.where, "x.yaml:2:1: tallies.1");
-    CHECK_TEXT(err.text, "the tallies take 216 GB: 1000000000 cells in this "
+    CHECK_TEXT(err.text, "the tallies take 264 GB: 1000000000 cells in this "
                          "one, for each of 6 lights times bands; this machine "
                          "has 8 GB free");
     CHECK(tallies == NULL);
@@ -366,6 +412,7 @@ int main(void)
     test_planes_in_the_sides();
     test_planes_and_wraps();
     test_planes_in_a_floor();
+    test_planes_in_an_interface();
     test_a_lamp_in_a_plane();
     test_nothing_is_lost_at_a_plane(1);
     test_nothing_is_lost_at_a_plane(1. / 1024);
