@@ -77,6 +77,11 @@ static murk_box region_box(const findings *f, const murk_scene_region *r)
     if (murk_extent_is_bounded(r)) {
         return murk_extent_region(stage->scene, r, stage->grid[r->medium]);
     }
+    const murk_scene_numbers *z = &stage->scene->media[r->medium].profile_z_m;
+    if (z->n > 0) {
+        box.min.z = fmax(box.min.z, z->value[0]);
+        box.max.z = fmin(box.max.z, z->value[z->n - 1]);
+    }
     if (r->shape == MURK_SCENE_BELOW && r->below_z_m < box.max.z) {
         box.max.z = r->below_z_m;
     }
@@ -118,6 +123,45 @@ static void add_phases(cJSON *item, const findings *f, size_t medium)
     add_spectrum(item, "mean_cosine", &mean, bands);
 }
 
+static murk_spectrum profile_maximum(const murk_scene_medium *m)
+{
+    murk_spectrum most = {{0}};
+    for (size_t i = 0; i < m->profile_per_m.n; ++i) {
+        for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+            most.band[band] =
+                fmax(most.band[band], m->profile_per_m.value[i].band[band]);
+        }
+    }
+    return most;
+}
+
+static void add_profile(cJSON *item, const murk_scene_medium *m, int bands)
+{
+    const murk_scene_numbers *z = &m->profile_z_m;
+    const double ends[] = {z->value[0], z->value[z->n - 1]};
+    const murk_spectrum most = profile_maximum(m);
+    cJSON *profile = cJSON_AddObjectToObject(item, "profile");
+    cJSON_AddNumberToObject(profile, "heights", (double)z->n);
+    cJSON_AddItemToObject(profile, "z_m", cJSON_CreateDoubleArray(ends, 2));
+    add_spectrum(profile, "maximum_per_m", &most, bands);
+}
+
+static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
+{
+    if (!grid) {
+        return;
+    }
+    const murk_grid_facts *facts = murk_grid_describe(grid);
+    cJSON *g = cJSON_AddObjectToObject(item, key);
+    cJSON_AddStringToObject(g, "name", facts->name);
+    cJSON_AddNumberToObject(g, "active_voxels", (double)facts->active);
+    cJSON_AddNumberToObject(g, "minimum", facts->minimum);
+    cJSON_AddNumberToObject(g, "maximum", facts->maximum);
+    cJSON_AddNumberToObject(g, "sum", facts->sum);
+    cJSON_AddItemToObject(g, "voxel_m",
+                          cJSON_CreateDoubleArray(facts->voxel_m, 3));
+}
+
 static void add_media(cJSON *root, const findings *f)
 {
     const murk_scene *scene = f->session->scene;
@@ -126,22 +170,18 @@ static void add_media(cJSON *root, const findings *f)
         const murk_scene_medium *m = &scene->media[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", m->name);
-        add_spectrum(item, "extinction_per_m", &m->extinction_per_m,
-                     scene->bands);
-        add_spectrum(item, "albedo", &m->albedo, scene->bands);
-        add_phases(item, f, i);
-        const murk_grid *grid = f->session->stage->grid[i];
-        if (grid) {
-            const murk_grid_facts *facts = murk_grid_describe(grid);
-            cJSON *g = cJSON_AddObjectToObject(item, "grid");
-            cJSON_AddStringToObject(g, "name", facts->name);
-            cJSON_AddNumberToObject(g, "active_voxels", (double)facts->active);
-            cJSON_AddNumberToObject(g, "minimum", facts->minimum);
-            cJSON_AddNumberToObject(g, "maximum", facts->maximum);
-            cJSON_AddNumberToObject(g, "sum", facts->sum);
-            cJSON_AddItemToObject(g, "voxel_m",
-                                  cJSON_CreateDoubleArray(facts->voxel_m, 3));
+        if (m->profile_z_m.n > 0) {
+            add_profile(item, m, scene->bands);
+        } else {
+            add_spectrum(item, "extinction_per_m", &m->extinction_per_m,
+                         scene->bands);
         }
+        if (!m->albedo_grid) {
+            add_spectrum(item, "albedo", &m->albedo, scene->bands);
+        }
+        add_phases(item, f, i);
+        add_grid(item, "grid", f->session->stage->fillings->grid[i]);
+        add_grid(item, "albedo_grid", f->session->stage->fillings->albedo[i]);
         cJSON_AddItemToArray(media, item);
     }
     cJSON *regions = cJSON_AddArrayToObject(root, "regions");
@@ -243,20 +283,43 @@ static void print_phases(const findings *f, size_t medium)
     printf("\n");
 }
 
+static void print_medium(const findings *f, size_t medium)
+{
+    const murk_scene_medium *m = &f->session->scene->media[medium];
+    const murk_fillings *fillings = f->session->stage->fillings;
+    const murk_grid *grid = fillings->grid[medium];
+    const murk_grid *albedo = fillings->albedo[medium];
+    if (m->profile_z_m.n > 0) {
+        printf("medium      %s: %zu heights, %.4g to %.4g m, extinction up to "
+               "%.6g /m",
+               m->name, m->profile_z_m.n, m->profile_z_m.value[0],
+               m->profile_z_m.value[m->profile_z_m.n - 1],
+               profile_maximum(m).band[0]);
+    } else {
+        printf("medium      %s: extinction %.6g /m", m->name,
+               m->extinction_per_m.band[0]);
+    }
+    if (albedo) {
+        const murk_grid_facts *facts = murk_grid_describe(albedo);
+        printf(", albedo %.4g..%.4g by grid %s, %.4g elsewhere", facts->minimum,
+               facts->maximum, facts->name, facts->background);
+    } else {
+        printf(", albedo %.4g", m->albedo.band[0]);
+    }
+    if (grid) {
+        const murk_grid_facts *facts = murk_grid_describe(grid);
+        printf("; %sgrid %s: %llu voxels of %.4g m, density %.4g..%.4g",
+               m->is_linear ? "linear " : "", facts->name,
+               (unsigned long long)facts->active, facts->voxel_m[0],
+               facts->minimum, facts->maximum);
+    }
+}
+
 static void print_media(const findings *f)
 {
     const murk_scene *scene = f->session->scene;
     for (size_t i = 0; i < scene->n_media; ++i) {
-        const murk_scene_medium *m = &scene->media[i];
-        printf("medium      %s: extinction %.6g /m, albedo %.4g", m->name,
-               m->extinction_per_m.band[0], m->albedo.band[0]);
-        const murk_grid *grid = f->session->stage->grid[i];
-        if (grid) {
-            const murk_grid_facts *facts = murk_grid_describe(grid);
-            printf("; grid %s: %llu voxels of %.4g m, density %.4g..%.4g",
-                   facts->name, (unsigned long long)facts->active,
-                   facts->voxel_m[0], facts->minimum, facts->maximum);
-        }
+        print_medium(f, i);
         printf("%s\n", scene->bands > 1 ? " (first band)" : "");
         print_phases(f, i);
     }
@@ -266,6 +329,9 @@ static void print_media(const findings *f)
         printf("region      %s", scene->media[r->medium].name);
         if (r->shape == MURK_SCENE_EVERYWHERE) {
             printf(" everywhere");
+            if (scene->media[r->medium].profile_z_m.n > 0) {
+                printf(" at %.4g to %.4g m", box.min.z, box.max.z);
+            }
         } else if (r->shape == MURK_SCENE_BELOW) {
             printf(" below z = %.4g m", r->below_z_m);
         } else {

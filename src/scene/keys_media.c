@@ -1,13 +1,20 @@
 /* Media and the regions that they fill. */
 #include "scene/keys_rows.h"
 
-enum { MEDIUM_HOMOGENEOUS, MEDIUM_GRID };
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/frames.h"
+
+enum { MEDIUM_HOMOGENEOUS, MEDIUM_GRID, MEDIUM_PROFILE };
 
 static murk_status choose_medium(murk_walk *walk, const murk_yaml *map,
                                  int *variant)
 {
     (void)walk;
-    *variant = murk_yaml_get(map, "vdb") ? MEDIUM_GRID : MEDIUM_HOMOGENEOUS;
+    *variant = murk_yaml_get(map, "vdb")       ? MEDIUM_GRID
+               : murk_yaml_get(map, "profile") ? MEDIUM_PROFILE
+                                               : MEDIUM_HOMOGENEOUS;
     return MURK_OK;
 }
 
@@ -59,7 +66,107 @@ static const murk_keys PHASE = {
     .key = PHASE_ROWS,
 };
 
-static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid"};
+static const murk_key ALBEDO_ROWS[] = {
+    ROW("grid", TEXT, NEEDED, AT(murk_scene_medium, albedo_grid)),
+    ROW("vdb", PATH, AT(murk_scene_medium, albedo_vdb)),
+    END,
+};
+
+static const murk_keys ALBEDO = {
+    .noun = "albedo",
+    .key = ALBEDO_ROWS,
+};
+
+static murk_status check_profile(murk_walk *walk, const murk_yaml *map,
+                                 void *item)
+{
+    const murk_scene_medium *medium = item;
+    const murk_scene_numbers *z = &medium->profile_z_m;
+    if (z->n < 2 || z->n != medium->profile_per_m.n) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "%zu heights and %zu extinctions, must be as "
+                              "many of both, at least 2",
+                              z->n, medium->profile_per_m.n);
+    }
+    for (size_t i = 1; i < z->n; ++i) {
+        if (z->value[i] < z->value[i - 1] ||
+            (i > 1 && z->value[i] == z->value[i - 2])) {
+            return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                  "z_m has %.9g after %.9g, must rise; a "
+                                  "height given twice is a jump",
+                                  z->value[i], z->value[i - 1]);
+        }
+    }
+    if (z->value[0] == z->value[z->n - 1]) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "z_m has %.9g alone, must span a layer",
+                              z->value[0]);
+    }
+    return MURK_OK;
+}
+
+static const murk_key PROFILE_ROWS[] = {
+    ROW("z_m", NUMBER_LIST, NEEDED, LONG_M, AT(murk_scene_medium, profile_z_m)),
+    ROW("extinction_per_m", SPECTRUM_LIST, NEEDED, .most = 1e9, .unit = "1/m",
+        AT(murk_scene_medium, profile_per_m)),
+    END,
+};
+
+static const murk_keys PROFILE = {
+    .noun = "profile",
+    .check = check_profile,
+    .key = PROFILE_ROWS,
+};
+
+/* The frame's file takes the place of the pattern that names all. */
+static murk_status choose_frame(murk_walk *walk, const murk_yaml *map,
+                                murk_scene_medium *medium)
+{
+    char *file = murk_frames_file(medium->vdb, medium->frame);
+    if (!file) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "a frame of %.200s, which has no place for its "
+                              "number, such as #### or %%04d",
+                              medium->vdb);
+    }
+    medium->vdb_frames = medium->vdb;
+    medium->vdb = file;
+    file = medium->albedo_vdb
+               ? murk_frames_file(medium->albedo_vdb, medium->frame)
+               : NULL;
+    if (file) {
+        free(medium->albedo_vdb);
+        medium->albedo_vdb = file;
+    }
+    return MURK_OK;
+}
+
+static murk_status check_medium(murk_walk *walk, const murk_yaml *map,
+                                void *item)
+{
+    murk_scene_medium *medium = item;
+    if (medium->has_frame) {
+        const murk_status status = choose_frame(walk, map, medium);
+        if (status) {
+            return status;
+        }
+    }
+    if (!medium->albedo_grid || medium->albedo_vdb) {
+        return MURK_OK;
+    }
+    if (!medium->vdb) {
+        const size_t back = murk_walk_enter(walk, "albedo");
+        const murk_status status =
+            murk_walk_fail(walk, MURK_BAD_VALUE, murk_yaml_get(map, "albedo"),
+                           false, "misses vdb, must be the name of a file");
+        murk_walk_leave(walk, back);
+        return status;
+    }
+    medium->albedo_vdb = strdup(medium->vdb);
+    return medium->albedo_vdb ? MURK_OK : murk_walk_no_memory(walk);
+}
+
+static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid", "profile"};
 
 static const murk_word INTERPOLATION_WORDS[] = {
     {"nearest", 0, false},
@@ -74,21 +181,25 @@ static const murk_word PHASE_WORDS[] = {
 };
 
 static const murk_key MEDIUM_ROWS[] = {
-    ROW("vdb", PATH, AT(murk_scene_medium, vdb)),
+    ROW("vdb", PATH, .group = 1, AT(murk_scene_medium, vdb)),
+    ROW("frame", COUNT, .variants = BIT(MEDIUM_GRID), .most = 999999999,
+        AT(murk_scene_medium, frame), FLAG(murk_scene_medium, has_frame)),
     ROW("grid", TEXT, .variants = BIT(MEDIUM_GRID),
         AT(murk_scene_medium, grid)),
     ROW("interpolation", WORD, .variants = BIT(MEDIUM_GRID),
         .preset = "nearest", .words = INTERPOLATION_WORDS,
         AT(murk_scene_medium, is_linear)),
+    ROW("profile", MAP, .group = 1, .keys = &PROFILE),
     ROW("extinction_per_m", SPECTRUM, NEEDED, .most = 1e9, .unit = "1/m",
+        .variants = BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID),
         AT(murk_scene_medium, extinction_per_m)),
-    ROW("albedo", SPECTRUM, NEEDED, SHARE, AT(murk_scene_medium, albedo)),
+    ROW("albedo", SPECTRUM, NEEDED, SHARE, .keys = &ALBEDO,
+        AT(murk_scene_medium, albedo)),
     ROW("phase", PER_BAND, .keys = &PHASE, .preset = "isotropic",
         .words = PHASE_WORDS, AT(murk_scene_medium, phase)),
     LATER("preset"),
     LATER("visibility_m"),
     LATER("mor_m"),
-    LATER("profile"),
     END,
 };
 
@@ -96,6 +207,7 @@ const murk_keys murk_medium_keys = {
     .noun = "medium",
     .choose = choose_medium,
     .variant_names = MEDIUM_VARIANTS,
+    .check = check_medium,
     WHERE(murk_scene_medium, where),
     ITEMS(murk_scene_medium, media, n_media),
     .most_items = 256,

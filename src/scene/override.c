@@ -82,9 +82,11 @@ static murk_status unknown_key(const option_context *option,
 /* Whether its keys are those of a map, not of the items in it. */
 static bool is_map(const spot *at)
 {
+    const bool may_be_map =
+        at->key->kind == MURK_KEY_PER_BAND ||
+        (at->key->kind == MURK_KEY_SPECTRUM && at->key->keys);
     return at->key->kind == MURK_KEY_MAP ||
-           (at->key->kind == MURK_KEY_PER_BAND &&
-            at->node->kind != MURK_YAML_LIST);
+           (may_be_map && at->node->kind != MURK_YAML_LIST);
 }
 
 /* What the table says of a child of this spot. Names and items are maps. */

@@ -195,6 +195,11 @@ void murk_scene_destroy(murk_scene *scene)
     for (size_t i = 0; i < scene->n_media; ++i) {
         free(scene->media[i].vdb);
         free(scene->media[i].grid);
+        free(scene->media[i].albedo_vdb);
+        free(scene->media[i].albedo_grid);
+        free(scene->media[i].vdb_frames);
+        free(scene->media[i].profile_z_m.value);
+        free(scene->media[i].profile_per_m.value);
         for (size_t k = 0; k < scene->media[i].n_phases; ++k) {
             free(scene->media[i].phase[k].table);
         }

@@ -67,15 +67,34 @@ typedef struct murk_scene_phase {
     char *table;               /* CSV file as it is to be opened; or NULL */
 } murk_scene_phase;
 
+#define MURK_SCENE_LIST_MAX 65536
+
+typedef struct murk_scene_numbers {
+    size_t n;
+    double *value;
+} murk_scene_numbers;
+
+typedef struct murk_scene_spectra {
+    size_t n;
+    murk_spectrum *value;
+} murk_scene_spectra;
+
 typedef struct murk_scene_medium {
     murk_scene_name name;
     murk_scene_where where;
     murk_spectrum extinction_per_m, albedo;
     murk_scene_phase phase[MURK_BANDS_MAX];
-    size_t n_phases; /* 1: the same one in all bands; else one a band */
-    char *vdb;       /* file as it is to be opened; NULL: homogeneous */
-    char *grid;      /* name; NULL: the file's only one, or `density` */
-    bool is_linear;  /* interpolation: linear; false: nearest */
+    size_t n_phases;   /* 1: the same one in all bands; else one a band */
+    char *vdb;         /* file as it is to be opened; NULL: homogeneous */
+    char *grid;        /* name; NULL: the file's only one, or `density` */
+    bool is_linear;    /* interpolation: linear; false: nearest */
+    char *albedo_grid; /* name; NULL: `albedo` holds */
+    char *albedo_vdb;  /* its file */
+    bool has_frame;    /* vdb, and albedo_vdb where it can, are this frame of */
+    uint64_t frame;    /* the files that */
+    char *vdb_frames;  /* this stands for; NULL: no frames */
+    murk_scene_numbers profile_z_m; /* n 0: no profile */
+    murk_scene_spectra profile_per_m;
 } murk_scene_medium;
 
 typedef enum murk_scene_region_shape {

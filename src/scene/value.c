@@ -229,6 +229,59 @@ static murk_status read_spectrum(murk_walk *walk, const murk_key *key,
     return status;
 }
 
+/* ---- lists of any length ---- */
+
+static murk_status spectrum_item(murk_walk *walk, const murk_key *key,
+                                 murk_yaml *node, size_t index, void *out)
+{
+    murk_key one = *key;
+    one.kind = MURK_KEY_SPECTRUM;
+    return read_spectrum(walk, &one, node, (murk_spectrum *)out + index);
+}
+
+static murk_status check_length(murk_walk *walk, const murk_key *key,
+                                const murk_yaml *node)
+{
+    if (node->kind != MURK_YAML_LIST || node->n == 0) {
+        return wrong(walk, key, node);
+    }
+    return node->n <= MURK_SCENE_LIST_MAX
+               ? MURK_OK
+               : murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                                "a list of %zu, must be at most %d", node->n,
+                                MURK_SCENE_LIST_MAX);
+}
+
+static murk_status read_number_list(murk_walk *walk, const murk_key *key,
+                                    murk_yaml *node, murk_scene_numbers *out)
+{
+    const murk_status status = check_length(walk, key, node);
+    if (status) {
+        return status;
+    }
+    out->value = calloc(node->n, sizeof *out->value);
+    if (!out->value) {
+        return murk_walk_no_memory(walk);
+    }
+    out->n = node->n;
+    return read_items(walk, key, node, number_item, out->value);
+}
+
+static murk_status read_spectrum_list(murk_walk *walk, const murk_key *key,
+                                      murk_yaml *node, murk_scene_spectra *out)
+{
+    const murk_status status = check_length(walk, key, node);
+    if (status) {
+        return status;
+    }
+    out->value = calloc(node->n, sizeof *out->value);
+    if (!out->value) {
+        return murk_walk_no_memory(walk);
+    }
+    out->n = node->n;
+    return read_items(walk, key, node, spectrum_item, out->value);
+}
+
 /* ---- texts ---- */
 
 static murk_status read_text(murk_walk *walk, const murk_key *key,
@@ -456,6 +509,10 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
             return wrong(walk, key, node);
         }
         return read_items(walk, key, node, count_item, member);
+    case MURK_KEY_NUMBER_LIST:
+        return read_number_list(walk, key, node, member);
+    case MURK_KEY_SPECTRUM_LIST:
+        return read_spectrum_list(walk, key, node, member);
     case MURK_KEY_NUMBERS:
         return read_numbers(walk, key, node, member);
     case MURK_KEY_BANDS:

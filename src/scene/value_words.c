@@ -132,8 +132,15 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
                  MURK_BANDS_MAX + 1, range);
         break;
     case MURK_KEY_SPECTRUM:
-        snprintf(out, size, "a number, %s, or a list of them, one a band",
-                 range);
+        snprintf(out, size, "a number, %s, or a list of them, one a band%s",
+                 range, key->keys ? ", or a map of keys" : "");
+        break;
+    case MURK_KEY_NUMBER_LIST:
+        snprintf(out, size, "a list of numbers, each %s", range);
+        break;
+    case MURK_KEY_SPECTRUM_LIST:
+        snprintf(out, size,
+                 "a list of numbers, each %s, or of lists, one a band", range);
         break;
     case MURK_KEY_SHARED:
         snprintf(out, size, "a number (the total), %s, or a list, one a band",

@@ -353,6 +353,10 @@ murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
     if (key->kind == MURK_KEY_PER_BAND) {
         return murk_walk_bands(walk, key, node, item);
     }
+    if (key->kind == MURK_KEY_SPECTRUM && key->keys &&
+        node->kind == MURK_YAML_MAP) {
+        return walk_map(walk, key->keys, node, item);
+    }
     const bool wants_map =
         key->kind == MURK_KEY_MAP || key->kind == MURK_KEY_NAMED;
     if (!wants_map && key->kind != MURK_KEY_LIST) {

@@ -97,6 +97,18 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
     return box_around(&whole, &voxels);
 }
 
+/* What a profile leaves of a shape, in the region's own frame. */
+static murk_box box_of_shape(const murk_scene_region *r,
+                             const murk_scene_numbers *z_m)
+{
+    const murk_box layers = {{-INFINITY, -INFINITY, z_m->value[0]},
+                             {INFINITY, INFINITY, z_m->value[z_m->n - 1]}};
+    return meet(r->shape == MURK_SCENE_IN_SPHERE
+                    ? box_of_sphere(r->center, r->radius_m)
+                    : r->box,
+                layers);
+}
+
 murk_box murk_extent_region(const murk_scene *scene, const murk_scene_region *r,
                             const murk_grid *grid)
 {
@@ -118,9 +130,16 @@ murk_box murk_extent_region(const murk_scene *scene, const murk_scene_region *r,
     case MURK_SCENE_BELOW:
         return box;
     }
-    const bool hides = r->replaces || r->ior > 0;
-    return grid && !hides ? meet(box, box_of_grid(&placed, grid, is_linear))
-                          : box;
+    const murk_scene_numbers *z_m = &scene->media[r->medium].profile_z_m;
+    if (r->replaces || r->ior > 0) {
+        return box;
+    }
+    if (z_m->n > 0) {
+        const murk_box local = box_of_shape(r, z_m);
+        return is_empty(&local) ? local
+                                : meet(box, box_around(&placed, &local));
+    }
+    return grid ? meet(box, box_of_grid(&placed, grid, is_linear)) : box;
 }
 
 static murk_box light_box(const murk_scene_light *light)

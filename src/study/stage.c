@@ -54,15 +54,17 @@ static murk_status import_files(murk_stage *stage, murk_error *err)
         }
     }
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
-        const murk_scene_medium *m = &scene->media[i];
-        if (!m->vdb) {
-            continue;
+        const char *file[2] = {NULL, NULL}, *where = scene->media[i].where;
+        status = murk_fillings_files(scene, i, file, err);
+        for (int k = 0; k < 2 && !status; ++k) {
+            status = file[k] ? sign_file(stage, file[k], where, err) : MURK_OK;
         }
-        status = sign_file(stage, m->vdb, m->where, err);
-        if (!status) {
-            status =
-                murk_grid_read(&stage->grid[i], m->vdb, m->grid, m->where, err);
-        }
+    }
+    if (!status) {
+        status = murk_fillings_create(&stage->fillings, scene, err);
+    }
+    if (!status) {
+        stage->grid = stage->fillings->grid;
     }
     return status;
 }
@@ -171,10 +173,10 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
         const murk_scene_medium *m = &scene->media[i];
         medium[i] = (murk_medium){.extinction_per_m = m->extinction_per_m,
                                   .albedo = m->albedo,
-                                  .grid = stage->grid[i],
                                   .interpolation =
                                       m->is_linear ? MURK_LINEAR : MURK_NEAREST,
                                   .where = m->where};
+        murk_fillings_give(stage->fillings, i, &medium[i]);
         memcpy(medium[i].phase, stage->phases->medium[i],
                sizeof medium[i].phase);
     }
@@ -306,10 +308,9 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
                          "no memory for the world");
     }
     stage->scene = scene;
-    stage->grid = calloc(scene->n_media + 1, sizeof *stage->grid);
     stage->mesh = calloc(scene->geometries + 1, sizeof *stage->mesh);
     stage->light_key = strdup(scene->light_key);
-    if (!stage->grid || !stage->mesh || !stage->light_key) {
+    if (!stage->mesh || !stage->light_key) {
         status = murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for the world");
         goto done;
@@ -360,15 +361,12 @@ void murk_stage_destroy(murk_stage *stage)
     murk_media_destroy(stage->media);
     murk_phases_destroy(stage->phases);
     murk_surfaces_destroy(stage->surfaces);
-    for (size_t i = 0; stage->grid && i < stage->scene->n_media; ++i) {
-        murk_grid_destroy(stage->grid[i]);
-    }
+    murk_fillings_destroy(stage->fillings);
     for (size_t i = 0; stage->mesh && i < stage->scene->geometries; ++i) {
         murk_mesh_destroy(stage->mesh[i]);
     }
     free(stage->light_key);
     free(stage->tally);
-    free(stage->grid);
     free(stage->mesh);
     free(stage);
 }

@@ -8,13 +8,15 @@
 
 #include "base/status.h"
 #include "scene/scene.h"
+#include "study/fillings.h"
 #include "study/phases.h"
 #include "transport/trace.h"
 
 typedef struct murk_stage {
     const murk_scene *scene; /* borrowed */
     murk_world world;
-    murk_grid **grid; /* [scene->n_media]; NULL for homogeneous media */
+    murk_fillings *fillings; /* of media */
+    murk_grid **grid;        /* fillings->grid: NULL for media without one */
     murk_mesh **mesh; /* [scene->geometries]; NULL for the other shapes */
     murk_phases *phases;
     murk_surfaces *surfaces;

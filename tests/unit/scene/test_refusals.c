@@ -124,7 +124,7 @@ static const refusal REFUSALS[] = {
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, grid: a}\n", VALUE,
      "fog.yaml:3:41: media.fog.grid",
      "not a key of a medium (homogeneous), must be one of vdb, "
-     "extinction_per_m, albedo, phase"},
+     "profile, extinction_per_m, albedo, phase"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, "
      "0]}}\n",
      VALUE, "fog.yaml:3:49: media.fog.phase.two_hg",
@@ -179,6 +179,60 @@ static const refusal REFUSALS[] = {
      "cubic}\n",
      VALUE, "fog.yaml:3:62: media.a.interpolation",
      "cubic, must be nearest, linear"},
+    {"media:\n  a: {profile: {z_m: [0, 1], extinction_per_m: [1]}, albedo: "
+     "1}\n",
+     VALUE, "fog.yaml:3:7: media.a.profile",
+     "2 heights and 1 extinctions, must be as many of both, at least 2"},
+    {"media:\n  a: {profile: {z_m: [1], extinction_per_m: [1]}, albedo: 1}\n",
+     VALUE, "fog.yaml:3:7: media.a.profile",
+     "1 heights and 1 extinctions, must be as many of both, at least 2"},
+    {"media:\n  a: {profile: {z_m: [0, 2, 1], extinction_per_m: [1, 1, 1]}, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:7: media.a.profile",
+     "z_m has 1 after 2, must rise; a height given twice is a jump"},
+    {"media:\n  a: {profile: {z_m: [0, 0, 0], extinction_per_m: [1, 1, 1]}, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:7: media.a.profile",
+     "z_m has 0 after 0, must rise; a height given twice is a jump"},
+    {"media:\n  a: {profile: {z_m: [3, 3], extinction_per_m: [1, 1]}, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:7: media.a.profile",
+     "z_m has 3 alone, must span a layer"},
+    {"media:\n  a: {profile: {z_m: [0, .nan], extinction_per_m: [1, 1]}, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:26: media.a.profile.z_m.1",
+     ".nan, must be a number, -1e9..1e9 m"},
+    {"media:\n  a: {profile: {z_m: 5, extinction_per_m: [1, 1]}, albedo: 1}\n",
+     VALUE, "fog.yaml:3:22: media.a.profile.z_m",
+     "5, must be a list of numbers, each -1e9..1e9 m"},
+    {"media:\n  a: {profile: {z_m: [0, 1], extinction_per_m: [1, -1]}, albedo: "
+     "1}\n",
+     VALUE, "fog.yaml:3:52: media.a.profile.extinction_per_m.1",
+     "-1, must be 0..1e9 1/m"},
+    {"media:\n  a: {profile: {z_m: [0, 1], extinction_per_m: [1, [1, 2]]}, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:52: media.a.profile.extinction_per_m.1",
+     "a list of 2, must be one number or a list of 1, one a band"},
+    {"media:\n  a: {profile: {z_m: [0, 1], extinction_per_m: [1, 1]}, vdb: x, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:3: media.a",
+     "has vdb and profile, must have one of them"},
+    {"media:\n  a: {extinction_per_m: 1, albedo: {grid: w}}\n", VALUE,
+     "fog.yaml:3:28: media.a.albedo", "misses vdb, must be the name of a file"},
+    {"media:\n  a: {extinction_per_m: 1, albedo: {vdb: w}}\n", VALUE,
+     "fog.yaml:3:28: media.a.albedo",
+     "misses grid, must be a text of 1..255 bytes"},
+    {"media:\n  a: {vdb: smoke.vdb, frame: 3, extinction_per_m: 1, albedo: "
+     "1}\n",
+     VALUE, "fog.yaml:3:3: media.a",
+     "a frame of smoke.vdb, which has no place for its number, such as #### "
+     "or %04d"},
+    {"media:\n  a: {vdb: s#.vdb, frame: -3, extinction_per_m: 1, albedo: 1}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame", "-3, must be 0..999999999"},
+    {"media:\n  a: {frame: 3, extinction_per_m: 1, albedo: 1}\n", VALUE,
+     "fog.yaml:3:7: media.a.frame",
+     "not a key of a medium (homogeneous), must be one of vdb, profile, "
+     "extinction_per_m, albedo, phase"},
     /* regions */
     {"regions:\n  - {medium: fog}\n", VALUE, "fog.yaml:3:14: regions.0.medium",
      "fog is not in media, must be a name given there: there are none"},
@@ -486,7 +540,7 @@ static void test_options_apply(void)
     CHECK(scene->photons.emit == 2000000 && scene->photons.store == 0);
     CHECK(scene->photons.store_hits);
     CHECK(scene->placement.balanced);
-    CHECK(scene->n_media == 4 && scene->regions[0].medium == 3);
+    CHECK(scene->n_media == 6 && scene->regions[0].medium == 5);
     CHECK(scene->materials[0].diffuse.band[0] == 0.25);
     CHECK(scene->sensors.grid_size[0] == 15);
     murk_scene_destroy(scene);

@@ -49,7 +49,7 @@ static void test_surfaces_and_materials(const murk_scene *scene)
 
 static void test_media_and_regions(const murk_scene *scene)
 {
-    CHECK(scene->n_media == 3);
+    CHECK(scene->n_media == 5);
     CHECK_TEXT(scene->media[0].name, "haze");
     CHECK_TEXT(scene->media[0].where, "fog.yaml:18:3: media.haze");
     CHECK(scene->media[0].phase[0].mean_cosine.band[1] == 0.8);
@@ -59,6 +59,23 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK(scene->media[1].phase[0].mean_cosine.band[1] == -0.5);
     CHECK(scene->media[2].extinction_per_m.band[0] == 1e-3);
     CHECK(scene->media[2].phase[0].mean_cosine.band[0] == 0);
+
+    const murk_scene_medium *plume = &scene->media[3];
+    CHECK_TEXT(plume->vdb, "plume.0012.vdb");
+    CHECK_TEXT(plume->vdb_frames, "plume.%04d.vdb");
+    CHECK_TEXT(plume->albedo_vdb, "plume.0012.vdb");
+    CHECK_TEXT(plume->albedo_grid, "albedo");
+    CHECK(plume->has_frame && plume->frame == 12 && plume->is_linear);
+    CHECK(!scene->media[1].is_linear && !scene->media[1].has_frame);
+
+    const murk_scene_medium *layer = &scene->media[4];
+    CHECK(layer->profile_z_m.n == 4 && layer->profile_per_m.n == 4);
+    CHECK(layer->profile_z_m.value[3] == 5);
+    CHECK(layer->profile_per_m.value[0].band[1] == 0.2);
+    CHECK(layer->profile_per_m.value[1].band[0] == 0.1);
+    CHECK(layer->profile_per_m.value[1].band[1] == 0.3);
+    CHECK_TEXT(layer->albedo_vdb, "a/ssa.vdb");
+    CHECK(layer->vdb == NULL && scene->media[0].profile_z_m.n == 0);
 
     CHECK(scene->n_regions == 5);
     CHECK(scene->regions[0].shape == MURK_SCENE_EVERYWHERE);
@@ -123,7 +140,7 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
     CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
     CHECK(sensors->grid_max.y == 19);
-    CHECK_TEXT(sensors->grid_where, "fog.yaml:53:5: sensors.candidates.grid");
+    CHECK_TEXT(sensors->grid_where, "fog.yaml:58:5: sensors.candidates.grid");
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
@@ -164,6 +181,33 @@ static void test_band_edges(void)
     CHECK(scene->bands == 2 && scene->has_edges);
     CHECK(scene->band_nm[0] == 450 && scene->band_nm[1] == 600);
     CHECK(scene->band_edge_nm[2] == 700);
+    murk_scene_destroy(scene);
+}
+
+/* Frames, layers and albedos from the command line. */
+static void test_fillings_by_override(void)
+{
+    const murk_override overrides[] = {
+        {.text = "media.plume.frame=13"},
+        {.text = "media.layer.profile.z_m=[-1, 0, 1, 2]"},
+        {.text = "media.layer.profile.extinction_per_m.2=0.7"},
+        {.text = "media.layer.albedo=[0.5, 0.25]"},
+        {.text = "media.thin.albedo.grid=w"},
+        {.text = "media.thin.albedo.vdb=z.vdb"}};
+    murk_scene *scene = must_read(FULL_SCENE, overrides, 6);
+    CHECK_TEXT(scene->media[3].vdb, "plume.0013.vdb");
+    CHECK_TEXT(scene->media[3].albedo_vdb, "plume.0013.vdb");
+    CHECK(scene->media[4].profile_z_m.value[0] == -1);
+    CHECK(scene->media[4].profile_per_m.value[2].band[1] == 0.7);
+    CHECK(scene->media[4].albedo_grid == NULL);
+    CHECK(scene->media[4].albedo.band[1] == 0.25);
+    CHECK_TEXT(scene->media[2].albedo_grid, "w");
+    CHECK_TEXT(scene->media[2].albedo_vdb, "z.vdb");
+    CHECK_MENTIONS(scene->light_key, "frame: 13");
+    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    CHECK_TEXT(again->resolved, scene->resolved);
+    CHECK_MENTIONS(again->media[3].vdb, "/plume.0013.vdb");
+    murk_scene_destroy(again);
     murk_scene_destroy(scene);
 }
 
@@ -359,6 +403,7 @@ int main(void)
     murk_scene_destroy(scene);
     test_defaults();
     test_band_edges();
+    test_fillings_by_override();
     test_phases();
     test_spacing_fills_the_grid();
     test_resolved_reads_back(FULL_SCENE);

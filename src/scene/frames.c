@@ -1,0 +1,153 @@
+#include "scene/frames.h"
+
+#include <dirent.h>
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/file.h"
+
+#define DIGITS_MAX 18
+#define FRAMES_MAX 1000000 /* in a folder; more are not listed */
+
+/* Where the number stands in a pattern. */
+typedef struct place {
+    const char *name;        /* of the file, without folders */
+    const char *begin, *end; /* of #### or %04d */
+    int digits;              /* at least so many */
+} place;
+
+static bool find_place(const char *pattern, place *p)
+{
+    const char *slash = strrchr(pattern, '/');
+    p->name = slash ? slash + 1 : pattern;
+    p->begin = strpbrk(p->name, "#%");
+    if (!p->begin) {
+        return false;
+    }
+    if (*p->begin == '#') {
+        const size_t n = strspn(p->begin, "#");
+        p->digits = (int)n;
+        p->end = p->begin + n;
+        return n <= DIGITS_MAX;
+    }
+    char *end = NULL;
+    const bool is_padded = p->begin[1] == '0';
+    const long digits = is_padded ? strtol(p->begin + 2, &end, 10) : 1;
+    const char *letter = is_padded ? end : p->begin + 1;
+    p->digits = (int)digits;
+    p->end = letter + 1;
+    return *letter == 'd' && digits >= 1 && digits <= DIGITS_MAX;
+}
+
+char *murk_frames_file(const char *pattern, uint64_t frame)
+{
+    place p;
+    if (!find_place(pattern, &p)) {
+        return NULL;
+    }
+    const size_t size = strlen(pattern) + 32;
+    char *file = malloc(size);
+    if (file) {
+        snprintf(file, size, "%.*s%0*" PRIu64 "%s", (int)(p.begin - pattern),
+                 pattern, p.digits, frame, p.end);
+    }
+    return file;
+}
+
+/* Whether the name is that of a frame. */
+static bool frame_of(const place *p, const char *name, uint64_t *frame)
+{
+    const size_t before = (size_t)(p->begin - p->name);
+    if (strncmp(name, p->name, before) != 0) {
+        return false;
+    }
+    const char *number = name + before;
+    const size_t n = strspn(number, "0123456789");
+    char again[32];
+    if (n == 0 || n > DIGITS_MAX || strcmp(number + n, p->end) != 0) {
+        return false;
+    }
+    *frame = strtoull(number, NULL, 10);
+    snprintf(again, sizeof again, "%0*" PRIu64, p->digits, *frame);
+    return strlen(again) == n;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* All frames of the folder, in order; the caller frees them. */
+static uint64_t *gather(DIR *folder, const place *p, size_t *n)
+{
+    uint64_t *frames = NULL;
+    size_t room = 0;
+    const struct dirent *entry;
+    *n = 0;
+    while (*n < FRAMES_MAX && (entry = readdir(folder))) {
+        uint64_t frame;
+        if (!frame_of(p, entry->d_name, &frame)) {
+            continue;
+        }
+        if (*n == room) {
+            room = room ? 2 * room : 64;
+            uint64_t *grown = realloc(frames, room * sizeof *frames);
+            if (!grown) {
+                break;
+            }
+            frames = grown;
+        }
+        frames[(*n)++] = frame;
+    }
+    if (*n > 0) {
+        qsort(frames, *n, sizeof *frames, compare);
+    }
+    return frames;
+}
+
+static void print_runs(const uint64_t *frames, size_t n, char *out, size_t size)
+{
+    size_t length = 0;
+    for (size_t i = 0; i < n;) {
+        size_t last = i;
+        while (last + 1 < n && frames[last + 1] <= frames[last] + 1) {
+            ++last;
+        }
+        char run[64];
+        if (frames[last] > frames[i]) {
+            snprintf(run, sizeof run, "%s%" PRIu64 "..%" PRIu64, i ? ", " : "",
+                     frames[i], frames[last]);
+        } else {
+            snprintf(run, sizeof run, "%s%" PRIu64, i ? ", " : "", frames[i]);
+        }
+        if (length + strlen(run) + sizeof ", ..." > size) {
+            snprintf(out + length, size - length, ", ...");
+            return;
+        }
+        length += (size_t)snprintf(out + length, size - length, "%s", run);
+        i = last + 1;
+    }
+}
+
+void murk_frames_list(const char *pattern, char *out, size_t size)
+{
+    place p;
+    snprintf(out, size, "none");
+    char *path = murk_path_beside(pattern, ".");
+    DIR *folder = path && find_place(pattern, &p) ? opendir(path) : NULL;
+    free(path);
+    if (!folder) {
+        return;
+    }
+    size_t n;
+    uint64_t *frames = gather(folder, &p, &n);
+    closedir(folder);
+    if (n > 0) {
+        print_runs(frames, n, out, size);
+    }
+    free(frames);
+}
