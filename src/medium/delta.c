@@ -3,6 +3,7 @@
 #include "medium/bricks.h"
 #include "medium/linear.h"
 #include "medium/nodes.h"
+#include "medium/steps.h"
 
 #include <assert.h>
 #include <math.h>
@@ -76,24 +77,17 @@ static inline double density_at(track *k, double t)
         return linear_at(k, t);
     }
     int32_t voxel[3];
-    bool is_known = k->lower != NULL;
     for (int axis = 0; axis < 3; ++axis) {
         const double at = w->origin[axis] + t * w->direction[axis];
-        const double last = tree->last[axis];
-        voxel[axis] = !(at > tree->first[axis]) ? tree->first[axis]
-                      : at >= last              ? tree->last[axis]
-                                                : (int32_t)floor(at);
-        is_known &= ((voxel[axis] ^ k->lower_first[axis]) & ~127) == 0;
+        voxel[axis] = murk_voxel_at(at, tree->first[axis], tree->last[axis]);
     }
-    if (!is_known) {
+    if (!k->lower || !murk_holds(k->lower_first, voxel, 128)) {
         float value;
         k->lower = find_lower(tree, voxel, &value);
         if (!k->lower) {
             return (double)value;
         }
-        for (int axis = 0; axis < 3; ++axis) {
-            k->lower_first[axis] = voxel[axis] & ~127;
-        }
+        murk_remember(k->lower_first, voxel, 128);
     }
     const murk_cell cell =
         murk_lower_cell(k->lower, voxel[0], voxel[1], voxel[2]);
