@@ -16,7 +16,7 @@
 #include <stdlib.h>
 
 #define FLIGHTS       40000
-#define WORLDS        12
+#define WORLDS        13
 #define MEDIA         4 /* at most, of a world */
 #define DISTANCES     (3 * WORLDS + 4)
 #define Z_TESTS       (MEDIA * WORLDS + WORLDS + 8)
@@ -57,6 +57,14 @@ static float tiles(double u, double v, size_t i, size_t j, size_t k)
            : k < 8                    ? 0
            : j >= 32                  ? (float)(u < 0.2)
                                       : (float)(i + k) / 80;
+}
+
+/* One voxel that makes a thousand null collisions of nearly every flight past
+ * it: those march on. */
+static float spike(double u, double v, size_t i, size_t j, size_t k)
+{
+    (void)v;
+    return i == 20 && j == 16 && k == 12 ? 1e7f : (float)u;
 }
 
 static float blob(double u, double v, size_t i, size_t j, size_t k)
@@ -222,6 +230,11 @@ static scene scene_made(int number, uint32_t seed)
         s.region[2].replaces = true;
         s.medium[2].interpolation = MURK_LINEAR;
         break;
+    case 11:
+        s.name = "noise with a spike";
+        s.grid[0] = grid_of(spike, 40, 32, 24, NULL, seed);
+        add(&s, MURK_REGION_GRID, s.grid[0], 0.08, 0.9);
+        break;
     default:
         s.name = "no grid";
         add(&s, MURK_REGION_EVERYWHERE, NULL, 0.02, 0.6);
@@ -285,6 +298,20 @@ static void test_march_and_delta_follow_the_law(int number, uint32_t seed)
     }
     test_flights_free(&march);
     test_flights_free(&delta);
+    murk_media_destroy(media);
+    scene_unmade(&s);
+}
+
+static void test_a_spike_is_marched_past(uint32_t seed)
+{
+    scene s = scene_made(11, seed);
+    murk_media *media = media_of(&s, 8, 1);
+    const murk_address address = {seed, MURK_TEST, 0, 300};
+    murk_dice dice = {.address = &address};
+    murk_collision c;
+    murk_delta_fly(media, 0, 0, murk_vec(-5, 17, 12), murk_vec(1, 0, 0), 50, 20,
+                   0.5, &dice, &c);
+    CHECK(dice.nulls == MURK_NULLS_MAX + 1);
     murk_media_destroy(media);
     scene_unmade(&s);
 }
@@ -425,6 +452,7 @@ int main(int argc, char **argv)
     for (int number = 0; number < WORLDS; ++number) {
         test_march_and_delta_follow_the_law(number, seed);
     }
+    test_a_spike_is_marched_past(seed);
     test_twice_the_bound_changes_nothing_but_time(seed);
     test_would_notice_a_low_bound(seed);
     test_a_slab_of_noise(seed);
