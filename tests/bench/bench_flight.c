@@ -1,5 +1,5 @@
 /* Case flight: free flights by delta tracking against free flights by march,
- * through density grids, one thread.
+ * through density grids, nearest and linear, one thread.
  *
  *   bench_flight [--edge N] [FILE.vdb]...     N: voxels along a brick
  *
@@ -24,6 +24,8 @@ static const double DEPTHS[] = {.3, 3, 30};
 typedef struct contest {
     const char *file;
     const murk_grid *grid;
+    murk_interpolation interpolation;
+    int32_t edge; /* 0: the usual one */
     murk_media *media;
     murk_box box;
     double collided[2], nulls;
@@ -35,12 +37,13 @@ static _Noreturn void stop(const char *file, const char *why)
     exit(1);
 }
 
-static murk_media *media_of(const char *file, const murk_grid *grid,
-                            double extinction_per_m, int32_t edge)
+static murk_media *media_of(const contest *c, double extinction_per_m)
 {
+    const char *file = c->file;
     murk_media *media = NULL;
     murk_error err = {0};
-    murk_medium medium = {.grid = grid, .where = file};
+    murk_medium medium = {
+        .grid = c->grid, .interpolation = c->interpolation, .where = file};
     medium.extinction_per_m.band[0] = extinction_per_m;
     const murk_region region = {.shape = MURK_REGION_GRID,
                                 .to_world = murk_affine_identity(),
@@ -48,8 +51,8 @@ static murk_media *media_of(const char *file, const murk_grid *grid,
     const murk_box domain = {murk_vec(-1e6, -1e6, -1e6),
                              murk_vec(1e6, 1e6, 1e6)};
     if (murk_media_create(&media, &medium, 1, &region, 1, &domain, &err) ||
-        (edge > 0 ? murk_delta_prepare(media, edge, 1, &err)
-                  : murk_media_prepare_delta(media, &err))) {
+        (c->edge > 0 ? murk_delta_prepare(media, c->edge, 1, &err)
+                     : murk_media_prepare_delta(media, &err))) {
         stop(file, err.text);
     }
     return media;
@@ -110,15 +113,13 @@ static double median(double *x)
     return x[REPEATS / 2];
 }
 
-static void run(const char *file, const murk_grid *grid, double depth,
-                int32_t edge)
+static void run(contest c, double depth)
 {
-    contest c = {.file = file, .grid = grid};
-    c.media = media_of(file, grid, 1, edge);
+    c.media = media_of(&c, 1);
     c.box = murk_media_bounds(c.media);
     const double extinction = depth / mean_depth(&c);
     murk_media_destroy(c.media);
-    c.media = media_of(file, grid, extinction, edge);
+    c.media = media_of(&c, extinction);
     double march[REPEATS], delta[REPEATS];
     for (int i = 0; i < REPEATS; ++i) {
         march[i] = seconds_of(&c, false);
@@ -126,17 +127,18 @@ static void run(const char *file, const murk_grid *grid, double depth,
     }
     murk_media_destroy(c.media);
     const double march_s = median(march), delta_s = median(delta);
-    const char *slash = strrchr(file, '/');
+    const char *slash = strrchr(c.file, '/');
     printf("{\"case\": \"flight\", \"value\": %.4g, \"unit\": \"flights/s by "
-           "delta\", \"reference\": \"march, %s, depth %g, %.1f nulls\", "
+           "delta\", \"reference\": \"march, %s, %s, depth %g, %.1f nulls\", "
            "\"reference_value\": %.4g, \"ratio\": %.3f, \"threads\": 1}\n",
-           RAYS / delta_s, slash ? slash + 1 : file, depth,
+           RAYS / delta_s, slash ? slash + 1 : c.file,
+           c.interpolation == MURK_LINEAR ? "linear" : "nearest", depth,
            c.nulls / RAYS / REPEATS, RAYS / march_s, march_s / delta_s);
     /* The same rays, other numbers but for the first of each. */
     const double share = c.collided[0] / RAYS / REPEATS;
     const double sigma = sqrt(2. * RAYS * share * (1 - share)) * REPEATS;
     if (!(fabs(c.collided[0] - c.collided[1]) <= 5 * sigma)) {
-        stop(file, "march and delta do not agree");
+        stop(c.file, "march and delta do not agree");
     }
 }
 
@@ -164,7 +166,11 @@ int main(int argc, char **argv)
             stop(files[i], err.text);
         }
         for (size_t k = 0; k < sizeof DEPTHS / sizeof *DEPTHS; ++k) {
-            run(files[i], grid, DEPTHS[k], edge);
+            const contest c = {.file = files[i], .grid = grid, .edge = edge};
+            contest linear = c;
+            linear.interpolation = MURK_LINEAR;
+            run(c, DEPTHS[k]);
+            run(linear, DEPTHS[k]);
         }
         murk_grid_destroy(grid);
     }
