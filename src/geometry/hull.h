@@ -51,4 +51,8 @@ bool murk_hull_next(const murk_hull *hull, murk_vec3 origin,
 bool murk_hull_meets(const murk_hull *one, const murk_hull *other,
                      double tolerance_m, murk_vec3 *place);
 
+/* As murk_hulls_meet_plain(). */
+bool murk_hull_meets_plain(const murk_hull *hull, const murk_plain_shape *shape,
+                           double tolerance_m, murk_vec3 *place);
+
 #endif

@@ -120,6 +120,15 @@ bool murk_hulls_next(const murk_hulls *b, murk_vec3 origin, murk_vec3 direction,
     return true;
 }
 
+uint64_t murk_hulls_regions(const murk_hulls *b)
+{
+    uint64_t all = 0;
+    for (size_t i = 0; i < b->n; ++i) {
+        all |= bit_of(&b->hull[i]);
+    }
+    return all;
+}
+
 double murk_hulls_tolerance_m(const murk_hulls *b)
 {
     return b->tolerance_m;
@@ -140,6 +149,13 @@ bool murk_hulls_meet(const murk_hulls *b, int region, int other,
 {
     return murk_hull_meets(of_region(b, region), of_region(b, other),
                            b->tolerance_m, place);
+}
+
+bool murk_hulls_meet_plain(const murk_hulls *b, int region,
+                           const murk_plain_shape *shape, murk_vec3 *place)
+{
+    return murk_hull_meets_plain(of_region(b, region), shape, b->tolerance_m,
+                                 place);
 }
 
 murk_hull_facts murk_hulls_describe(const murk_hulls *b, int region)

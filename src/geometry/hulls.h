@@ -69,6 +69,9 @@ bool murk_hulls_next(const murk_hulls *hulls, murk_vec3 origin,
                      murk_vec3 direction, double from_m, double max_m,
                      uint64_t *inside, murk_crossing *crossing);
 
+/* All that have a mesh. */
+uint64_t murk_hulls_regions(const murk_hulls *hulls);
+
 double murk_hulls_tolerance_m(const murk_hulls *hulls);
 
 /* Whether the boundaries of two of the regions cross, so that each has parts
@@ -77,6 +80,26 @@ double murk_hulls_tolerance_m(const murk_hulls *hulls);
  * tolerance_m beyond does not count. */
 bool murk_hulls_meet(const murk_hulls *hulls, int region, int other,
                      murk_vec3 *place);
+
+/* A region of another shape, to be held against meshes. */
+typedef enum murk_plain {
+    MURK_PLAIN_BELOW, /* z less than box.max.z, in the world */
+    MURK_PLAIN_BOX,
+    MURK_PLAIN_SPHERE
+} murk_plain;
+
+typedef struct murk_plain_shape {
+    murk_plain plain;
+    murk_box box; /* finite, but for half spaces */
+    murk_vec3 center;
+    double radius_m;
+    murk_affine to_world; /* a similarity; unused by half spaces */
+} murk_plain_shape;
+
+/* As murk_hulls_meet(), of a mesh and such a shape; exact. False where
+ * to_world cannot be inverted. */
+bool murk_hulls_meet_plain(const murk_hulls *hulls, int region,
+                           const murk_plain_shape *shape, murk_vec3 *place);
 
 typedef struct murk_hull_facts {
     size_t triangles, crossings; /* crossings: edges that pass through a
