@@ -293,6 +293,9 @@ static bool follow(ray *r, double length_m)
         if (!place->replaces && !(extinction_of(r, place) > 0)) {
             continue;
         }
+        if (!murk_place_may_hold(place, i, r->inside)) {
+            continue;
+        }
         double from = 0, to = length_m;
         if (murk_place_clip(place, &r->origin, &r->direction, &from, &to)) {
             n = add_stretches(r, place, from, to, stretches, n);

@@ -123,6 +123,7 @@ static bool meet(const murk_shell *shell, bool is_inside, murk_vec3 o,
         return meet_sphere(shell, is_inside, o, d, met);
     case MURK_REGION_EVERYWHERE:
     case MURK_REGION_GRID:
+    case MURK_REGION_MESH:
         break;
     }
     return false;

@@ -12,7 +12,8 @@
  * and are crossed in one step, as where slabs are stacked. A box's face in a
  * side of the domain, or beyond it, is no boundary: the region goes on there.
  *
- * Regions here are half spaces, boxes and spheres. */
+ * Boundaries here are those of half spaces, boxes and spheres. Of meshes this
+ * room knows the index alone: their bits of the set are the caller's. */
 #ifndef MURK_MEDIUM_INTERFACES_H
 #define MURK_MEDIUM_INTERFACES_H
 
@@ -33,8 +34,8 @@ typedef struct murk_boundary {
 /* Whether any region has an index of refraction. */
 bool murk_media_bends(const murk_media *media);
 
-/* The refractive regions around a point: lower faces belong to a region and
- * upper faces do not, as for all regions. */
+/* The refractive regions around a point, but for meshes: lower faces belong to
+ * a region and upper faces do not, as for all regions. */
 murk_inside murk_media_inside(const murk_media *media, murk_vec3 point);
 
 /* The index of refraction in these regions. */

@@ -332,15 +332,16 @@ bool murk_media_any(const murk_media *media)
 }
 
 /* Sums over the places at p, each weighed by its medium's albedo or by 1. */
-static double sum_at(const murk_media *media, int band, murk_vec3 p,
-                     bool scattered)
+static double sum_at(const murk_media *media, int band, murk_inside inside,
+                     murk_vec3 p, bool scattered)
 {
     double sum = 0;
     for (size_t i = 0; i < media->n_places; ++i) {
         const murk_place *place = &media->places[i];
         const murk_medium *medium = &media->media[place->medium];
         double density;
-        if (murk_place_density(place, band, p, &density)) {
+        if (murk_place_may_hold(place, i, inside) &&
+            murk_place_density(place, band, p, &density)) {
             sum = place->replaces ? 0 : sum;
             sum += density * medium->extinction_per_m.band[band] *
                    (scattered ? murk_albedo_at(medium, place, band, p) : 1);
@@ -352,15 +353,13 @@ static double sum_at(const murk_media *media, int band, murk_vec3 p,
 double murk_media_extinction(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p)
 {
-    (void)inside;
-    return sum_at(media, band, p, false);
+    return sum_at(media, band, inside, p, false);
 }
 
 double murk_media_scattering(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p)
 {
-    (void)inside;
-    return sum_at(media, band, p, true);
+    return sum_at(media, band, inside, p, true);
 }
 
 murk_box murk_media_bounds(const murk_media *media)

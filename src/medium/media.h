@@ -65,22 +65,26 @@ typedef enum murk_region_shape {
     MURK_REGION_EVERYWHERE, /* no media with a grid */
     MURK_REGION_BOX,
     MURK_REGION_SPHERE,
-    MURK_REGION_GRID, /* where the medium's grid lies by its own transform */
-    MURK_REGION_BELOW /* half space: z less than below_z_m */
+    MURK_REGION_GRID,  /* where the medium's grid lies by its own transform */
+    MURK_REGION_BELOW, /* half space: z less than below_z_m */
+    MURK_REGION_MESH   /* a closed mesh, which this room does not know: whoever
+                          follows a ray says whether it is inside (murk_inside) */
 } murk_region_shape;
 
 typedef struct murk_region {
     size_t medium;
     murk_region_shape shape;
-    murk_box box;     /* box */
+    murk_box box;     /* box; mesh: what holds it, in the world */
     murk_vec3 center; /* sphere */
     double radius_m;
     double below_z_m;     /* half space; in the world, wherever it is moved */
     murk_affine to_world; /* moves shape (and grid) as a whole; unused where
-                             everywhere and below */
+                             everywhere and below; of meshes, the filling: the
+                             mesh has been moved */
     bool replaces;
     double ior; /* index of refraction, 1..MURK_IOR_MAX; 0: none. Refractive
-                   regions lie in one another or apart; no grids */
+                   regions lie in one another or apart (for meshes the caller
+                   sees to it); no grids */
     const char *where;
 } murk_region;
 

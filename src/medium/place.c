@@ -101,6 +101,9 @@ bool murk_place_make(murk_place *place, const murk_region *region,
         made.bounds = (murk_box){{-INFINITY, -INFINITY, -INFINITY},
                                  {INFINITY, INFINITY, region->below_z_m}};
         break;
+    case MURK_REGION_MESH:
+        made.bounds = region->box;
+        break;
     case MURK_REGION_BOX:
         made.bounds = box_around(&region->to_world, &region->box);
         break;
@@ -192,6 +195,7 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
     }
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
+    case MURK_REGION_MESH: /* for a ray inside */
         return *t0 < *t1;
     case MURK_REGION_BELOW:
         clip_axis(-INFINITY, place->level, o->z, d->z, t0, t1);
@@ -263,6 +267,7 @@ static bool shape_holds(const murk_place *place, murk_vec3 at)
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
     case MURK_REGION_GRID: /* as its filling says */
+    case MURK_REGION_MESH: /* for a point inside */
         return true;
     case MURK_REGION_BELOW:
         return at.z < place->level;

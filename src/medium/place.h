@@ -51,6 +51,14 @@ typedef struct murk_place {
 bool murk_place_make(murk_place *place, const murk_region *region,
                      const murk_medium *medium);
 
+/* False for a mesh that a ray of this set is not in; region: the place's
+ * number. What follows holds for the others. */
+static inline bool murk_place_may_hold(const murk_place *place, size_t region,
+                                       murk_inside inside)
+{
+    return place->shape != MURK_REGION_MESH || (inside >> region & 1);
+}
+
 /* The part of the ray inside the shape, cut to [*t0, *t1] as given. False when
  * nothing is left. */
 bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,

@@ -94,6 +94,7 @@ bool murk_shell_make(murk_shell *shell, size_t number,
                        .radius = region->radius_m};
     switch (region->shape) {
     case MURK_REGION_EVERYWHERE:
+    case MURK_REGION_MESH: /* only its index counts here */
         made.spans[0] = made.spans[1] = true;
         break;
     case MURK_REGION_BELOW:
@@ -126,6 +127,9 @@ bool murk_shell_holds(const murk_shell *shell, murk_vec3 p)
     }
     if (shell->shape == MURK_REGION_EVERYWHERE) {
         return true;
+    }
+    if (shell->shape == MURK_REGION_MESH) {
+        return false;
     }
     if (shell->shape == MURK_REGION_SPHERE) {
         const murk_vec3 off = murk_sub(p, shell->center);
@@ -328,6 +332,12 @@ static const char *where_of(const murk_region *regions, const murk_shell *shell)
     return where ? where : "region";
 }
 
+/* Of which nothing is known here. */
+static bool is_mesh(const murk_shell *shell)
+{
+    return shell->shape == MURK_REGION_MESH;
+}
+
 murk_status murk_shells_check(const murk_shell *shells, size_t n,
                               const murk_region *regions,
                               const murk_box *domain, murk_error *err)
@@ -337,6 +347,9 @@ murk_status murk_shells_check(const murk_shell *shells, size_t n,
     for (size_t later = 0; later < n; ++later) {
         const body b = body_of(&shells[later], far);
         for (size_t i = 0; i < later; ++i) {
+            if (is_mesh(&shells[i]) || is_mesh(&shells[later])) {
+                continue;
+            }
             const body a = body_of(&shells[i], far);
             if (is_in(&a, &b, near)) {
                 murk_warn(where_of(regions, &shells[i]),

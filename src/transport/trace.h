@@ -20,6 +20,7 @@
 
 #include "base/status.h"
 #include "base/tally.h"
+#include "geometry/hulls.h"
 #include "geometry/surfaces.h"
 #include "light/lights.h"
 #include "medium/media.h"
@@ -32,6 +33,7 @@ typedef struct murk_world {
     const murk_lights *lights;
     murk_domain domain;
     int bands;
+    const murk_hulls *hulls; /* of the regions that are meshes; NULL: none */
 } murk_world;
 
 typedef enum murk_event_kind {

@@ -8,13 +8,14 @@
  * side must not miss a surface lying in it, and a lamp's own ceiling must not
  * stop its light.
  *
- * Boundaries of refractive regions are met exactly, in double: `inside`, not
- * the position, says on which side of them the photon is. */
+ * `inside`, not the position, says on which side of the boundaries of
+ * refractive regions and of meshes the photon is; see transport/ahead.h. */
 #include "transport/walk.h"
 
 #include "base/rng.h"
 #include "medium/interfaces.h"
 #include "medium/phase.h"
+#include "transport/ahead.h"
 #include "transport/bounce.h"
 #include "transport/solids.h"
 #include "transport/turn.h"
@@ -27,6 +28,10 @@
 /* Likewise, how near to a place that was worked out in double a plane has it in
  * it: some hundred times what it is off by. */
 #define IN_PLANE_BY 1e-13
+
+/* Reflected at a mesh, a photon stands on it to double precision: this share of
+ * what meshes are told apart by keeps it from meeting it again. */
+#define REFLECTED_SKIP 0x1p-20
 
 /* A photon under way. */
 typedef struct walk {
@@ -43,6 +48,8 @@ typedef struct walk {
     murk_solids solids;
     murk_inside inside; /* regions with a boundary that it is in */
     double silent_m;    /* flown to boundaries that were no event, since one */
+    double skip_m;      /* no mesh is looked for nearer on the next leg */
+    bool is_beyond;     /* the surface met last let it through */
 } walk;
 
 static murk_address address_of(const walk *w, murk_purpose purpose)
@@ -265,8 +272,9 @@ static void note_specular(walk *w)
 
 /* Flies to the boundary of regions ahead, and is reflected or goes on beyond
  * it. A boundary that does not change the index is no event. */
-static void meet_boundary(walk *w, const murk_boundary *b)
+static void meet_boundary(walk *w, const murk_ahead *ahead)
 {
+    const murk_boundary *b = &ahead->boundary;
     const murk_vec3 arriving = w->direction;
     const double lead = murk_dot(murk_sub(w->probe, w->position), arriving);
     const murk_vec3 from = w->position;
@@ -280,6 +288,7 @@ static void meet_boundary(walk *w, const murk_boundary *b)
         w->probe = w->position;
     }
     const murk_inside beyond = w->inside ^ b->crossed;
+    w->skip_m = ahead->is_mesh ? w->course->near_m : 0;
     const double n_from = index_in(w, &w->solids, w->inside);
     const double n_to = index_in(w, &w->solids, beyond);
     if (n_from == n_to) {
@@ -301,6 +310,8 @@ static void meet_boundary(walk *w, const murk_boundary *b)
     w->direction = bent.direction;
     if (bent.outcome == MURK_TRANSMITTED) {
         w->inside = beyond;
+    } else if (ahead->is_mesh) {
+        w->skip_m = REFLECTED_SKIP * w->course->near_m;
     }
     note_specular(w);
 }
@@ -360,6 +371,7 @@ static bool bounce(walk *w, const murk_hit *hit, double path_m,
         return false;
     }
     const bool through = b.outcome == MURK_TRANSMITTED;
+    w->is_beyond = through;
     if (through) {
         w->solids = beyond;
         w->inside = inside;
@@ -442,8 +454,8 @@ static bool pass_side(walk *w, double path_m, murk_fate *ended)
         murk_score_jump(w->sums->scorer,
                         (murk_station){beyond_side(w, axis, !upper), 0});
     }
-    w->inside = murk_media_wrapped(w->course->world->media, w->inside,
-                                   w->position, axis);
+    w->inside =
+        murk_inside_wrapped(w->course->world, w->inside, w->position, axis);
     enter(w);
     return true;
 }
@@ -483,6 +495,20 @@ static order order_of(const walk *w, const murk_boundary *b, double path_m)
                                       : TOGETHER;
 }
 
+/* Beyond a surface in which the boundary of a mesh lies. A solid has taken it
+ * into account; after a sheet it is met in its turn, where the photon is now.
+ * Then the photon goes on as far as it takes to leave the mesh behind. */
+static void pass_mesh_in_surface(walk *w, const murk_hit *hit,
+                                 murk_ahead *ahead)
+{
+    if (!hit->solid) {
+        ++w->number;
+        ahead->boundary.distance_m = 0;
+        meet_boundary(w, ahead);
+    }
+    w->skip_m = w->course->near_m / fabs(murk_dot(w->direction, hit->normal));
+}
+
 static murk_fate follow(walk *w)
 {
     const murk_course *r = w->course;
@@ -495,15 +521,16 @@ static murk_fate follow(walk *w)
         }
         murk_collision collision;
         double rest[2];
-        murk_boundary boundary;
-        bool bends =
-            r->any_interfaces &&
-            murk_media_boundary(r->world->media, w->inside, w->position,
-                                w->direction, INFINITY, &boundary);
+        murk_ahead ahead;
+        const murk_boundary *boundary = &ahead.boundary;
+        bool bends = r->any_boundaries &&
+                     murk_look_ahead(r->world, &w->inside, w->position,
+                                     w->direction, w->skip_m, &ahead);
+        w->skip_m = 0;
         /* With no surfaces most legs end in a medium: the others alone look
          * for the side. */
         if (only_media &&
-            collides(w, bends ? boundary.distance_m : INFINITY, &collision,
+            collides(w, bends ? boundary->distance_m : INFINITY, &collision,
                      rest) &&
             is_between(&r->walls, murk_along(w->position, collision.distance_m,
                                              w->direction))) {
@@ -521,13 +548,13 @@ static murk_fate follow(walk *w)
         const bool met = r->any_surfaces && meets_surface(w, &hit, &length_m);
         murk_inside crossed = 0;
         if (bends && met) {
-            const order o = order_of(w, &boundary, length_m);
+            const order o = order_of(w, boundary, length_m);
             bends = o == BOUNDARY_FIRST;
-            crossed = o == TOGETHER ? boundary.crossed : 0;
+            crossed = o == TOGETHER ? boundary->crossed : 0;
         }
-        bends = bends && boundary.distance_m < length_m;
+        bends = bends && boundary->distance_m < length_m;
         if (bends) {
-            length_m = boundary.distance_m;
+            length_m = boundary->distance_m;
         }
         if (media_too && w->solids.n == 0 &&
             collides(w, length_m, &collision, rest)) {
@@ -537,13 +564,16 @@ static murk_fate follow(walk *w)
             continue;
         }
         if (bends) {
-            meet_boundary(w, &boundary);
+            meet_boundary(w, &ahead);
             continue;
         }
         murk_fate ended;
         if (met ? !bounce(w, &hit, length_m, crossed, &ended)
                 : !pass_side(w, length_m, &ended)) {
             return ended;
+        }
+        if (crossed && ahead.is_mesh && w->is_beyond) {
+            pass_mesh_in_surface(w, &hit, &ahead);
         }
     }
 }
@@ -554,7 +584,7 @@ static void start(walk *w, murk_ray ray)
     const murk_light *light = murk_lights_get(r->world->lights, w->light);
     w->position = w->probe = ray.origin;
     w->direction = ray.direction;
-    w->inside = murk_media_inside(r->world->media, ray.origin);
+    w->inside = murk_inside_at(r->world, ray.origin, ray.direction);
     if (!r->any_surfaces) {
         return;
     }
@@ -611,12 +641,13 @@ murk_course murk_course_of(const murk_trace *trace)
         .walls = walls_of(&box, 0),
         .grown = walls_of(&box, grow),
         .margin_m = grow,
-        .near_m = 2 * step,
+        .near_m = fmax(2 * step,
+                       world->hulls ? murk_hulls_tolerance_m(world->hulls) : 0),
         .in_plane_m = fmax(step / 2, IN_PLANE_BY * size),
         .any_surfaces = facts.triangles + facts.spheres > 0,
         .any_solids = facts.solids > 0,
         .any_media = murk_media_any(world->media),
-        .any_interfaces = murk_media_bends(world->media),
+        .any_boundaries = murk_media_bends(world->media) || world->hulls,
         .purpose_shift = MURK_STREAM * trace->stream,
         .least_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }

@@ -29,7 +29,8 @@ typedef struct murk_course {
     double margin_m;   /* by how much it is grown */
     double near_m;     /* a boundary nearer to a surface lies in it */
     double in_plane_m; /* a plane nearer to a surface has the surface in it */
-    bool any_surfaces, any_solids, any_media, any_interfaces;
+    bool any_surfaces, any_solids, any_media;
+    bool any_boundaries; /* of regions that bend or are meshes */
     uint32_t purpose_shift;
     int64_t least_quanta; /* roulette from here down */
 } murk_course;

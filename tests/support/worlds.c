@@ -12,25 +12,55 @@ static void must(murk_status status, const murk_error *err)
     }
 }
 
+/* Regions lie where their mesh does, moved as they say. */
+static void make_hulls(test_world *made, const test_setup *setup,
+                       murk_region *regions)
+{
+    murk_hull_desc desc[MURK_REGIONS_MAX];
+    murk_error err = {0};
+    size_t n = 0;
+    for (size_t i = 0; i < setup->n_regions; ++i) {
+        regions[i] = setup->regions[i];
+        if (regions[i].shape == MURK_REGION_MESH) {
+            desc[n++] = (murk_hull_desc){.region = (int)i,
+                                         .mesh = setup->mesh[i],
+                                         .to_world = regions[i].to_world};
+        }
+    }
+    if (n > 0) {
+        must(murk_hulls_create(&made->hulls, desc, n, &err), &err);
+    }
+    for (size_t i = 0; i < setup->n_regions; ++i) {
+        if (regions[i].shape == MURK_REGION_MESH) {
+            regions[i].box = murk_hulls_describe(made->hulls, (int)i).bounds_m;
+        }
+    }
+}
+
 test_world test_world_made(const test_setup *setup)
 {
     static const murk_material black = {.name = "default"};
     test_world made = {0};
     murk_error err = {0};
+    murk_region regions[MURK_REGIONS_MAX];
+    make_hulls(&made, setup, regions);
     must(
         murk_surfaces_create(&made.surfaces, setup->surfaces, setup->n_surfaces,
                              setup->n_materials ? setup->materials : &black,
                              setup->n_materials ? setup->n_materials : 1, &err),
         &err);
-    must(murk_media_create(&made.media, setup->media, setup->n_media,
-                           setup->regions, setup->n_regions, &setup->domain.box,
-                           &err),
+    must(murk_media_create(&made.media, setup->media, setup->n_media, regions,
+                           setup->n_regions, &setup->domain.box, &err),
          &err);
     must(murk_lights_create(&made.lights, setup->lights, setup->n_lights, 1,
                             &setup->domain, &err),
          &err);
-    made.world =
-        (murk_world){made.surfaces, made.media, made.lights, setup->domain, 1};
+    made.world = (murk_world){.surfaces = made.surfaces,
+                              .media = made.media,
+                              .lights = made.lights,
+                              .domain = setup->domain,
+                              .bands = 1,
+                              .hulls = made.hulls};
     must(murk_ledger_create(&made.ledger, &made.world, &err), &err);
     return made;
 }
@@ -41,6 +71,7 @@ void test_world_unmade(test_world *world)
     murk_lights_destroy(world->lights);
     murk_media_destroy(world->media);
     murk_surfaces_destroy(world->surfaces);
+    murk_hulls_destroy(world->hulls);
 }
 
 void test_world_trace(test_world *world, uint64_t n, uint32_t seed,
@@ -98,6 +129,14 @@ murk_region test_everywhere(size_t medium)
                          .shape = MURK_REGION_EVERYWHERE,
                          .to_world = murk_affine_identity(),
                          .where = "everywhere"};
+}
+
+murk_region test_mesh_region(size_t medium)
+{
+    return (murk_region){.medium = medium,
+                         .shape = MURK_REGION_MESH,
+                         .to_world = murk_affine_identity(),
+                         .where = "mesh"};
 }
 
 murk_region test_box_region(size_t medium, murk_vec3 min, murk_vec3 max)

@@ -11,6 +11,7 @@ typedef struct test_world {
     murk_surfaces *surfaces;
     murk_media *media;
     murk_lights *lights;
+    murk_hulls *hulls;
     murk_ledger *ledger;
 } test_world;
 
@@ -28,6 +29,8 @@ typedef struct test_setup {
     size_t n_media;
     const murk_region *regions;
     size_t n_regions;
+    murk_mesh *const *mesh; /* [n_regions] of the regions that are meshes,
+                        borrowed; NULL: none is */
 } test_setup;
 
 test_world test_world_made(const test_setup *setup);
@@ -47,6 +50,7 @@ murk_medium test_medium(double extinction_per_m, double albedo,
                         double mean_cosine);
 murk_region test_everywhere(size_t medium);
 murk_region test_box_region(size_t medium, murk_vec3 min, murk_vec3 max);
+murk_region test_mesh_region(size_t medium); /* its mesh: test_setup.mesh */
 murk_region test_ball_region(size_t medium, murk_vec3 center, double radius_m);
 murk_material test_material(double diffuse, double specular, double transmit,
                             double ior);

@@ -1,0 +1,88 @@
+#include "transport/ahead.h"
+
+/* Further from a mesh than its tolerance, a point is on one side of it. */
+#define OFF_TOLERANCES 2
+
+static bool is_well_inside(const murk_box *box, murk_vec3 p, double margin)
+{
+    return p.x > box->min.x + margin && p.x < box->max.x - margin &&
+           p.y > box->min.y + margin && p.y < box->max.y - margin &&
+           p.z > box->min.z + margin && p.z < box->max.z - margin;
+}
+
+/* The region listed last among those of a set. */
+static size_t last_of(murk_inside set)
+{
+    size_t region = 0;
+    while (set >>= 1) {
+        ++region;
+    }
+    return region;
+}
+
+bool murk_look_ahead(const murk_world *world, murk_inside *inside,
+                     murk_vec3 origin, murk_vec3 direction, double skip_m,
+                     murk_ahead *ahead)
+{
+    murk_boundary *b = &ahead->boundary;
+    bool any = murk_media_boundary(world->media, *inside, origin, direction,
+                                   INFINITY, b);
+    ahead->is_mesh = false;
+    if (!world->hulls) {
+        return any;
+    }
+    const double tolerance = murk_hulls_tolerance_m(world->hulls);
+    murk_crossing c;
+    if (!murk_hulls_next(world->hulls, origin, direction, skip_m,
+                         any ? b->distance_m + tolerance : INFINITY, inside,
+                         &c) ||
+        !is_well_inside(&world->domain.box,
+                        murk_along(origin, c.distance_m, direction),
+                        tolerance)) {
+        return any;
+    }
+    ahead->is_mesh = true;
+    if (!any || c.distance_m + tolerance < b->distance_m) {
+        *b = (murk_boundary){.distance_m = fmax(0, c.distance_m),
+                             .crossed = c.changed,
+                             .region = last_of(c.changed),
+                             .normal = c.normal};
+        return true;
+    }
+    /* Together: at the place of the shape's, which is exact. */
+    b->crossed |= c.changed;
+    b->region = last_of(b->crossed);
+    return true;
+}
+
+murk_inside murk_inside_at(const murk_world *world, murk_vec3 point,
+                           murk_vec3 direction)
+{
+    murk_inside inside = murk_media_inside(world->media, point);
+    if (world->hulls) {
+        const double off =
+            OFF_TOLERANCES * murk_hulls_tolerance_m(world->hulls);
+        inside |=
+            murk_hulls_at(world->hulls, murk_along(point, off, direction));
+    }
+    return inside;
+}
+
+murk_inside murk_inside_wrapped(const murk_world *world, murk_inside inside,
+                                murk_vec3 point, int axis)
+{
+    inside = murk_media_wrapped(world->media, inside, point, axis);
+    if (world->hulls) {
+        /* Just inside the domain, where a face in its side does not count. */
+        const murk_box *box = &world->domain.box;
+        const double off =
+            OFF_TOLERANCES * murk_hulls_tolerance_m(world->hulls);
+        const murk_vec3 middle = murk_scale(0.5, murk_add(box->min, box->max));
+        const murk_vec3 in =
+            axis == 0 ? murk_vec(point.x < middle.x ? off : -off, 0, 0)
+                      : murk_vec(0, point.y < middle.y ? off : -off, 0);
+        inside = (inside & ~murk_hulls_regions(world->hulls)) |
+                 murk_hulls_at(world->hulls, murk_add(point, in));
+    }
+    return inside;
+}
