@@ -70,12 +70,14 @@ static void add_surfaces(cJSON *root, const findings *f)
 }
 
 /* What the region fills; of an unbounded one the part in the domain. */
-static murk_box region_box(const findings *f, const murk_scene_region *r)
+static murk_box region_box(const findings *f, size_t i)
 {
     const murk_stage *stage = f->session->stage;
+    const murk_scene_region *r = &stage->scene->regions[i];
     murk_box box = stage->world.domain.box;
     if (murk_extent_is_bounded(r)) {
-        return murk_extent_region(stage->scene, r, stage->grid[r->medium]);
+        return murk_extent_region(stage->scene, r, stage->grid[r->medium],
+                                  stage->region_mesh[i]);
     }
     const murk_scene_numbers *z = &stage->scene->media[r->medium].profile_z_m;
     if (z->n > 0) {
@@ -189,8 +191,14 @@ static void add_media(cJSON *root, const findings *f)
         const murk_scene_region *r = &scene->regions[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "medium", scene->media[r->medium].name);
-        const murk_box box = region_box(f, r);
+        const murk_box box = region_box(f, i);
         add_box(item, "bounds", &box);
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            const murk_hull_facts mesh =
+                murk_hulls_describe(f->session->stage->hulls, (int)i);
+            cJSON_AddNumberToObject(item, "triangles", (double)mesh.triangles);
+            cJSON_AddNumberToObject(item, "crossings", (double)mesh.crossings);
+        }
         if (r->ior > 0) {
             cJSON_AddNumberToObject(item, "ior", r->ior);
         }
@@ -325,7 +333,7 @@ static void print_media(const findings *f)
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        const murk_box box = region_box(f, r);
+        const murk_box box = region_box(f, i);
         printf("region      %s", scene->media[r->medium].name);
         if (r->shape == MURK_SCENE_EVERYWHERE) {
             printf(" everywhere");
@@ -337,6 +345,11 @@ static void print_media(const findings *f)
         } else {
             printf(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
                    box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
+        }
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            printf(", a mesh of %zu triangles",
+                   murk_hulls_describe(f->session->stage->hulls, (int)i)
+                       .triangles);
         }
         if (r->ior > 0) {
             printf(", index %.5g", r->ior);

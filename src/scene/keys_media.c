@@ -244,8 +244,8 @@ static const murk_keys REGION_SPHERE = {
     .key = REGION_SPHERE_ROWS,
 };
 
-static const char *const REGION_VARIANTS[] = {"everywhere", "box", "sphere",
-                                              "grid", "half space"};
+static const char *const REGION_VARIANTS[] = {
+    "everywhere", "box", "sphere", "grid", "half space", "mesh"};
 
 /* A region without a shape is everywhere, or where its medium's grid lies. */
 static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
@@ -259,6 +259,7 @@ static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
     *variant = murk_yaml_get(map, "box")         ? MURK_SCENE_IN_BOX
                : murk_yaml_get(map, "sphere")    ? MURK_SCENE_IN_SPHERE
                : murk_yaml_get(map, "below_z_m") ? MURK_SCENE_BELOW
+               : murk_yaml_get(map, "mesh")      ? MURK_SCENE_IN_MESH
                : has_grid                        ? MURK_SCENE_IN_GRID
                                                  : MURK_SCENE_EVERYWHERE;
     return MURK_OK;
@@ -270,7 +271,7 @@ static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
 
 #define MOVABLE                                                      \
     .variants = BIT(MURK_SCENE_IN_BOX) | BIT(MURK_SCENE_IN_SPHERE) | \
-                BIT(MURK_SCENE_IN_GRID)
+                BIT(MURK_SCENE_IN_GRID) | BIT(MURK_SCENE_IN_MESH)
 
 /* What is not moved still holds the identity. */
 static murk_status check_region(murk_walk *walk, const murk_yaml *map,
@@ -293,6 +294,11 @@ static const murk_key REGION_ROWS[] = {
     ROW("sphere", MAP, .group = 1, .keys = &REGION_SPHERE),
     ROW("below_z_m", NUMBER, .group = 1, LONG_M,
         AT(murk_scene_region, below_z_m)),
+    ROW("mesh", PATH, .group = 1, AT(murk_scene_region, mesh)),
+    ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SCENE_IN_MESH),
+        AT(murk_scene_region, unit_m)),
+    ROW("up", WORD, .variants = BIT(MURK_SCENE_IN_MESH), .words = murk_up_words,
+        AT(murk_scene_region, up)),
     ROW("scale", NUMBER, .above = true, .most = 1e9, MOVABLE, .preset = "1",
         AT(murk_scene_region, scale)),
     ROW("rotate_deg", VECTOR, ANY_UNIT, MOVABLE, .unit = "degrees",
@@ -302,7 +308,6 @@ static const murk_key REGION_ROWS[] = {
     ROW("replace", BOOL, .preset = "false", AT(murk_scene_region, replaces)),
     ROW("ior", NUMBER, .least = 1, .most = 10, .variants = SHARP,
         AT(murk_scene_region, ior)),
-    LATER("mesh"),
     END,
 };
 

@@ -49,6 +49,9 @@
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys;
 
+/* Of meshes: x, y, z. */
+extern const murk_word murk_up_words[];
+
 /* min less than max on each axis. */
 murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box);
 

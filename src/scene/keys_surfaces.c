@@ -68,7 +68,7 @@ static const murk_keys GEOMETRY_SPHERE = {
 static const char *const GEOMETRY_VARIANTS[] = {"file", "box", "rect",
                                                 "sphere"};
 
-static const murk_word UP_WORDS[] = {
+const murk_word murk_up_words[] = {
     {"x", 'x', false},
     {"y", 'y', false},
     {"z", 'z', false},
@@ -82,7 +82,7 @@ static const murk_key GEOMETRY_ROWS[] = {
     ROW("sphere", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_SPHERE),
     ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SCENE_FILE),
         AT(murk_scene_geometry, unit_m)),
-    ROW("up", WORD, .variants = BIT(MURK_SCENE_FILE), .words = UP_WORDS,
+    ROW("up", WORD, .variants = BIT(MURK_SCENE_FILE), .words = murk_up_words,
         AT(murk_scene_geometry, up)),
     ROW("scale", NUMBER, .above = true, .most = 1e9, .preset = "1",
         AT(murk_scene_geometry, scale)),

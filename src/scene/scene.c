@@ -204,6 +204,9 @@ void murk_scene_destroy(murk_scene *scene)
             free(scene->media[i].phase[k].table);
         }
     }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        free(scene->regions[i].mesh);
+    }
     free(scene->geometry);
     free(scene->materials);
     free(scene->media);

@@ -102,7 +102,8 @@ typedef enum murk_scene_region_shape {
     MURK_SCENE_IN_BOX,
     MURK_SCENE_IN_SPHERE,
     MURK_SCENE_IN_GRID,
-    MURK_SCENE_BELOW /* half space: z less than below_z_m */
+    MURK_SCENE_BELOW, /* half space: z less than below_z_m */
+    MURK_SCENE_IN_MESH
 } murk_scene_region_shape;
 
 typedef struct murk_scene_region {
@@ -115,6 +116,9 @@ typedef struct murk_scene_region {
     murk_vec3 rotate_deg, translate_m;
     double scale;
     double below_z_m;
+    char *mesh;    /* file as it is to be opened; NULL for the other shapes */
+    double unit_m; /* mesh: as of geometry */
+    char up;
     bool replaces;
     double ior; /* 0: none */
 } murk_scene_region;

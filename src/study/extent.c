@@ -110,7 +110,7 @@ static murk_box box_of_shape(const murk_scene_region *r,
 }
 
 murk_box murk_extent_region(const murk_scene *scene, const murk_scene_region *r,
-                            const murk_grid *grid)
+                            const murk_grid *grid, const murk_mesh *mesh)
 {
     const murk_affine placed =
         murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
@@ -123,6 +123,9 @@ murk_box murk_extent_region(const murk_scene *scene, const murk_scene_region *r,
         break;
     case MURK_SCENE_IN_BOX:
         box = box_around(&placed, &r->box);
+        break;
+    case MURK_SCENE_IN_MESH:
+        box = box_around(&placed, &mesh->bounds_m);
         break;
     case MURK_SCENE_IN_GRID:
         return grid ? box_of_grid(&placed, grid, is_linear) : box;
@@ -160,7 +163,7 @@ static murk_box light_box(const murk_scene_light *light)
 
 murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
                                murk_mesh *const *mesh, murk_grid *const *grid,
-                               murk_error *err)
+                               murk_mesh *const *region_mesh, murk_error *err)
 {
     if (scene->has_domain) {
         *out = scene->domain;
@@ -178,7 +181,8 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
                              "a half space needs a domain or geometry");
         }
         if (murk_extent_is_bounded(r)) {
-            all = join(all, murk_extent_region(scene, r, grid[r->medium]));
+            all = join(all, murk_extent_region(scene, r, grid[r->medium],
+                                               region_mesh[i]));
         }
     }
     for (size_t i = 0; i < scene->n_lights; ++i) {

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/log.h"
+#include "study/enclose.h"
 #include "study/extent.h"
 #include "study/tallies.h"
 
@@ -37,20 +38,31 @@ static murk_status sign_file(murk_stage *stage, const char *path,
     return MURK_OK;
 }
 
+static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
+                               const char *file, double unit_m, char up,
+                               const char *where, murk_error *err)
+{
+    const murk_mesh_import import = {.unit_m = unit_m, .up = up};
+    const murk_status status = sign_file(stage, file, where, err);
+    return status ? status : murk_mesh_read(out, file, &import, where, err);
+}
+
 static murk_status import_files(murk_stage *stage, murk_error *err)
 {
     const murk_scene *scene = stage->scene;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < scene->geometries && !status; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
-        if (g->shape != MURK_SCENE_FILE) {
-            continue;
+        if (g->shape == MURK_SCENE_FILE) {
+            status = import_mesh(stage, &stage->mesh[i], g->file, g->unit_m,
+                                 g->up, g->where, err);
         }
-        const murk_mesh_import import = {.unit_m = g->unit_m, .up = g->up};
-        status = sign_file(stage, g->file, g->where, err);
-        if (!status) {
-            status = murk_mesh_read(&stage->mesh[i], g->file, &import, g->where,
-                                    err);
+    }
+    for (size_t i = 0; i < scene->n_regions && !status; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            status = import_mesh(stage, &stage->region_mesh[i], r->mesh,
+                                 r->unit_m, r->up, r->where, err);
         }
     }
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
@@ -144,7 +156,8 @@ static murk_region region_of(const murk_scene_region *r)
         [MURK_SCENE_IN_BOX] = MURK_REGION_BOX,
         [MURK_SCENE_IN_SPHERE] = MURK_REGION_SPHERE,
         [MURK_SCENE_IN_GRID] = MURK_REGION_GRID,
-        [MURK_SCENE_BELOW] = MURK_REGION_BELOW};
+        [MURK_SCENE_BELOW] = MURK_REGION_BELOW,
+        [MURK_SCENE_IN_MESH] = MURK_REGION_MESH};
     return (murk_region){
         .medium = r->medium,
         .shape = shape_of[r->shape],
@@ -182,6 +195,9 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         region[i] = region_of(&scene->regions[i]);
+        if (region[i].shape == MURK_REGION_MESH) {
+            region[i].box = murk_hulls_describe(stage->hulls, (int)i).bounds_m;
+        }
     }
     status = murk_media_create(&stage->media, medium, scene->n_media, region,
                                scene->n_regions, &stage->world.domain.box, err);
@@ -252,16 +268,17 @@ static void warn_of_cuts(const murk_stage *stage)
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (murk_extent_is_bounded(r)) {
-            const murk_box box =
-                murk_extent_region(stage->scene, r, stage->grid[r->medium]);
+            const murk_box box = murk_extent_region(
+                stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
             warn_if_cut(r->where, &box, domain);
         }
     }
 }
 
 /* Whether a region reaches any side of the domain. */
-static bool touches_sides(const murk_stage *stage, const murk_scene_region *r)
+static bool touches_sides(const murk_stage *stage, size_t i)
 {
+    const murk_scene_region *r = &stage->scene->regions[i];
     const murk_box *domain = &stage->world.domain.box;
     if (r->shape == MURK_SCENE_EVERYWHERE) {
         return true;
@@ -269,8 +286,8 @@ static bool touches_sides(const murk_stage *stage, const murk_scene_region *r)
     if (r->shape == MURK_SCENE_BELOW) {
         return r->below_z_m > domain->min.z;
     }
-    const murk_box box =
-        murk_extent_region(stage->scene, r, stage->grid[r->medium]);
+    const murk_box box = murk_extent_region(
+        stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
     return box.min.x <= domain->min.x || box.max.x >= domain->max.x ||
            box.min.y <= domain->min.y || box.max.y >= domain->max.y ||
            box.min.z <= domain->min.z || box.max.z >= domain->max.z;
@@ -290,7 +307,7 @@ static void warn_of_lit_sides(const murk_stage *stage)
         return;
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
-        if (touches_sides(stage, &scene->regions[i])) {
+        if (touches_sides(stage, i)) {
             murk_warn(scene->regions[i].where,
                       "distant light meets a medium that touches an open "
                       "side: it is unattenuated where it enters");
@@ -309,8 +326,10 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     }
     stage->scene = scene;
     stage->mesh = calloc(scene->geometries + 1, sizeof *stage->mesh);
+    stage->region_mesh =
+        calloc(scene->n_regions + 1, sizeof *stage->region_mesh);
     stage->light_key = strdup(scene->light_key);
-    if (!stage->mesh || !stage->light_key) {
+    if (!stage->mesh || !stage->region_mesh || !stage->light_key) {
         status = murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for the world");
         goto done;
@@ -321,7 +340,11 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     }
     if (!status) {
         status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,
-                                    stage->grid, err);
+                                    stage->grid, stage->region_mesh, err);
+    }
+    if (!status) {
+        status = murk_enclose(&stage->hulls, scene, stage->region_mesh,
+                              &stage->world.domain.box, err);
     }
     if (!status) {
         status = build_surfaces(stage, err);
@@ -343,6 +366,7 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     warn_of_lit_sides(stage);
     stage->world.surfaces = stage->surfaces;
     stage->world.media = stage->media;
+    stage->world.hulls = stage->hulls;
     stage->world.lights = stage->lights;
     stage->world.bands = scene->bands;
     *out = stage;
@@ -360,13 +384,18 @@ void murk_stage_destroy(murk_stage *stage)
     murk_lights_destroy(stage->lights);
     murk_media_destroy(stage->media);
     murk_phases_destroy(stage->phases);
+    murk_hulls_destroy(stage->hulls);
     murk_surfaces_destroy(stage->surfaces);
     murk_fillings_destroy(stage->fillings);
     for (size_t i = 0; stage->mesh && i < stage->scene->geometries; ++i) {
         murk_mesh_destroy(stage->mesh[i]);
     }
+    for (size_t i = 0; stage->region_mesh && i < stage->scene->n_regions; ++i) {
+        murk_mesh_destroy(stage->region_mesh[i]);
+    }
     free(stage->light_key);
     free(stage->tally);
+    free(stage->region_mesh);
     free(stage->mesh);
     free(stage);
 }

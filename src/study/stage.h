@@ -18,9 +18,11 @@ typedef struct murk_stage {
     murk_fillings *fillings; /* of media */
     murk_grid **grid;        /* fillings->grid: NULL for media without one */
     murk_mesh **mesh; /* [scene->geometries]; NULL for the other shapes */
+    murk_mesh **region_mesh; /* [scene->n_regions]; likewise */
     murk_phases *phases;
     murk_surfaces *surfaces;
     murk_media *media;
+    murk_hulls *hulls; /* NULL: no region is a mesh */
     murk_lights *lights;
     murk_tally_desc *tally; /* [scene->n_tallies]; NULL for none */
     char *light_key; /* the scene's, and a checksum of each file it names: equal

@@ -38,6 +38,8 @@ static const char FULL_SCENE[] =
     "     replace: true}\n"
     "  - {medium: thin, sphere: {center_m: [5, 5, 5], radius_m: 1}}\n"
     "  - {medium: haze, below_z_m: -0.5, ior: 1.34}\n"
+    "  - {medium: thin, mesh: tank.obj, unit_m: 0.01, up: y, scale: 3,\n"
+    "     ior: 1.5}\n"
     "lights:\n"
     "  - {type: sphere, center_m: [15, 10, 9], radius_m: 0.1, power_w: 100}\n"
     "  - {type: rect, corner_m: [0, 0, 9], edge1_m: [0, 1, 0],\n"

@@ -247,12 +247,12 @@ static const refusal REFUSALS[] = {
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:33: regions.0.scale",
      "not a key of a region (half space), must be one of medium, box, sphere, "
-     "below_z_m, replace, ior"},
+     "below_z_m, mesh, replace, ior"},
     {"regions:\n  - {medium: a, ior: 1.5}\n"
      "media: {a: {vdb: x, extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:17: regions.0.ior",
      "not a key of a region (grid), must be one of medium, box, sphere, "
-     "below_z_m, scale, rotate_deg, translate_m, replace"},
+     "below_z_m, mesh, scale, rotate_deg, translate_m, replace"},
     {"regions:\n  - {medium: fog, below_z_m: 0, sphere: {center_m: [0, 0, 0], "
      "radius_m: 1}}\n"
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
@@ -262,7 +262,7 @@ static const refusal REFUSALS[] = {
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:19: regions.0.scale",
      "not a key of a region (everywhere), must be one of medium, box, sphere, "
-     "below_z_m, replace, ior"},
+     "below_z_m, mesh, replace, ior"},
     {"regions:\n  - {medium: fog, replace: yes}\n"
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:28: regions.0.replace", "yes, must be true or false"},

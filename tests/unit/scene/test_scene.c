@@ -77,7 +77,7 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK_TEXT(layer->albedo_vdb, "a/ssa.vdb");
     CHECK(layer->vdb == NULL && scene->media[0].profile_z_m.n == 0);
 
-    CHECK(scene->n_regions == 5);
+    CHECK(scene->n_regions == 6);
     CHECK(scene->regions[0].shape == MURK_SCENE_EVERYWHERE);
     CHECK(scene->regions[0].scale == 1 && scene->regions[0].medium == 0);
     CHECK(scene->regions[1].shape == MURK_SCENE_IN_GRID);
@@ -89,6 +89,11 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK(scene->regions[3].ior == 0 && scene->regions[4].ior == 1.34);
     CHECK(scene->regions[4].shape == MURK_SCENE_BELOW);
     CHECK(scene->regions[4].below_z_m == -0.5 && scene->regions[4].scale == 1);
+    CHECK(scene->regions[5].shape == MURK_SCENE_IN_MESH);
+    CHECK_TEXT(scene->regions[5].mesh, "tank.obj");
+    CHECK(scene->regions[5].unit_m == 0.01 && scene->regions[5].up == 'y');
+    CHECK(scene->regions[5].scale == 3 && scene->regions[5].ior == 1.5);
+    CHECK(scene->regions[4].mesh == NULL);
 }
 
 static void test_lights(const murk_scene *scene)
@@ -140,7 +145,7 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
     CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
     CHECK(sensors->grid_max.y == 19);
-    CHECK_TEXT(sensors->grid_where, "fog.yaml:58:5: sensors.candidates.grid");
+    CHECK_TEXT(sensors->grid_where, "fog.yaml:60:5: sensors.candidates.grid");
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
@@ -351,6 +356,7 @@ static void test_light_key_knows_no_folders(void)
     murk_scene *scene = must_read(FULL_SCENE, NULL, 0);
     CHECK_MENTIONS(scene->light_key, "{vdb: smoke.vdb, ");
     CHECK_MENTIONS(scene->light_key, "{file: yard.dae, ");
+    CHECK_MENTIONS(scene->light_key, "mesh: tank.obj, ");
     murk_scene_destroy(scene);
 }
 

@@ -1,0 +1,125 @@
+#include "study/enclose.h"
+
+/* Faces that are none are put this many times further than all else. */
+#define FAR_TIMES 4
+
+static murk_affine placed(const murk_scene_region *r)
+{
+    return murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+}
+
+static double largest(const murk_box *box)
+{
+    const murk_vec3 a = box->min, b = box->max;
+    return fmax(fmax(fmax(fabs(a.x), fabs(b.x)), fmax(fabs(a.y), fabs(b.y))),
+                fmax(fabs(a.z), fabs(b.z)));
+}
+
+/* Moves the faces of an unturned box that the domain cuts off. */
+static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
+                       const murk_box *domain, double far_m)
+{
+    const murk_vec3 turn = r->rotate_deg;
+    if (turn.x != 0 || turn.y != 0 || turn.z != 0) {
+        return;
+    }
+    const murk_vec3 low = murk_affine_point(&shape->to_world, r->box.min);
+    const murk_vec3 high = murk_affine_point(&shape->to_world, r->box.max);
+    shape->to_world = murk_affine_identity();
+    shape->box = (murk_box){{low.x <= domain->min.x ? -far_m : low.x,
+                             low.y <= domain->min.y ? -far_m : low.y,
+                             low.z <= domain->min.z ? -far_m : low.z},
+                            {high.x >= domain->max.x ? far_m : high.x,
+                             high.y >= domain->max.y ? far_m : high.y,
+                             high.z >= domain->max.z ? far_m : high.z}};
+}
+
+static bool crosses_plain(const murk_hulls *hulls, int mesh,
+                          const murk_scene_region *r, const murk_box *domain,
+                          murk_vec3 *place)
+{
+    murk_plain_shape shape = {.plain = MURK_PLAIN_SPHERE,
+                              .box = r->box,
+                              .center = r->center,
+                              .radius_m = r->radius_m,
+                              .to_world = placed(r)};
+    const murk_box bounds = murk_hulls_describe(hulls, mesh).bounds_m;
+    if (r->shape == MURK_SCENE_IN_BOX) {
+        shape.plain = MURK_PLAIN_BOX;
+        open_faces(&shape, r, domain,
+                   FAR_TIMES * fmax(largest(domain), largest(&bounds)));
+    } else if (r->shape == MURK_SCENE_BELOW) {
+        shape.plain = MURK_PLAIN_BELOW;
+        shape.box.max.z = r->below_z_m;
+    } else if (r->shape != MURK_SCENE_IN_SPHERE) {
+        return false; /* everywhere holds all; grids have no index */
+    }
+    return murk_hulls_meet_plain(hulls, mesh, &shape, place);
+}
+
+static bool cross(const murk_hulls *hulls, const murk_scene *scene, size_t a,
+                  size_t b, const murk_box *domain, murk_vec3 *place)
+{
+    const murk_scene_region *one = &scene->regions[a];
+    const murk_scene_region *other = &scene->regions[b];
+    const bool is_mesh = one->shape == MURK_SCENE_IN_MESH;
+    const bool other_is_mesh = other->shape == MURK_SCENE_IN_MESH;
+    if (!(one->ior > 0 && other->ior > 0)) {
+        return false;
+    }
+    if (is_mesh && other_is_mesh) {
+        return murk_hulls_meet(hulls, (int)a, (int)b, place);
+    }
+    return is_mesh         ? crosses_plain(hulls, (int)a, other, domain, place)
+           : other_is_mesh ? crosses_plain(hulls, (int)b, one, domain, place)
+                           : false;
+}
+
+static murk_status check_pairs(const murk_hulls *hulls, const murk_scene *scene,
+                               const murk_box *domain, murk_error *err)
+{
+    for (size_t later = 0; later < scene->n_regions; ++later) {
+        for (size_t i = 0; i < later; ++i) {
+            murk_vec3 p;
+            if (cross(hulls, scene, i, later, domain, &p)) {
+                return murk_fail(
+                    err, MURK_BAD_VALUE, scene->regions[later].where,
+                    "crosses %s near (%.6g, %.6g, %.6g) m, must lie in it, "
+                    "hold it or lie apart: both have an index of refraction",
+                    scene->regions[i].where, p.x, p.y, p.z);
+            }
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_enclose(murk_hulls **out, const murk_scene *scene,
+                         murk_mesh *const *mesh, const murk_box *domain,
+                         murk_error *err)
+{
+    murk_hull_desc desc[MURK_HULLS_MAX];
+    murk_hulls *made = NULL;
+    size_t n = 0;
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            desc[n++] = (murk_hull_desc){.region = (int)i,
+                                         .mesh = mesh[i],
+                                         .to_world = placed(r),
+                                         .where = r->where};
+        }
+    }
+    murk_status status = MURK_OK;
+    if (n > 0) {
+        status = murk_hulls_create(&made, desc, n, err);
+    }
+    if (!status && made) {
+        status = check_pairs(made, scene, domain, err);
+    }
+    if (status) {
+        murk_hulls_destroy(made);
+        return status;
+    }
+    *out = made;
+    return MURK_OK;
+}
