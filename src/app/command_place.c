@@ -69,6 +69,20 @@ static void add_bound(cJSON *root, const murk_plan *plan)
     }
 }
 
+static void add_target(cJSON *root, const murk_plan *plan,
+                       const murk_scene *scene)
+{
+    if (scene->sensors.target > 0) {
+        cJSON *object = cJSON_AddObjectToObject(root, "target");
+        murk_json_number(object, "asked", scene->sensors.target);
+        cJSON_AddNumberToObject(object, "fewest_possible",
+                                (double)plan->place.fewest);
+        murk_json_number(object, "confirmed", plan->confirmed.value);
+        murk_json_number(object, "confirmed_standard_error",
+                         plan->confirmed.standard_error);
+    }
+}
+
 static void add_placement(cJSON *root, const murk_plan *plan,
                           const murk_scene *scene)
 {
@@ -105,6 +119,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
     add_coverage(root, plan);
     murk_json_seen(root, &plan->in_sample, plan->place.count);
     add_bound(root, plan);
+    add_target(root, plan, session->scene);
     add_placement(root, plan, session->scene);
     return root;
 }
@@ -127,6 +142,12 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
         printf("held out    %.4f +- %.4f (one standard error, by emitted "
                "photon)\n",
                plan->held_out.value, plan->held_out.standard_error);
+    }
+    if (session->scene->sensors.target > 0) {
+        printf("target      %.4f takes %zu sensors, and no fewer than %zu; on "
+               "a third map %.4f +- %.4f\n",
+               session->scene->sensors.target, place->count, place->fewest,
+               plan->confirmed.value, plan->confirmed.standard_error);
     }
     if (place->proven_optimal) {
         printf("bound       proven optimal for this sample of photons\n");

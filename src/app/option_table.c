@@ -17,7 +17,9 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_STORE, "--store", NULL, "N", "check trace place sense replay",
      "emit until N photons are stored; replaces emit or store of the scene"},
     {MURK_OPTION_COUNT, "--count", NULL, "N", "check place",
-     "number of sensors to place"},
+     "number of sensors to place; replaces the scene's target"},
+    {MURK_OPTION_TARGET, "--target", NULL, "C", "check place",
+     "the fewest sensors that cover C, 0..1; replaces the scene's count"},
     {MURK_OPTION_SENSORS, "--sensors", NULL, "FILE", "sense",
      "the placement to measure: sensors.csv (type, x_m, y_m, z_m) or a "
      "plan.json"},
@@ -40,7 +42,6 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_VERSION, "--version", NULL, NULL, NULL,
      "version, commit, compiler and packages"},
     {MURK_OPTION_MAN, "--man", NULL, NULL, NULL, NULL},
-    {MURK_OPTION_LATER, "--target", NULL, "C", NULL, NULL},
     {MURK_OPTION_LATER, "--budget", NULL, "B", NULL, NULL},
     {MURK_OPTION_LATER, "--matrix", NULL, "FILE", NULL, NULL},
     {MURK_OPTION_LATER, "--camera", NULL, "NAME", NULL, NULL},

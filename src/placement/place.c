@@ -32,6 +32,9 @@
 /* A curve point gets one round for each of so many of the plan's own. */
 #define ROUNDS_PER_CURVE_ROUND 3
 
+/* With a target, greedy goes so far at once, and then twice as far again. */
+#define FIRST_GREEDY 8
+
 /* Starts in a row on the way, worker by worker. */
 typedef struct starts {
     murk_search *search; /* [workers] */
@@ -183,7 +186,7 @@ static murk_status prove(placing *p, murk_curve_point *point, murk_error *err)
     if (!status) {
         point->value = exact.value;
         point->upper = exact.upper;
-        p->result->nodes = exact.nodes;
+        p->result->nodes += exact.nodes;
         p->result->is_cut = exact.is_cut;
     }
     return status;
@@ -201,37 +204,78 @@ static size_t curve_rounds(size_t rounds)
                                            : rounds;
 }
 
+/* The curve's last count: the one asked for, or the first that reaches the
+ * target. */
+static bool is_last(const placing *p, size_t k, uint64_t value)
+{
+    return p->desc->target ? value >= p->desc->target || k == p->desc->count
+                           : k == p->desc->count;
+}
+
+/* The plan of k sensors, from that of one fewer (NULL: none). */
+static murk_status find_count(placing *p, size_t k, const uint32_t *from,
+                              murk_curve_point *last, murk_error *err)
+{
+    const murk_place_desc *desc = p->desc;
+    /* With a target, any count may turn out to be the plan's. */
+    const bool is_plan = desc->target || k == desc->count;
+    const size_t rounds = is_plan ? p->rounds : curve_rounds(p->rounds);
+    size_t extra = 0;
+    size_t *made = is_plan ? &p->result->restarts : &extra;
+    const size_t most = is_plan ? desc->restarts : curve_starts(desc->restarts);
+    *last =
+        desc->method == MURK_PLACE_BEST
+            ? find_best(p, p->plan, k, from, last->value, most, rounds, made)
+            : find_once(p, p->plan, k, rounds, made);
+    const bool is_open = desc->target == 0 || (last->value < desc->target &&
+                                               last->upper >= desc->target);
+    return is_plan && is_open && !murk_interrupted() ? prove(p, last, err)
+                                                     : MURK_OK;
+}
+
+/* Greedy, as far as any plan can need it. */
+static void greedy_enough(placing *p)
+{
+    const murk_place_desc *desc = p->desc;
+    size_t have = 0;
+    size_t n =
+        desc->target && desc->count > FIRST_GREEDY ? FIRST_GREEDY : desc->count;
+    while (have < n && !murk_interrupted()) {
+        murk_search_greedy(&p->search, p->greedy, have, n, p->greedy_value);
+        have = n;
+        if (desc->target && p->greedy_value[n - 1] < desc->target) {
+            n = n < desc->count / 2 ? 2 * n : desc->count;
+        }
+    }
+}
+
 static murk_status find_all(placing *p, murk_error *err)
 {
     murk_place_result *result = p->result;
-    const size_t n = p->desc->count;
-    const bool is_best = p->desc->method == MURK_PLACE_BEST;
-    if (p->desc->method != MURK_PLACE_SPOQ) {
-        murk_search_greedy(&p->search, p->greedy, 0, n, p->greedy_value);
+    const murk_place_desc *desc = p->desc;
+    if (desc->method != MURK_PLACE_SPOQ) {
+        greedy_enough(p);
     }
     murk_curve_point last = {0};
     const uint32_t *from = NULL;
     murk_status status = MURK_OK;
-    for (size_t k = p->desc->with_curve ? 1 : n; k <= n && !murk_interrupted();
-         ++k) {
-        const bool is_plan = k == n;
-        const size_t rounds = is_plan ? p->rounds : curve_rounds(p->rounds);
-        size_t extra = 0;
-        size_t *made = is_plan ? &result->restarts : &extra;
-        const size_t most =
-            is_plan ? p->desc->restarts : curve_starts(p->desc->restarts);
-        last = is_best ? find_best(p, p->plan, k, from, last.value, most,
-                                   rounds, made)
-                       : find_once(p, p->plan, k, rounds, made);
-        if (is_plan && !murk_interrupted()) {
-            status = prove(p, &last, err);
-        }
+    const size_t first = desc->with_curve || desc->target ? 1 : desc->count;
+    for (size_t k = first; !status && !murk_interrupted(); ++k) {
+        status = find_count(p, k, from, &last, err);
         if (result->curve) {
             result->curve[k - 1] = last;
         }
+        if (desc->target && result->fewest == 0 && last.upper >= desc->target) {
+            result->fewest = k;
+        }
         memcpy(p->last_plan, p->plan, k * sizeof *p->plan);
         from = p->last_plan;
+        result->count = k;
+        if (is_last(p, k, last.value)) {
+            break;
+        }
     }
+    result->curve_points = result->curve ? result->count : 0;
     result->value = last.value;
     result->upper = last.upper;
     result->evaluations += p->search.evaluations;
@@ -360,12 +404,13 @@ static murk_status placing_init(placing *p, const murk_oracle *oracle,
                    .plan = calloc(n, sizeof *p->plan),
                    .last_plan = calloc(n, sizeof *p->last_plan)};
     result->sensor = calloc(n, sizeof *result->sensor);
-    if (desc->with_curve) {
+    if (desc->with_curve || desc->target) {
         result->curve = calloc(n, sizeof *result->curve);
         result->curve_points = n;
     }
     if (!p->greedy || !p->greedy_value || !p->plan || !p->last_plan ||
-        !result->sensor || (desc->with_curve && !result->curve)) {
+        !result->sensor ||
+        ((desc->with_curve || desc->target) && !result->curve)) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          n);
     }
@@ -406,6 +451,15 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     if (!status) {
         status = placing_init(&p, &oracle, desc, &result, err);
     }
+    if (!status && desc->target > oracle.ceiling) {
+        status =
+            murk_fail(err, MURK_BAD_VALUE, "",
+                      "target %.6g cannot be reached: all %zu usable "
+                      "candidates together see %.6g",
+                      (double)desc->target / (double)oracle.layout->whole,
+                      oracle.candidates,
+                      (double)oracle.ceiling / (double)oracle.layout->whole);
+    }
     if (status) {
         goto done;
     }
@@ -414,6 +468,12 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     murk_progress_end();
     if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    if (!status && result.value < desc->target) {
+        status = murk_fail(err, MURK_RUN_FAILED, "",
+                           "method spoq did not reach the target with %zu "
+                           "sensors",
+                           result.count);
     }
     if (status) {
         goto done;

@@ -10,6 +10,9 @@
  * environment is known, branch and bound within `nodes`. `exact` is greedy and
  * branch and bound alone.
  *
+ * With a target, counts are tried from 1 up; where a count's plan falls short
+ * though its bound does not, branch and bound has its say before the next.
+ *
  * Source: SPOQ, shared paper of 2013; Nemhauser, Wolsey, Fisher, Math.
  * Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
  * Nemhauser, Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789 (greedy
@@ -28,7 +31,9 @@ typedef enum murk_place_method {
 
 typedef struct murk_place_desc {
     murk_place_method method;
-    size_t count;    /* sensors wanted, 1 .. candidates */
+    size_t count;    /* sensors wanted, 1 .. candidates; with a target: at
+                        most */
+    uint64_t target; /* 0, or: as few sensors as are worth so much */
     size_t restarts; /* SPOQ starts at most, >= 1; `spoq` makes exactly one */
     uint64_t nodes;  /* work of the branch and bound at most
                         (placement/exact.h), known environment; 0: none */
@@ -51,6 +56,7 @@ typedef struct murk_place_result {
     uint64_t upper;        /* >= value of every plan of that count */
     bool proven_optimal;   /* value == upper, or the plan is otherwise proven */
     const char *guarantee; /* static text */
+    size_t fewest;         /* no fewer sensors reach the target; 0 without */
     uint64_t ceiling;      /* all candidates chosen */
     uint64_t whole;        /* sum_i weight_i * MURK_CLEAR: everything */
     size_t after_presolve; /* candidates left after dominance */

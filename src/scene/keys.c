@@ -165,7 +165,8 @@ static const murk_key SENSORS_ROWS[] = {
     ROW("fixed", ONLY, .preset = "[]"),
     ROW("count", COUNT, .group = 1, .least = 1, .most = 1e6, .unit = "sensors",
         AT(murk_scene, sensors.count)),
-    LATER("target"),
+    ROW("target", NUMBER, .group = 1, .above = true, .most = 1,
+        AT(murk_scene, sensors.target)),
     LATER("budget"),
     END,
 };

@@ -186,6 +186,7 @@ typedef struct murk_scene_sensors {
     size_t grid_size[3];
     double clearance_m;
     uint64_t count; /* 0: not given */
+    double target;  /* coverage 0..1; 0: not given */
 } murk_scene_sensors;
 
 typedef enum murk_scene_method {

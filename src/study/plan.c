@@ -3,10 +3,12 @@
 #include "base/progress.h"
 #include "study/machine.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define HELD_OUT_STREAM 1u
+#define CONFIRM_STREAM  2u
 #define LAID_POINTS     1000 /* of a grid that the scene leaves to murk */
 #define MATRIX_SHARE    0.7  /* of the free memory, for the known matrix */
 
@@ -111,9 +113,10 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
     }
-    if (wish->count < 1) {
+    if (wish->count < 1 && !(wish->target > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "count: not given; give sensors.count or --count N");
+                         "count: not given; give sensors.count or --count N, "
+                         "or sensors.target or --target C");
     }
     if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
@@ -140,6 +143,17 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
+/* The least value of a plan that covers the share. */
+static uint64_t value_of(double share, const murk_problem *problem)
+{
+    uint64_t whole = 0;
+    for (size_t i = 0; i < problem->photons; ++i) {
+        whole += (uint64_t)problem->weight[i] * MURK_CLEAR;
+    }
+    const double value = ceil(share * (double)whole);
+    return value < (double)whole ? (uint64_t)value : whole;
+}
+
 /* Chooses, by matrix (known) or by looking again and again (unknown). */
 static murk_status choose(murk_plan *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
@@ -147,7 +161,11 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->candidates->position,
                             plan->candidates->usable);
-    const murk_place_desc desc = place_desc(stage->scene);
+    murk_place_desc desc = place_desc(stage->scene);
+    if (stage->scene->sensors.target > 0) {
+        desc.target = value_of(stage->scene->sensors.target, &seen.problem);
+        desc.count = plan->candidates->usable;
+    }
     murk_matrix *matrix = NULL;
     murk_status status = MURK_OK;
     double begun_s = murk_clock_s();
@@ -169,30 +187,30 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
-static murk_status hold_out(murk_plan *plan, const murk_stage *stage,
-                            unsigned threads, murk_error *err)
+/* The plan's coverage on light that had no part in choosing it. */
+static murk_status measure_on(murk_plan *plan, uint32_t stream,
+                              murk_estimate *out, const murk_stage *stage,
+                              unsigned threads, murk_error *err)
 {
-    murk_traced *second = NULL;
+    murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
-    murk_status status =
-        murk_light_trace(&second, stage, HELD_OUT_STREAM, threads, err);
+    murk_status status = murk_light_trace(&other, stage, stream, threads, err);
     if (!status) {
-        plan->trace_s += second->trace_s;
-        plan->map_s += second->map_s;
-        status = murk_plan_sight(&sight, stage, second, threads, err);
+        plan->trace_s += other->trace_s;
+        plan->map_s += other->map_s;
+        status = murk_plan_sight(&sight, stage, other, threads, err);
     }
     if (!status) {
         status = murk_coverage_measure(&coverage, sight, plan->sensor,
                                        plan->place.count, err);
     }
     if (!status) {
-        plan->held_out = coverage.total;
-        plan->has_held_out = true;
+        *out = coverage.total;
     }
     murk_coverage_release(&coverage);
     murk_sight_destroy(sight);
-    murk_traced_destroy(second);
+    murk_traced_destroy(other);
     return status;
 }
 
@@ -206,6 +224,10 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     murk_status status = murk_plan_sight(&sight, stage, traced, threads, err);
     if (!status) {
         status = choose(plan, stage, sight, err);
+        if (status && err && !err->where[0]) {
+            snprintf(err->where, sizeof err->where, "%s",
+                     stage->scene->sensors.where);
+        }
     }
     if (status) {
         goto done;
@@ -224,7 +246,13 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
                                    plan->place.count, err);
     if (!status && stage->scene->placement.hold_out) {
-        status = hold_out(plan, stage, threads, err);
+        status = measure_on(plan, HELD_OUT_STREAM, &plan->held_out, stage,
+                            threads, err);
+        plan->has_held_out = !status;
+    }
+    if (!status && stage->scene->sensors.target > 0) {
+        status = measure_on(plan, CONFIRM_STREAM, &plan->confirmed, stage,
+                            threads, err);
     }
 done:
     murk_sight_destroy(sight);

@@ -24,6 +24,7 @@ typedef struct murk_plan {
     murk_coverage in_sample; /* on the light that chose */
     bool has_held_out;
     murk_estimate held_out;        /* on the second map */
+    murk_estimate confirmed;       /* with a target: on a third map */
     uint64_t queries, shadow_rays; /* spent on choosing */
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;

@@ -83,7 +83,7 @@ expect 2 "--emit: 1152921504606846976" place "$dir/good.yaml" --emit 11529215046
 expect 2 "emit" place "$dir/good.yaml" --emit 10 --store 10
 expect 2 "needs a value" place "$dir/good.yaml" --emit
 expect 2 "not an option of murk trace" trace "$dir/good.yaml" --count 3
-expect 2 "not supported yet" place "$dir/good.yaml" --target 0.9
+expect 2 "not supported yet" place "$dir/good.yaml" --budget 3
 expect 2 "KEY=VALUE" place "$dir/good.yaml" --set seed
 expect 2 "must be text | json" place "$dir/good.yaml" --format xml
 expect 2 "replay needs --photon" replay "$dir/good.yaml"
@@ -280,6 +280,11 @@ interrupted() {
 interrupted 1 trace "$dir/good.yaml" --emit 4e9 --set photons.maps=none
 interrupted 2 place scenes/fog-yard.yaml --emit 200000 # while it looks
 interrupted 2 place scenes/fog-yard.yaml --emit 1000 --count 20 --set placement.restarts=1000000 # while it searches
+
+# targets
+expect 2 "cannot be reached: all" place "$dir/good.yaml" --target 1
+expect 2 "must be more than 0 and at most 1" place "$dir/good.yaml" --target 2
+expect 2 "count" place "$dir/good.yaml" --target 0.5 --count 2
 
 # light that never ends
 cat >"$dir/white.yaml" <<'END'

@@ -206,6 +206,45 @@ static void test_exact(uint32_t seed)
     made_up_destroy(m);
 }
 
+/* The fewest sensors that reach a target: as many as brute force needs, with
+ * a plan that does reach it, and a bound that says so. */
+static void test_target(uint32_t seed)
+{
+    for (uint32_t k = 0; k < 30; ++k) {
+        made_up *m = made_up_create(seed + k, 200, 13, 0.2, k % 2 ? 1 : 90,
+                                    1 + k % 5, 2);
+        const uint64_t goal = made_up_optimum(m, 1 + k % 5) + k % 2;
+        size_t fewest = 1;
+        while (fewest < 8 && made_up_optimum(m, fewest) < goal) {
+            ++fewest;
+        }
+        CHECK(made_up_optimum(m, fewest) >= goal);
+        murk_place_desc desc = murk_place_defaults();
+        desc.method = k % 3 ? MURK_PLACE_BEST : MURK_PLACE_EXACT;
+        desc.count = 13;
+        desc.restarts = 5;
+        desc.target = goal; /* met exactly by a count, or missed by one */
+        murk_place_result r = place_known(m, &desc);
+        CHECK(r.count == fewest);
+        CHECK(r.fewest == fewest);
+        CHECK(r.value >= desc.target);
+        CHECK(r.value == made_up_value(m, r.sensor, r.count));
+        CHECK(r.curve_points == fewest);
+        murk_place_release(&r);
+        desc.method = MURK_PLACE_GREEDY;
+        r = place_known(m, &desc);
+        CHECK(r.count >= fewest && r.fewest <= fewest);
+        murk_place_release(&r);
+        desc.target = UINT64_MAX;
+        murk_error err = {0};
+        murk_place_result none = {0};
+        CHECK(murk_place_unknown(&none, &m->problem, &desc, &err) ==
+              MURK_BAD_VALUE);
+        CHECK_MENTIONS(err.text, "all 13 usable candidates together see");
+        made_up_destroy(m);
+    }
+}
+
 /* Teeth: some SPOQ ends lack the certificate that `best` always carries. */
 static void test_certificate_notices_a_bad_plan(void)
 {
@@ -353,6 +392,7 @@ int main(int argc, char **argv)
     test_against_brute_force(seed);
     test_known_is_unknown(seed);
     test_exact(seed);
+    test_target(seed);
     test_certificate_notices_a_bad_plan();
     test_threads_change_nothing();
     test_blind_start_does_not_end_spoq();
