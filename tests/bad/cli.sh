@@ -282,7 +282,7 @@ interrupted 2 place scenes/fog-yard.yaml --emit 200000 # while it looks
 interrupted 2 place scenes/fog-yard.yaml --emit 1000 --count 20 --set placement.restarts=1000000 # while it searches
 
 # targets
-expect 2 "cannot be reached: all" place "$dir/good.yaml" --target 1
+expect 2 "cannot be reached: all" place "$dir/good.yaml" --target 1 --set sensors.types.0.range_m=0.5
 expect 2 "must be more than 0 and at most 1" place "$dir/good.yaml" --target 2
 expect 2 "count" place "$dir/good.yaml" --target 0.5 --count 2
 
