@@ -52,6 +52,13 @@ typedef struct validation_reference {
 typedef void (*validation_score)(const void *context, const murk_event *before,
                                  const murk_event *event, double *scores);
 
+/* A quantity that one of murk's own tallies measures: `scale` times a cell of
+ * it. */
+typedef struct validation_cell {
+    size_t tally, cell; /* murk_tally_cells() says their order */
+    double scale;       /* 0: 1 */
+} validation_cell;
+
 /* Members not named are zero: defaults. */
 typedef struct validation_case {
     const char *name;     /* within its group: "n 1 albedo .9 g .75 tau 2" */
@@ -60,8 +67,15 @@ typedef struct validation_case {
     const murk_world *world;
     const validation_reference *reference; /* [quantities] */
     size_t quantities;
-    validation_score score; /* mean score of a photon = reference value */
+    validation_score score; /* mean score of a photon = reference value; NULL:
+                               nothing is scored */
     const void *context;
+    const murk_tally_desc *tally; /* [tallies] in the world */
+    size_t tallies;
+    const validation_cell *cell; /* [cells] the last quantities, which are read
+                                    from the tallies (one band); the first
+                                    quantities - cells are scored */
+    size_t cells;
     double least_weight;   /* 0: 1, roulette alone */
     double error_scale;    /* references are in units of this; 0: 1. The
                               absolute bound on errors is 3e-5 of it */

@@ -21,6 +21,11 @@ struct validation {
     size_t unsound; /* cases that lost light, or whose ledger is off */
 };
 
+/* A new row without an estimate. Ends the program where memory is short. */
+validation_row *validation_add_row(validation *v, const char *name,
+                                   const char *source, const char *is_wrong,
+                                   const validation_reference *reference);
+
 /* murk - reference in standard deviations of both; infinite where anything is
  * not a number or nothing is uncertain. */
 double validation_sigmas(const validation_row *row);

@@ -20,6 +20,14 @@
 #define DEPTHS_MAX 12
 #define KINDS      3
 
+/* Slices for grid tallies: the mean over one differs from its middle by
+ * phi'' thickness^2 / 24, where phi'' is less than phi (light falls as exp(-k
+ * tau) with k < 1). */
+#define SLICE .05
+
+/* Of the domain where murk tallies. */
+#define HALF_WIDTH 50.0
+
 typedef struct profile {
     char name[64];
     layer of;
@@ -87,6 +95,54 @@ static size_t read_profile(profile *p, const murk_table *t, size_t row,
     return row;
 }
 
+/* The same by murk's own tallies: planes, and thin slices for the fluence. */
+static void trace_tallies(validation *v, const profile *p)
+{
+    char name[80], names[KINDS * DEPTHS_MAX][16];
+    murk_tally_desc tally[KINDS * DEPTHS_MAX];
+    validation_cell cell[KINDS * DEPTHS_MAX];
+    validation_reference reference[KINDS * DEPTHS_MAX];
+    layer of = p->of;
+    size_t n = 0;
+    of.half_width = HALF_WIDTH;
+    snprintf(name, sizeof name, "%s, tallies", p->name);
+    if (!validation_wants(v, name)) {
+        return;
+    }
+    for (size_t i = 0; i < p->n; ++i) {
+        const double z = p->score[i].z_m;
+        if (z < SLICE) {
+            continue; /* the face itself */
+        }
+        const bool is_slice = p->score[i].kind == SCORE_FLUENCE;
+        snprintf(names[n], sizeof names[n], "level%zu", i);
+        tally[n] = is_slice ? layer_slice(names[n], &of, z, SLICE)
+                            : layer_plane(names[n], z, 1);
+        cell[n] = is_slice
+                      ? (validation_cell){n, 0, 4 * HALF_WIDTH * HALF_WIDTH}
+                      : (validation_cell){n, p->score[i].way > 0 ? 0 : 1, 1};
+        reference[n] = p->reference[i];
+        if (is_slice) {
+            reference[n].uncertainty =
+                hypot(reference[n].uncertainty,
+                      reference[n].value * SLICE * SLICE / 24);
+        }
+        ++n;
+    }
+    test_world w = layer_made(&of);
+    validation_trace(v, &(validation_case){.name = name,
+                                           .source = "adding-doubling",
+                                           .world = &w.world,
+                                           .reference = reference,
+                                           .quantities = n,
+                                           .tally = tally,
+                                           .tallies = n,
+                                           .cell = cell,
+                                           .cells = n,
+                                           .least_weight = LEAST_WEIGHT});
+    test_world_unmade(&w);
+}
+
 static void trace(validation *v, const profile *p, const char *is_wrong)
 {
     if (!validation_wants(v, p->name)) {
@@ -116,6 +172,9 @@ void cases_depth(validation *v)
         const bool is_thick = strncmp(p.name, "thick", strlen("thick")) == 0;
         if (!is_quick || !is_thick) {
             trace(v, &p, NULL);
+        }
+        if (strncmp(p.name, "A,", 2) == 0) {
+            trace_tallies(v, &p);
         }
         if (strcmp(p.name, "A, index 1.37") == 0) {
             p.of.index = 1.34;

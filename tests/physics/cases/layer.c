@@ -1,15 +1,20 @@
 #include "cases/layer.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* With albedo .999 and g .9, the palest that is put so deep, light falls as
  * exp(-.0173 tau) (diffusion) there. */
 #define DEEP 4e3
 
-/* So wide that hardly any leg meets a side; what does is wrapped. */
-#define HALF_WIDTH 1e5
+#define WIDE 1e5 /* half the width where none is given */
 
 #define AIR 1.0 /* before and behind a layer with an index */
+
+static double half_width(const layer *of)
+{
+    return of->half_width > 0 ? of->half_width : WIDE;
+}
 
 static murk_light light_of(const layer *of, double z)
 {
@@ -29,7 +34,7 @@ test_world layer_made(const layer *of)
 {
     const double tau = isinf(of->tau) ? DEEP : of->tau;
     const double air = of->index > 1 ? AIR : 0;
-    const double wide = HALF_WIDTH;
+    const double wide = half_width(of);
     murk_light light = light_of(of, -air);
     murk_medium medium = test_medium(1, of->albedo, 0);
     medium.phase[0] = of->phase;
@@ -47,4 +52,29 @@ test_world layer_made(const layer *of)
         .n_media = 1,
         .regions = &region,
         .n_regions = 1});
+}
+
+murk_tally_desc layer_plane(const char *name, double z, size_t angle_bins)
+{
+    murk_tally_desc plane = {.type = MURK_TALLY_PLANE,
+                             .point = {0, 0, z},
+                             .normal = {0, 0, 1},
+                             .bins = {1, 1},
+                             .angle_bins = angle_bins,
+                             .where = name};
+    snprintf(plane.name, sizeof plane.name, "%s", name);
+    return plane;
+}
+
+murk_tally_desc layer_slice(const char *name, const layer *of, double z,
+                            double thickness)
+{
+    const double w = half_width(of);
+    murk_tally_desc slice = {
+        .type = MURK_TALLY_GRID,
+        .box = {{-w, -w, z - thickness / 2}, {w, w, z + thickness / 2}},
+        .size = {1, 1, 1},
+        .where = name};
+    snprintf(slice.name, sizeof slice.name, "%s", name);
+    return slice;
 }

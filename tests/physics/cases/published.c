@@ -1,5 +1,6 @@
 /* Slabs with published values: van de Hulst's with the angles at which light
- * leaves it, oblique light, semi-infinite media with and without an index.
+ * leaves it (by event and by murk's own plane tallies), oblique light,
+ * semi-infinite media with and without an index.
  *
  * Where a published value agrees with the adding-doubling solution to its last
  * digit, the published one is the reference. */
@@ -34,7 +35,7 @@ static void trace_layer(validation *v, const validation_case *c,
         test_world w = layer_made(of);
         validation_case traced = *c;
         traced.world = &w.world;
-        traced.score = scores_add;
+        traced.score = c->context ? scores_add : NULL;
         validation_trace(v, &traced);
         test_world_unmade(&w);
     }
@@ -130,15 +131,15 @@ static void bins_of(const murk_table *t, const char *column,
     }
 }
 
-static void trace_angles(validation *v, const char *is_wrong, double g)
+#define ANGLES_SOURCE                                                  \
+    "adding-doubling, van de Hulst 1980 table 35; spline between its " \
+    "angles"
+
+/* Scattered light by events: that before, that behind the slab. */
+static void trace_angles(validation *v, const char *is_wrong, double g,
+                         const validation_reference reference[2 * BINS])
 {
-    murk_table *t = reference_read("vdhulst_slab_angular.csv");
-    validation_reference reference[2 * BINS];
-    char names[2 * BINS][48];
     score_of of[2 * BINS];
-    bins_of(t, "reflected_per_sr", reference, names, "reflected");
-    bins_of(t, "transmitted_per_sr", reference + BINS, names + BINS,
-            "scattered through");
     for (size_t k = 0; k < 2 * BINS; ++k) {
         const double bin = (double)(k % BINS);
         of[k] = (score_of){.kind = SCORE_ESCAPED,
@@ -149,15 +150,61 @@ static void trace_angles(validation *v, const char *is_wrong, double g)
     }
     const scores score = {of, 2 * BINS};
     trace_layer(v,
-                &(validation_case){
-                    .name = "van de Hulst slab, angles",
-                    .source = "adding-doubling, van de Hulst 1980 table 35; "
-                              "spline between its angles",
-                    .is_wrong = is_wrong,
-                    .reference = reference,
-                    .quantities = score.n,
-                    .context = &score},
+                &(validation_case){.name = "van de Hulst slab, angles",
+                                   .source = ANGLES_SOURCE,
+                                   .is_wrong = is_wrong,
+                                   .reference = reference,
+                                   .quantities = score.n,
+                                   .context = &score},
                 &(layer){.albedo = .9, .phase = murk_phase_hg(g), .tau = 2});
+}
+
+/* All light by planes in the sides that it leaves through. What comes straight
+ * through the slab falls into the last bin behind it. */
+static void trace_planes(validation *v,
+                         const validation_reference angles[2 * BINS])
+{
+    const murk_tally_desc planes[] = {layer_plane("before", 0, 1),
+                                      layer_plane("behind", 2, 1),
+                                      layer_plane("before_angles", 0, BINS),
+                                      layer_plane("behind_angles", 2, BINS)};
+    validation_reference reference[2 + 2 * BINS] = {
+        {"reflected", .09739, 5e-6}, {"transmitted", .66096, 5e-6}};
+    validation_cell cell[2 + 2 * BINS] = {{0, 1, 1}, {1, 0, 1}};
+    for (size_t k = 0; k < 2 * BINS; ++k) {
+        const bool is_before = k < BINS; /* the slab, where backward counts */
+        reference[2 + k] = angles[k];
+        cell[2 + k] = is_before ? (validation_cell){2, BINS + k, 1}
+                                : (validation_cell){3, k - BINS, 1};
+    }
+    reference[1 + 2 * BINS].value += exp(-2);
+    reference[1 + 2 * BINS].quantity = "through, cosine 0.9 to 1.0";
+    trace_layer(v,
+                &(validation_case){.name = "van de Hulst slab, plane tallies",
+                                   .source = ANGLES_SOURCE,
+                                   .reference = reference,
+                                   .quantities = 2 + 2 * BINS,
+                                   .tally = planes,
+                                   .tallies = 4,
+                                   .cell = cell,
+                                   .cells = 2 + 2 * BINS},
+                &(layer){.albedo = .9,
+                         .phase = murk_phase_hg(.75),
+                         .tau = 2,
+                         .half_width = 20});
+}
+
+static void van_de_hulst_slab(validation *v)
+{
+    murk_table *t = reference_read("vdhulst_slab_angular.csv");
+    validation_reference reference[2 * BINS];
+    char names[2 * BINS][48];
+    bins_of(t, "reflected_per_sr", reference, names, "reflected");
+    bins_of(t, "transmitted_per_sr", reference + BINS, names + BINS,
+            "scattered through");
+    trace_angles(v, NULL, .75, reference);
+    trace_angles(v, "g .74", .74, reference);
+    trace_planes(v, reference);
     murk_table_destroy(t);
 }
 
@@ -168,6 +215,5 @@ void cases_published(validation *v)
         row = trace_case(v, t, row);
     }
     murk_table_destroy(t);
-    trace_angles(v, NULL, .75);
-    trace_angles(v, "g .74", .74);
+    van_de_hulst_slab(v);
 }
