@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 #define PI         3.14159265358979324
-#define SAMPLES    4000000
+#define SAMPLES    2000000
 #define CHI_CHECKS 12
 
 static double limit(void)
@@ -318,13 +318,13 @@ static void check_sampling(murk_phase_table *table, murk_phase_table *wrong,
 static void test_sampling(uint32_t seed)
 {
     check_sampling(must(PETZOLD, PETZOLD_ROWS, 0, 1),
-                   must(PETZOLD, PETZOLD_ROWS, 20, 1.05), seed);
-    check_sampling(must(PEAK, 6, 0, 1), must(PEAK, 6, 1, 1.04), seed);
+                   must(PETZOLD, PETZOLD_ROWS, 20, 1.07), seed);
+    check_sampling(must(PEAK, 6, 0, 1), must(PEAK, 6, 1, 1.07), seed);
     check_sampling(forand(1.1, 3.5835), forand(1.1, 3.5735), seed);
-    check_sampling(forand(1.03, 3.2), forand(1.031, 3.2), seed);
+    check_sampling(forand(1.03, 3.2), forand(1.032, 3.2), seed);
     static const double rows[][2] = {{0, 2},   {60, 0},  {90, 0},
                                      {120, 0}, {160, 1}, {180, 1}};
-    check_sampling(must(rows, 6, 0, 1), must(rows, 6, 0, 1.02), seed);
+    check_sampling(must(rows, 6, 0, 1), must(rows, 6, 0, 1.03), seed);
 }
 
 /* The mean of 1 - mu, told against quadrature. */
@@ -332,7 +332,7 @@ static void test_mean_cosine(void)
 {
     murk_phase_table *table = must(PEAK, 6, 0, 1);
     double mean = 0;
-    const int n = 2000000;
+    const int n = 500000;
     for (int i = 0; i < n; ++i) {
         mean += (1 - sample(table, (i + .5) / n)) / n;
     }
