@@ -3,6 +3,7 @@
 #include "base/bands.h"
 #include "medium/interfaces.h"
 #include "sensing/nearby.h"
+#include "sensing/passage.h"
 #include "sensing/segment.h"
 #include "sensing/weights.h"
 
@@ -38,6 +39,7 @@ struct murk_sight {
 typedef struct look {
     murk_sight *sight;
     murk_vec3 sensor;
+    murk_passages passages;
     uint32_t *photon;
     uint16_t *clarity;
     size_t seen;
@@ -258,9 +260,7 @@ static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
     const bool may_bend =
         l->sight->has_interfaces && desc->visibility == MURK_VISIBILITY_RAY;
     for (size_t i = 0; may_bend && i < n; ++i) {
-        blocked[i] =
-            blocked[i] ||
-            murk_segment_bends(desc->media, &desc->domain, from[i], l->sensor);
+        blocked[i] = blocked[i] || murk_passage_bends(&l->passages, from[i]);
     }
 }
 
@@ -280,20 +280,6 @@ static double through_sheets(const look *l, murk_vec3 from, murk_vec3 to,
     return through;
 }
 
-static double through_media(const look *l, murk_vec3 from, murk_vec3 to,
-                            int band)
-{
-    const murk_sight_desc *desc = &l->sight->desc;
-    murk_segment piece[MURK_SEGMENT_PIECES];
-    const int n = murk_segment_cut(&desc->domain, from, to, 0, piece);
-    double through = 1;
-    for (int i = 0; i < n; ++i) {
-        through *= murk_media_transmittance(desc->media, band, 0, piece[i].from,
-                                            piece[i].to);
-    }
-    return through;
-}
-
 static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
 {
     const murk_sight *sight = l->sight;
@@ -301,7 +287,7 @@ static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
         murk_nearest_image(&sight->desc.domain, l->sensor, from);
     double through = sight->has_sheets ? through_sheets(l, from, to, band) : 1;
     if (sight->has_media && through > 0) {
-        through *= through_media(l, from, to, band);
+        through *= murk_passage_transmittance(&l->passages, band, from);
     }
     return (uint16_t)floor(through * MURK_CLEAR + 0.5);
 }
@@ -373,6 +359,8 @@ void murk_sight_look(murk_sight *sight, unsigned worker, murk_vec3 position,
     const scratch *s = &sight->worker[worker];
     look l = {.sight = sight,
               .sensor = position,
+              .passages = murk_passages_from(desc->media, desc->hulls,
+                                             &desc->domain, position),
               .photon = s->photon,
               .clarity = s->clarity,
               .all_clear = true};

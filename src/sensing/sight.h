@@ -20,6 +20,7 @@
 #include "base/stats.h"
 #include "base/status.h"
 #include "base/tally.h"
+#include "geometry/hulls.h"
 #include "geometry/surfaces.h"
 #include "medium/media.h"
 #include "photonmap/map.h"
@@ -43,7 +44,8 @@ typedef struct murk_map_weights {
 typedef struct murk_sight_desc {
     const murk_surfaces *surfaces;
     const murk_media *media;
-    murk_domain domain; /* periodic: sightlines go to the nearest image */
+    const murk_hulls *hulls; /* of the regions that are meshes; NULL: none */
+    murk_domain domain;      /* periodic: sightlines go to the nearest image */
     const murk_photon_map *surface_map, *volume_map; /* either may be empty */
     uint64_t photons_emitted; /* all emitted, those that stored nothing too */
     double range_m;           /* > 0, may be INFINITY */

@@ -73,6 +73,7 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
     const murk_scene_placement *wish = &stage->scene->placement;
     const murk_sight_desc desc = {.surfaces = stage->surfaces,
                                   .media = stage->media,
+                                  .hulls = stage->hulls,
                                   .domain = stage->world.domain,
                                   .surface_map = traced->surface,
                                   .volume_map = traced->volume,
