@@ -35,17 +35,6 @@ static double limit(void)
 static const murk_box room = {{0, 0, 0}, {4, 3, 2}};
 #define ROOM_AREA_M2 52.0
 
-static murk_light wall_lamp(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
-{
-    const double area = murk_length(murk_cross(edge1, edge2));
-    return (murk_light){.type = MURK_LIGHT_RECT,
-                        .position = corner,
-                        .edge1 = edge1,
-                        .edge2 = edge2,
-                        .power_w = {{area / ROOM_AREA_M2}},
-                        .where = "wall"};
-}
-
 typedef struct contents {
     const murk_surface_desc *surfaces;
     size_t n_surfaces;
@@ -60,11 +49,8 @@ typedef struct contents {
 /* All walls shine alike; one watt in all. */
 static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
 {
-    const murk_vec3 o = room.min, p = room.max;
-    const murk_vec3 x = {p.x, 0, 0}, y = {0, p.y, 0}, z = {0, 0, p.z};
-    const murk_light lamps[] = {wall_lamp(o, x, y), wall_lamp(o, y, z),
-                                wall_lamp(o, z, x), wall_lamp(z, y, x),
-                                wall_lamp(x, z, y), wall_lamp(y, x, z)};
+    murk_light lamps[TEST_WALLS];
+    test_wall_lamps(&room, lamps);
     const murk_material materials[] = {
         test_material(in->reflectance, 0, 0, 0), test_material(0, 1, 0, 0),
         test_material(0, .08, .92, GLASS_INDEX), test_material(1, 0, 0, 0)};
@@ -76,7 +62,7 @@ static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
     test_world w =
         test_world_made(&(test_setup){.domain = {{{-1, -1, -1}, {5, 4, 3}}},
                                       .lights = lamps,
-                                      .n_lights = 6,
+                                      .n_lights = TEST_WALLS,
                                       .surfaces = surfaces,
                                       .n_surfaces = in->n_surfaces + 1,
                                       .materials = materials,

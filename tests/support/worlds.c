@@ -200,3 +200,32 @@ murk_surface_desc test_sphere(murk_vec3 center, double radius_m, int material)
     s.radius_m = radius_m;
     return s;
 }
+
+static murk_light wall_lamp(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
+{
+    return (murk_light){.type = MURK_LIGHT_RECT,
+                        .position = corner,
+                        .edge1 = edge1,
+                        .edge2 = edge2,
+                        .power_w = {{murk_length(murk_cross(edge1, edge2))}},
+                        .where = "wall"};
+}
+
+void test_wall_lamps(const murk_box *box, murk_light lamp[TEST_WALLS])
+{
+    const murk_vec3 o = box->min, size = murk_sub(box->max, box->min);
+    const murk_vec3 x = {size.x, 0, 0}, y = {0, size.y, 0}, z = {0, 0, size.z};
+    lamp[0] = wall_lamp(o, x, y);
+    lamp[1] = wall_lamp(o, y, z);
+    lamp[2] = wall_lamp(o, z, x);
+    lamp[3] = wall_lamp(murk_add(o, z), y, x);
+    lamp[4] = wall_lamp(murk_add(o, x), z, y);
+    lamp[5] = wall_lamp(murk_add(o, y), x, z);
+    double area = 0;
+    for (int i = 0; i < TEST_WALLS; ++i) {
+        area += lamp[i].power_w.band[0];
+    }
+    for (int i = 0; i < TEST_WALLS; ++i) {
+        lamp[i].power_w.band[0] /= area;
+    }
+}

@@ -59,4 +59,9 @@ murk_surface_desc test_rect(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2,
                             int material);
 murk_surface_desc test_sphere(murk_vec3 center, double radius_m, int material);
 
+/* The six walls of a box as lamps that shine inwards by cosine law, all alike,
+ * one watt together. */
+#define TEST_WALLS 6
+void test_wall_lamps(const murk_box *box, murk_light lamp[TEST_WALLS]);
+
 #endif
