@@ -16,7 +16,8 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Two values side by side along z: one instruction does both. */
+/* Two values side by side along z: one instruction does both (a way of gcc and
+ * clang). */
 typedef double pair __attribute__((vector_size(16)));
 
 static double clamp01(double x)
@@ -242,7 +243,7 @@ static void look_up(murk_linear *m, unsigned which)
 }
 
 /* A voxel of the block or, at 8, behind it. */
-static double far_corner(murk_linear *m, int x, int y, int z)
+static inline double far_corner(murk_linear *m, int x, int y, int z)
 {
     const unsigned which = (unsigned)((x >> 3) << 2 | (y >> 3) << 1 | (z >> 3));
     if (!(m->known & (1U << which))) {
@@ -252,18 +253,9 @@ static double far_corner(murk_linear *m, int x, int y, int z)
     return (double)m->leaf[which][offset & m->offset_mask[which]];
 }
 
-/* The corners of the block's cell, in pairs along z: [2 x + y]. */
-static inline void load_corners(murk_linear *m, int x, int y, int z,
-                                pair corner[4])
+static void load_far_corners(murk_linear *m, int x, int y, int z,
+                             pair corner[4])
 {
-    if ((m->known & 1) && m->offset_mask[0] && x < 7 && y < 7 && z < 7) {
-        const float *v = m->leaf[0] + (x << 6 | y << 3 | z);
-        corner[0] = (pair){(double)v[0], (double)v[1]};
-        corner[1] = (pair){(double)v[8], (double)v[9]};
-        corner[2] = (pair){(double)v[64], (double)v[65]};
-        corner[3] = (pair){(double)v[72], (double)v[73]};
-        return;
-    }
     for (int i = 0; i < 4; ++i) {
         const int cx = x + (i >> 1), cy = y + (i & 1);
         corner[i] =
@@ -271,21 +263,46 @@ static inline void load_corners(murk_linear *m, int x, int y, int z,
     }
 }
 
-static inline double lerp_pairs(const pair corner[4], double x, double y,
-                                double z)
+/* The corners of a cell, in pairs along z: [2 x + y]; `leaf` holds all that
+ * lies in the block, or is NULL. */
+static inline void load_corners(murk_linear *m, const float *leaf, int x, int y,
+                                int z, pair corner[4])
+{
+    if (!leaf || (((x + 1) | (y + 1) | (z + 1)) & 8)) {
+        load_far_corners(m, x, y, z, corner);
+        return;
+    }
+    const float *v = leaf + (x << 6 | y << 3 | z);
+    corner[0] = (pair){(double)v[0], (double)v[1]};
+    corner[1] = (pair){(double)v[8], (double)v[9]};
+    corner[2] = (pair){(double)v[64], (double)v[65]};
+    corner[3] = (pair){(double)v[72], (double)v[73]};
+}
+
+/* The mean of the field along the way through a cell whose middle is at
+ * (x, y, z) of it and whose length is (dx, dy, dz). The field there is a
+ * cubic, so its mean is the value in the middle and 1/24 of the second
+ * derivative, which the field's mixed derivatives make up. */
+static inline double mean_in_cell(const pair corner[4], double x, double y,
+                                  double z, double dx, double dy, double dz)
 {
     const pair fx = {x, x}, fy = {y, y};
-    const pair low = corner[0] + fx * (corner[2] - corner[0]);
-    const pair high = corner[1] + fx * (corner[3] - corner[1]);
-    const pair both = low + fy * (high - low);
-    return murk_larger(both[0] + z * (both[1] - both[0]), 0);
+    const pair low_x = corner[2] - corner[0], high_x = corner[3] - corner[1];
+    const pair low = corner[0] + fx * low_x, high = corner[1] + fx * high_x;
+    const pair by_y = high - low, by_xy = high_x - low_x;
+    const pair value = low + fy * by_y, by_x = low_x + fy * by_xy;
+    const double xy = by_xy[0] + z * (by_xy[1] - by_xy[0]);
+    const double xz = by_x[1] - by_x[0], yz = by_y[1] - by_y[0];
+    const double bend = xy * dx * dy + (xz * dx + yz * dy) * dz;
+    return murk_larger(value[0] + z * (value[1] - value[0]) + bend * (1.0 / 12),
+                       0);
 }
 
 static void load_cell(murk_linear *m)
 {
     const int *in = m->in_block;
     pair corner[4];
-    load_corners(m, in[0], in[1], in[2], corner);
+    load_far_corners(m, in[0], in[1], in[2], corner);
     for (int i = 0; i < 4; ++i) {
         m->corner[2 * i] = corner[i][0];
         m->corner[2 * i + 1] = corner[i][1];
@@ -452,63 +469,61 @@ static bool integrate_segment(murk_linear *m, tally *sum)
     return false;
 }
 
-/* The rest of a block: cross_cell() and step_in_block() over and over, by
- * Simpson's rule. The end of one segment is the start of the next, so that
- * each costs two values of the field. */
+/* The rest of a block: cross_cell() and step_in_block() over and over. */
 static bool integrate_block(murk_linear *m, tally *sum)
 {
     const double end = m->end;
-    const double ox = m->origin[0] - m->block_first[0];
-    const double oy = m->origin[1] - m->block_first[1];
-    const double oz = m->origin[2] - m->block_first[2];
     const double dx = m->direction[0], dy = m->direction[1];
     const double dz = m->direction[2];
-    double from = m->from, to = from, mean = 0;
+    const double stride_x = m->stride[0], stride_y = m->stride[1];
+    const double stride_z = m->stride[2];
+    const int step_x = m->step[0], step_y = m->step[1], step_z = m->step[2];
+    double from = m->from, to, mean;
     double tx = murk_larger(m->cross[0], from);
     double ty = murk_larger(m->cross[1], from);
     double tz = murk_larger(m->cross[2], from);
     int x = m->in_block[0], y = m->in_block[1], z = m->in_block[2];
-    double px = clamp01(ox + from * dx - x), py = clamp01(oy + from * dy - y);
-    double pz = clamp01(oz + from * dz - z);
-    double start = -1; /* the field at `from`; not known yet */
+    /* the cell's lowest point, seen from the ray's origin */
+    double ox = m->block_first[0] + x - m->origin[0];
+    double oy = m->block_first[1] + y - m->origin[1];
+    double oz = m->block_first[2] + z - m->origin[2];
+    /* No way through a cell is longer along any axis, but for origins so far
+     * off that rounding is. */
+    const double longest =
+        1.001 / murk_larger(murk_larger(fabs(dx), fabs(dy)), fabs(dz));
     tally t = *sum;
-    bool stops = false;
+    bool stops;
     if (!(m->known & 1)) {
         look_up(m, 0);
     }
+    const float *leaf = m->offset_mask[0] ? m->leaf[0] : NULL;
     for (;;) {
         pair corner[4];
-        load_corners(m, x, y, z, corner);
+        load_corners(m, leaf, x, y, z, corner);
         const double face = murk_smaller(murk_smaller(tx, ty), tz);
         to = murk_smaller(face, end);
-        const double qx = clamp01(ox + to * dx - x);
-        const double qy = clamp01(oy + to * dy - y);
-        const double qz = clamp01(oz + to * dz - z);
-        if (start < 0) {
-            start = lerp_pairs(corner, px, py, pz);
-        }
-        const double middle =
-            lerp_pairs(corner, (px + qx) / 2, (py + qy) / 2, (pz + qz) / 2);
-        const double stop = lerp_pairs(corner, qx, qy, qz);
-        mean = (start + 4 * middle + stop) * (1.0 / 6);
-        stops = add_segment(&t, to - from, mean);
+        const double length = to - from, middle = from + length / 2;
+        const double bend = length <= longest ? length : 0;
+        mean = mean_in_cell(
+            corner, clamp01(middle * dx - ox), clamp01(middle * dy - oy),
+            clamp01(middle * dz - oz), bend * dx, bend * dy, bend * dz);
+        stops = add_segment(&t, length, mean);
         if (stops || face >= end) {
             break;
         }
         from = to;
-        start = stop;
         const bool bx = tx <= face, by = ty <= face, bz = tz <= face;
-        tx += bx ? m->stride[0] : 0;
-        ty += by ? m->stride[1] : 0;
-        tz += bz ? m->stride[2] : 0;
-        const int sx = bx ? m->step[0] : 0, sy = by ? m->step[1] : 0;
-        const int sz = bz ? m->step[2] : 0;
+        tx += bx ? stride_x : 0;
+        ty += by ? stride_y : 0;
+        tz += bz ? stride_z : 0;
+        const int sx = bx ? step_x : 0, sy = by ? step_y : 0;
+        const int sz = bz ? step_z : 0;
         x += sx;
         y += sy;
         z += sz;
-        px = qx - sx;
-        py = qy - sy;
-        pz = qz - sz;
+        ox += sx;
+        oy += sy;
+        oz += sz;
         if ((x | y | z) & ~7) {
             break;
         }
