@@ -4,6 +4,7 @@
 
 #include "transport/score.h"
 #include "transport/trace.h"
+#include "transport/walls.h"
 
 #define MURK_CHANNELS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
 
@@ -14,11 +15,6 @@ typedef enum murk_fate {
     MURK_FATE_LOST,
     MURK_FATES
 } murk_fate;
-
-/* A box, by axis: the lower wall, the upper. */
-typedef struct murk_walls {
-    double x[2], y[2], z[2];
-} murk_walls;
 
 /* What all photons of a run share. */
 typedef struct murk_course {

@@ -1,0 +1,213 @@
+/* The index on either side of what is met decides what becomes of the photon
+ * there: that of the innermost solid, else of the regions around it. */
+#include "transport/meet.h"
+
+#include "medium/interfaces.h"
+#include "transport/bounce.h"
+#include "transport/turn.h"
+
+/* Reflected at a mesh, a photon stands on it to double precision: this share of
+ * what meshes are told apart by keeps it from meeting it again. */
+#define REFLECTED_SKIP 0x1p-20
+
+/* The index of refraction in these solids and regions. */
+static double index_in(const murk_walker *w, const murk_solids *solids,
+                       murk_inside inside)
+{
+    return solids->n > 0 ? murk_solids_ior(solids)
+                         : murk_media_index(w->course->world->media, inside);
+}
+
+/* At a mirror or a boundary. */
+static void note_specular(murk_walker *w)
+{
+    if (w->event_class == MURK_CLASS_FIRST) {
+        w->event_class = MURK_CLASS_SPECULAR;
+    }
+    w->wraps = 0;
+}
+
+void murk_meet_boundary(murk_walker *w, const murk_ahead *ahead)
+{
+    const murk_boundary *b = &ahead->boundary;
+    const murk_vec3 arriving = w->direction;
+    const double lead = murk_dot(murk_sub(w->probe, w->position), arriving);
+    const murk_vec3 from = w->position;
+    w->position = murk_walls_hold(&w->course->walls,
+                                  murk_along(from, b->distance_m, arriving));
+    if (w->sums->scorer) {
+        murk_walker_score(w, from, b->distance_m, w->quanta, w->position,
+                          w->course->in_plane_m);
+    }
+    if (!(lead > b->distance_m)) {
+        w->probe = w->position;
+    }
+    const murk_inside beyond = w->inside ^ b->crossed;
+    w->skip_m = ahead->is_mesh ? w->course->near_m : 0;
+    const double n_from = index_in(w, &w->solids, w->inside);
+    const double n_to = index_in(w, &w->solids, beyond);
+    if (n_from == n_to) {
+        w->inside = beyond;
+        w->silent_m += b->distance_m;
+        return;
+    }
+    const murk_bounce bent =
+        murk_refract(n_from, n_to, arriving, b->normal,
+                     murk_walker_draw(w, MURK_SURFACE).u[3]);
+    if (murk_walker_is_heard(w)) {
+        murk_event event = murk_walker_event(w, MURK_EVENT_INTERFACE);
+        event.outcome = bent.outcome;
+        event.material_or_medium = (uint8_t)b->region;
+        event.direction_out = bent.direction;
+        event.normal = b->normal;
+        event.path_m = b->distance_m;
+        murk_walker_tell(w, &event);
+    }
+    w->direction = bent.direction;
+    if (bent.outcome == MURK_TRANSMITTED) {
+        w->inside = beyond;
+    } else if (ahead->is_mesh) {
+        w->skip_m = REFLECTED_SKIP * w->course->near_m;
+    }
+    note_specular(w);
+}
+
+bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
+                       murk_inside crossed, murk_fate *ended)
+{
+    const murk_surfaces *surfaces = w->course->world->surfaces;
+    const murk_material *material =
+        murk_surfaces_material(surfaces, hit->material);
+    murk_solids beyond = w->solids;
+    murk_inside inside = w->inside;
+    double n_from = 0, n_to = 0;
+    if (hit->solid && material->ior > 0) {
+        if (!murk_solids_cross(&beyond, hit->solid, material->ior)) {
+            *ended = murk_walker_lose(w, MURK_LOSS_NUMERICAL);
+            return false;
+        }
+        inside ^= crossed;
+        n_from = index_in(w, &w->solids, w->inside);
+        n_to = index_in(w, &beyond, inside);
+    }
+    const murk_vec3 place = murk_along(w->probe, hit->distance_m, w->direction);
+    if (w->sums->scorer) {
+        murk_walker_score(w, w->position, path_m, w->quanta, place,
+                          w->course->in_plane_m);
+    }
+    w->position = place;
+    w->absorber = hit->material;
+    murk_random4 random = murk_walker_draw(w, MURK_SURFACE);
+    const int64_t before = w->quanta;
+    const double kept = material->diffuse.band[w->band] +
+                        material->specular.band[w->band] +
+                        material->transmit.band[w->band];
+    if (kept < 1 && murk_walker_splits(w, kept, random.u[2], MURK_FATE_SURFACES,
+                                       w->absorber)) {
+        random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
+    }
+    const murk_bounce b = murk_surface_bounce(
+        material, w->band, n_from, n_to, w->direction, hit->normal, random.u);
+    if (murk_walker_is_heard(w)) {
+        murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
+        event.outcome = b.outcome;
+        event.material_or_medium = hit->material;
+        event.direction_out = b.direction;
+        event.normal = hit->normal;
+        event.weight = murk_packet_share(before);
+        event.leaving =
+            b.outcome == MURK_ABSORBED ? 0 : murk_packet_share(w->quanta);
+        event.reflectance = material->diffuse.band[w->band];
+        event.path_m = path_m;
+        murk_walker_tell(w, &event);
+    }
+    *ended = MURK_FATE_SURFACES;
+    if (b.outcome == MURK_ABSORBED) {
+        return false;
+    }
+    const bool through = b.outcome == MURK_TRANSMITTED;
+    w->is_beyond = through;
+    if (through) {
+        w->solids = beyond;
+        w->inside = inside;
+    }
+    w->direction = b.direction;
+    w->position = w->probe = murk_surfaces_leave(
+        surfaces, w->position,
+        through ? murk_scale(-1, hit->normal) : hit->normal);
+    note_specular(w);
+    if (b.outcome == MURK_DIFFUSE) {
+        w->event_class = MURK_CLASS_LATER;
+    }
+    return true;
+}
+
+void murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
+                           murk_ahead *ahead)
+{
+    if (!hit->solid) {
+        ++w->number;
+        ahead->boundary.distance_m = 0;
+        murk_meet_boundary(w, ahead);
+    }
+    w->skip_m = w->course->near_m / fabs(murk_dot(w->direction, hit->normal));
+}
+
+void murk_walker_enter(murk_walker *w)
+{
+    w->probe = murk_along(w->position, -w->course->margin_m, w->direction);
+    if (w->course->any_solids) {
+        w->solids = murk_solids_around(w->course->world->surfaces, w->probe,
+                                       w->direction);
+    }
+}
+
+/* Just out of a side of the domain, so that planes in it count what passes. */
+static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
+{
+    const double step = upper ? w->course->margin_m : -w->course->margin_m;
+    return murk_add(w->position,
+                    murk_vec(axis == 0 ? step : 0, axis == 1 ? step : 0,
+                             axis == 2 ? step : 0));
+}
+
+bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
+{
+    const murk_walls *walls = &w->course->walls;
+    const murk_vec3 d = w->direction;
+    const int axis = murk_walls_axis(walls, w->position, d);
+    const bool upper = (axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0;
+    const bool wraps = w->course->world->domain.is_periodic && axis != 2;
+    const murk_vec3 from = w->position;
+    w->position = murk_walls_hold(walls, murk_along(from, path_m, d));
+    murk_walls_put(walls, axis, upper, &w->position);
+    if (w->sums->scorer) {
+        murk_walker_score(w, from, path_m, w->quanta,
+                          beyond_side(w, axis, upper), 0);
+    }
+    if (wraps && w->wraps >= w->course->trace->wraps_max) {
+        *ended = murk_walker_lose(w, MURK_LOSS_WRAPS);
+        return false;
+    }
+    if (murk_walker_is_heard(w)) {
+        murk_event event = murk_walker_event(w, wraps ? MURK_EVENT_WRAPPED
+                                                      : MURK_EVENT_ESCAPED);
+        event.direction_out = d;
+        event.path_m = path_m;
+        murk_walker_tell(w, &event);
+    }
+    *ended = MURK_FATE_ESCAPED;
+    if (!wraps) {
+        return false;
+    }
+    ++w->wraps;
+    murk_walls_put(walls, axis, !upper, &w->position);
+    if (w->sums->scorer) {
+        murk_score_jump(w->sums->scorer,
+                        (murk_station){beyond_side(w, axis, !upper), 0});
+    }
+    w->inside =
+        murk_inside_wrapped(w->course->world, w->inside, w->position, axis);
+    murk_walker_enter(w);
+    return true;
+}
