@@ -180,6 +180,33 @@ rm "$dir/huge.obj"
 printf 'v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/nan.obj"
 with geometry '[{file: nan.obj}]'
 place 2 "geometry.0"
+# regions that are meshes: tetrahedra, one of them short of a face
+corners='v 1 1 1\nv 1 2 1\nv 2 1 1\nv 1 1 2\n'
+printf "${corners}f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n" >"$dir/closed.obj"
+printf "${corners}f 1 2 3\nf 1 2 4\nf 1 3 4\n" >"$dir/open.obj"
+meshes() {
+    {
+        cat "$dir/good.yaml"
+        echo 'media: {sea: {extinction_per_m: 1, albedo: 0.5}}'
+        echo 'regions:'
+        for region in "$@"; do
+            echo "  - {medium: sea, $region}"
+        done
+    } >"$dir/bad.yaml"
+}
+meshes 'mesh: nowhere.obj'
+place 2 "regions.0: "
+meshes 'mesh: nan.obj'
+place 2 "regions.0: "
+meshes 'mesh: open.obj, ior: 1.3'
+place 2 "bad.yaml:12:5: regions.0: the mesh is open: 3 of its edges belong to an odd number of its 3 triangles"
+place 2 "unit_m" --set regions.0.unit_m=0
+meshes 'below_z_m: 1.5, ior: 1.3' 'mesh: closed.obj, ior: 1.5'
+place 2 "bad.yaml:13:5: regions.1: crosses $dir/bad.yaml:12:5: regions.0 near (1, 1, 1) m, must lie in it"
+meshes 'sphere: {center_m: [1, 1, 1], radius_m: 0.9}, ior: 1.3' 'mesh: closed.obj, ior: 1.5'
+place 2 "regions.1: crosses"
+meshes 'mesh: closed.obj, ior: 1.5' 'mesh: closed.obj, translate_m: [0.2, 0, 0], ior: 1.5'
+place 2 "regions.1: crosses"
 {
     cat "$dir/good.yaml"
     echo 'media: {smoke: {vdb: nowhere.vdb, extinction_per_m: 1, albedo: 0.5, phase: isotropic}}'

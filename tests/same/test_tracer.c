@@ -1,6 +1,7 @@
 /* The tracer tells the same events, bit for bit, on 1, 2 and 5 threads, and
  * keeps the same books. Each batch's events are hashed in the order told. */
 #include "check.h"
+#include "closed_mesh.h"
 #include "worlds.h"
 
 #define BATCHES 12
@@ -49,8 +50,8 @@ static void keep(books *b, const murk_ledger *l)
     b->collisions = murk_tally_read(&l->collisions);
 }
 
-/* A room with glass that stands in water, a ball of water, fog in a part of it,
- * two lamps, periodic sides. */
+/* A room with glass that stands in water, a ball of water, fog in a part of it
+ * and in a star of many facets, two lamps, periodic sides. */
 static books traced(unsigned threads, uint32_t seed)
 {
     murk_light lights[2] = {test_point(murk_vec(1, 1, 2)),
@@ -63,9 +64,12 @@ static books traced(unsigned threads, uint32_t seed)
         test_rect(murk_vec(0, 0, 4), murk_vec(4, 0, 0), murk_vec(0, 4, 0), 0),
         test_sphere(murk_vec(2, 2, 1), 0.8, 1)};
     const murk_medium fog = test_medium(0.8, 0.95, 0.8);
-    murk_region regions[3] = {
+    murk_mesh *star = closed_star(murk_vec(1, 2.8, 2.5), 0.9, 0.4, 8, 3);
+    murk_mesh *const mesh[4] = {NULL, NULL, NULL, star};
+    murk_region regions[4] = {
         test_box_region(0, murk_vec(0, 0, 0), murk_vec(3, 4, 2)),
-        test_everywhere(0), test_ball_region(0, murk_vec(3, 1, 3), 0.5)};
+        test_everywhere(0), test_ball_region(0, murk_vec(3, 1, 3), 0.5),
+        test_mesh_region(0)};
     regions[1].shape = MURK_REGION_BELOW;
     regions[1].below_z_m = 0.4;
     regions[1].ior = regions[2].ior = 1.34;
@@ -80,7 +84,8 @@ static books traced(unsigned threads, uint32_t seed)
                                       .media = &fog,
                                       .n_media = 1,
                                       .regions = regions,
-                                      .n_regions = 3});
+                                      .n_regions = 4,
+                                      .mesh = mesh});
     books b = {.collisions = 0};
     murk_trace trace = murk_trace_defaults();
     trace.world = &w.world;
@@ -93,6 +98,7 @@ static books traced(unsigned threads, uint32_t seed)
     CHECK(murk_ledger_imbalance(w.ledger) == 0);
     keep(&b, w.ledger);
     test_world_unmade(&w);
+    murk_mesh_destroy(star);
     return b;
 }
 

@@ -414,6 +414,57 @@ static void test_crossing_boundaries_are_told_from_nested_ones(void)
     CHECK(meet(box(0, 0, 0, 1, 1, 1), box(1 - 1e-3, 0, 0, 2, 1, 1)));
 }
 
+static bool meets_plain(murk_mesh *mesh, murk_plain plain, murk_box box,
+                        double radius_m)
+{
+    const murk_affine still = murk_affine_identity(), placed = PLACED;
+    const murk_plain_shape shape = {
+        .plain = plain, .box = box, .radius_m = radius_m, .to_world = placed};
+    const murk_plain_shape below = {.plain = plain, .box = box};
+    const bool is_below = plain == MURK_PLAIN_BELOW;
+    murk_hulls *b = create_one(mesh, is_below ? still : placed);
+    murk_vec3 place;
+    const bool they_do =
+        murk_hulls_meet_plain(b, 0, is_below ? &below : &shape, &place);
+    murk_hulls_destroy(b);
+    murk_mesh_destroy(mesh);
+    return they_do;
+}
+
+static murk_box cube(double half)
+{
+    return (murk_box){{-half, -half, -half}, {half, half, half}};
+}
+
+static void test_crossings_with_other_shapes(void)
+{
+    const murk_box level = {{0, 0, 0}, {0, 0, 0.5}};
+    const murk_plain below = MURK_PLAIN_BELOW, in_box = MURK_PLAIN_BOX,
+                     in_ball = MURK_PLAIN_SPHERE;
+    CHECK(meets_plain(ball(0, 1), below, level, 0));
+    CHECK(!meets_plain(ball(0, 0.5), below, level, 0)); /* touches */
+    CHECK(!meets_plain(box(0, 0, 0.5, 1, 1, 1), below, level, 0));
+
+    CHECK(!meets_plain(ball(0, 1), in_ball, cube(0), 1.1));
+    CHECK(!meets_plain(ball(0, 1), in_ball, cube(0), 0.9));
+    CHECK(!meets_plain(ball(3, 1), in_ball, cube(0), 1));
+    CHECK(meets_plain(ball(1, 1), in_ball, cube(0), 1));
+    /* Only the middles of faces reach into the ball. */
+    CHECK(meets_plain(box(-1, -1, -1, 1, 1, 1), in_ball, cube(0), 1.05));
+    CHECK(!meets_plain(box(-1, -1, -1, 1, 1, 1), in_ball, cube(0), 1));
+    CHECK(!meets_plain(box(-1, -1, -1, 1, 1, 1), in_ball, cube(0), 1.8));
+
+    CHECK(!meets_plain(box(-1, -1, -1, 1, 1, 1), in_box, cube(1), 0));
+    CHECK(!meets_plain(box(-1, -1, -1, 1, 1, 1), in_box, cube(1.5), 0));
+    CHECK(!meets_plain(box(-1, -1, -1, 1, 1, 1), in_box, cube(0.5), 0));
+    CHECK(!meets_plain(box(1, -1, -1, 2, 1, 1), in_box, cube(1), 0));
+    CHECK(meets_plain(box(0.9, -1, -1, 2, 1, 1), in_box, cube(1), 0));
+    /* No corner of either in the other, and only by an edge. */
+    CHECK(meets_plain(box(-2, -.2, -.2, 2, .2, .2), in_box, cube(1), 0));
+    CHECK(meets_plain(ball(1.5, 0.6), in_box, cube(1), 0));
+    CHECK(!meets_plain(ball(1.5, 0.4), in_box, cube(1), 0));
+}
+
 int main(void)
 {
     test_points_are_inside_as_the_twin_says();
@@ -426,5 +477,6 @@ int main(void)
     test_copies_count_once();
     test_open_meshes_are_refused_with_their_edges();
     test_crossing_boundaries_are_told_from_nested_ones();
+    test_crossings_with_other_shapes();
     return check_done();
 }
