@@ -91,7 +91,6 @@ expect 2 "--photon: 2000" replay "$dir/good.yaml" --photon 2000
 expect 2 "sense needs --sensors" sense "$dir/good.yaml"
 
 # ---- tallies ----
-# a grid of 120 GB is refused before it is traced
 tallies() {
     code=$1
     part=$2

@@ -301,6 +301,54 @@ static void test_nothing_is_lost_at_a_plane(double least_weight)
     test_world_unmade(&w);
 }
 
+/* Where copies of the sums for every thread would take too much, threads add
+ * to the same: all cells are those of one thread. */
+static void test_shared_sums(void)
+{
+    const murk_light light = test_point(murk_vec(0.7, 1.1, 1.6));
+    const murk_medium fog = test_medium(3, 0.95, 0.5);
+    const murk_region region = test_everywhere(0);
+    const test_setup setup = {.domain = cube,
+                              .lights = &light,
+                              .n_lights = 1,
+                              .media = &fog,
+                              .n_media = 1,
+                              .regions = &region,
+                              .n_regions = 1};
+    test_world w = test_world_made(&setup);
+    murk_tally_desc d = grid_tally();
+    d.size[0] = d.size[1] = d.size[2] = 110; /* 43 MB a copy */
+    murk_tallies *tallies[2] = {NULL, NULL};
+    for (unsigned i = 0; i < 2; ++i) {
+        murk_error err = {0};
+        const unsigned threads = i ? 4 : 1;
+        CHECK(!murk_tallies_create(&tallies[i], &d, 1, &cube, 1, 1, threads,
+                                   INFINITY, &err));
+        murk_trace trace = murk_trace_defaults();
+        trace.world = &w.world;
+        trace.seed = 1;
+        trace.last = 20 * MURK_BATCH_PHOTONS;
+        trace.threads = threads;
+        trace.tallies = tallies[i];
+        murk_trace_run(&trace, w.ledger);
+    }
+    size_t lit = 0, other = 0;
+    const double packet_w = 1;
+    for (size_t c = 0; c < murk_tally_cells(&d); ++c) {
+        const murk_estimate one = murk_tallies_read(
+            tallies[0], 0, 0, c, w.ledger->emitted, &packet_w);
+        const murk_estimate four = murk_tallies_read(
+            tallies[1], 0, 0, c, w.ledger->emitted, &packet_w);
+        lit += one.value > 0;
+        other += one.value != four.value ||
+                 one.standard_error != four.standard_error;
+    }
+    CHECK(lit > 400000 && other == 0);
+    murk_tallies_destroy(tallies[0]);
+    murk_tallies_destroy(tallies[1]);
+    test_world_unmade(&w);
+}
+
 /* ---- refusals ---- */
 
 static void refuses(const murk_tally_desc *descs, size_t n, const char *part)
@@ -416,6 +464,7 @@ int main(void)
     test_a_lamp_in_a_plane();
     test_nothing_is_lost_at_a_plane(1);
     test_nothing_is_lost_at_a_plane(1. / 1024);
+    test_shared_sums();
     test_bad_tallies_are_named();
     test_memory_is_said_before_it_is_taken();
     test_a_sphere_may_touch();
