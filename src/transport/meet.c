@@ -206,8 +206,10 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
         murk_score_jump(w->sums->scorer,
                         (murk_station){beyond_side(w, axis, !upper), 0});
     }
-    w->inside =
-        murk_inside_wrapped(w->course->world, w->inside, w->position, axis);
+    if (w->course->any_boundaries) {
+        w->inside =
+            murk_inside_wrapped(w->course->world, w->inside, w->position, axis);
+    }
     murk_walker_enter(w);
     return true;
 }

@@ -25,6 +25,10 @@
  * it: some hundred times what it is off by. */
 #define IN_PLANE_BY 1e-13
 
+/* Cosine between a surface and a boundary above which one lies in the other;
+ * below it they merely cross there, and the boundary is met in its turn. */
+#define ALIKE 0.9
+
 /* The nearest surface; *distance_m is along the leg from w->position. */
 static bool meets_surface(const murk_walker *w, murk_hit *hit,
                           double *distance_m)
@@ -164,7 +168,8 @@ static murk_fate follow(murk_walker *w)
         if (bends && met) {
             const order o = order_of(w, boundary, length_m);
             bends = o == BOUNDARY_FIRST;
-            crossed = o == TOGETHER ? boundary->crossed : 0;
+            const double alike = fabs(murk_dot(boundary->normal, hit.normal));
+            crossed = o == TOGETHER && alike > ALIKE ? boundary->crossed : 0;
         }
         bends = bends && boundary->distance_m < length_m;
         if (bends) {
@@ -198,7 +203,9 @@ static void start(murk_walker *w, murk_ray ray)
     const murk_light *light = murk_lights_get(r->world->lights, w->light);
     w->position = w->probe = ray.origin;
     w->direction = ray.direction;
-    w->inside = murk_inside_at(r->world, ray.origin, ray.direction);
+    if (r->any_boundaries) {
+        w->inside = murk_inside_at(r->world, ray.origin, ray.direction);
+    }
     if (!r->any_surfaces) {
         return;
     }

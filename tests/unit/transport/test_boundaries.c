@@ -209,6 +209,52 @@ static void test_glass_half_in_water(void)
     }
 }
 
+/* Met a hair below the water's surface, a glass wall that stands upright in it
+ * is in the water: what goes on in the glass comes out into water. */
+static void test_walls_that_cross_the_level(void)
+{
+    const murk_material glass = test_material(0, 0, 1, GLASS);
+    const murk_surface_desc solid =
+        test_box(murk_vec(.2, .2, .25), murk_vec(.8, .8, .75), 0);
+    const murk_region sea = below(0, 0.5, WATER);
+    /* one in water all the way, one from the air through both at once */
+    const murk_light beam =
+        test_beam(murk_vec(.1, .5, .5 - 2e-7 + .02), murk_vec(1, 0, -.2));
+    const murk_light level =
+        test_beam(murk_vec(.1, .5, .5 - 2e-7), murk_vec(1, .1, 1e-7));
+    const murk_light *lights[] = {&level, &beam};
+    for (int i = 0; i < 2; ++i) {
+        tell(&(test_setup){.domain = cell,
+                           .lights = lights[i],
+                           .n_lights = 1,
+                           .surfaces = &solid,
+                           .n_surfaces = 1,
+                           .materials = &glass,
+                           .n_materials = 1,
+                           .media = &clear,
+                           .n_media = 1,
+                           .regions = &sea,
+                           .n_regions = 1});
+        int left = 0;
+        for (int k = 0; k < PHOTONS; ++k) {
+            const story *s = &told[k];
+            for (size_t e = 2; e < s->n; ++e) {
+                const murk_event *out = &s->event[e];
+                if (s->event[e - 1].kind != MURK_EVENT_SURFACE ||
+                    s->event[e - 1].outcome != MURK_TRANSMITTED ||
+                    !is(out, MURK_EVENT_SURFACE, MURK_TRANSMITTED)) {
+                    continue;
+                }
+                ++left;
+                const double n = out->position.z < 0.5 ? WATER : 1;
+                CHECK_NEAR(sine(out->direction_out, out->normal) * n,
+                           sine(out->direction_in, out->normal) * GLASS, 1e-14);
+            }
+        }
+        CHECK(left > PHOTONS * 0.8);
+    }
+}
+
 /* The same index inside and out is no event, and nothing is reflected. */
 static void test_equal_indices_are_silent(void)
 {
@@ -322,6 +368,7 @@ int main(void)
     test_floor_under_water_is_wet();
     test_sheet_on_the_water();
     test_glass_half_in_water();
+    test_walls_that_cross_the_level();
     test_equal_indices_are_silent();
     test_where_light_starts();
     test_layers_go_on_at_periodic_sides();
