@@ -337,6 +337,7 @@ static bool fly_evenly(const ray *r, double length_m, murk_collision *collision)
 
 static bool fly(ray *r, double length_m, murk_collision *collision)
 {
+    /* cppcheck-suppress ctuuninitvar ; the callers fill all that is read */
     const murk_media *media = r->media;
     const int band = r->band;
     assert(band >= 0 && band < MURK_BANDS_MAX);
