@@ -1,0 +1,181 @@
+/* Case weights: what survival weights are worth against Russian roulette alone,
+ * as time to the same error. value and reference_value are figures of merit,
+ * 1 / (error^2 time), with weights down to a least one and with roulette; the
+ * error is the worst of reflectance and transmittance, in units of .1 % or
+ * 3e-5. For the photon maps (a foggy room) it is that of the share of all
+ * stored power that lies in one quarter of the room, by emitted photon; there
+ * the time is the tracer's, and a second line counts records in its place,
+ * which is what memory and sensing go by. One thread, time of the processor.
+ *
+ * The share's error is a ratio estimator's (base/stats.h). */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/stats.h"
+#include "worlds.h"
+
+#define PHOTONS (64 * MURK_BATCH_PHOTONS)
+#define REPEATS 3
+
+typedef struct slab {
+    double index, albedo, g, tau;
+} slab;
+
+static const slab slabs[] = {{1, .2, 0, 1},    {1, .9, .75, 2},
+                             {1, .8, 0, 5},    {1, .99, .875, 5},
+                             {1.5, .9, .5, 5}, {1, .5, .5, 1}};
+
+static const double least_weights[] = {1, .3, .1, .01, .001};
+
+#define SLABS   (sizeof slabs / sizeof slabs[0])
+#define WEIGHTS (sizeof least_weights / sizeof least_weights[0])
+
+/* By photon; scenes score two things each. */
+static double x[PHOTONS], y[PHOTONS];
+static double records;
+
+static double processor_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void ends(void *context, uint64_t batch, const murk_event *event)
+{
+    (void)context;
+    (void)batch;
+    if (event->kind == MURK_EVENT_ESCAPED) {
+        (event->direction_in.z < 0 ? x : y)[event->photon] += event->weight;
+    }
+}
+
+static void stored(void *context, uint64_t batch, const murk_event *event)
+{
+    (void)context;
+    (void)batch;
+    if (event->outcome == MURK_SCATTERED || event->outcome == MURK_DIFFUSE) {
+        const bool is_there = event->position.x < 5 && event->position.y < 5;
+        x[event->photon] += is_there ? event->leaving : 0;
+        y[event->photon] += event->leaving;
+        records += 1;
+    }
+}
+
+/* Processor seconds for all photons. */
+static double traced(test_world *w, double least_weight, murk_event_sink sink)
+{
+    murk_trace trace = murk_trace_defaults();
+    trace.world = &w->world;
+    trace.seed = 1;
+    trace.last = PHOTONS;
+    trace.least_weight = least_weight;
+    trace.sink = sink;
+    double best = INFINITY;
+    for (int i = 0; i < REPEATS; ++i) {
+        memset(x, 0, sizeof x);
+        memset(y, 0, sizeof y);
+        records = 0;
+        const double begin = processor_s();
+        murk_trace_run(&trace, w->ledger);
+        best = fmin(best, processor_s() - begin);
+    }
+    return best;
+}
+
+static double squared_error(murk_estimate e)
+{
+    const double over = e.standard_error / fmax(1e-3 * e.value, 3e-5);
+    return over * over;
+}
+
+static void tell(const char *name, double least_weight, const char *unit,
+                 double value, double reference)
+{
+    printf("{\"case\": \"weights %s least %g\", \"value\": %.4g, \"unit\": "
+           "\"%s\", \"reference\": \"roulette alone\", \"reference_value\": "
+           "%.4g, \"ratio\": %.3f, \"threads\": 1}\n",
+           name, least_weight, value, unit, reference, value / reference);
+}
+
+static void bench_slab(const slab *s)
+{
+    const double wide = 1e5, air = s->index > 1;
+    const murk_light light = test_beam(murk_vec(0, 0, -air), murk_vec(0, 0, 1));
+    const murk_medium fog = test_medium(1, s->albedo, s->g);
+    murk_region region = test_everywhere(0);
+    if (s->index > 1) {
+        region = test_box_region(0, murk_vec(-2 * wide, -2 * wide, 0),
+                                 murk_vec(2 * wide, 2 * wide, s->tau));
+        region.ior = s->index;
+    }
+    test_world w = test_world_made(&(test_setup){
+        .domain = {{{-wide, -wide, -air}, {wide, wide, s->tau + air}}, true},
+        .lights = &light,
+        .n_lights = 1,
+        .media = &fog,
+        .n_media = 1,
+        .regions = &region,
+        .n_regions = 1});
+    char name[96];
+    snprintf(name, sizeof name, "slab n %g a %g g %g tau %g", s->index,
+             s->albedo, s->g, s->tau);
+    double roulette = 0;
+    for (size_t k = 0; k < WEIGHTS; ++k) {
+        const double seconds = traced(&w, least_weights[k], ends);
+        const double worst =
+            fmax(squared_error(murk_mean_estimate(x, PHOTONS)),
+                 squared_error(murk_mean_estimate(y, PHOTONS)));
+        const double merit = 1 / (worst * seconds);
+        roulette = k == 0 ? merit : roulette;
+        tell(name, least_weights[k], "1/s", merit, roulette);
+    }
+    test_world_unmade(&w);
+}
+
+static void bench_maps(void)
+{
+    const murk_light lamp = test_point(murk_vec(3, 4, 3.5));
+    const murk_medium fog = test_medium(.1, .95, .8);
+    const murk_region region = test_everywhere(0);
+    const murk_material paint = test_material(.5, 0, 0, 0);
+    const murk_surface_desc room =
+        test_box(murk_vec(0, 0, 0), murk_vec(10, 10, 4), 0);
+    test_world w = test_world_made(
+        &(test_setup){.domain = {{{-1, -1, -1}, {11, 11, 5}}, false},
+                      .lights = &lamp,
+                      .n_lights = 1,
+                      .surfaces = &room,
+                      .n_surfaces = 1,
+                      .materials = &paint,
+                      .n_materials = 1,
+                      .media = &fog,
+                      .n_media = 1,
+                      .regions = &region,
+                      .n_regions = 1});
+    double by_time = 0, by_record = 0;
+    for (size_t k = 0; k < WEIGHTS; ++k) {
+        const double seconds = traced(&w, least_weights[k], stored);
+        const double error =
+            murk_ratio_estimate(x, y, PHOTONS, PHOTONS).standard_error;
+        const double per_s = 1 / (error * error * seconds);
+        const double per_record = 1 / (error * error * records);
+        by_time = k == 0 ? per_s : by_time;
+        by_record = k == 0 ? per_record : by_record;
+        tell("maps", least_weights[k], "1/s", per_s, by_time);
+        tell("maps", least_weights[k], "1/record", per_record, by_record);
+    }
+    test_world_unmade(&w);
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < SLABS; ++i) {
+        bench_slab(&slabs[i]);
+    }
+    bench_maps();
+    return 0;
+}
