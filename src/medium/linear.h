@@ -3,14 +3,15 @@
  * Everything is in index space as it is: voxel i sits at the point i, cell i
  * lies between the voxels i and i + 1 along each axis, upper faces excluded,
  * and the field falls to 0 over the cells around the box of active voxels; t
- * is the caller's own ray parameter. Along the ray a cell is a cubic in t:
- * Simpson's rule is exact. What constant nodes alone span is crossed in one
- * segment, whatever its size.
+ * is the caller's own ray parameter. Along the ray a cell is a cubic in t, so
+ * that its integral is exact: length times the value in the middle and 1/24 of
+ * the second derivative there. What constant nodes alone span is crossed in
+ * one segment, whatever its size.
  *
  * Inside this room only.
  *
- * Source: the walk as in march.h; Simpson's rule for cubics: Abramowitz &
- * Stegun, Handbook of Mathematical Functions (1964), 25.4.5. */
+ * Source: the walk as in march.h; the mean by Taylor about the middle, where a
+ * cubic has no further terms. */
 #ifndef MURK_MEDIUM_LINEAR_H
 #define MURK_MEDIUM_LINEAR_H
 
@@ -20,6 +21,7 @@
 
 #include <stdbool.h>
 
+/* Points into itself: not to be copied once begun. */
 typedef struct murk_linear {
     const murk_tree *tree;
     double origin[3], direction[3], inverse[3]; /* inverse 0: parallel */

@@ -293,6 +293,31 @@ static void test_shapes_around_fillings(uint32_t seed)
     }
 }
 
+/* A half space leaves of a grid what lies below. */
+static void test_a_grid_cut_by_a_level(uint32_t seed)
+{
+    const murk_medium media = of_grid(0, MURK_LINEAR, 2);
+    const murk_region lies = region(0, MURK_REGION_GRID);
+    murk_region below = region(0, MURK_REGION_BELOW);
+    below.below_z_m = 1;
+    murk_media *whole = build(&media, 1, &lies, 1);
+    murk_media *part = build(&media, 1, &below, 1);
+    for (uint64_t i = 0; i < 100; ++i) {
+        line l = random_line(seed, i), low = l;
+        const double t = (1 - l.from.z) / l.along.z;
+        if (l.along.z < 0) {
+            low.from = murk_along(l.from, fmax(0, t), l.along);
+            low.length = fmax(0, l.length - fmax(0, t));
+        } else {
+            low.length = fmin(l.length, fmax(0, t));
+        }
+        CHECK_NEAR(depth(part, &l), depth(whole, &low), 1e-11);
+        check_flight(part, &l, seed, i);
+    }
+    murk_media_destroy(whole);
+    murk_media_destroy(part);
+}
+
 /* A profile moves with its region: turned upside down in a moved sphere. */
 static void test_a_profile_moves_with_its_region(void)
 {
@@ -430,6 +455,7 @@ int main(int argc, char **argv)
     test_all_fillings_add(seed);
     test_each_filling_alone(seed);
     test_shapes_around_fillings(seed);
+    test_a_grid_cut_by_a_level(seed);
     test_a_profile_moves_with_its_region();
     test_slopes_that_cancel();
     test_albedo_by_a_grid();
