@@ -1,7 +1,8 @@
 /* The tracer and its simple twin (tests/support/plain_tracer.h) agree on where
- * photons end in a box of fog, and both with the published answers for the cube
- * B1: absorbed .17700, back through the lit face .81498, through the far face
- * .000125 (an independent voxel tracer's, 1e8 photons).
+ * photons end in a box of fog and around a ball of other matter, and both with
+ * the published answers for the cube B1: absorbed .17700, back through the lit
+ * face .81498, through the far face .000125 (an independent voxel tracer's, 1e8
+ * photons).
  *
  * The z-tests of a run share a 1e-6 chance of a false alarm (Sidak). */
 #include "base/stats.h"
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 
 #define PHOTONS 40000
-#define Z_TESTS 17
+#define Z_TESTS 25
 
 typedef struct ends {
     double escaped[6]; /* below and above on x, y, z */
@@ -48,18 +49,31 @@ static answer murk_answer(const plain_box *b, uint32_t seed)
     const murk_light beam =
         test_beam(murk_vec(b->start_m[0], b->start_m[1], b->start_m[2]),
                   murk_vec(b->direction[0], b->direction[1], b->direction[2]));
-    const murk_medium medium =
+    const double in_ball = b->ball.absorption_per_m + b->ball.scattering_per_m;
+    const murk_medium media[] = {
         test_medium(extinction, b->matter.scattering_per_m / extinction,
-                    b->matter.mean_cosine);
-    const murk_region region = test_everywhere(0);
+                    b->matter.mean_cosine),
+        test_medium(in_ball,
+                    in_ball > 0 ? b->ball.scattering_per_m / in_ball : 0,
+                    b->ball.mean_cosine)};
+    const murk_vec3 center = {b->center_m[0], b->center_m[1], b->center_m[2]};
+    const murk_region regions[] = {test_everywhere(0),
+                                   {.medium = 1,
+                                    .shape = MURK_REGION_SPHERE,
+                                    .center = center,
+                                    .radius_m = b->radius_m,
+                                    .replaces = true,
+                                    .to_world = murk_affine_identity(),
+                                    .where = "ball"}};
+    const size_t n = b->radius_m > 0 ? 2 : 1;
     test_world w = test_world_made(
         &(test_setup){.domain = {{{0, 0, 0}, {60, 60, 60}}, false},
                       .lights = &beam,
                       .n_lights = 1,
-                      .media = &medium,
-                      .n_media = 1,
-                      .regions = &region,
-                      .n_regions = 1});
+                      .media = media,
+                      .n_media = n,
+                      .regions = regions,
+                      .n_regions = n});
     answer out = {0};
     test_world_trace(&w, PHOTONS, seed, count_end, &out.ends);
     out.absorbed = test_photons(&w, w.ledger->absorbed_media);
@@ -137,10 +151,36 @@ static void test_twin_agrees(uint32_t seed)
     CHECK(worst > limit());
 }
 
+/* A ball that takes the place of the cube's matter. */
+static void test_a_ball_in_the_cube(uint32_t seed)
+{
+    const plain_box cube = {.size_m = {60, 60, 60},
+                            .start_m = {30.1, 30.2, 13},
+                            .direction = {0, 0, 1},
+                            .matter = {.005, 1, .01},
+                            .majorant_per_m = 5.002,
+                            .center_m = {30, 30, 30},
+                            .radius_m = 15,
+                            .ball = {.002, 5, .9}};
+    const answer a = murk_answer(&cube, seed);
+    const plain_result b = plain_trace(&cube, PHOTONS, seed);
+    CHECK(sigmas_apart(a.absorbed, (double)b.absorbed) < limit());
+    for (int side = 0; side < 6; ++side) {
+        CHECK(sigmas_apart(a.ends.escaped[side],
+                           (double)b.escaped[side / 2][side % 2]) < limit());
+    }
+    /* Teeth: a ball that absorbs at a sixth of what it meets. */
+    plain_box wrong = cube;
+    wrong.ball.absorption_per_m = 1;
+    CHECK(sigmas_apart(murk_answer(&wrong, seed).absorbed, (double)b.absorbed) >
+          limit());
+}
+
 int main(int argc, char **argv)
 {
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     test_cube_b1(seed);
     test_twin_agrees(seed);
+    test_a_ball_in_the_cube(seed);
     return check_done();
 }
