@@ -1,7 +1,7 @@
 /* A region's light does not depend on how the region is described: fog below a
- * level, said as a box, a half space, a grid, layers, two halves that overlap
- * or adjoin, all of space less what is clear, a turned box, a box with an index
- * of 1, by march and by delta tracking.
+ * level, said as a box, a half space, a closed mesh, a grid, layers, two
+ * halves that overlap or adjoin, all of space less what is clear, a turned box,
+ * a box with an index of 1, by march and by delta tracking.
  *
  * Each description has its own seed; what it gives is compared with what the
  * box gives, in the errors of both: power absorbed, power that comes up, and
@@ -46,7 +46,9 @@ static const char scene_text[] =
     "  - {name: ball, type: sphere, center_m: [0.1, 0, 0], radius_m: 0.5}\n";
 
 typedef struct description {
-    const char *name, *regions, *flight;
+    const char *name;
+    const char *regions; /* "mesh": the mesh that is written beside the grid */
+    const char *flight;
 } description;
 
 #define BELOW_AS_BOX "box: {min_m: [-3, -3, -2], max_m: [3, 3, 0]}"
@@ -56,6 +58,7 @@ static const description box = {"box", "[{medium: fog, " BELOW_AS_BOX "}]",
 
 static const description others[] = {
     {"half space", "[{medium: fog, below_z_m: 0}]", "march"},
+    {"mesh", "mesh", "march"},
     {"grid", "[{medium: grid}]", "march"},
     {"layers", "[{medium: layers}]", "march"},
     {"halves that overlap",
@@ -84,10 +87,27 @@ static const description others[] = {
 #define Z_TESTS    (OTHERS * QUANTITIES)
 
 static char folder[] = "/tmp/murk_descriptions_XXXXXX";
-static char grid_path[64];
+static char grid_path[64], mesh_path[64];
+
+/* The same as a closed box of triangles. */
+static bool write_mesh(const char *path)
+{
+    static const int corner[12][3] = {
+        {1, 3, 4}, {1, 4, 2}, {5, 6, 8}, {5, 8, 7}, {1, 2, 6}, {1, 6, 5},
+        {3, 7, 8}, {3, 8, 4}, {1, 5, 7}, {1, 7, 3}, {2, 4, 8}, {2, 8, 6}};
+    FILE *file = fopen(path, "w");
+    for (int i = 0; file && i < 8; ++i) {
+        fprintf(file, "v %d %d %d\n", i & 1 ? 3 : -3, i & 2 ? 3 : -3,
+                i & 4 ? 0 : -2);
+    }
+    for (int i = 0; file && i < 12; ++i) {
+        fprintf(file, "f %d %d %d\n", corner[i][0], corner[i][1], corner[i][2]);
+    }
+    return file && !fclose(file);
+}
 
 /* Density .5 in 12 x 12 x 4 cubes of .5 m below z = 0. */
-static bool write_grid(void)
+static bool write_grid(const char *path)
 {
     static float value[12 * 12 * 4];
     for (size_t i = 0; i < sizeof value / sizeof *value; ++i) {
@@ -97,12 +117,8 @@ static bool write_grid(void)
     const murk_affine place =
         murk_affine_place(murk_vec(0, 0, 0), .5, murk_vec(-2.75, -2.75, -1.75));
     murk_error err = {0};
-    if (!mkdtemp(folder)) {
-        return false;
-    }
-    snprintf(grid_path, sizeof grid_path, "%s/fog.vdb", folder);
-    return !murk_grid_write(grid_path, &field, 1, (size_t[3]){12, 12, 4},
-                            &place, &err);
+    return !murk_grid_write(path, &field, 1, (size_t[3]){12, 12, 4}, &place,
+                            &err);
 }
 
 typedef struct light {
@@ -112,9 +128,11 @@ typedef struct light {
 static light lit(const description *d, uint32_t seed, int photons)
 {
     light out = {{{NAN, NAN}, {NAN, NAN}, {NAN, NAN}}};
-    char text[4096];
-    snprintf(text, sizeof text, scene_text, seed, grid_path, d->regions,
-             d->flight, photons);
+    char text[4096], as_mesh[128];
+    snprintf(as_mesh, sizeof as_mesh, "[{medium: fog, mesh: %s}]", mesh_path);
+    const bool is_mesh = strcmp(d->regions, "mesh") == 0;
+    snprintf(text, sizeof text, scene_text, seed, grid_path,
+             is_mesh ? as_mesh : d->regions, d->flight, photons);
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(text, NULL);
@@ -161,7 +179,11 @@ int main(int argc, char **argv)
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     const double limit = murk_sidak_limit(1e-6, Z_TESTS);
     murk_warn_to(NULL); /* of what the domain cuts off */
-    CHECK(write_grid());
+    CHECK(mkdtemp(folder) != NULL);
+    snprintf(grid_path, sizeof grid_path, "%s/fog.vdb", folder);
+    snprintf(mesh_path, sizeof mesh_path, "%s/fog.obj", folder);
+    CHECK(write_grid(grid_path));
+    CHECK(write_mesh(mesh_path));
     const light want = lit(&box, 100 * seed, 4 * PHOTONS);
     for (uint32_t i = 0; i < OTHERS; ++i) {
         const light got = lit(&others[i], 100 * seed + 1 + i, PHOTONS);
@@ -178,6 +200,7 @@ int main(int argc, char **argv)
     CHECK(farthest(&high, &want) > limit);
     CHECK(farthest(&thin, &want) > limit);
     unlink(grid_path);
+    unlink(mesh_path);
     rmdir(folder);
     return check_done();
 }

@@ -114,6 +114,7 @@ static void report(validation *v, const source_case *c, const char *name,
                          c->traced_albedo == c->albedo ? NULL : wrong,
                          &s->reference[i], estimate_of(s, i), s->photons);
     }
+    fprintf(stderr, "points/%s: %.3g photons\n", name, (double)s->photons);
 }
 
 /* ---- by tallies ---- */
