@@ -91,18 +91,18 @@ int main(int argc, char **argv)
     const murk_region region = test_everywhere(0);
     const murk_surface_desc walls = test_box(room.min, room.max, 0);
     const murk_material white = test_material(WALLS, 0, 0, 0);
-    test_world w =
-        test_world_made(&(test_setup){.domain = {{{-1, -1, -1}, {3, 3, 13}}},
-                                      .lights = lamps,
-                                      .n_lights = TEST_WALLS,
-                                      .surfaces = &walls,
-                                      .n_surfaces = 1,
-                                      .materials = &white,
-                                      .n_materials = 1,
-                                      .media = &haze,
-                                      .n_media = 1,
-                                      .regions = &region,
-                                      .n_regions = 1});
+    test_world w = test_world_made(
+        &(test_setup){.domain = {{{-1, -1, -1}, {3, 3, 13}}, false},
+                      .lights = lamps,
+                      .n_lights = TEST_WALLS,
+                      .surfaces = &walls,
+                      .n_surfaces = 1,
+                      .materials = &white,
+                      .n_materials = 1,
+                      .media = &haze,
+                      .n_media = 1,
+                      .regions = &region,
+                      .n_regions = 1});
     eye e = {.world = &w, .phase = &haze.phase[0]};
     test_world_trace(&w, PHOTONS, seed, see, &e);
     close_photon(&e);

@@ -122,7 +122,7 @@ static void test_far_from_a_lamp(uint32_t seed)
     const murk_medium medium = test_medium(1, albedo, 0);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(
-        &(test_setup){.domain = {{{-60, -60, -60}, {60, 60, 60}}},
+        &(test_setup){.domain = {{{-60, -60, -60}, {60, 60, 60}}, false},
                       .lights = &lamp,
                       .n_lights = 1,
                       .media = &medium,

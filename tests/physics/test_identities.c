@@ -59,18 +59,18 @@ static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
     for (size_t i = 0; i < in->n_surfaces; ++i) {
         surfaces[i + 1] = in->surfaces[i];
     }
-    test_world w =
-        test_world_made(&(test_setup){.domain = {{{-1, -1, -1}, {5, 4, 3}}},
-                                      .lights = lamps,
-                                      .n_lights = TEST_WALLS,
-                                      .surfaces = surfaces,
-                                      .n_surfaces = in->n_surfaces + 1,
-                                      .materials = materials,
-                                      .n_materials = 4,
-                                      .media = in->media,
-                                      .n_media = in->n_media,
-                                      .regions = in->regions,
-                                      .n_regions = in->n_media});
+    test_world w = test_world_made(
+        &(test_setup){.domain = {{{-1, -1, -1}, {5, 4, 3}}, false},
+                      .lights = lamps,
+                      .n_lights = TEST_WALLS,
+                      .surfaces = surfaces,
+                      .n_surfaces = in->n_surfaces + 1,
+                      .materials = materials,
+                      .n_materials = 4,
+                      .media = in->media,
+                      .n_media = in->n_media,
+                      .regions = in->regions,
+                      .n_regions = in->n_media});
     test_world_trace(&w, photons, seed, chords_note, c);
     CHECK(test_photons(&w, w.ledger->lost) == 0);
     test_world_unmade(&w);
@@ -229,8 +229,10 @@ static void test_inverse_square(uint32_t seed)
     const double distance[] = {0, .3, 1, 2, 4};
     const double radius[] = {.2, .1, .3, .5, .9};
     const murk_light lamp = test_point(murk_vec(.1, -.2, .3));
-    test_world w = test_world_made(&(test_setup){
-        .domain = {{{-5, -5, -5}, {5, 5, 5}}}, .lights = &lamp, .n_lights = 1});
+    test_world w = test_world_made(
+        &(test_setup){.domain = {{{-5, -5, -5}, {5, 5, 5}}, false},
+                      .lights = &lamp,
+                      .n_lights = 1});
     chords c = {.n = 5};
     for (size_t i = 0; i < c.n; ++i) {
         const murk_vec3 way = murk_unit(murk_vec(1, (double)i - 2, .5));

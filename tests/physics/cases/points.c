@@ -7,9 +7,9 @@
  * shell from r / STRETCH to r * STRETCH; the reference is averaged alike
  * (cases/point_table.h), and that averaging is good to its stated error.
  *
- * A mean free path is 1 m, the domain ends at 60 m. Of the light that gets
- * there, less than exp(-.206 * 60), nothing could come back to 12 m but by 48
- * m more of the same: below 1e-9 of f(10) in the clearest of these media.
+ * A mean free path is 1 m, the domain ends at 60 m. In the clearest of these
+ * media light falls by exp(-.206) a metre: what an endless one would send back
+ * from beyond 60 m to 12 m is less than exp(-.206 * 96), 3e-9 of f(10).
  *
  * Errors come from blocks of photons, 64 or more: a difference of two tallies
  * has no error of its own, and it knows of all the events of a photon. */
@@ -35,7 +35,7 @@
 #define TALLY_STRETCH      1.1
 #define MAP_STRETCH        1.25
 #define PHOTONS_MOST_TALLY (UINT64_C(1) << 28)
-#define PHOTONS_MOST_MAP   (UINT64_C(1) << 26)
+#define PHOTONS_MOST_MAP   (UINT64_C(1) << 28)
 
 /* The medium of a table, and the one that is traced. */
 typedef struct source_case {
@@ -163,7 +163,8 @@ static void trace_tallies(validation *v, const source_case *c)
     const murk_medium medium = test_medium(1, c->traced_albedo, c->g);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(&(test_setup){
-        .domain = {{{-HALF_M, -HALF_M, -HALF_M}, {HALF_M, HALF_M, HALF_M}}},
+        .domain = {{{-HALF_M, -HALF_M, -HALF_M}, {HALF_M, HALF_M, HALF_M}},
+                   false},
         .lights = &lamp,
         .n_lights = 1,
         .media = &medium,
