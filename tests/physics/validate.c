@@ -3,6 +3,9 @@
  * nightly/validate-GROUP.
  *
  *   validate [--quick] [--seed N] [--threads N] [--csv FILE] [CASE...]
+ *   validate [--quick] [--seed N] [--csv FILE] --join FILE...
+ *
+ * --join traces nothing: its rows are those of earlier runs' --csv files.
  *
  * Markdown goes to standard output, progress to standard error. Exit: 0 all
  * within the limit, 1 not, 2 usage. */
@@ -28,7 +31,8 @@ static int usage(const char *what)
 {
     fprintf(stderr,
             "validate: %s\nusage: validate [--quick] [--seed N] [--threads N] "
-            "[--csv FILE] [GROUP | GROUP/PART-OF-CASE ...]\ngroups:",
+            "[--csv FILE] [GROUP | GROUP/PART-OF-CASE ... | --join FILE...]\n"
+            "groups:",
             what);
     for (size_t i = 0; i < GROUPS; ++i) {
         fprintf(stderr, " %s", groups[i].name);
@@ -92,52 +96,82 @@ static int write_csv(const validation *v, const char *path)
     return 0;
 }
 
-int main(int argc, char **argv)
+typedef struct options {
+    validation_settings settings;
+    const char *csv; /* NULL: none */
+    bool joins;      /* words name files, else cases */
+    const char *const *word;
+    size_t words;
+} options;
+
+/* 0, or what to exit with. */
+static int read_options(options *o, int argc, char **argv)
 {
-    validation_settings settings = {.threads = murk_crew_processors(),
-                                    .seed = 1};
-    const char *csv = NULL;
     int i = 1;
-    for (; i < argc && strncmp(argv[i], "--", 2) == 0; ++i) {
+    for (; i < argc && !o->joins && strncmp(argv[i], "--", 2) == 0; ++i) {
         unsigned long number = 0;
         if (strcmp(argv[i], "--quick") == 0) {
-            settings.is_quick = true;
+            o->settings.is_quick = true;
+        } else if (strcmp(argv[i], "--join") == 0) {
+            o->joins = true;
         } else if (strcmp(argv[i], "--seed") == 0) {
             if (!reads_number(argv[++i], 0, UINT32_MAX, &number)) {
                 return usage("--seed needs 0..4294967295");
             }
-            settings.seed = (uint32_t)number;
+            o->settings.seed = (uint32_t)number;
         } else if (strcmp(argv[i], "--threads") == 0) {
             if (!reads_number(argv[++i], 1, 1024, &number)) {
                 return usage("--threads needs 1..1024");
             }
-            settings.threads = (unsigned)number;
+            o->settings.threads = (unsigned)number;
         } else if (strcmp(argv[i], "--csv") == 0) {
-            csv = argv[++i];
-            if (!csv) {
+            o->csv = argv[++i];
+            if (!o->csv) {
                 return usage("--csv needs a file");
             }
         } else {
             return usage("no such option");
         }
     }
-    settings.wanted = (const char *const *)argv + i;
-    settings.n_wanted = (size_t)(argc - i);
-    for (size_t k = 0; k < settings.n_wanted; ++k) {
-        if (!is_known(settings.wanted[k])) {
-            return usage(settings.wanted[k]);
+    o->word = (const char *const *)argv + i;
+    o->words = (size_t)(argc - i);
+    if (!o->joins) {
+        o->settings.wanted = o->word;
+        o->settings.n_wanted = o->words;
+    }
+    for (size_t k = 0; k < o->settings.n_wanted; ++k) {
+        if (!is_known(o->word[k])) {
+            return usage(o->word[k]);
         }
     }
-    validation *v = validation_create(&settings);
-    for (size_t k = 0; k < GROUPS; ++k) {
-        if (is_wanted(&settings, groups[k].name)) {
+    return 0;
+}
+
+static void run(validation *v, const options *o)
+{
+    for (size_t k = 0; k < o->words && o->joins; ++k) {
+        validation_join(v, o->word[k]);
+    }
+    for (size_t k = 0; k < GROUPS && !o->joins; ++k) {
+        if (is_wanted(&o->settings, groups[k].name)) {
             validation_group(v, groups[k].name);
             groups[k].run(v);
         }
     }
+}
+
+int main(int argc, char **argv)
+{
+    options o = {.settings = {.threads = murk_crew_processors(), .seed = 1}};
+    const int status = read_options(&o, argc, argv);
+    if (status) {
+        return status;
+    }
+    validation *v = validation_create(&o.settings);
+    run(v, &o);
     validation_markdown(v, stdout);
     int exit_code = validation_passed(v) ? 0 : 1;
-    if (csv && write_csv(v, csv)) {
+    if (o.csv && write_csv(v, o.csv)) {
         exit_code = 1;
     }
     validation_destroy(v);

@@ -131,6 +131,11 @@ void validation_group(validation *v, const char *group);
 void validation_markdown(const validation *v, FILE *out);
 void validation_csv(const validation *v, FILE *out);
 
+/* The rows of a file that validation_csv() wrote, as if they were traced here:
+ * for runs in parts, of one seed and form. Ends the program where it cannot be
+ * read. */
+void validation_join(validation *v, const char *path);
+
 /* True when at least one row was made, all of them lie within the limit, all
  * twins do not, and nothing was lost. */
 bool validation_passed(const validation *v);

@@ -152,16 +152,16 @@ void validation_markdown(const validation *v, FILE *out)
 void validation_csv(const validation *v, FILE *out)
 {
     fprintf(out, "group,case,wrong,quantity,reference,uncertainty,murk,"
-                 "standard_error,sigmas_off,photons,source\n");
+                 "standard_error,is_short,sigmas_off,photons,source\n");
     for (size_t i = 0; i < v->rows; ++i) {
         const validation_row *row = &v->row[i];
         fprintf(out,
-                "%s,\"%s\",\"%s\",\"%s\",%.9g,%.3g,%.9g,%.3g,%.3f,%" PRIu64
+                "%s,\"%s\",\"%s\",\"%s\",%.17g,%.9g,%.17g,%.9g,%d,%.3f,%" PRIu64
                 ",\"%s\"\n",
                 row->group, row->name, row->wrong, row->quantity,
                 row->reference, row->uncertainty, row->murk.value,
-                row->murk.standard_error, validation_sigmas(row), row->photons,
-                row->source);
+                row->murk.standard_error, row->is_short, validation_sigmas(row),
+                row->photons, row->source);
     }
 }
 
