@@ -1,0 +1,149 @@
+/* The validation harness gives the verdicts it should: it passes what is
+ * within the limit, and refuses a value that is off, a twin that is not, a run
+ * without checks, and light that is lost. Errors come down to what is asked,
+ * and a joined run is the whole one. Deterministic but for one traced slab,
+ * whose only z-test has a 1e-3 chance of a false alarm. */
+#include "check.h"
+#include "scores.h"
+#include "validation.h"
+#include "worlds.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static const validation_settings quick = {
+    .is_quick = true, .threads = 2, .seed = 1};
+
+static void add(validation *v, const char *is_wrong, double value)
+{
+    validation_check(v, "made up", "nobody", is_wrong,
+                     &(validation_reference){"one", 1, 0},
+                     (murk_estimate){value, .01}, 1000);
+}
+
+static void test_verdicts(void)
+{
+    validation *v = validation_create(&quick);
+    validation_group(v, "made");
+    CHECK(!validation_passed(v)); /* nothing was checked */
+    add(v, NULL, 1.02);
+    CHECK(validation_passed(v)); /* 2 of 3.29 sigmas */
+    add(v, "wrong", 1.2);
+    CHECK(validation_passed(v));
+    add(v, "not wrong enough", 1.02);
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+    v = validation_create(&quick);
+    add(v, NULL, 1.04);
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+    v = validation_create(&quick);
+    add(v, NULL, NAN);
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+}
+
+static void test_digits(void)
+{
+    CHECK_NEAR(validation_half_digit_of("1.738497e+00"), 5e-7, 1e-20);
+    CHECK_NEAR(validation_half_digit_of("2.516851e-04"), 5e-11, 1e-24);
+    CHECK_NEAR(validation_half_digit_of(".09739"), 5e-6, 1e-19);
+    CHECK_NEAR(validation_half_digit_of("3"), .5, 0);
+}
+
+/* Half of the light comes through the fog unscattered, and nothing else does
+ * where it is black or a photon has one event only. */
+static void trace(validation *v, double albedo, uint32_t events_max)
+{
+    static const score_of through = {.kind = SCORE_ESCAPED, .way = 1};
+    const scores score = {&through, 1};
+    const validation_reference half = {"through", .5, 0};
+    const murk_light light = test_beam(murk_vec(0, 0, 0), murk_vec(0, 0, 1));
+    const murk_medium fog = test_medium(log(2), albedo, 0);
+    const murk_region region = test_everywhere(0);
+    test_world w = test_world_made(
+        &(test_setup){.domain = {{{-1, -1, 0}, {1, 1, 1}}, false},
+                      .lights = &light,
+                      .n_lights = 1,
+                      .media = &fog,
+                      .n_media = 1,
+                      .regions = &region,
+                      .n_regions = 1});
+    validation_trace(v, &(validation_case){.name = "half",
+                                           .source = "ln 2",
+                                           .world = &w.world,
+                                           .reference = &half,
+                                           .quantities = 1,
+                                           .score = scores_add,
+                                           .context = &score,
+                                           .events_max = events_max});
+    test_world_unmade(&w);
+}
+
+static size_t read_all(FILE *file, char *text, size_t size)
+{
+    rewind(file);
+    const size_t n = fread(text, 1, size - 1, file);
+    text[n] = '\0';
+    return n;
+}
+
+static void test_traced_and_joined(void)
+{
+    static char whole[8192], joined[8192];
+    char path[] = "/tmp/murk-validation-XXXXXX";
+    validation *v = validation_create(&quick);
+    validation_group(v, "fog");
+    trace(v, 0, 0);
+    CHECK(validation_passed(v));
+    FILE *text = tmpfile();
+    FILE *csv = fdopen(mkstemp(path), "w");
+    validation_markdown(v, text);
+    validation_csv(v, csv);
+    fclose(csv);
+    CHECK(read_all(text, whole, sizeof whole) > 0);
+    fclose(text);
+    CHECK_MENTIONS(whole, "| half | through | 0.5 | 0.");
+    validation_destroy(v);
+
+    v = validation_create(&quick);
+    validation_join(v, path);
+    unlink(path);
+    text = tmpfile();
+    validation_markdown(v, text);
+    read_all(text, joined, sizeof joined);
+    fclose(text);
+    CHECK_TEXT(joined, whole);
+    validation_destroy(v);
+}
+
+static void test_errors_wanted(void)
+{
+    validation *v = validation_create(&quick);
+    CHECK_NEAR(validation_error_wanted(v, .5, 0), 1.5e-3, 1e-18);
+    CHECK_NEAR(validation_error_wanted(v, 1e-3, 0), 9e-5, 1e-19);
+    CHECK_NEAR(validation_error_wanted(v, 1e-3, .1), 9e-6, 1e-20);
+    validation_destroy(v);
+}
+
+static void test_lost_light_is_noticed(void)
+{
+    validation *v = validation_create(&quick);
+    validation_group(v, "fog");
+    trace(v, 0, 1);
+    CHECK(validation_passed(v));
+    trace(v, .5, 1); /* what scatters has no event left */
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+}
+
+int main(void)
+{
+    test_verdicts();
+    test_digits();
+    test_errors_wanted();
+    test_traced_and_joined();
+    test_lost_light_is_noticed();
+    return check_done();
+}
