@@ -22,7 +22,7 @@ static size_t last_of(murk_inside set)
 
 bool murk_look_ahead(const murk_world *world, murk_inside *inside,
                      murk_vec3 origin, murk_vec3 direction, double skip_m,
-                     murk_ahead *ahead)
+                     double most_m, murk_ahead *ahead)
 {
     murk_boundary *b = &ahead->boundary;
     bool any = murk_media_boundary(world->media, *inside, origin, direction,
@@ -34,8 +34,8 @@ bool murk_look_ahead(const murk_world *world, murk_inside *inside,
     const double tolerance = murk_hulls_tolerance_m(world->hulls);
     murk_crossing c;
     if (!murk_hulls_next(world->hulls, origin, direction, skip_m,
-                         any ? b->distance_m + tolerance : INFINITY, inside,
-                         &c) ||
+                         any ? fmin(most_m, b->distance_m + tolerance) : most_m,
+                         inside, &c) ||
         !is_well_inside(&world->domain.box,
                         murk_along(origin, c.distance_m, direction),
                         tolerance)) {

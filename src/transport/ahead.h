@@ -18,11 +18,11 @@ typedef struct murk_ahead {
 } murk_ahead;
 
 /* The nearest, as murk_media_boundary(). What the photon is believed to be
- * inside of is put right by the meshes ahead. skip_m: so far along the ray no
- * mesh is looked for. */
+ * inside of is put right by the meshes ahead. These are looked for between
+ * skip_m and most_m along the ray. */
 bool murk_look_ahead(const murk_world *world, murk_inside *inside,
                      murk_vec3 origin, murk_vec3 direction, double skip_m,
-                     murk_ahead *ahead);
+                     double most_m, murk_ahead *ahead);
 
 /* The regions around a point from which light sets out along `direction`. */
 murk_inside murk_inside_at(const murk_world *world, murk_vec3 point,

@@ -14,7 +14,7 @@
 
 #define PHOTONS 60000
 #define SHARES  3
-#define Z_TESTS 60
+#define Z_TESTS 66
 
 /* What became of the photons. */
 typedef struct ends {
@@ -195,6 +195,14 @@ static void test_a_grid_is_the_same_as_a_mesh(uint32_t seed)
     in_mesh.mesh[0] = mesh_box(-0.5, 0.5, 0.5);
     const ends a = traced(&in_grid, seed), b = traced(&in_mesh, seed + 1);
     check_same(&a, &b);
+    /* Of a grid, a box or a mesh leaves what lies inside. */
+    const murk_vec3 low = {-0.2, -0.6, -0.3}, high = {0.7, 0.3, 0.4};
+    in_mesh.medium[0].grid = grid;
+    in_mesh.mesh[0] = closed_box(low, high);
+    in_grid.region[0] = test_box_region(0, low, high);
+    const ends c = traced(&in_grid, seed + 2), d = traced(&in_mesh, seed + 3);
+    check_same(&c, &d);
+    CHECK(most_off(&c, &a) > 2 * limit());
     murk_grid_destroy(grid);
 }
 
