@@ -14,7 +14,10 @@
 #include "scores.h"
 
 #define MOMENTS "tests/physics/reference/cloud_c1_haze_l_moments.csv"
+#define SOURCE  "DISORT's problems by adding-doubling"
 #define FLUXES  3
+
+#define HALF_WIDTH 50.0 /* of the domain where murk tallies */
 
 /* Pays where much is absorbed (src/README.md). */
 #define LEAST_WEIGHT .3
@@ -122,14 +125,52 @@ static void trace(validation *v, const murk_table *t, size_t row,
                             .mu0 = reference_number(t, row, "mu0")});
     const scores score = {p.of, p.n};
     validation_trace(v, &(validation_case){.name = p.name,
-                                           .source = "DISORT's problems by "
-                                                     "adding-doubling",
+                                           .source = SOURCE,
                                            .is_wrong = is_wrong,
                                            .world = &w.world,
                                            .reference = p.reference,
                                            .quantities = p.n,
                                            .score = scores_add,
                                            .context = &score,
+                                           .least_weight = LEAST_WEIGHT});
+    test_world_unmade(&w);
+    murk_phase_table_destroy(table);
+}
+
+/* Problem 5b by murk's own plane inside the layer, which counts direct light
+ * with the diffuse. */
+static void trace_plane(validation *v, const murk_table *t, size_t row)
+{
+    const char *name = "5b by a plane tally";
+    if (!validation_wants(v, name)) {
+        return;
+    }
+    murk_phase_table *table;
+    const layer of = {
+        .albedo = reference_number(t, row, "albedo"),
+        .phase = phase_of(reference_text(t, row, "phase"), MOMENTS_MAX, &table),
+        .tau = reference_number(t, row, "tau"),
+        .mu0 = reference_number(t, row, "mu0"),
+        .half_width = HALF_WIDTH};
+    const murk_tally_desc plane =
+        layer_plane("level", reference_number(t, row, "level"), 1);
+    const validation_cell cell[] = {{0, 1, 1}, {0, 0, 1}};
+    const validation_reference down = share(t, row, "down");
+    const validation_reference direct = share(t, row, "direct");
+    const validation_reference reference[] = {
+        share(t, row, "up"),
+        {"down, direct and diffuse", down.value + direct.value,
+         hypot(down.uncertainty, direct.uncertainty)}};
+    test_world w = layer_made(&of);
+    validation_trace(v, &(validation_case){.name = name,
+                                           .source = SOURCE,
+                                           .world = &w.world,
+                                           .reference = reference,
+                                           .quantities = 2,
+                                           .tally = &plane,
+                                           .tallies = 1,
+                                           .cell = cell,
+                                           .cells = 2,
                                            .least_weight = LEAST_WEIGHT});
     test_world_unmade(&w);
     murk_phase_table_destroy(table);
@@ -155,6 +196,7 @@ void cases_disort(validation *v)
             trace(v, t, row, "8 of 82 moments", NULL, 8);
         } else if (is_problem(t, row, "5b")) {
             trace(v, t, row, "30 of 299 moments", NULL, 30);
+            trace_plane(v, t, row);
         }
     }
     murk_table_destroy(t);
