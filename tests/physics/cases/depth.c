@@ -98,7 +98,7 @@ static size_t read_profile(profile *p, const murk_table *t, size_t row,
 /* The same by murk's own tallies: planes, and thin slices for the fluence. */
 static void trace_tallies(validation *v, const profile *p)
 {
-    char name[80], names[KINDS * DEPTHS_MAX][16];
+    char name[80], names[KINDS * DEPTHS_MAX][32];
     murk_tally_desc tally[KINDS * DEPTHS_MAX];
     validation_cell cell[KINDS * DEPTHS_MAX];
     validation_reference reference[KINDS * DEPTHS_MAX];
