@@ -91,7 +91,9 @@ static murk_estimate estimate_of(const shells *s, size_t i)
         mean, sqrt(fmax(0, s->square[i] / n - mean * mean) / (n - 1))};
 }
 
-static bool are_done(const validation *v, const shells *s, uint64_t most)
+/* A wrong constant shows as soon as errors are known at all. */
+static bool are_done(const validation *v, const source_case *c, const shells *s,
+                     uint64_t most)
 {
     if (s->blocks < BLOCKS_LEAST) {
         return false;
@@ -101,7 +103,7 @@ static bool are_done(const validation *v, const shells *s, uint64_t most)
         done &= estimate_of(s, i).standard_error <=
                 validation_error_wanted(v, s->reference[i].value, 1);
     }
-    return done || s->photons >= most;
+    return done || c->traced_albedo != c->albedo || s->photons >= most;
 }
 
 static void report(validation *v, const source_case *c, const char *name,
@@ -181,7 +183,7 @@ static void trace_tallies(validation *v, const source_case *c)
     trace.seed = validation_seed(v) + c->seed;
     trace.threads = threads;
     trace.tallies = tallies;
-    while (!are_done(v, &s, PHOTONS_MOST_TALLY)) {
+    while (!are_done(v, c, &s, PHOTONS_MOST_TALLY)) {
         trace.first = s.photons;
         trace.last = s.photons + block;
         murk_trace_run(&trace, w.ledger);
@@ -256,7 +258,7 @@ static void trace_map(validation *v, const source_case *c)
     shells s;
     lay_shells(&s, v, &table, MAP_STRETCH);
     const uint64_t block = validation_is_quick(v) ? 20000 : 200000;
-    while (!are_done(v, &s, PHOTONS_MOST_MAP)) {
+    while (!are_done(v, c, &s, PHOTONS_MOST_MAP)) {
         char text[1024];
         murk_error err = {0};
         murk_traced *light = NULL;
