@@ -118,6 +118,23 @@ static void test_traced_and_joined(void)
     validation_destroy(v);
 }
 
+static void test_short_rows_are_marked(void)
+{
+    static char text[8192];
+    validation *v = validation_create(&quick);
+    validation_group(v, "made");
+    add(v, NULL, 1.02);
+    validation_mark_short(v);
+    add(v, NULL, .98);
+    FILE *file = tmpfile();
+    validation_markdown(v, file);
+    read_all(file, text, sizeof text);
+    fclose(file);
+    CHECK_MENTIONS(text, "| 1.02 | 1.0e-02 * |");
+    CHECK_MENTIONS(text, "| 0.98 | 1.0e-02 |");
+    validation_destroy(v);
+}
+
 static void test_errors_wanted(void)
 {
     validation *v = validation_create(&quick);
@@ -142,6 +159,7 @@ int main(void)
 {
     test_verdicts();
     test_digits();
+    test_short_rows_are_marked();
     test_errors_wanted();
     test_traced_and_joined();
     test_lost_light_is_noticed();

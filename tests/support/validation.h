@@ -94,6 +94,10 @@ void validation_check(validation *v, const char *name, const char *source,
                       const validation_reference *reference, murk_estimate murk,
                       uint64_t photons);
 
+/* Says of the last row that its photons ended before its error was reached: it
+ * is marked. */
+void validation_mark_short(validation *v);
+
 /* For groups: whether a case of that name runs at all; the form; the error that
  * a quantity must reach, with the absolute bound scaled as above; threads. */
 bool validation_wants(const validation *v, const char *name);

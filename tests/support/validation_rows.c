@@ -45,6 +45,11 @@ void validation_check(validation *v, const char *name, const char *source,
     }
 }
 
+void validation_mark_short(validation *v)
+{
+    v->row[v->rows - 1].is_short = true;
+}
+
 bool validation_wants(const validation *v, const char *name)
 {
     const size_t length = strlen(v->group);

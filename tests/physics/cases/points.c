@@ -31,7 +31,6 @@
 #define BLOCKS_LEAST       64
 #define SHELLS_MAX         POINT_RADII_MAX
 #define FARTHEST           10.0
-#define FARTHEST_QUICK     5.0
 #define TALLY_STRETCH      1.1
 #define MAP_STRETCH        1.25
 #define PHOTONS_MOST_TALLY (UINT64_C(1) << 28)
@@ -53,12 +52,10 @@ typedef struct shells {
     double sum[SHELLS_MAX], square[SHELLS_MAX]; /* of blocks' means */
 } shells;
 
-static void lay_shells(shells *s, const validation *v, const point_table *t,
-                       double stretch)
+static void lay_shells(shells *s, const point_table *t, double stretch)
 {
-    const double last = validation_is_quick(v) ? FARTHEST_QUICK : FARTHEST;
     *s = (shells){0};
-    for (size_t i = 1; i < t->n && t->r[i] <= last; ++i) {
+    for (size_t i = 1; i < t->n && t->r[i] <= FARTHEST; ++i) {
         const double r = t->r[i], r0 = r / stretch, r1 = r * stretch;
         const double f = t->g == 0 ? point_exact_shell(t->albedo, r0, r1)
                                    : point_table_shell(t, r0, r1);
@@ -111,10 +108,17 @@ static void report(validation *v, const source_case *c, const char *name,
 {
     char wrong[32];
     snprintf(wrong, sizeof wrong, "albedo %g", c->traced_albedo);
+    const bool is_wrong = c->traced_albedo != c->albedo;
     for (size_t i = 0; i < s->n; ++i) {
+        const murk_estimate e = estimate_of(s, i);
         validation_check(v, name, c->g == 0 ? SOURCE_ISOTROPIC : SOURCE_HG,
-                         c->traced_albedo == c->albedo ? NULL : wrong,
-                         &s->reference[i], estimate_of(s, i), s->photons);
+                         is_wrong ? wrong : NULL, &s->reference[i], e,
+                         s->photons);
+        if (!is_wrong &&
+            !(e.standard_error <=
+              validation_error_wanted(v, s->reference[i].value, 1))) {
+            validation_mark_short(v);
+        }
     }
     fprintf(stderr, "points/%s: %.3g photons\n", name, (double)s->photons);
 }
@@ -160,7 +164,7 @@ static void trace_tallies(validation *v, const source_case *c)
     }
     const point_table table = point_table_read(c->albedo, c->g);
     shells s;
-    lay_shells(&s, v, &table, TALLY_STRETCH);
+    lay_shells(&s, &table, TALLY_STRETCH);
     const murk_light lamp = test_point(murk_vec(0, 0, 0));
     const murk_medium medium = test_medium(1, c->traced_albedo, c->g);
     const murk_region region = test_everywhere(0);
@@ -256,7 +260,7 @@ static void trace_map(validation *v, const source_case *c)
     }
     const point_table table = point_table_read(c->albedo, c->g);
     shells s;
-    lay_shells(&s, v, &table, MAP_STRETCH);
+    lay_shells(&s, &table, MAP_STRETCH);
     const uint64_t block = validation_is_quick(v) ? 20000 : 200000;
     while (!are_done(v, c, &s, PHOTONS_MOST_MAP)) {
         char text[1024];
