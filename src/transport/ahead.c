@@ -2,6 +2,7 @@
 
 /* Further from a mesh than its tolerance, a point is on one side of it. */
 #define OFF_TOLERANCES 2
+#define OFF_NEARS      2 /* likewise from other shapes */
 
 static bool is_well_inside(const murk_box *box, murk_vec3 p, double margin)
 {
@@ -58,7 +59,13 @@ bool murk_look_ahead(const murk_world *world, murk_inside *inside,
 murk_inside murk_inside_at(const murk_world *world, murk_vec3 point,
                            murk_vec3 direction)
 {
-    murk_inside inside = murk_media_inside(world->media, point);
+    const murk_box *box = &world->domain.box;
+    const double size =
+        fmax(fmax(fmax(fabs(box->min.x), fabs(box->min.y)), fabs(box->min.z)),
+             fmax(fmax(fabs(box->max.x), fabs(box->max.y)), fabs(box->max.z)));
+    murk_inside inside = murk_media_inside(
+        world->media,
+        murk_along(point, OFF_NEARS * MURK_INTERFACE_NEAR * size, direction));
     if (world->hulls) {
         const double off =
             OFF_TOLERANCES * murk_hulls_tolerance_m(world->hulls);

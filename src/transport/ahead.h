@@ -24,7 +24,8 @@ bool murk_look_ahead(const murk_world *world, murk_inside *inside,
                      murk_vec3 origin, murk_vec3 direction, double skip_m,
                      double most_m, murk_ahead *ahead);
 
-/* The regions around a point from which light sets out along `direction`. */
+/* The regions that light is in which sets out from a point along `direction`:
+ * on a boundary, those that lie ahead. */
 murk_inside murk_inside_at(const murk_world *world, murk_vec3 point,
                            murk_vec3 direction);
 

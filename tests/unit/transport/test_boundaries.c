@@ -328,6 +328,35 @@ static void test_where_light_starts(void)
     CHECK(beneath > PHOTONS / 4);
 }
 
+/* Light from a lamp in a boundary starts on the side that it heads for,
+ * whichever side the region is on: it meets the sea or leaves it for good,
+ * without a boundary between. */
+static void test_lamp_in_a_boundary(void)
+{
+    const murk_medium ink = test_medium(1e4, 0, 0);
+    const murk_region sea[] = {
+        below(0, 0.5, WATER),
+        block(murk_vec(-1, -1, -1), murk_vec(2, 2, 0.5), WATER),
+        block(murk_vec(-1, -1, 0.5), murk_vec(2, 2, 2), WATER)};
+    const murk_light light = test_point(murk_vec(0.5, 0.5, 0.5));
+    for (int i = 0; i < 3; ++i) {
+        tell(&(test_setup){.domain = cell,
+                           .lights = &light,
+                           .n_lights = 1,
+                           .media = &ink,
+                           .n_media = 1,
+                           .regions = &sea[i],
+                           .n_regions = 1});
+        for (int k = 0; k < PHOTONS; ++k) {
+            const murk_event *e = told[k].event;
+            const bool is_wet = (e[0].direction_out.z < 0) == (i < 2);
+            CHECK(told[k].n == 2);
+            CHECK(e[1].kind ==
+                  (is_wet ? MURK_EVENT_MEDIUM : MURK_EVENT_ESCAPED));
+        }
+    }
+}
+
 /* A layer from side to side has no edges: light totally reflected in it wraps
  * and never leaves it but at the bottom of the domain. */
 static void test_layers_go_on_at_periodic_sides(void)
@@ -371,6 +400,7 @@ int main(void)
     test_walls_that_cross_the_level();
     test_equal_indices_are_silent();
     test_where_light_starts();
+    test_lamp_in_a_boundary();
     test_layers_go_on_at_periodic_sides();
     return check_done();
 }
