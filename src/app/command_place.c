@@ -1,18 +1,10 @@
 #include "app/coverage_out.h"
+#include "app/place_matrix.h"
+#include "app/plan_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
 #include "study/machine.h"
-
-static const char *const method_name[] = {[MURK_SCENE_BEST] = "best",
-                                          [MURK_SCENE_SPOQ] = "spoq",
-                                          [MURK_SCENE_GREEDY] = "greedy",
-                                          [MURK_SCENE_EXACT] = "exact"};
-
-static double share(uint64_t value, uint64_t whole)
-{
-    return whole ? (double)value / (double)whole : NAN;
-}
 
 static void add_candidates(cJSON *root, const murk_plan *plan)
 {
@@ -42,31 +34,8 @@ static void add_coverage(cJSON *root, const murk_plan *plan)
     murk_json_number(object, "surface", plan->in_sample.surface.value);
     murk_json_number(object, "volume", plan->in_sample.volume.value);
     murk_json_number(object, "ceiling",
-                     share(plan->place.ceiling, plan->place.whole));
+                     murk_share(plan->place.ceiling, plan->place.whole));
     murk_json_number(object, "sum_of_views", plan->in_sample.sum_of_views);
-}
-
-static void add_bound(cJSON *root, const murk_plan *plan)
-{
-    const murk_place_result *place = &plan->place;
-    const double upper = share(place->upper, place->whole);
-    cJSON *object = cJSON_AddObjectToObject(root, "bound");
-    murk_json_number(object, "upper", upper);
-    murk_json_number(
-        object, "gap",
-        place->upper ? share(place->upper - place->value, place->upper) : 0);
-    cJSON_AddBoolToObject(object, "proven_optimal", place->proven_optimal);
-    cJSON_AddStringToObject(object, "guarantee", place->guarantee);
-
-    cJSON *curve = cJSON_AddArrayToObject(root, "curve");
-    for (size_t i = 0; i < place->curve_points; ++i) {
-        const murk_curve_point *point = &place->curve[i];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddNumberToObject(item, "count", (double)point->count);
-        murk_json_number(item, "coverage", share(point->value, place->whole));
-        murk_json_number(item, "upper", share(point->upper, place->whole));
-        cJSON_AddItemToArray(curve, item);
-    }
 }
 
 static void add_target(cJSON *root, const murk_plan *plan,
@@ -88,7 +57,7 @@ static void add_placement(cJSON *root, const murk_plan *plan,
 {
     const murk_scene_placement *wish = &scene->placement;
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
-    cJSON_AddStringToObject(object, "method", method_name[wish->method]);
+    cJSON_AddStringToObject(object, "method", murk_method_names[wish->method]);
     cJSON_AddStringToObject(object, "detection", "weighted");
     cJSON_AddStringToObject(object, "visibility",
                             wish->by_normal ? "normal" : "ray");
@@ -102,11 +71,7 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     cJSON_AddNumberToObject(object, "queries", (double)plan->queries);
     cJSON_AddNumberToObject(object, "shadow_rays", (double)plan->shadow_rays);
     cJSON_AddNumberToObject(object, "nodes", (double)plan->place.nodes);
-    if (plan->place.is_cut) {
-        cJSON_AddStringToObject(object, "cut_by", "nodes");
-    } else {
-        cJSON_AddNullToObject(object, "cut_by");
-    }
+    murk_json_cut(object, &plan->place);
 }
 
 static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
@@ -118,7 +83,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
                       &plan->in_sample);
     add_coverage(root, plan);
     murk_json_seen(root, &plan->in_sample, plan->place.count);
-    add_bound(root, plan);
+    murk_json_bound(root, &plan->place);
     add_target(root, plan, session->scene);
     add_placement(root, plan, session->scene);
     return root;
@@ -137,7 +102,8 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
                        &plan->in_sample);
     printf("coverage    %.4f in sample (", plan->in_sample.total.value);
     murk_print_maps(&plan->in_sample);
-    printf("); all candidates: %.4f\n", share(place->ceiling, place->whole));
+    printf("); all candidates: %.4f\n",
+           murk_share(place->ceiling, place->whole));
     if (plan->has_held_out) {
         printf("held out    %.4f +- %.4f (one standard error, by emitted "
                "photon)\n",
@@ -149,14 +115,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
                session->scene->sensors.target, place->count, place->fewest,
                plan->confirmed.value, plan->confirmed.standard_error);
     }
-    if (place->proven_optimal) {
-        printf("bound       proven optimal for this sample of photons\n");
-    } else {
-        printf("bound       no %zu candidates cover more than %.4f of this "
-               "sample; guarantee: %s\n",
-               place->count, share(place->upper, place->whole),
-               place->guarantee);
-    }
+    murk_print_bound(place, "sample of photons");
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
            "place %.2f; memory %.3g GB\n",
@@ -193,6 +152,9 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
 
 murk_status murk_command_place(const murk_options *options, murk_error *err)
 {
+    if (options->matrix) {
+        return murk_place_matrix(options, err);
+    }
     murk_session session;
     murk_plan plan = {0};
     murk_status status = murk_session_begin(&session, options, err);

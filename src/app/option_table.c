@@ -23,6 +23,9 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_SENSORS, "--sensors", NULL, "FILE", "sense",
      "the placement to measure: sensors.csv (type, x_m, y_m, z_m) or a "
      "plan.json"},
+    {MURK_OPTION_MATRIX, "--matrix", NULL, "FILE", "place",
+     "choose columns of this coverage matrix, CSV or OR-Library text, in place "
+     "of a scene; with --count or --target"},
     {MURK_OPTION_PHOTON, "--photon", NULL, "N", "replay",
      "index of the emitted photon, from 0"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense",
@@ -43,7 +46,6 @@ const murk_option murk_option_table[] = {
      "version, commit, compiler and packages"},
     {MURK_OPTION_MAN, "--man", NULL, NULL, NULL, NULL},
     {MURK_OPTION_LATER, "--budget", NULL, "B", NULL, NULL},
-    {MURK_OPTION_LATER, "--matrix", NULL, "FILE", NULL, NULL},
     {MURK_OPTION_LATER, "--camera", NULL, "NAME", NULL, NULL},
     {MURK_OPTION_LATER, "--data", NULL, "FILE", NULL, NULL},
     {MURK_OPTION_LATER, "--free", NULL, "KEY", NULL, NULL},

@@ -22,11 +22,15 @@ const murk_command murk_commands[] = {
      "surface and the volume photon map. With -o writes DIR/light.murk, "
      "DIR/scene.yaml (the scene as resolved) and, last, DIR/ledger.json.",
      murk_command_trace},
-    {"place", "SCENE [-o DIR]", "the main job: trace, sense, place sensors",
+    {"place", "SCENE|--matrix FILE [-o DIR]",
+     "the main job: trace, sense, place sensors",
      "Traces, finds which candidate sees which stored photon and how clearly, "
      "chooses the sensors, and measures the choice on a second, independent "
      "map. With -o writes DIR/plan.json (last), sensors.csv, coverage.csv and "
-     "all that trace writes.",
+     "all that trace writes. With --matrix it chooses columns of a given "
+     "coverage matrix, so that most of the rows' weight is covered; "
+     "DIR/plan.json is then all it writes, with null where a matrix has no "
+     "such thing. The formats of a matrix: scenes/README.md.",
      murk_command_place},
     {"sense", "SCENE --sensors FILE [-o DIR]", "measure a given placement",
      "Traces and measures what the given sensors see. With -o writes "
@@ -193,6 +197,9 @@ static murk_status apply(murk_options *out, const murk_option *option,
     case MURK_OPTION_SENSORS:
         out->sensors = value;
         break;
+    case MURK_OPTION_MATRIX:
+        out->matrix = value;
+        break;
     case MURK_OPTION_PHOTON:
         out->has_photon = true;
         return need_count(name, value, 0, UINT32_MAX - UINT64_C(1),
@@ -320,6 +327,13 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     if (!out->command) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "no command; try murk --help");
+    }
+    if (out->matrix) {
+        return out->input ? murk_fail(err, MURK_BAD_VALUE, "--matrix",
+                                      "stands in place of a scene, and %s is "
+                                      "given as one",
+                                      out->input)
+                          : MURK_OK;
     }
     if (!out->input) {
         return murk_fail(err, MURK_BAD_VALUE, "",

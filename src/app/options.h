@@ -23,10 +23,11 @@ typedef struct murk_command {
 struct murk_options {
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
-    const char *input;   /* the scene */
+    const char *input;   /* the scene; NULL with --matrix */
     const char *out;     /* -o; NULL: print, write nothing */
     const char *light;   /* --light */
     const char *sensors; /* --sensors */
+    const char *matrix;  /* --matrix */
     bool has_photon;
     uint64_t photon; /* --photon */
     unsigned threads;

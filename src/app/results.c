@@ -139,7 +139,7 @@ void murk_json_vector(cJSON *object, const char *key, murk_vec3 v)
     cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(xyz, 3));
 }
 
-cJSON *murk_json_begin(const murk_scene *scene)
+cJSON *murk_json_begin_murk(void)
 {
     cJSON *root = cJSON_CreateObject();
     cJSON *murk = cJSON_AddObjectToObject(root, "murk");
@@ -151,6 +151,12 @@ cJSON *murk_json_begin(const murk_scene *scene)
         cJSON_AddStringToObject(packages, murk_packages[i].name,
                                 murk_packages[i].version);
     }
+    return root;
+}
+
+cJSON *murk_json_begin(const murk_scene *scene)
+{
+    cJSON *root = murk_json_begin_murk();
     cJSON_AddStringToObject(root, "scene", scene->path);
     cJSON_AddStringToObject(root, "scene_sha256", scene->sha256);
     cJSON_AddNumberToObject(root, "seed", scene->seed);

@@ -52,6 +52,9 @@ void murk_results_end(murk_results *results); /* removes what is not shown */
 /* {"murk": .., "scene": .., "scene_sha256": .., "seed": ..} */
 cJSON *murk_json_begin(const murk_scene *scene);
 
+/* {"murk": ..} alone. */
+cJSON *murk_json_begin_murk(void);
+
 typedef struct murk_run_facts {
     unsigned threads;
     double load_s, trace_s, map_s, sense_s, place_s, total_s;

@@ -144,14 +144,14 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
-/* The least value of a plan that covers the share. */
-static uint64_t value_of(double share, const murk_problem *problem)
+uint64_t murk_plan_value_of(double share, const murk_problem *problem)
 {
     uint64_t whole = 0;
     for (size_t i = 0; i < problem->photons; ++i) {
         whole += (uint64_t)problem->weight[i] * MURK_CLEAR;
     }
-    const double value = ceil(share * (double)whole);
+    /* .195 of 200 is 39, though .195 in binary is a little more */
+    const double value = ceil(share * (double)whole * (1 - 0x1p-51));
     return value < (double)whole ? (uint64_t)value : whole;
 }
 
@@ -164,7 +164,8 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
                             plan->candidates->usable);
     murk_place_desc desc = place_desc(stage->scene);
     if (stage->scene->sensors.target > 0) {
-        desc.target = value_of(stage->scene->sensors.target, &seen.problem);
+        desc.target =
+            murk_plan_value_of(stage->scene->sensors.target, &seen.problem);
         desc.count = plan->candidates->usable;
     }
     murk_matrix *matrix = NULL;

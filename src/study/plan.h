@@ -17,6 +17,10 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             const murk_traced *traced, unsigned threads,
                             murk_error *err);
 
+/* The least value (weight * clarity) of a plan that covers the share, 0..1, of
+ * the whole; a share within rounding of a value means it. */
+uint64_t murk_plan_value_of(double share, const murk_problem *problem);
+
 typedef struct murk_plan {
     murk_candidates *candidates;
     murk_place_result place;

@@ -1,0 +1,30 @@
+/* A plan over a coverage matrix: what `murk place --matrix` works out, and how
+ * it is told. */
+#ifndef MURK_APP_MATRIX_PLAN_H
+#define MURK_APP_MATRIX_PLAN_H
+
+#include "app/session.h"
+#include "study/sparse_matrix.h"
+
+/* What the chosen columns cover, in weight * clarity. */
+typedef struct murk_covering {
+    uint64_t *alone, *only;   /* [count] */
+    uint64_t *seen_by;        /* [count]: weight covered by 1, 2, .. or more */
+    uint64_t sum, whole_rows; /* of alone; of all weights */
+} murk_covering;
+
+/* The command as far as it has come. */
+typedef struct murk_matrix_plan {
+    murk_session session; /* without scene, stage and light */
+    murk_sparse_matrix *matrix;
+    murk_place_desc desc;
+    double target; /* 0: a count is asked for */
+    murk_place_result place;
+    murk_covering covers;
+} murk_matrix_plan;
+
+/* plan.json, yet without `run`. */
+cJSON *murk_matrix_plan_json(const murk_matrix_plan *plan);
+void murk_matrix_plan_print(const murk_matrix_plan *plan);
+
+#endif

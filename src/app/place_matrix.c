@@ -1,0 +1,256 @@
+#include "app/place_matrix.h"
+
+#include "app/matrix_plan.h"
+#include "app/plan_out.h"
+
+#include "base/log.h"
+#include "scene/number.h"
+#include "study/machine.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MATRIX_SHARE  0.7 /* of the free memory, as for a scene's */
+#define RESTARTS_MOST 1000000
+#define NODES_MOST    UINT64_C(1000000000000000)
+#define COUNT_MOST    1000000
+
+/* ---- the wish ---- */
+
+static murk_status bad_key(const char *name, const char *value,
+                           const char *allowed, murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be %s", value,
+                     allowed);
+}
+
+static bool count_in(const char *text, uint64_t low, uint64_t high,
+                     uint64_t *out)
+{
+    return murk_count_parse(text, out) && *out >= low && *out <= high;
+}
+
+static murk_status set_method(murk_matrix_plan *p, const char *name,
+                              const char *value, murk_error *err)
+{
+    for (size_t i = 0; i < murk_method_names_count; ++i) {
+        if (strcmp(murk_method_names[i], value) == 0) {
+            p->desc.method = (murk_place_method)i;
+            return MURK_OK;
+        }
+    }
+    return bad_key(name, value, "best | spoq | greedy | exact", err);
+}
+
+/* One override: of a scene's keys, those that mean something here. */
+static murk_status set_key(murk_matrix_plan *p, const char *key,
+                           const char *name, const char *value, murk_error *err)
+{
+    uint64_t n = 0;
+    if (strcmp(key, "sensors.count") == 0) {
+        if (!count_in(value, 1, COUNT_MOST, &n)) {
+            return bad_key(name, value, "a whole number 1..1000000", err);
+        }
+        p->desc.count = (size_t)n;
+    } else if (strcmp(key, "sensors.target") == 0) {
+        if (!murk_number_parse(value, &p->target) ||
+            !(p->target > 0 && p->target <= 1)) {
+            return bad_key(name, value, "more than 0 and at most 1", err);
+        }
+    } else if (strcmp(key, "seed") == 0) {
+        if (!count_in(value, 0, UINT32_MAX, &n)) {
+            return bad_key(name, value, "a whole number 0..4294967295", err);
+        }
+        p->desc.seed = (uint32_t)n;
+    } else if (strcmp(key, "placement.restarts") == 0) {
+        if (!count_in(value, 1, RESTARTS_MOST, &n)) {
+            return bad_key(name, value, "a whole number 1..1000000", err);
+        }
+        p->desc.restarts = (size_t)n;
+    } else if (strcmp(key, "placement.nodes") == 0) {
+        if (!count_in(value, 0, NODES_MOST, &p->desc.nodes)) {
+            return bad_key(name, value, "a whole number 0..1e15", err);
+        }
+    } else if (strcmp(key, "placement.method") == 0) {
+        return set_method(p, name, value, err);
+    } else {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "with --matrix there is no such key; there are seed, "
+                         "sensors.count, sensors.target, placement.method, "
+                         "placement.restarts, placement.nodes");
+    }
+    return MURK_OK;
+}
+
+static murk_status read_wish(murk_matrix_plan *p, murk_error *err)
+{
+    const murk_options *options = p->session.options;
+    p->desc = murk_place_defaults();
+    p->desc.count = 0;
+    if (options->light) {
+        return murk_fail(err, MURK_BAD_VALUE, "--light",
+                         "a matrix has no light; leave it out with --matrix");
+    }
+    for (size_t i = 0; i < options->n_overrides; ++i) {
+        const murk_override *o = &options->overrides[i];
+        char key[64], name[96];
+        const char *equals = strchr(o->text, '=');
+        snprintf(key, sizeof key, "%.*s", (int)(equals - o->text), o->text);
+        snprintf(name, sizeof name, "%s%s", o->option ? o->option : "--set ",
+                 o->option ? "" : key);
+        const murk_status status = set_key(p, key, name, equals + 1, err);
+        if (status) {
+            return status;
+        }
+    }
+    if ((p->desc.count > 0) == (p->target > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--matrix",
+                         "needs one of --count N and --target C, %s given",
+                         p->target > 0 ? "both are" : "neither is");
+    }
+    return MURK_OK;
+}
+
+/* The target as a value, and the count held against the matrix. */
+static murk_status fit_wish(murk_matrix_plan *p, const murk_problem *problem,
+                            murk_error *err)
+{
+    if (p->target > 0) {
+        p->desc.target = murk_plan_value_of(p->target, problem);
+        p->desc.count = problem->candidates;
+    } else if (p->desc.count > problem->candidates) {
+        return murk_fail(err, MURK_BAD_VALUE, "--count",
+                         "%zu, but %s has %zu columns", p->desc.count,
+                         p->session.options->matrix, problem->candidates);
+    }
+    return MURK_OK;
+}
+
+/* ---- the plan ---- */
+
+/* How well one row is covered so far. */
+typedef struct view {
+    uint16_t best, second;
+    uint32_t columns; /* that cover it at all */
+    uint32_t first;   /* the chosen one that has `best` first */
+} view;
+
+static void take_up(murk_covering *c, view *rows, const murk_sparse_matrix *m,
+                    size_t chosen, size_t column)
+{
+    for (size_t k = m->begin[column]; k < m->begin[column + 1]; ++k) {
+        view *v = &rows[m->row[k]];
+        const uint16_t clarity = m->clarity[k];
+        c->alone[chosen] += (uint64_t)m->weight[m->row[k]] * clarity;
+        ++v->columns;
+        if (clarity > v->best) {
+            v->second = v->best;
+            v->best = clarity;
+            v->first = (uint32_t)chosen;
+        } else if (clarity > v->second) {
+            v->second = clarity;
+        }
+    }
+}
+
+static murk_status measure(murk_matrix_plan *p, murk_error *err)
+{
+    const murk_sparse_matrix *m = p->matrix;
+    const size_t n = p->place.count;
+    murk_covering *c = &p->covers;
+    view *rows = calloc(m->rows, sizeof *rows);
+    *c = (murk_covering){.alone = calloc(n, sizeof *c->alone),
+                         .only = calloc(n, sizeof *c->only),
+                         .seen_by = calloc(n + 1, sizeof *c->seen_by)};
+    if (!rows || !c->alone || !c->only || !c->seen_by) {
+        free(rows);
+        return murk_fail(err, MURK_NO_MEMORY, p->session.options->matrix,
+                         "no memory for the plan");
+    }
+    for (size_t k = 0; k < n; ++k) {
+        take_up(c, rows, m, k, p->place.sensor[k]);
+        c->sum += c->alone[k];
+    }
+    for (size_t i = 0; i < m->rows; ++i) {
+        const view *v = &rows[i];
+        c->whole_rows += m->weight[i];
+        if (v->columns) {
+            c->seen_by[v->columns - 1] += m->weight[i];
+            c->only[v->first] +=
+                (uint64_t)m->weight[i] * (uint64_t)(v->best - v->second);
+        }
+    }
+    for (size_t k = n - 1; k > 0; --k) {
+        c->seen_by[k - 1] += c->seen_by[k];
+    }
+    free(rows);
+    return MURK_OK;
+}
+
+static murk_status choose(murk_matrix_plan *p, murk_error *err)
+{
+    const murk_problem problem =
+        murk_sparse_matrix_problem(p->matrix, p->session.options->threads);
+    murk_matrix *matrix = NULL;
+    murk_status status = fit_wish(p, &problem, err);
+    const double most = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
+    double begun_s = murk_clock_s();
+    if (!status) {
+        status = murk_matrix_create(&matrix, &problem, (uint64_t)most, err);
+    }
+    p->session.run.sense_s = murk_clock_s() - begun_s;
+    begun_s = murk_clock_s();
+    if (!status) {
+        status = murk_place_known(&p->place, &problem, matrix, &p->desc, err);
+    }
+    murk_matrix_destroy(matrix);
+    p->session.run.place_s = murk_clock_s() - begun_s;
+    if (status && err && !err->where[0]) {
+        snprintf(err->where, sizeof err->where, "%.300s",
+                 p->session.options->matrix);
+    }
+    return status ? status : measure(p, err);
+}
+
+static murk_status load(murk_matrix_plan *p, murk_error *err)
+{
+    const murk_options *options = p->session.options;
+    murk_status status = read_wish(p, err);
+    if (!status) {
+        status = murk_sparse_matrix_read(&p->matrix, options->matrix, err);
+    }
+    if (!status) {
+        status = murk_results_begin(&p->session.results, options->out, err);
+    }
+    p->session.run.load_s = murk_clock_s() - p->session.begun_s;
+    return status;
+}
+
+murk_status murk_place_matrix(const murk_options *options, murk_error *err)
+{
+    murk_matrix_plan p = {.session = {.options = options,
+                                      .run.threads = options->threads,
+                                      .begun_s = murk_clock_s()}};
+    if (options->quiet) {
+        murk_warn_to(NULL);
+    }
+    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_status status = load(&p, err);
+    if (!status) {
+        status = choose(&p, err);
+    }
+    if (!status) {
+        status = murk_session_finish(&p.session, "plan.json",
+                                     murk_matrix_plan_json(&p), err);
+    }
+    if (!status && murk_session_speaks(&p.session)) {
+        murk_matrix_plan_print(&p);
+    }
+    murk_session_end(&p.session);
+    murk_place_release(&p.place);
+    murk_sparse_matrix_destroy(p.matrix);
+    free(p.covers.alone);
+    free(p.covers.only);
+    free(p.covers.seen_by);
+    return status;
+}
