@@ -37,7 +37,23 @@ murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
                          "no memory to bound plans for %zu photons",
                          oracle->layout->photons);
     }
-    return MURK_OK;
+    if (!oracle->book) {
+        return MURK_OK;
+    }
+    murk_status status = murk_relaxed_init(&out->relaxed, oracle->book, err);
+    if (!status) {
+        status = murk_standing_init(&out->fixed, oracle->book, err);
+    }
+    out->fixed_best = calloc(slots, sizeof *out->fixed_best);
+    if (!status && !out->fixed_best) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to bound plans for %zu photons",
+                           oracle->layout->photons);
+    }
+    if (status) {
+        murk_bound_release(out);
+    }
+    return status;
 }
 
 void murk_bound_release(murk_bound *bound)
@@ -50,6 +66,9 @@ void murk_bound_release(murk_bound *bound)
     free(bound->live);
     free(bound->top);
     murk_cover_release(&bound->rounded);
+    murk_relaxed_release(&bound->relaxed);
+    murk_standing_release(&bound->fixed);
+    free(bound->fixed_best);
     *bound = (murk_bound){0};
 }
 
@@ -98,11 +117,6 @@ static size_t find_top(murk_bound *b, size_t n)
     return kept;
 }
 
-static uint64_t sum_saturated(uint64_t a, uint64_t b)
-{
-    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
-}
-
 /* Leaves out candidates that are in no plan worth more than `lower`: with j in
  * it, a plan has at most `base`, the best n - 1 others, and j's own. */
 static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
@@ -113,14 +127,32 @@ static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
     }
     uint64_t others = base;
     for (size_t k = 0; k + 1 < n; ++k) {
-        others = sum_saturated(others, b->top[k].bound);
+        others = murk_sum_saturated(others, b->top[k].bound);
     }
     const uint64_t grain = b->oracle->grain;
     const uint64_t last = b->top[n - 1].bound;
     size_t kept = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
-        const uint64_t with = sum_saturated(others, b->gain[k]);
+        const uint64_t with = murk_sum_saturated(others, b->gain[k]);
         if (b->gain[k] >= last || with - with % grain > lower) {
+            b->live[kept] = b->live[k];
+            b->gain[kept++] = b->gain[k];
+        }
+    }
+    b->live_count = kept;
+}
+
+/* The same under rules. */
+static void leave_out_by_rules(murk_bound *b, uint64_t base, uint64_t lower)
+{
+    const uint64_t grain = b->oracle->grain;
+    size_t kept = 0;
+    for (size_t k = 0; k < b->live_count; ++k) {
+        const uint64_t others =
+            murk_relaxed_others(&b->relaxed, b->standing, b->live[k]);
+        const uint64_t with =
+            murk_sum_saturated(base, murk_sum_saturated(others, b->gain[k]));
+        if (with - with % grain > lower) {
             b->live[kept] = b->live[k];
             b->gain[kept++] = b->gain[k];
         }
@@ -170,6 +202,22 @@ static void step_down(murk_bound *b, size_t chosen, double excess, double step,
     }
 }
 
+/* What the live candidates can make at most; b->top[chosen] do. */
+static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
+{
+    if (b->standing) {
+        return murk_sum_saturated(
+            b->base, murk_relaxed_top(&b->relaxed, b->standing, b->live,
+                                      b->gain, b->live_count, b->top, chosen));
+    }
+    *chosen = find_top(b, n);
+    uint64_t sum = b->base;
+    for (size_t k = 0; k < *chosen; ++k) {
+        sum = murk_sum_saturated(sum, b->top[k].bound);
+    }
+    return sum;
+}
+
 /* Lowers the bound over the live candidates. */
 static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 {
@@ -189,11 +237,8 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
                           o->wide_threads, 0, b->gain);
         b->evaluations += b->live_count;
         b->looks += o->matrix ? 0 : b->live_count;
-        const size_t chosen = find_top(b, n);
-        uint64_t now = b->base;
-        for (size_t k = 0; k < chosen; ++k) {
-            now = sum_saturated(now, b->top[k].bound);
-        }
+        size_t chosen = 0;
+        uint64_t now = sum_top(b, n, &chosen);
         ++since_gain;
         if (now < lowest) {
             lowest = now;
@@ -210,7 +255,11 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (round + 1 == rounds && !b->floor) {
             break;
         }
-        leave_out(b, b->base, n, chosen, lower);
+        if (b->standing) {
+            leave_out_by_rules(b, b->base, lower);
+        } else {
+            leave_out(b, b->base, n, chosen, lower);
+        }
         if (since_gain >= PATIENCE) {
             step *= SHRINK;
             since_gain = 0;
@@ -224,6 +273,42 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
     return upper > lower ? upper : lower;
 }
 
+static void raise_to(murk_bound *b, const uint16_t *floor)
+{
+    b->floor = floor;
+    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
+        const float least = floor[i];
+        b->threshold[i] = b->threshold[i] > least ? b->threshold[i] : least;
+    }
+}
+
+/* The fixed sensors stand, and whom they admit may join. */
+static uint64_t tighten_by_rules(murk_bound *b, size_t n, uint64_t lower,
+                                 size_t rounds)
+{
+    const murk_oracle *o = b->oracle;
+    const murk_rules *rules = o->book->rules;
+    murk_cover cover = {.best = b->fixed_best};
+    memset(b->fixed_best, 0, o->layout->slots * sizeof *b->fixed_best);
+    murk_standing_clear(&b->fixed, n);
+    for (size_t k = 0; k < rules->fixed_count; ++k) {
+        const uint32_t j = (uint32_t)rules->fixed[k];
+        const murk_row row = murk_oracle_row(o, 0, j);
+        b->looks += o->matrix ? 0 : 1;
+        murk_cover_add(&cover, o->layout, &row);
+        murk_standing_add(&b->fixed, j);
+    }
+    b->standing = &b->fixed;
+    b->live_count = 0;
+    for (size_t k = 0; k < o->undominated; ++k) {
+        if (murk_standing_admits(&b->fixed, o->ranked[k].candidate, false)) {
+            b->live[b->live_count++] = o->ranked[k].candidate;
+        }
+    }
+    raise_to(b, b->fixed_best);
+    return descend(b, n - b->fixed.size, lower, rounds);
+}
+
 uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds)
@@ -233,6 +318,10 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
         start_at_plan(b, plan, plan_count);
     }
     b->floor = NULL;
+    b->standing = NULL;
+    if (o->book) {
+        return tighten_by_rules(b, n, lower, rounds);
+    }
     b->live_count = o->undominated;
     for (size_t k = 0; k < o->undominated; ++k) {
         b->live[k] = o->ranked[k].candidate;
@@ -243,10 +332,6 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
 uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
                                    const uint16_t *floor, size_t rounds)
 {
-    b->floor = floor;
-    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
-        const float least = floor[i];
-        b->threshold[i] = b->threshold[i] > least ? b->threshold[i] : least;
-    }
+    raise_to(b, floor);
     return descend(b, n, lower, rounds);
 }

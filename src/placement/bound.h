@@ -12,13 +12,17 @@
  * Subgradient steps lower it; candidates that provably are in no plan better
  * than the best known are left out on the way.
  *
+ * Under rules the top n become the best that the rules allow, or a little more
+ * (placement/relaxed.h); fixed sensors are in every set, by thresholds that do
+ * not go below what they see.
+ *
  * Source: Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977) 789,
  * doi:10.1287/mnsc.23.8.789; step length: Polyak, USSR Comput. Math. Math.
  * Phys. 9 (1969) 14, doi:10.1016/0041-5553(69)90061-5. */
 #ifndef MURK_PLACEMENT_BOUND_H
 #define MURK_PLACEMENT_BOUND_H
 
-#include "placement/oracle.h"
+#include "placement/relaxed.h"
 
 typedef struct murk_bound {
     const murk_oracle *oracle;
@@ -35,6 +39,10 @@ typedef struct murk_bound {
     murk_ranked *top;      /* [candidates] */
     uint64_t evaluations;  /* candidates weighed */
     uint64_t looks;
+    murk_relaxed relaxed;          /* with rules: instead of the top n */
+    const murk_standing *standing; /* what the n join; NULL: no rules */
+    murk_standing fixed;           /* with rules: the fixed sensors */
+    uint16_t *fixed_best;          /* [slots] and their cover */
 } murk_bound;
 
 murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
@@ -50,7 +58,8 @@ uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             size_t rounds);
 
 /* The same for plans that hold a given set and n more, all of them among
- * bound->live, which the caller fills: `floor` [slots] is the set's cover.
+ * bound->live, which the caller fills: `floor` [slots] is the set's cover, and
+ * with rules bound->standing the set itself.
  * Goes on from the present thresholds, raised to the floor. Afterwards live
  * and gain are those that can still be in a plan worth more than `lower`. */
 uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,

@@ -28,14 +28,17 @@ typedef struct exact {
     murk_bound *bound;
     const murk_oracle *oracle;
     size_t n;
-    level *level;      /* [n] */
-    uint32_t *chosen;  /* [n] */
-    uint32_t *members; /* [candidates] of a leaf's parent */
-    uint64_t *gain;    /* [candidates] likewise */
+    level *level; /* [n + 1 less those fixed], made when first needed */
+    size_t fixed; /* sensors that stand at the root */
+    murk_standing standing; /* with rules: of the chosen */
+    uint32_t *chosen;       /* [n] */
+    uint32_t *members;      /* [candidates] of a leaf's parent */
+    uint64_t *gain;         /* [candidates] likewise */
     uint32_t *plan;
+    size_t size;    /* of the plan */
     uint64_t value; /* of the plan */
     uint64_t weighings, weighings_most;
-    bool is_cut;
+    bool is_cut, lacks_memory;
 } exact;
 
 static void count_work(exact *e, uint64_t candidates)
@@ -51,12 +54,20 @@ static uint64_t in_grains(const exact *e, uint64_t value)
     return value - value % e->oracle->grain;
 }
 
-static void take_if_better(exact *e, uint64_t value)
+static void take_if_better(exact *e, size_t size, uint64_t value)
 {
     if (value > e->value) {
         e->value = value;
-        memcpy(e->plan, e->chosen, e->n * sizeof *e->plan);
+        e->size = size;
+        memcpy(e->plan, e->chosen, size * sizeof *e->plan);
     }
+}
+
+/* Whether what stands is a plan, or can be made one. */
+static bool is_plan(const exact *e)
+{
+    return !e->oracle->book->has_conflicts ||
+           murk_standing_is_plan(&e->standing);
 }
 
 /* One sensor is left to choose: weighs all that may join. */
@@ -70,7 +81,7 @@ static void finish(exact *e, const level *l)
     count_work(e, l->live_count);
     for (size_t k = 0; k < l->live_count; ++k) {
         e->chosen[e->n - 1] = e->members[k];
-        take_if_better(e, l->value + e->gain[k]);
+        take_if_better(e, e->n, l->value + e->gain[k]);
     }
 }
 
@@ -88,6 +99,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
         b->live[k] = l->live[k].candidate;
     }
     b->live_count = l->live_count;
+    b->standing = e->oracle->book ? &e->standing : NULL;
     b->evaluations = 0;
     const uint64_t upper =
         murk_bound_tighten_within(b, left, e->value, l->best, rounds);
@@ -98,69 +110,27 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
     }
     l->live_count = b->live_count;
     l->base = b->base;
-    murk_ranked_sort(l->live, l->live_count);
+    if (e->oracle->book) {
+        murk_relaxed_sort(&b->relaxed, l->live, l->live_count);
+    } else {
+        murk_ranked_sort(l->live, l->live_count);
+    }
     return upper;
 }
 
 /* What the level's candidates from number k on can make together. */
 static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
 {
+    if (e->oracle->book) {
+        const uint64_t rest = murk_relaxed_rest(
+            &e->bound->relaxed, &e->standing, l->live + k, l->live_count - k);
+        return in_grains(e, murk_sum_saturated(l->base, rest));
+    }
     uint64_t sum = l->base;
     for (size_t i = k; i < l->live_count && i < k + left; ++i) {
         sum += l->live[i].bound;
     }
     return in_grains(e, sum);
-}
-
-static void descend(exact *e, size_t depth, size_t k)
-{
-    const murk_layout *layout = e->oracle->layout;
-    const level *from = &e->level[depth];
-    level *to = &e->level[depth + 1];
-    const uint32_t candidate = from->live[k].candidate;
-    const murk_row row = murk_oracle_row(e->oracle, 0, candidate);
-    e->chosen[depth] = candidate;
-    to->value = from->value + murk_row_gain(layout, &row, &from->cover);
-    murk_cover_clear(&to->cover, layout);
-    murk_cover_join(&to->cover, layout, &from->cover);
-    murk_cover_add(&to->cover, layout, &row);
-    if (to->cover.best != to->best) {
-        murk_cover as_clarities = {.best = to->best};
-        memcpy(to->best, from->best, layout->slots * sizeof *to->best);
-        murk_cover_add(&as_clarities, layout, &row);
-    }
-    to->live_count = from->live_count - k - 1;
-    memcpy(to->live, from->live + k + 1, to->live_count * sizeof *to->live);
-}
-
-/* No plan below this node is worth more than what it returns, and none that
- * was passed over is worth more than the plan kept. */
-static uint64_t explore(exact *e, size_t depth, const float *threshold,
-                        size_t rounds)
-{
-    level *l = &e->level[depth];
-    const size_t left = e->n - depth;
-    if (left == 1) {
-        finish(e, l);
-        return e->value;
-    }
-    const uint64_t upper = bound_level(e, l, left, threshold, rounds);
-    uint64_t highest = e->value;
-    for (size_t k = 0; k + left <= l->live_count; ++k) {
-        uint64_t rest = rest_of(e, l, k, left);
-        rest = rest < upper ? rest : upper;
-        if (rest <= e->value) {
-            break;
-        }
-        if (e->is_cut) {
-            return rest > highest ? rest : highest;
-        }
-        descend(e, depth, k);
-        const uint64_t below =
-            explore(e, depth + 1, l->threshold, ROUNDS_BELOW);
-        highest = below > highest ? below : highest;
-    }
-    return highest > e->value ? highest : e->value;
 }
 
 static bool level_init(level *l, const murk_oracle *oracle)
@@ -183,27 +153,142 @@ static void level_release(level *l)
     murk_cover_release(&l->cover);
     free(l->threshold);
     free(l->live);
+    *l = (level){0};
+}
+
+/* False when out of memory: then the search ends. */
+static bool level_ready(exact *e, size_t depth)
+{
+    level *l = &e->level[depth];
+    if (!l->live && !level_init(l, e->oracle)) {
+        level_release(l);
+        e->lacks_memory = e->is_cut = true;
+    }
+    return !e->lacks_memory;
+}
+
+/* The candidate joins what the level's cover sees. */
+static void join(const exact *e, level *to, const level *from,
+                 uint32_t candidate)
+{
+    const murk_layout *layout = e->oracle->layout;
+    const murk_row row = murk_oracle_row(e->oracle, 0, candidate);
+    to->value = from->value + murk_row_gain(layout, &row, &from->cover);
+    if (to != from) {
+        murk_cover_clear(&to->cover, layout);
+        murk_cover_join(&to->cover, layout, &from->cover);
+    }
+    murk_cover_add(&to->cover, layout, &row);
+    if (to->cover.best != to->best) {
+        murk_cover as_clarities = {.best = to->best};
+        if (to != from) {
+            memcpy(to->best, from->best, layout->slots * sizeof *to->best);
+        }
+        murk_cover_add(&as_clarities, layout, &row);
+    }
+}
+
+/* Keeps those whom the chosen admit. */
+static void keep_admitted(const exact *e, level *l)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < l->live_count; ++k) {
+        if (murk_standing_admits(&e->standing, l->live[k].candidate, false)) {
+            l->live[kept++] = l->live[k];
+        }
+    }
+    l->live_count = kept;
+}
+
+static void descend(exact *e, size_t depth, size_t k)
+{
+    const level *from = &e->level[depth];
+    level *to = &e->level[depth + 1];
+    const uint32_t candidate = from->live[k].candidate;
+    e->chosen[e->fixed + depth] = candidate;
+    join(e, to, from, candidate);
+    to->live_count = from->live_count - k - 1;
+    memcpy(to->live, from->live + k + 1, to->live_count * sizeof *to->live);
+    if (e->oracle->book) {
+        murk_standing_add(&e->standing, candidate);
+        keep_admitted(e, to);
+    }
+}
+
+/* No plan below this node is worth more than what it returns, and none that
+ * was passed over is worth more than the plan kept. */
+static uint64_t explore(exact *e, size_t depth, const float *threshold,
+                        size_t rounds)
+{
+    level *l = &e->level[depth];
+    const size_t left = e->n - e->fixed - depth;
+    const murk_rulebook *book = e->oracle->book;
+    if (book && is_plan(e)) {
+        take_if_better(e, e->fixed + depth, l->value);
+    }
+    if (left == 0) {
+        return e->value;
+    }
+    if (left == 1) {
+        finish(e, l);
+        return e->value;
+    }
+    const uint64_t upper = bound_level(e, l, left, threshold, rounds);
+    uint64_t highest = e->value;
+    /* Fewer than `left` make no plan, but under rules those left out may fill
+     * it up. */
+    const size_t needed = book ? 1 : left;
+    for (size_t k = 0; k + needed <= l->live_count; ++k) {
+        uint64_t rest = rest_of(e, l, k, left);
+        rest = rest < upper ? rest : upper;
+        if (rest <= e->value) {
+            break;
+        }
+        if (e->is_cut || !level_ready(e, depth + 1)) {
+            return rest > highest ? rest : highest;
+        }
+        descend(e, depth, k);
+        const uint64_t below =
+            explore(e, depth + 1, l->threshold, ROUNDS_BELOW);
+        if (book) {
+            murk_standing_drop_last(&e->standing);
+        }
+        highest = below > highest ? below : highest;
+    }
+    return highest > e->value ? highest : e->value;
+}
+
+/* The root, with the fixed sensors. */
+static void stand_fixed(exact *e)
+{
+    const murk_rules *rules = e->oracle->book->rules;
+    level *root = &e->level[0];
+    murk_standing_clear(&e->standing, e->n);
+    for (size_t k = 0; k < rules->fixed_count; ++k) {
+        e->chosen[k] = (uint32_t)rules->fixed[k];
+        join(e, root, root, e->chosen[k]);
+        murk_standing_add(&e->standing, e->chosen[k]);
+    }
+    e->fixed = rules->fixed_count;
+    keep_admitted(e, root);
 }
 
 static bool exact_init(exact *e)
 {
     const size_t candidates = e->oracle->candidates + 1;
-    e->level = calloc(e->n, sizeof *e->level);
+    e->level = calloc(e->n + 1, sizeof *e->level);
     e->chosen = calloc(e->n, sizeof *e->chosen);
     e->members = calloc(candidates, sizeof *e->members);
     e->gain = calloc(candidates, sizeof *e->gain);
-    bool has_memory = e->level && e->chosen && e->members && e->gain;
-    for (size_t k = 0; k < e->n && has_memory; ++k) {
-        has_memory = level_init(&e->level[k], e->oracle);
-    }
-    return has_memory;
+    return e->level && e->chosen && e->members && e->gain && level_ready(e, 0);
 }
 
 static void exact_release(exact *e)
 {
-    for (size_t k = 0; e->level && k < e->n; ++k) {
+    for (size_t k = 0; e->level && k <= e->n; ++k) {
         level_release(&e->level[k]);
     }
+    murk_standing_release(&e->standing);
     free(e->level);
     free(e->chosen);
     free(e->members);
@@ -211,8 +296,9 @@ static void exact_release(exact *e)
 }
 
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
-                              uint32_t *plan, size_t n, uint64_t value,
-                              uint64_t upper, uint64_t nodes, murk_error *err)
+                              uint32_t *plan, size_t size, size_t n,
+                              uint64_t value, uint64_t upper, uint64_t nodes,
+                              murk_error *err)
 {
     const murk_oracle *oracle = bound->oracle;
     assert(oracle->matrix && n >= 1);
@@ -220,29 +306,45 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                .oracle = oracle,
                .n = n,
                .plan = plan,
+               .size = size,
                .value = value,
                .weighings_most = nodes < UINT64_MAX / MURK_NODE_WEIGHINGS
                                      ? nodes * MURK_NODE_WEIGHINGS
                                      : UINT64_MAX};
     murk_status status = MURK_OK;
-    *out = (murk_exact){.value = value, .upper = upper, .is_cut = true};
+    *out = (murk_exact){
+        .value = value, .upper = upper, .is_cut = true, .size = size};
     if (upper <= value || nodes == 0) {
         out->is_cut = upper > value;
         return MURK_OK;
     }
-    if (!exact_init(&e)) {
+    if (oracle->book) {
+        status = murk_standing_init(&e.standing, oracle->book, err);
+    }
+    if (!status && !exact_init(&e)) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to search %zu sensors", n);
+    }
+    if (status) {
         goto done;
     }
     level *root = &e.level[0];
     root->live_count = oracle->undominated;
     memcpy(root->live, oracle->ranked, root->live_count * sizeof *root->live);
+    if (oracle->book) {
+        stand_fixed(&e);
+    }
     const uint64_t highest = explore(&e, 0, bound->threshold, ROUNDS_AT_ROOT);
+    if (e.lacks_memory) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to search %zu sensors", n);
+        goto done;
+    }
     *out = (murk_exact){.value = e.value,
                         .upper = highest < upper ? highest : upper,
                         .nodes = e.weighings / MURK_NODE_WEIGHINGS,
-                        .is_cut = e.is_cut};
+                        .is_cut = e.is_cut,
+                        .size = e.size};
     if (out->upper < out->value) {
         out->upper = out->value;
     }

@@ -9,6 +9,10 @@
  * order of what they add above the thresholds, each leaving those before it to
  * its elder brothers.
  *
+ * Under rules the root holds the fixed sensors, a node hands on only whom its
+ * chosen admit, and it is itself a plan where it can be filled up with anyone:
+ * where nothing excludes.
+ *
  * Source: Land and Doig, Econometrica 28 (1960) 497, doi:10.2307/1910129. */
 #ifndef MURK_PLACEMENT_EXACT_H
 #define MURK_PLACEMENT_EXACT_H
@@ -23,13 +27,16 @@ typedef struct murk_exact {
     uint64_t value, upper; /* of the plan; no plan of n is worth more */
     uint64_t nodes;        /* work done */
     bool is_cut;           /* by the limit, or interrupted */
+    size_t size; /* of the plan: under rules it may still have to be filled up,
+                    by whoever the rules admit */
 } murk_exact;
 
-/* Improves plan[n], worth `value`, by at most `nodes` of work. The bound must
- * have been tightened for plans of n last, and gives `upper`; needs a matrix.
- * Fails when out of memory. */
+/* Improves plan[size], worth `value`, by at most `nodes` of work; size is n,
+ * or with a budget at most n. The bound must have been tightened for plans of
+ * n last, and gives `upper`; needs a matrix. Fails when out of memory. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
-                              uint32_t *plan, size_t n, uint64_t value,
-                              uint64_t upper, uint64_t nodes, murk_error *err);
+                              uint32_t *plan, size_t size, size_t n,
+                              uint64_t value, uint64_t upper, uint64_t nodes,
+                              murk_error *err);
 
 #endif

@@ -108,8 +108,24 @@ done:
     return status;
 }
 
+/* Among those worth the same, so that the cheaper dominates. */
+static void put_cheaper_first(const murk_oracle *o, uint32_t *order)
+{
+    for (size_t k = 1; k < o->candidates; ++k) {
+        const uint32_t j = order[k];
+        const uint64_t cost = murk_rulebook_cost(o->book, j);
+        size_t at = k;
+        for (; at > 0 && o->alone[order[at - 1]] == o->alone[j] &&
+               murk_rulebook_cost(o->book, order[at - 1]) > cost;
+             --at) {
+            order[at] = order[at - 1];
+        }
+        order[at] = j;
+    }
+}
+
 /* Ranks the candidates and moves the dominated ones behind the others. */
-static murk_status rank(murk_oracle *o, murk_error *err)
+static murk_status rank(murk_oracle *o, bool keep_dominated, murk_error *err)
 {
     const size_t n = o->candidates;
     for (size_t j = 0; j < n; ++j) {
@@ -118,7 +134,7 @@ static murk_status rank(murk_oracle *o, murk_error *err)
     }
     murk_ranked_sort(o->ranked, n);
     o->undominated = n;
-    if (!o->matrix) {
+    if (!o->matrix || keep_dominated) {
         return MURK_OK;
     }
     uint32_t *order = malloc((n + 1) * sizeof *order);
@@ -129,8 +145,11 @@ static murk_status rank(murk_oracle *o, murk_error *err)
     for (size_t k = 0; k < n; ++k) {
         order[k] = o->ranked[k].candidate;
     }
-    const murk_status status =
-        murk_presolve(o->dominator, o->matrix, order, o->problem->threads, err);
+    if (o->book) {
+        put_cheaper_first(o, order);
+    }
+    const murk_status status = murk_presolve(o->dominator, o->matrix, o->book,
+                                             order, o->problem->threads, err);
     size_t kept = 0;
     for (size_t pass = 0; pass < 2; ++pass) {
         for (size_t k = 0; k < n; ++k) {
@@ -156,11 +175,14 @@ static unsigned threads_for_scan(const murk_oracle *o)
 }
 
 murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
-                             const murk_matrix *matrix, murk_error *err)
+                             const murk_matrix *matrix,
+                             const murk_rulebook *book, bool keep_dominated,
+                             murk_error *err)
 {
     const size_t n = problem->candidates;
     *out = (murk_oracle){.problem = problem,
                          .matrix = matrix,
+                         .book = book,
                          .candidates = n,
                          .all_clear = matrix && matrix->all_clear};
     if (matrix) {
@@ -187,7 +209,7 @@ murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status) {
-        status = rank(out, err);
+        status = rank(out, keep_dominated, err);
     }
     if (status) {
         murk_oracle_release(out);

@@ -4,6 +4,7 @@
 #define MURK_PLACEMENT_ORACLE_H
 
 #include "placement/matrix.h"
+#include "placement/rules.h"
 
 /* A candidate and the most it can add to whatever cover is asked about. */
 typedef struct murk_ranked {
@@ -14,6 +15,7 @@ typedef struct murk_ranked {
 typedef struct murk_oracle {
     const murk_problem *problem;
     const murk_matrix *matrix; /* NULL: unknown environment */
+    const murk_rulebook *book; /* NULL: no rules but a count */
     const murk_layout *layout;
     murk_layout own_layout; /* unknown environment */
     size_t candidates;
@@ -29,9 +31,12 @@ typedef struct murk_oracle {
     uint64_t looks;          /* made at creation */
 } murk_oracle;
 
-/* Matrix NULL: unknown environment. Looks once at every candidate. */
+/* Matrix NULL: unknown environment. Looks once at every candidate. With
+ * keep_dominated nobody is taken for dominated. */
 murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
-                             const murk_matrix *matrix, murk_error *err);
+                             const murk_matrix *matrix,
+                             const murk_rulebook *book, bool keep_dominated,
+                             murk_error *err);
 void murk_oracle_release(murk_oracle *oracle);
 
 /* Valid until the worker's next call. */

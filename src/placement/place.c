@@ -1,22 +1,15 @@
 #include "placement/place.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "placement/bound.h"
 #include "placement/exact.h"
-#include "placement/search.h"
+#include "placement/promise.h"
+#include "placement/starts.h"
 
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* `best` stops after so many starts in a row without gain. */
-#define STARTS_WITHOUT_GAIN 20
-
-/* Starts handed to each thread at once: fewer would wait for threads to begin,
- * more would be made in vain past the stop. */
-#define STARTS_PER_WORKER 4
 
 /* A curve point gets one start for each of so many of the plan's own. */
 #define RESTARTS_PER_CURVE_START 10
@@ -35,29 +28,23 @@
 /* With a target, greedy goes so far at once, and then twice as far again. */
 #define FIRST_GREEDY 8
 
-/* Starts in a row on the way, worker by worker. */
-typedef struct starts {
-    murk_search *search; /* [workers] */
-    unsigned workers;
-    size_t wave_most; /* made between two looks at the stop */
-    uint32_t *plan;   /* [wave_most][n] */
-    uint64_t *value, *evaluations, *looks; /* [wave_most] */
-    size_t n;
-    uint32_t seed;
-    uint64_t first; /* start number of batch 0 */
-    bool relocates;
-} starts;
-
 typedef struct placing {
     const murk_oracle *oracle;
     const murk_place_desc *desc;
-    murk_search search; /* spread over all threads */
+    const murk_rulebook *book; /* NULL: no rules but a count */
+    size_t first, last;        /* sensors tried, at least and at most */
+    murk_search search;        /* spread over all threads */
     murk_bound bound;
-    starts starts;
-    uint32_t *greedy;       /* [count] in order of choice */
-    uint64_t *greedy_value; /* [count] of its first k + 1 */
-    uint32_t *plan;         /* [count] the best so far */
-    uint32_t *last_plan;    /* [count] that of one sensor fewer */
+    murk_starts starts;
+    uint32_t *greedy;       /* [last] in order of choice, without rules */
+    uint64_t *greedy_value; /* [last] of its first k + 1 */
+    uint32_t *plan;         /* [last] the best so far */
+    size_t size;            /* sensors of plan */
+    uint32_t *last_plan;    /* [last] that of one sensor fewer */
+    uint32_t *trial;        /* [last] */
+    uint32_t *spare;        /* [last] with conflicts: any plan */
+    size_t spare_size;
+    bool is_greedy_done; /* under rules: without a dead end */
     size_t rounds;
     murk_place_result *result;
 } placing;
@@ -72,124 +59,190 @@ murk_place_desc murk_place_defaults(void)
                              .with_curve = true};
 }
 
-static void run_start(void *context, unsigned worker, uint64_t batch)
+static bool has_budget(const placing *p)
 {
-    starts *t = context;
-    murk_search *s = &t->search[worker];
-    uint32_t *plan = t->plan + batch * t->n;
-    s->evaluations = s->looks = 0;
-    uint64_t value = murk_search_spoq(s, plan, t->n, t->seed, t->first + batch);
-    if (t->relocates && !murk_interrupted()) {
-        value = murk_search_relocate(s, plan, t->n);
-    }
-    t->value[batch] = value;
-    t->evaluations[batch] = s->evaluations;
-    t->looks[batch] = s->looks;
+    return p->book && p->book->has_budget;
 }
 
-/* Tries starts 0..most-1 in order and keeps what is strictly better in plan
- * [n]. Several run at once; those past the stop are forgotten, so that the
- * outcome is that of one after the other. Returns the best value and adds the
- * starts made. */
-static uint64_t try_starts(placing *p, uint32_t *plan, size_t n, uint64_t value,
-                           uint64_t upper, size_t most, size_t *made)
+static size_t fixed_count(const placing *p)
 {
-    starts *t = &p->starts;
-    size_t without_gain = 0, done = 0;
-    t->n = n;
-    t->relocates = true;
-    while (done < most && without_gain < STARTS_WITHOUT_GAIN && value < upper &&
-           !murk_interrupted()) {
-        const size_t left = most - done;
-        const size_t wave = left < t->wave_most ? left : t->wave_most;
-        t->first = done;
-        if (t->workers > 1) {
-            murk_crew_run_workers(t->workers, wave, run_start, t);
-        } else {
-            run_start(t, 0, 0);
-        }
-        for (size_t k = 0;
-             k < wave && without_gain < STARTS_WITHOUT_GAIN && value < upper;
-             ++k) {
-            ++done;
-            ++without_gain;
-            p->result->evaluations += t->evaluations[k];
-            p->result->looks += t->looks[k];
-            if (t->value[k] > value) {
-                value = t->value[k];
-                memcpy(plan, t->plan + k * n, n * sizeof *plan);
-                without_gain = 0;
-            }
-        }
-        murk_progress_add(wave);
+    return p->book ? p->book->rules->fixed_count : 0;
+}
+
+/* Keeps the plan of p->size sensors, if the rules let it stand and it is worth
+ * more than p->plan. */
+static void keep_better(placing *p, uint64_t value, uint64_t *best,
+                        size_t *size)
+{
+    if (murk_standing_is_plan(&p->search.standing) &&
+        (*size == 0 || value > *best)) {
+        *best = value;
+        *size = p->search.size;
+        memcpy(p->plan, p->trial, *size * sizeof *p->plan);
     }
-    *made += done;
+}
+
+/* Under a budget: by gain per cost, the best single candidate filled up, and
+ * by gain alone. */
+static uint64_t spend(placing *p)
+{
+    murk_search *s = &p->search;
+    const size_t most = p->book->most_sensors, fixed = fixed_count(p);
+    uint64_t best = 0;
+    size_t size = 0;
+    keep_better(p, murk_search_spend(s, p->trial, 0), &best, &size);
+    if (fixed < most) {
+        murk_search_greedy(s, p->trial, 0, fixed + 1, NULL);
+        keep_better(p, murk_search_spend(s, p->trial, s->size), &best, &size);
+    }
+    keep_better(p, murk_search_greedy(s, p->trial, 0, most, NULL), &best,
+                &size);
+    p->size = size;
+    return best;
+}
+
+/* Greedy's plan of n; under rules that bring it to a dead end, any. */
+static uint64_t plan_greedily(placing *p, size_t n)
+{
+    uint64_t value;
+    if (!p->book) {
+        memcpy(p->plan, p->greedy, n * sizeof *p->plan);
+        p->size = n;
+        return p->greedy_value[n - 1];
+    }
+    if (has_budget(p)) {
+        value = spend(p);
+    } else {
+        value = murk_search_greedy(&p->search, p->plan, 0, n, NULL);
+        p->size = p->search.size < n ? 0 : n;
+    }
+    p->is_greedy_done = p->size > 0;
+    if (p->size == 0) {
+        memcpy(p->plan, p->spare, p->spare_size * sizeof *p->plan);
+        p->size = p->spare_size;
+        value = murk_search_value(&p->search, p->plan, p->size);
+    }
     return value;
 }
 
-/* Greedy's first n, relocated, then starts. Where `from`, a plan of n - 1, is
- * worth more than that, it is completed and taken instead. */
-static murk_curve_point find_best(placing *p, uint32_t *plan, size_t n,
-                                  const uint32_t *from, uint64_t from_value,
-                                  size_t most, size_t rounds, size_t *made)
+/* Greedy, relocated, then starts. Where `from`, a plan of n - 1, is worth more
+ * than that, it is completed and taken instead. */
+static murk_curve_point find_best(placing *p, size_t n, const uint32_t *from,
+                                  uint64_t from_value, size_t most,
+                                  size_t rounds, size_t *made)
 {
-    memcpy(plan, p->greedy, n * sizeof *plan);
-    uint64_t value = p->greedy_value[n - 1];
-    if (n > 1) { /* of one, greedy finds the best */
-        value = murk_search_relocate(&p->search, plan, n);
+    uint32_t *plan = p->plan;
+    uint64_t value = plan_greedily(p, n);
+    /* of one that is free, greedy finds the best */
+    const bool is_open = n > fixed_count(p) + 1 || has_budget(p) ||
+                         (p->book && !p->is_greedy_done);
+    if (is_open) {
+        value = murk_search_relocate(&p->search, plan, p->size);
+        p->size = p->search.size;
     }
     if (from && from_value > value) {
-        memcpy(plan, from, (n - 1) * sizeof *plan);
-        murk_search_greedy(&p->search, plan, n - 1, n, NULL);
-        value = murk_search_relocate(&p->search, plan, n);
+        memcpy(p->trial, from, (n - 1) * sizeof *plan);
+        murk_search_greedy(&p->search, p->trial, n - 1, n, NULL);
+        if (p->search.size == n) {
+            memcpy(plan, p->trial, n * sizeof *plan);
+            value = murk_search_relocate(&p->search, plan, n);
+        }
     }
     uint64_t upper = value;
-    if (n > 1) {
+    if (is_open) {
         const size_t before = p->oracle->matrix ? rounds / 2 : 0;
-        upper = murk_bound_tighten(&p->bound, n, value, plan, n, before);
-        value = try_starts(p, plan, n, value, upper, most, made);
-        const uint64_t again = murk_bound_tighten(
-            &p->bound, n, value, before ? NULL : plan, n, rounds - before);
+        upper = murk_bound_tighten(&p->bound, n, value, plan, p->size, before);
+        value = murk_starts_try(&p->starts, plan, &p->size, n, value, upper,
+                                most, made);
+        const uint64_t again =
+            murk_bound_tighten(&p->bound, n, value, before ? NULL : plan,
+                               p->size, rounds - before);
         upper = again < upper ? again : upper;
     }
-    return (murk_curve_point){n, value, upper};
+    return (murk_curve_point){p->size, value, upper};
 }
 
 /* The plan of one method without more ado, and its bound. */
-static murk_curve_point find_once(placing *p, uint32_t *plan, size_t n,
-                                  size_t rounds, size_t *made)
+static murk_curve_point find_once(placing *p, size_t n, size_t rounds,
+                                  size_t *made)
 {
     uint64_t value = 0;
     if (p->desc->method == MURK_PLACE_SPOQ) {
-        value = murk_search_spoq(&p->search, plan, n, p->desc->seed, 0);
+        value = murk_search_spoq(&p->search, p->plan, n, p->desc->seed, 0);
+        p->size = p->search.size;
         ++*made;
     } else {
-        memcpy(plan, p->greedy, n * sizeof *plan);
-        value = p->greedy_value[n - 1];
+        value = plan_greedily(p, n);
     }
-    return (murk_curve_point){
-        n, value, murk_bound_tighten(&p->bound, n, value, plan, n, rounds)};
+    const uint64_t upper =
+        murk_bound_tighten(&p->bound, n, value, p->plan, p->size, rounds);
+    return (murk_curve_point){p->size, value, upper};
+}
+
+/* Under rules: a plan of fewer, filled up to n by whoever may join. */
+static uint64_t fill_up(placing *p, size_t n)
+{
+    murk_search *s = &p->search;
+    const uint64_t value =
+        has_budget(p) ? murk_search_spend(s, p->plan, p->size)
+                      : murk_search_greedy(s, p->plan, p->size, n, NULL);
+    p->size = s->size;
+    return value;
 }
 
 /* Branch and bound from a plan whose bound was tightened last. */
-static murk_status prove(placing *p, murk_curve_point *point, murk_error *err)
+static murk_status prove(placing *p, size_t n, murk_curve_point *point,
+                         murk_error *err)
 {
     const bool is_wanted = p->desc->method == MURK_PLACE_BEST ||
                            p->desc->method == MURK_PLACE_EXACT;
-    if (!p->oracle->matrix || !is_wanted || point->count < 2) {
+    if (!p->oracle->matrix || !is_wanted || (n < 2 && !p->book)) {
         return MURK_OK;
     }
     murk_exact exact;
     const murk_status status =
-        murk_exact_search(&exact, &p->bound, p->plan, point->count,
-                          point->value, point->upper, p->desc->nodes, err);
+        murk_exact_search(&exact, &p->bound, p->plan, p->size, n, point->value,
+                          point->upper, p->desc->nodes, err);
     if (!status) {
-        point->value = exact.value;
-        point->upper = exact.upper;
+        p->size = exact.size;
+        point->value = p->book ? fill_up(p, n) : exact.value;
+        point->count = p->size;
+        point->upper = exact.upper > point->value ? exact.upper : point->value;
         p->result->nodes += exact.nodes;
         p->result->is_cut = exact.is_cut;
     }
     return status;
+}
+
+/* Where candidates exclude each other a start may end short: any plan of n. */
+static murk_status find_spare(placing *p, size_t n, murk_error *err)
+{
+    if (!p->book || !p->book->has_conflicts) {
+        return MURK_OK;
+    }
+    murk_standing *standing = &p->search.standing;
+    bool is_sure;
+    murk_standing_clear(standing, n);
+    for (size_t k = 0; k < fixed_count(p); ++k) {
+        murk_standing_add(standing, (uint32_t)p->book->rules->fixed[k]);
+    }
+    if (!murk_standing_find_plan(standing, &is_sure)) {
+        return murk_interrupted()
+                   ? MURK_OK
+                   : murk_fail(err, MURK_RUN_FAILED, "",
+                               is_sure ? "no plan: no %zu of %zu usable "
+                                         "candidates keep all rules"
+                                       : "no plan found: of %zu sensors at "
+                                         "%zu usable candidates that keeps "
+                                         "all rules",
+                               n, p->oracle->candidates);
+    }
+    p->spare_size = standing->size;
+    memcpy(p->spare, standing->member, p->spare_size * sizeof *p->spare);
+    murk_starts_spare(&p->starts, p->spare, p->spare_size);
+    p->search.spare = p->spare;
+    p->search.spare_size = p->spare_size;
+    return MURK_OK;
 }
 
 static size_t curve_starts(size_t restarts)
@@ -208,8 +261,8 @@ static size_t curve_rounds(size_t rounds)
  * target. */
 static bool is_last(const placing *p, size_t k, uint64_t value)
 {
-    return p->desc->target ? value >= p->desc->target || k == p->desc->count
-                           : k == p->desc->count;
+    return p->desc->target ? value >= p->desc->target || k == p->last
+                           : k == p->last;
 }
 
 /* The plan of k sensors, from that of one fewer (NULL: none). */
@@ -218,18 +271,21 @@ static murk_status find_count(placing *p, size_t k, const uint32_t *from,
 {
     const murk_place_desc *desc = p->desc;
     /* With a target, any count may turn out to be the plan's. */
-    const bool is_plan = desc->target || k == desc->count;
+    const bool is_plan = desc->target || k == p->last;
     const size_t rounds = is_plan ? p->rounds : curve_rounds(p->rounds);
     size_t extra = 0;
     size_t *made = is_plan ? &p->result->restarts : &extra;
     const size_t most = is_plan ? desc->restarts : curve_starts(desc->restarts);
-    *last =
-        desc->method == MURK_PLACE_BEST
-            ? find_best(p, p->plan, k, from, last->value, most, rounds, made)
-            : find_once(p, p->plan, k, rounds, made);
+    const murk_status status = find_spare(p, k, err);
+    if (status || murk_interrupted()) {
+        return status;
+    }
+    *last = desc->method == MURK_PLACE_BEST
+                ? find_best(p, k, from, last->value, most, rounds, made)
+                : find_once(p, k, rounds, made);
     const bool is_open = desc->target == 0 || (last->value < desc->target &&
                                                last->upper >= desc->target);
-    return is_plan && is_open && !murk_interrupted() ? prove(p, last, err)
+    return is_plan && is_open && !murk_interrupted() ? prove(p, k, last, err)
                                                      : MURK_OK;
 }
 
@@ -238,13 +294,12 @@ static void greedy_enough(placing *p)
 {
     const murk_place_desc *desc = p->desc;
     size_t have = 0;
-    size_t n =
-        desc->target && desc->count > FIRST_GREEDY ? FIRST_GREEDY : desc->count;
+    size_t n = desc->target && p->last > FIRST_GREEDY ? FIRST_GREEDY : p->last;
     while (have < n && !murk_interrupted()) {
         murk_search_greedy(&p->search, p->greedy, have, n, p->greedy_value);
         have = n;
         if (desc->target && p->greedy_value[n - 1] < desc->target) {
-            n = n < desc->count / 2 ? 2 * n : desc->count;
+            n = n < p->last / 2 ? 2 * n : p->last;
         }
     }
 }
@@ -253,33 +308,36 @@ static murk_status find_all(placing *p, murk_error *err)
 {
     murk_place_result *result = p->result;
     const murk_place_desc *desc = p->desc;
-    if (desc->method != MURK_PLACE_SPOQ) {
+    if (desc->method != MURK_PLACE_SPOQ && !p->book) {
         greedy_enough(p);
     }
     murk_curve_point last = {0};
     const uint32_t *from = NULL;
     murk_status status = MURK_OK;
-    const size_t first = desc->with_curve || desc->target ? 1 : desc->count;
-    for (size_t k = first; !status && !murk_interrupted(); ++k) {
+    for (size_t k = p->first; !status && !murk_interrupted(); ++k) {
         status = find_count(p, k, from, &last, err);
+        if (status) {
+            break;
+        }
         if (result->curve) {
-            result->curve[k - 1] = last;
+            result->curve[k - p->first] = last;
+            result->curve_points = k - p->first + 1;
         }
         if (desc->target && result->fewest == 0 && last.upper >= desc->target) {
             result->fewest = k;
         }
-        memcpy(p->last_plan, p->plan, k * sizeof *p->plan);
+        memcpy(p->last_plan, p->plan, p->size * sizeof *p->plan);
         from = p->last_plan;
-        result->count = k;
+        result->count = p->size;
         if (is_last(p, k, last.value)) {
             break;
         }
     }
-    result->curve_points = result->curve ? result->count : 0;
     result->value = last.value;
     result->upper = last.upper;
-    result->evaluations += p->search.evaluations;
-    result->looks += p->search.looks + p->bound.looks + p->oracle->looks;
+    result->evaluations += p->search.evaluations + p->starts.all_evaluations;
+    result->looks += p->search.looks + p->starts.all_looks + p->bound.looks +
+                     p->oracle->looks;
     return status;
 }
 
@@ -288,15 +346,20 @@ static uint64_t lesser(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* Bounds of one count bound the others, too: fewer sensors see no more, and by
- * submodularity the best k + 1 see at most (k + 1) / k of the best k. */
-static void join_bounds(murk_curve_point *curve, size_t n)
+/* Bounds of one count bound the others, too. By submodularity the best k + 1
+ * see at most (k + 1) / k of the best k, where any of them may go; and fewer
+ * sensors see no more, where all can be filled up. */
+static void join_bounds(murk_curve_point *curve, size_t n,
+                        const murk_rulebook *book)
 {
-    for (size_t k = 1; k < n; ++k) {
+    const bool may_go =
+        !book || (!book->has_least && book->rules->fixed_count == 0);
+    for (size_t k = 1; k < n && may_go; ++k) {
         const uint64_t before = curve[k - 1].upper;
-        curve[k].upper = lesser(curve[k].upper, before + before / k);
+        curve[k].upper =
+            lesser(curve[k].upper, before + before / curve[k - 1].count);
     }
-    for (size_t k = n - 1; k > 0; --k) {
+    for (size_t k = n - 1; k > 0 && !(book && book->has_conflicts); --k) {
         curve[k - 1].upper = lesser(curve[k - 1].upper, curve[k].upper);
     }
 }
@@ -305,13 +368,6 @@ static int by_number(const void *a, const void *b)
 {
     const size_t x = *(const size_t *)a, y = *(const size_t *)b;
     return (x > y) - (x < y);
-}
-
-static const char *guarantee_of(murk_place_method method)
-{
-    /* best starts from greedy and only improves; relocation alone would give
-     * n / (2n - 1), which is less. */
-    return method == MURK_PLACE_SPOQ ? "none" : "1 - (1 - 1/n)^n";
 }
 
 static size_t rounds_for(const murk_oracle *oracle)
@@ -329,7 +385,12 @@ static size_t rounds_for(const murk_oracle *oracle)
 static murk_status check(const murk_problem *problem, bool known,
                          const murk_place_desc *desc, murk_error *err)
 {
-    if (desc->count < 1) {
+    const bool has_budget = desc->rules && desc->rules->budget > 0;
+    if (has_budget && desc->target) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "a target and a budget are given, must be one");
+    }
+    if (desc->count < 1 && !has_budget) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "0 sensors asked for, must be 1 or more");
     }
@@ -351,66 +412,35 @@ static murk_status check(const murk_problem *problem, bool known,
     return MURK_OK;
 }
 
-static murk_status starts_init(starts *t, const murk_oracle *oracle,
-                               const murk_place_desc *desc, murk_error *err)
-{
-    /* In an unknown environment, and where a scan is long, threads share each
-     * scan; else each takes a start of its own. */
-    const bool is_wide = oracle->wide_threads > 1 || !oracle->matrix;
-    const unsigned workers = is_wide ? 1 : oracle->problem->threads;
-    const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
-    *t = (starts){.seed = desc->seed,
-                  .search = calloc(workers, sizeof *t->search),
-                  .wave_most = wave,
-                  .plan = calloc(wave * desc->count, sizeof *t->plan),
-                  .value = calloc(wave, sizeof *t->value),
-                  .evaluations = calloc(wave, sizeof *t->evaluations),
-                  .looks = calloc(wave, sizeof *t->looks)};
-    if (!t->search || !t->plan || !t->value || !t->evaluations || !t->looks) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                         desc->count);
-    }
-    murk_status status = MURK_OK;
-    for (; t->workers < workers && !status; ++t->workers) {
-        status = murk_search_init(&t->search[t->workers], oracle, t->workers,
-                                  is_wide ? oracle->wide_threads : 1, err);
-    }
-    return status;
-}
-
-static void starts_release(starts *t)
-{
-    for (unsigned k = 0; k < t->workers; ++k) {
-        murk_search_release(&t->search[k]);
-    }
-    free(t->search);
-    free(t->plan);
-    free(t->value);
-    free(t->evaluations);
-    free(t->looks);
-}
-
 static murk_status placing_init(placing *p, const murk_oracle *oracle,
+                                const murk_rulebook *book,
                                 const murk_place_desc *desc,
                                 murk_place_result *result, murk_error *err)
 {
-    const size_t n = desc->count;
+    const size_t n = book ? book->most_sensors : desc->count;
+    const bool is_curve =
+        (desc->with_curve || desc->target) && !(book && book->has_budget);
     *p = (placing){.oracle = oracle,
                    .desc = desc,
+                   .book = book,
+                   .first = !is_curve ? n
+                            : book    ? book->fewest_sensors
+                                      : 1,
+                   .last = n,
                    .result = result,
                    .rounds = rounds_for(oracle),
                    .greedy = calloc(n, sizeof *p->greedy),
                    .greedy_value = calloc(n, sizeof *p->greedy_value),
                    .plan = calloc(n, sizeof *p->plan),
-                   .last_plan = calloc(n, sizeof *p->last_plan)};
+                   .last_plan = calloc(n, sizeof *p->last_plan),
+                   .trial = calloc(n, sizeof *p->trial),
+                   .spare = calloc(n, sizeof *p->spare)};
     result->sensor = calloc(n, sizeof *result->sensor);
-    if (desc->with_curve || desc->target) {
+    if (is_curve) {
         result->curve = calloc(n, sizeof *result->curve);
-        result->curve_points = n;
     }
-    if (!p->greedy || !p->greedy_value || !p->plan || !p->last_plan ||
-        !result->sensor ||
-        ((desc->with_curve || desc->target) && !result->curve)) {
+    if (!p->greedy || !p->trial || !p->spare || !p->greedy_value || !p->plan ||
+        !p->last_plan || !result->sensor || (is_curve && !result->curve)) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          n);
     }
@@ -420,7 +450,7 @@ static murk_status placing_init(placing *p, const murk_oracle *oracle,
         status = murk_bound_init(&p->bound, oracle, err);
     }
     if (!status) {
-        status = starts_init(&p->starts, oracle, desc, err);
+        status = murk_starts_init(&p->starts, oracle, n, desc->seed, err);
     }
     return status;
 }
@@ -429,11 +459,47 @@ static void placing_release(placing *p)
 {
     murk_search_release(&p->search);
     murk_bound_release(&p->bound);
-    starts_release(&p->starts);
+    murk_starts_release(&p->starts);
     free(p->greedy);
     free(p->greedy_value);
     free(p->plan);
     free(p->last_plan);
+    free(p->trial);
+    free(p->spare);
+}
+
+static const char *guarantee_of(const placing *p)
+{
+    /* best and exact start from greedy and only improve; relocation alone
+     * would give n / (2n - 1), which is less. */
+    const bool is_greedy =
+        p->desc->method != MURK_PLACE_SPOQ && (!p->book || p->is_greedy_done);
+    return is_greedy ? murk_promise(p->book) : "none";
+}
+
+static uint64_t cost_of(const placing *p)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; p->book && k < p->size; ++k) {
+        sum += murk_rulebook_cost(p->book, p->plan[k]);
+    }
+    return sum;
+}
+
+static murk_status miss_target(const placing *p, murk_error *err)
+{
+    const double whole = (double)p->oracle->layout->whole;
+    const double target = (double)p->desc->target / whole;
+    if (p->result->upper < p->desc->target) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "target %.6g cannot be reached: %zu sensors, the "
+                         "most that the rules allow, see at most %.6g",
+                         target, p->last, (double)p->result->upper / whole);
+    }
+    return murk_fail(err, MURK_RUN_FAILED, "",
+                     "no plan found that reaches the target %.6g with at most "
+                     "%zu sensors: the best found sees %.6g",
+                     target, p->last, (double)p->result->value / whole);
 }
 
 static murk_status place(murk_place_result *out, const murk_problem *problem,
@@ -441,15 +507,23 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
                          murk_error *err)
 {
     murk_oracle oracle = {0};
+    murk_rulebook rulebook = {0};
+    const murk_rulebook *book = desc->rules ? &rulebook : NULL;
     placing p = {0};
-    murk_place_result result = {.count = desc->count,
-                                .guarantee = guarantee_of(desc->method)};
+    murk_place_result result = {0};
     murk_status status = check(problem, matrix != NULL, desc, err);
-    if (!status) {
-        status = murk_oracle_init(&oracle, problem, matrix, err);
+    if (!status && book) {
+        const bool is_most = desc->target || desc->rules->budget > 0;
+        status = murk_rulebook_init(
+            &rulebook, desc->rules, problem->candidates,
+            desc->count > 0 ? desc->count : problem->candidates, is_most, err);
     }
     if (!status) {
-        status = placing_init(&p, &oracle, desc, &result, err);
+        status = murk_oracle_init(&oracle, problem, matrix, book,
+                                  desc->keep_dominated, err);
+    }
+    if (!status) {
+        status = placing_init(&p, &oracle, book, desc, &result, err);
     }
     if (!status && desc->target > oracle.ceiling) {
         status =
@@ -470,10 +544,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status && result.value < desc->target) {
-        status = murk_fail(err, MURK_RUN_FAILED, "",
-                           "method spoq did not reach the target with %zu "
-                           "sensors",
-                           result.count);
+        status = miss_target(&p, err);
     }
     if (status) {
         goto done;
@@ -483,10 +554,12 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     }
     qsort(result.sensor, result.count, sizeof *result.sensor, by_number);
     if (result.curve) {
-        join_bounds(result.curve, result.curve_points);
-        result.upper = result.curve[result.count - 1].upper;
+        join_bounds(result.curve, result.curve_points, book);
+        result.upper = result.curve[result.curve_points - 1].upper;
     }
     result.proven_optimal = result.value == result.upper;
+    result.guarantee = guarantee_of(&p);
+    result.cost = cost_of(&p);
     result.ceiling = oracle.ceiling;
     result.whole = oracle.layout->whole;
     result.after_presolve = oracle.undominated;
@@ -495,6 +568,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
 done:
     placing_release(&p);
     murk_oracle_release(&oracle);
+    murk_rulebook_release(&rulebook);
     murk_place_release(&result);
     return status;
 }

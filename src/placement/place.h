@@ -13,6 +13,12 @@
  * With a target, counts are tried from 1 up; where a count's plan falls short
  * though its bound does not, branch and bound has its say before the next.
  *
+ * Under rules (placement/rules.h) every method keeps to them: a move is one
+ * that leaves a plan, and the certificate speaks of those; with a budget
+ * greedy goes by gain per cost, against the best single sensor, and sensors
+ * are also added where they can be paid. A count that the rules bring to a dead
+ * end is met by any plan that a search finds, improved.
+ *
  * Source: SPOQ, shared paper of 2013; Nemhauser, Wolsey, Fisher, Math.
  * Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
  * Nemhauser, Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789 (greedy
@@ -21,6 +27,7 @@
 #define MURK_PLACEMENT_PLACE_H
 
 #include "placement/problem.h"
+#include "placement/rules.h"
 
 typedef enum murk_place_method {
     MURK_PLACE_BEST,
@@ -38,7 +45,13 @@ typedef struct murk_place_desc {
     uint64_t nodes;  /* work of the branch and bound at most
                         (placement/exact.h), known environment; 0: none */
     uint32_t seed;
-    bool with_curve; /* also the best found for 1 .. count - 1 sensors */
+    bool with_curve; /* also the best found for 1 .. count - 1 sensors; under
+                        rules from the fewest that they allow on; not with a
+                        budget */
+    const murk_rules *rules; /* NULL: none but the count; borrowed. With a
+                                budget count is the most sensors, 0: any
+                                number */
+    bool keep_dominated;     /* no presolve: for comparison */
 } murk_place_desc;
 
 murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1e6, 1, true */
@@ -56,6 +69,7 @@ typedef struct murk_place_result {
     uint64_t upper;        /* >= value of every plan of that count */
     bool proven_optimal;   /* value == upper, or the plan is otherwise proven */
     const char *guarantee; /* static text */
+    uint64_t cost;         /* of the sensors, by the rules */
     size_t fewest;         /* no fewer sensors reach the target; 0 without */
     uint64_t ceiling;      /* all candidates chosen */
     uint64_t whole;        /* sum_i weight_i * MURK_CLEAR: everything */

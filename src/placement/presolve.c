@@ -11,6 +11,7 @@
 
 typedef struct presolving {
     const murk_matrix *matrix;
+    const murk_rulebook *book;
     const uint32_t *order;
     _Atomic uint32_t *first; /* [candidates] by rank: rank of the first
                                 dominator so far; own rank: none */
@@ -42,15 +43,17 @@ static void mark(void *context, unsigned worker, uint64_t batch)
     murk_cover_add(cover, layout, &p->matrix->row[p->order[rank]]);
     for (uint32_t b = rank + 1; b < p->matrix->candidates; ++b) {
         if (atomic_load_explicit(&p->first[b], memory_order_relaxed) > rank &&
-            murk_row_within(layout, &p->matrix->row[p->order[b]], cover)) {
+            murk_row_within(layout, &p->matrix->row[p->order[b]], cover) &&
+            (!p->book ||
+             murk_rulebook_may_drop(p->book, p->order[rank], p->order[b]))) {
             lower_to(&p->first[b], rank);
         }
     }
 }
 
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
-                          const uint32_t *order, unsigned threads,
-                          murk_error *err)
+                          const murk_rulebook *book, const uint32_t *order,
+                          unsigned threads, murk_error *err)
 {
     const size_t n = matrix->candidates;
     for (size_t j = 0; j < n; ++j) {
@@ -61,6 +64,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     }
     murk_status status = MURK_OK;
     presolving p = {.matrix = matrix,
+                    .book = book,
                     .order = order,
                     .first = malloc((n + 1) * sizeof *p.first),
                     .cover = calloc(threads, sizeof *p.cover)};

@@ -6,13 +6,15 @@
 #define MURK_PLACEMENT_PRESOLVE_H
 
 #include "placement/matrix.h"
+#include "placement/rules.h"
 
-/* order[candidates]: by falling value alone, then number. Fills
+/* order[candidates]: by falling value alone. Fills
  * dominator[candidates] with the first undominated candidate in that order
- * that dominates, or the candidate itself. Of equals, the lowest number is
- * kept. */
+ * that dominates, or the candidate itself. Of equals, the first is kept. With
+ * rules (NULL: none) a candidate that they may still need is not dominated:
+ * murk_rulebook_may_drop(). */
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
-                          const uint32_t *order, unsigned threads,
-                          murk_error *err);
+                          const murk_rulebook *book, const uint32_t *order,
+                          unsigned threads, murk_error *err);
 
 #endif

@@ -16,6 +16,7 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                              unsigned worker, unsigned threads, murk_error *err)
 {
     const size_t n = oracle->candidates + 1;
+    const bool has_budget = oracle->book && oracle->book->has_budget;
     *out = (murk_search){.oracle = oracle,
                          .worker = worker,
                          .threads = threads,
@@ -25,20 +26,32 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                          .ranking = malloc(n * sizeof *out->ranking),
                          .chunk_gain = calloc(CHUNK, sizeof *out->chunk_gain),
                          .chunk = malloc(CHUNK * sizeof *out->chunk)};
-    if (!out->gain || !out->tie || !out->shuffle || !out->ranking ||
-        !out->chunk_gain || !out->chunk ||
+    if (has_budget) {
+        out->priced = malloc(n * sizeof *out->priced);
+    }
+    if (!out->gain || !out->tie || (has_budget && !out->priced) ||
+        !out->shuffle || !out->ranking || !out->chunk_gain || !out->chunk ||
         !murk_cover_init(&out->cover, oracle->layout, oracle->all_clear)) {
         murk_search_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to search %zu candidates for %zu photons",
                          oracle->candidates, oracle->layout->photons);
     }
-    return MURK_OK;
+    murk_status status = MURK_OK;
+    if (oracle->book) {
+        status = murk_standing_init(&out->standing, oracle->book, err);
+    }
+    if (status) {
+        murk_search_release(out);
+    }
+    return status;
 }
 
 void murk_search_release(murk_search *search)
 {
     murk_cover_release(&search->cover);
+    murk_standing_release(&search->standing);
+    free(search->priced);
     free(search->gain);
     free(search->tie);
     free(search->shuffle);
@@ -56,6 +69,9 @@ static uint64_t stand(murk_search *s, uint32_t candidate)
     s->looks += s->oracle->matrix ? 0 : 1;
     const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
     murk_cover_add(&s->cover, layout, &row);
+    if (s->oracle->book) {
+        murk_standing_add(&s->standing, candidate);
+    }
     return gain;
 }
 
@@ -64,6 +80,9 @@ static uint64_t stand_others(murk_search *s, const uint32_t *plan, size_t n,
                              size_t but)
 {
     murk_cover_clear(&s->cover, s->oracle->layout);
+    if (s->oracle->book) {
+        murk_standing_clear(&s->standing, s->standing.wanted);
+    }
     uint64_t value = 0;
     for (size_t k = 0; k < n; ++k) {
         if (k != but) {
@@ -71,6 +90,13 @@ static uint64_t stand_others(murk_search *s, const uint32_t *plan, size_t n,
         }
     }
     return value;
+}
+
+/* Whether the rules let the candidate join what stands. */
+static inline bool is_open(const murk_search *s, uint32_t candidate)
+{
+    return !s->oracle->book ||
+           murk_standing_admits(&s->standing, candidate, s->is_move);
 }
 
 /* Weighs the n candidates gathered in the chunk; returns the best so far. */
@@ -99,7 +125,9 @@ static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
         }
         size_t gathered = 0;
         for (; k < n && gathered < CHUNK && ranking[k].bound >= best; ++k) {
-            s->chunk[gathered++] = ranking[k].candidate;
+            if (is_open(s, ranking[k].candidate)) {
+                s->chunk[gathered++] = ranking[k].candidate;
+            }
         }
         best = weigh_chunk(s, gathered, best);
     }
@@ -113,7 +141,8 @@ static void weigh_dominated(murk_search *s, uint64_t best)
     size_t gathered = 0;
     for (size_t k = o->undominated; k < o->candidates; ++k) {
         const uint32_t j = o->ranked[k].candidate;
-        if (s->gain[o->dominator[j]] == best && o->alone[j] >= best) {
+        if (s->gain[o->dominator[j]] == best && o->alone[j] >= best &&
+            is_open(s, j)) {
             s->chunk[gathered++] = j;
         }
         if (gathered == CHUNK) {
@@ -149,7 +178,7 @@ static uint64_t scan(murk_search *s, const murk_ranked *ranking,
     s->ties = 0;
     if (best == 0) { /* all that are free add the same: nothing */
         for (uint32_t j = 0; j < o->candidates; ++j) {
-            if (!holds(plan, n, but, j)) {
+            if (!holds(plan, n, but, j) && is_open(s, j)) {
                 s->tie[s->ties++] = j;
             }
         }
@@ -177,14 +206,58 @@ static void sharpen_ranking(murk_search *s)
     murk_ranked_sort(s->ranking, n);
 }
 
+/* Under rules: the plan is to have n sensors, or n at most, and begins with
+ * those fixed. Returns how many are given. */
+static size_t begin(murk_search *s, uint32_t *plan, size_t given, size_t n)
+{
+    const murk_rulebook *book = s->oracle->book;
+    if (!book) {
+        return given;
+    }
+    murk_standing_clear(&s->standing,
+                        book->has_budget ? book->most_sensors : n);
+    s->is_move = false;
+    const size_t fixed = book->rules->fixed_count;
+    for (size_t k = given; k < fixed; ++k) {
+        plan[k] = (uint32_t)book->rules->fixed[k];
+    }
+    return given > fixed ? given : fixed;
+}
+
+static size_t fixed_count(const murk_search *s)
+{
+    return s->oracle->book ? s->oracle->book->rules->fixed_count : 0;
+}
+
+static bool has_budget(const murk_search *s)
+{
+    return s->oracle->book && s->oracle->book->has_budget;
+}
+
+/* Whether a plan under a budget needs no more that bring nothing. */
+static bool is_enough(const murk_search *s, uint64_t gain)
+{
+    return gain == 0 && has_budget(s) && s->standing.missing == 0;
+}
+
 uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t *value_after)
 {
     const murk_oracle *o = s->oracle;
     memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
+    given = begin(s, plan, given, n);
     uint64_t value = stand_others(s, plan, given, given);
+    if (value_after && given > 0) {
+        value_after[given - 1] = value;
+    }
+    s->size = given;
     for (size_t k = given; k < n && !murk_interrupted(); ++k) {
-        value += scan(s, s->ranking, plan, k, k, value);
+        const uint64_t gain = scan(s, s->ranking, plan, k, k, value);
+        if (s->ties == 0 || is_enough(s, gain)) {
+            break;
+        }
+        value += gain;
+        s->size = k + 1;
         plan[k] = s->tie[0];
         stand(s, plan[k]);
         sharpen_ranking(s);
@@ -192,6 +265,80 @@ uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
             value_after[k] = value;
         }
     }
+    return value;
+}
+
+/* Weighs again, from the densest on, until the rest cannot be as dense; those
+ * weighed keep what they now bring. Returns the densest, gain 0: none adds. */
+static murk_priced find_densest(murk_search *s)
+{
+    const size_t n = s->oracle->candidates;
+    murk_priced best = {.gain = 0};
+    qsort(s->priced, n, sizeof *s->priced, murk_by_density);
+    for (size_t k = 0; k < n && s->priced[k].gain > 0 && !murk_interrupted();) {
+        size_t place[CHUNK], gathered = 0;
+        for (; k < n && gathered < CHUNK && s->priced[k].gain > 0; ++k) {
+            if (best.gain > 0 && murk_by_density(&s->priced[k], &best) > 0) {
+                break;
+            }
+            if (is_open(s, s->priced[k].candidate)) {
+                place[gathered] = k;
+                s->chunk[gathered++] = s->priced[k].candidate;
+            }
+        }
+        if (gathered == 0) {
+            break;
+        }
+        weigh_chunk(s, gathered, 0);
+        for (size_t i = 0; i < gathered; ++i) {
+            murk_priced *now = &s->priced[place[i]];
+            now->gain = s->chunk_gain[i];
+            if (now->gain > 0 &&
+                (best.gain == 0 || murk_by_density(now, &best) < 0)) {
+                best = *now;
+            }
+        }
+    }
+    return best;
+}
+
+/* The cheapest that a least count still asks for; false when there is none. */
+static bool find_asked(const murk_search *s, uint32_t *candidate)
+{
+    const murk_rulebook *book = s->oracle->book;
+    for (size_t c = 0; c < book->classes; ++c) {
+        for (size_t k = book->class_first[c];
+             k < book->class_first[c + 1] &&
+             s->standing.have[c] < book->least[c];
+             ++k) {
+            if (is_open(s, book->by_cost[k])) {
+                *candidate = book->by_cost[k];
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given)
+{
+    const murk_oracle *o = s->oracle;
+    size_t n = begin(s, plan, given, o->book->most_sensors);
+    uint64_t value = stand_others(s, plan, n, n);
+    for (uint32_t j = 0; j < o->candidates; ++j) {
+        s->priced[j] =
+            (murk_priced){o->alone[j], murk_rulebook_cost(o->book, j), j};
+    }
+    while (n < o->book->most_sensors && !murk_interrupted()) {
+        const murk_priced best = find_densest(s);
+        plan[n] = best.candidate;
+        if (best.gain == 0 && !find_asked(s, &plan[n])) {
+            break;
+        }
+        value += best.gain;
+        stand(s, plan[n++]);
+    }
+    s->size = n;
     return value;
 }
 
@@ -210,6 +357,37 @@ static void draw_start(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
         plan[k] = s->shuffle[at];
         s->shuffle[at] = s->shuffle[k];
     }
+}
+
+/* Candidates in random order, each taken if the rules let it; the spare plan
+ * where that ends short. */
+static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
+                               uint32_t seed, uint64_t restart)
+{
+    const uint32_t m = (uint32_t)s->oracle->candidates;
+    const size_t fixed = begin(s, plan, 0, n);
+    for (size_t k = 0; k < fixed; ++k) {
+        murk_standing_add(&s->standing, plan[k]);
+    }
+    for (uint32_t j = 0; j < m; ++j) {
+        s->shuffle[j] = j;
+    }
+    for (uint32_t k = 0; k < m && s->standing.size < s->standing.wanted; ++k) {
+        uint32_t word[4];
+        murk_random_words(seed, MURK_SPOQ_START, restart, k, 0, word);
+        const uint32_t at = k + murk_random_below(word[0], m - k);
+        const uint32_t candidate = s->shuffle[at];
+        s->shuffle[at] = s->shuffle[k];
+        if (is_open(s, candidate)) {
+            plan[s->standing.size] = candidate;
+            murk_standing_add(&s->standing, candidate);
+        }
+    }
+    if (murk_standing_is_plan(&s->standing)) {
+        return s->standing.size;
+    }
+    memcpy(plan, s->spare, s->spare_size * sizeof *plan);
+    return s->spare_size;
 }
 
 /* A random order of 0..n-1. */
@@ -232,30 +410,54 @@ static void draw_order(uint32_t *order, size_t n, uint32_t seed,
 uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart)
 {
-    draw_start(s, plan, n, seed, restart);
+    if (s->oracle->book) {
+        n = draw_ruled_start(s, plan, n, seed, restart);
+    } else {
+        draw_start(s, plan, n, seed, restart);
+    }
+    const size_t fixed = fixed_count(s);
     uint64_t value = stand_others(s, plan, n, n);
     uint64_t before;
     uint32_t sweep = 0, step = 0;
     do {
         before = value;
-        draw_order(s->shuffle, n, seed, restart, sweep++);
-        for (size_t k = 0; k < n && !murk_interrupted(); ++k) {
-            const size_t mover = s->shuffle[k];
+        draw_order(s->shuffle, n - fixed, seed, restart, sweep++);
+        for (size_t k = 0; k < n - fixed && !murk_interrupted(); ++k) {
+            const size_t mover = fixed + s->shuffle[k];
+            s->is_move = true;
             const uint64_t others = stand_others(s, plan, n, mover);
             value = others + scan(s, s->oracle->ranked, plan, n, mover, others);
             uint32_t word[4];
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
         }
+        if (has_budget(s)) {
+            value = murk_search_spend(s, plan, n);
+            n = s->size;
+        }
     } while (value > before && !murk_interrupted());
+    s->size = n;
     return value;
 }
 
-uint64_t murk_search_relocate(murk_search *s, uint32_t *plan, size_t n)
+uint64_t murk_search_value(murk_search *s, const uint32_t *plan, size_t n)
 {
+    return stand_others(s, plan, n, n);
+}
+
+/* Moves single sensors until none gains; returns the value. */
+static uint64_t settle(murk_search *s, uint32_t *plan, size_t n)
+{
+    const size_t fixed = fixed_count(s), movers = n - fixed;
+    if (movers == 0) {
+        return stand_others(s, plan, n, n);
+    }
     uint64_t value = 0;
     size_t still = 0; /* sensors in a row that did not move */
-    for (size_t k = 0; still < n && !murk_interrupted(); k = (k + 1) % n) {
+    s->is_move = true;
+    for (size_t at = 0; still < movers && !murk_interrupted();
+         at = (at + 1) % movers) {
+        const size_t k = fixed + at;
         const uint64_t others = stand_others(s, plan, n, k);
         const uint64_t best = scan(s, s->oracle->ranked, plan, n, k, others);
         value = others + best;
@@ -264,6 +466,22 @@ uint64_t murk_search_relocate(murk_search *s, uint32_t *plan, size_t n)
             still = 0;
         }
         ++still; /* one that has just moved stands best, too */
+    }
+    return value;
+}
+
+uint64_t murk_search_relocate(murk_search *s, uint32_t *plan, size_t n)
+{
+    begin(s, plan, n, n);
+    uint64_t value = settle(s, plan, n);
+    s->size = n;
+    while (has_budget(s) && !murk_interrupted()) {
+        const uint64_t before = value;
+        value = murk_search_spend(s, plan, s->size);
+        if (value == before) {
+            break;
+        }
+        value = settle(s, plan, s->size);
     }
     return value;
 }

@@ -7,7 +7,7 @@
 #ifndef MURK_PLACEMENT_SEARCH_H
 #define MURK_PLACEMENT_SEARCH_H
 
-#include "placement/oracle.h"
+#include "placement/relaxed.h"
 
 /* One worker's desk; carries nothing from one plan to the next. */
 typedef struct murk_search {
@@ -23,6 +23,14 @@ typedef struct murk_search {
     uint64_t *chunk_gain;
     uint32_t *chunk;
     uint64_t evaluations, looks; /* counted since last set to 0 */
+    size_t size; /* sensors of the plan last made; under rules it may differ
+                    from what was asked for */
+    /* With rules. */
+    murk_standing standing;
+    bool is_move;          /* who joins must make a plan of what stands */
+    murk_priced *priced;   /* [candidates] */
+    const uint32_t *spare; /* [spare_size] a plan for starts that end short */
+    size_t spare_size;
 } murk_search;
 
 murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
@@ -31,7 +39,12 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
 void murk_search_release(murk_search *search);
 
 /* All return the value of plan[n], distinct candidates. When interrupted they
- * return early and the plan means nothing. */
+ * return early and the plan means nothing.
+ *
+ * Under rules the fixed sensors come first in a plan and never move, all that
+ * is tried keeps the rules, and s->size says how many sensors the plan has:
+ * greedy may come to a dead end before n, and with a budget a plan has as many
+ * as pay, n at most. */
 
 /* Extends the first `given` of plan to n, each the one that adds most, the
  * lowest number on ties. value_after[k] (NULL is fine) is the value of the
@@ -48,5 +61,12 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
 /* Moves single sensors while that gains; each stays on ties. At the end no
  * single move helps. */
 uint64_t murk_search_relocate(murk_search *s, uint32_t *plan, size_t n);
+
+/* With a budget: extends plan[given] by the candidate that adds most per cost
+ * of those that can still be paid, until none adds anything. */
+uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given);
+
+/* The value of plan[n]. */
+uint64_t murk_search_value(murk_search *s, const uint32_t *plan, size_t n);
 
 #endif

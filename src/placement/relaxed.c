@@ -1,0 +1,265 @@
+#include "placement/relaxed.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A gain below 2^63 times a cost below 2^64. */
+__extension__ typedef unsigned __int128 wide;
+
+static bool is_denser(uint64_t gain, uint64_t cost, uint64_t than_gain,
+                      uint64_t than_cost)
+{
+    return (wide)gain * than_cost > (wide)than_gain * cost;
+}
+
+/* Gain per cost, falling; what is free first, by gain, but what brings nothing
+ * last; then number. */
+int murk_by_density(const void *a, const void *b)
+{
+    const murk_priced *x = a, *y = b;
+    if ((x->gain == 0) != (y->gain == 0)) {
+        return x->gain == 0 ? 1 : -1;
+    }
+    if ((x->cost == 0) != (y->cost == 0)) {
+        return x->cost == 0 ? -1 : 1;
+    }
+    if (x->cost == 0 && x->gain != y->gain) {
+        return x->gain > y->gain ? -1 : 1;
+    }
+    if (is_denser(x->gain, x->cost, y->gain, y->cost)) {
+        return -1;
+    }
+    if (is_denser(y->gain, y->cost, x->gain, x->cost)) {
+        return 1;
+    }
+    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+}
+
+murk_status murk_relaxed_init(murk_relaxed *out, const murk_rulebook *book,
+                              murk_error *err)
+{
+    const size_t n = book->candidates + 1;
+    *out = (murk_relaxed){.book = book,
+                          .order = calloc(n, sizeof *out->order),
+                          .picked = calloc(n, sizeof *out->picked),
+                          .priced = calloc(n, sizeof *out->priced),
+                          .value = calloc(n, sizeof *out->value),
+                          .cost = calloc(n, sizeof *out->cost),
+                          .have = calloc(book->classes, sizeof *out->have),
+                          .is_used =
+                              calloc(book->sites + 1, sizeof *out->is_used)};
+    if (!out->order || !out->picked || !out->priced || !out->value ||
+        !out->cost || !out->have || !out->is_used) {
+        murk_relaxed_release(out);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to bound plans under rules");
+    }
+    return MURK_OK;
+}
+
+void murk_relaxed_release(murk_relaxed *relaxed)
+{
+    free(relaxed->order);
+    free(relaxed->picked);
+    free(relaxed->priced);
+    free(relaxed->value);
+    free(relaxed->cost);
+    free(relaxed->have);
+    free(relaxed->is_used);
+    *relaxed = (murk_relaxed){0};
+}
+
+/* The best `left` under caps, and least counts if told so; into picked. */
+static uint64_t pick_by_class(murk_relaxed *r, const murk_standing *s,
+                              const murk_ranked *ranked, size_t n, size_t left,
+                              bool with_least, size_t *chosen)
+{
+    const murk_rulebook *book = r->book;
+    size_t missing = with_least ? s->missing : 0, kept = 0;
+    uint64_t sum = 0;
+    memcpy(r->have, s->have, book->classes * sizeof *r->have);
+    for (size_t k = 0; k < n && kept < left; ++k) {
+        const uint32_t class = book->class_of[ranked[k].candidate];
+        const bool is_asked = with_least && r->have[class] < book->least[class];
+        if (r->have[class] < book->most[class] &&
+            (is_asked || kept + 1 + missing <= left)) {
+            ++r->have[class];
+            missing -= is_asked;
+            r->picked[kept++] = ranked[k];
+            sum = murk_sum_saturated(sum, ranked[k].bound);
+        }
+    }
+    *chosen = kept;
+    return sum;
+}
+
+/* The best `left` with one a site; into picked. */
+static uint64_t pick_by_site(murk_relaxed *r, size_t n, size_t left,
+                             size_t *chosen)
+{
+    const murk_rulebook *book = r->book;
+    size_t kept = 0;
+    uint64_t sum = 0;
+    memset(r->is_used, 0, book->sites * sizeof *r->is_used);
+    for (size_t k = 0; k < n && kept < left; ++k) {
+        bool *is_used = &r->is_used[book->site[r->order[k].candidate]];
+        if (!*is_used) {
+            *is_used = true;
+            r->picked[kept++] = r->order[k];
+            sum = murk_sum_saturated(sum, r->order[k].bound);
+        }
+    }
+    *chosen = kept;
+    return sum;
+}
+
+/* gain * part / whole, rounded down: what all gains add up to is whole. */
+static uint64_t part_of(uint64_t gain, uint64_t part, uint64_t whole)
+{
+    return (uint64_t)((wide)gain * part / whole);
+}
+
+/* Sorts by density and adds up. */
+static void price(murk_relaxed *r, size_t n)
+{
+    for (size_t k = 0; k < n; ++k) {
+        const uint32_t j = r->order[k].candidate;
+        r->priced[k] =
+            (murk_priced){r->order[k].bound, murk_rulebook_cost(r->book, j), j};
+    }
+    qsort(r->priced, n, sizeof *r->priced, murk_by_density);
+    for (size_t k = 0; k < n; ++k) {
+        r->value[k + 1] = murk_sum_saturated(r->value[k], r->priced[k].gain);
+        r->cost[k + 1] = murk_sum_saturated(r->cost[k], r->priced[k].cost);
+    }
+    r->live = n;
+}
+
+/* How many of priced, in their order, a budget pays whole. */
+static size_t paid_by(const murk_relaxed *r, uint64_t budget)
+{
+    size_t low = 0, high = r->live; /* cost[low] <= budget */
+    while (low < high) {
+        const size_t middle = low + (high - low + 1) / 2;
+        if (r->cost[middle] <= budget) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    return low;
+}
+
+static uint64_t knapsack(const murk_relaxed *r, uint64_t budget)
+{
+    const size_t k = paid_by(r, budget);
+    if (k == r->live) {
+        return r->value[k];
+    }
+    return murk_sum_saturated(
+        r->value[k],
+        part_of(r->priced[k].gain, budget - r->cost[k], r->priced[k].cost));
+}
+
+/* What the budget pays, the last in part: over many calls it is picked as
+ * often as its part says. */
+static void pick_by_cost(murk_relaxed *r, uint64_t budget, size_t *chosen)
+{
+    const size_t k = paid_by(r, budget);
+    for (size_t i = 0; i < k; ++i) {
+        r->picked[i] = (murk_ranked){r->priced[i].gain, r->priced[i].candidate};
+    }
+    *chosen = k;
+    if (k < r->live) {
+        r->carry += (double)(budget - r->cost[k]) / (double)r->priced[k].cost;
+        if (r->carry >= 0.5) {
+            r->carry -= 1;
+            r->picked[(*chosen)++] =
+                (murk_ranked){r->priced[k].gain, r->priced[k].candidate};
+        }
+    }
+}
+
+uint64_t murk_relaxed_top(murk_relaxed *r, const murk_standing *s,
+                          const uint32_t *live, const uint64_t *gain, size_t n,
+                          murk_ranked *top, size_t *chosen)
+{
+    const murk_rulebook *book = r->book;
+    const size_t left = s->wanted - s->size;
+    for (size_t k = 0; k < n; ++k) {
+        r->order[k] = (murk_ranked){gain[k], live[k]};
+    }
+    murk_ranked_sort(r->order, n);
+    const size_t fewer = left > 0 ? left - 1 : 0;
+    r->others = pick_by_class(r, s, r->order, n, fewer, false, chosen);
+    uint64_t best = pick_by_class(r, s, r->order, n, left, true, chosen);
+    memcpy(top, r->picked, *chosen * sizeof *top);
+    if (book->site) {
+        size_t kept = 0;
+        const uint64_t others = pick_by_site(r, n, fewer, &kept);
+        r->others = others < r->others ? others : r->others;
+        const uint64_t now = pick_by_site(r, n, left, &kept);
+        if (now < best) {
+            best = now;
+            *chosen = kept;
+            memcpy(top, r->picked, kept * sizeof *top);
+        }
+    }
+    if (book->has_budget) {
+        const uint64_t budget = book->budget - s->cost;
+        price(r, n);
+        const uint64_t now = knapsack(r, budget);
+        if (now < best) {
+            best = now;
+            pick_by_cost(r, budget, chosen);
+            memcpy(top, r->picked, *chosen * sizeof *top);
+        }
+    }
+    return best;
+}
+
+uint64_t murk_relaxed_others(const murk_relaxed *r, const murk_standing *s,
+                             uint32_t candidate)
+{
+    if (!r->book->has_budget) {
+        return r->others;
+    }
+    const uint64_t left = r->book->budget - s->cost;
+    const uint64_t cost = murk_rulebook_cost(r->book, candidate);
+    const uint64_t paid = knapsack(r, left > cost ? left - cost : 0);
+    return paid < r->others ? paid : r->others;
+}
+
+void murk_relaxed_sort(murk_relaxed *r, murk_ranked *ranked, size_t n)
+{
+    if (!r->book->has_budget) {
+        murk_ranked_sort(ranked, n);
+        return;
+    }
+    memcpy(r->order, ranked, n * sizeof *ranked);
+    price(r, n);
+    for (size_t k = 0; k < n; ++k) {
+        ranked[k] = (murk_ranked){r->priced[k].gain, r->priced[k].candidate};
+    }
+}
+
+uint64_t murk_relaxed_rest(murk_relaxed *r, const murk_standing *s,
+                           const murk_ranked *ranked, size_t n)
+{
+    if (!r->book->has_budget) {
+        size_t kept = 0;
+        return pick_by_class(r, s, ranked, n, s->wanted - s->size, false,
+                             &kept);
+    }
+    uint64_t left = r->book->budget - s->cost, sum = 0;
+    for (size_t k = 0; k < n; ++k) {
+        const uint64_t cost = murk_rulebook_cost(r->book, ranked[k].candidate);
+        if (cost > left) {
+            return murk_sum_saturated(sum,
+                                      part_of(ranked[k].bound, left, cost));
+        }
+        left -= cost;
+        sum = murk_sum_saturated(sum, ranked[k].bound);
+    }
+    return sum;
+}

@@ -1,0 +1,448 @@
+#include "placement/rules.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct keyed {
+    uint64_t key, then;
+    uint32_t candidate;
+} keyed;
+
+static int by_key(const void *a, const void *b)
+{
+    const keyed *x = a, *y = b;
+    if (x->key != y->key) {
+        return x->key < y->key ? -1 : 1;
+    }
+    if (x->then != y->then) {
+        return x->then < y->then ? -1 : 1;
+    }
+    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+}
+
+static bool is_near(const murk_rules *rules, uint32_t a, uint32_t b)
+{
+    if (!(rules->spacing_m > 0)) {
+        return false;
+    }
+    double square = 0;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const double d =
+            rules->position_m[a][axis] - rules->position_m[b][axis];
+        square += d * d;
+    }
+    return square < rules->spacing_m * rules->spacing_m;
+}
+
+/* Whether b is in a's list of conflicts. */
+static bool is_listed(const murk_rules *rules, uint32_t a, uint32_t b)
+{
+    if (!rules->conflict_first) {
+        return false;
+    }
+    size_t low = rules->conflict_first[a], high = rules->conflict_first[a + 1];
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (rules->conflict[middle] == b) {
+            return true;
+        }
+        if (rules->conflict[middle] < b) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return false;
+}
+
+bool murk_rulebook_excludes(const murk_rulebook *book, uint32_t a, uint32_t b)
+{
+    return (book->site && book->site[a] == book->site[b]) ||
+           is_near(book->rules, a, b) || is_listed(book->rules, a, b);
+}
+
+/* Whether whatever excludes a is b, or excludes b as well: sites and spacing by
+ * the plain cases, one site or one place. */
+static bool is_freer(const murk_rulebook *book, uint32_t a, uint32_t b)
+{
+    const murk_rules *rules = book->rules;
+    if (book->site && book->site[a] != book->site[b]) {
+        return false;
+    }
+    if (rules->spacing_m > 0 &&
+        memcmp(rules->position_m[a], rules->position_m[b],
+               sizeof rules->position_m[a]) != 0) {
+        return false;
+    }
+    if (rules->conflict_first) {
+        for (size_t k = rules->conflict_first[a];
+             k < rules->conflict_first[a + 1]; ++k) {
+            const uint32_t c = rules->conflict[k];
+            if (c != b && !is_listed(rules, b, c)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool murk_rulebook_may_drop(const murk_rulebook *book, uint32_t a, uint32_t b)
+{
+    const uint32_t class = book->class_of[a];
+    if (book->is_fixed[b] || class != book->class_of[b] ||
+        murk_rulebook_cost(book, a) > murk_rulebook_cost(book, b) ||
+        !is_freer(book, a, b)) {
+        return false;
+    }
+    /* Where both may stand, b may be needed for the mere number: a plan of
+     * exactly n can be filled up again only where nothing excludes. */
+    const bool may_go =
+        book->has_budget ? book->least[class] == 0 : !book->has_conflicts;
+    return may_go || murk_rulebook_excludes(book, a, b);
+}
+
+static murk_status check_costs(const murk_rules *rules, size_t candidates,
+                               murk_error *err)
+{
+    for (size_t j = 0; rules->cost && j < candidates; ++j) {
+        if (rules->cost[j] < 0 || rules->cost[j] > MURK_COST_MOST) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "cost of candidate %zu is %lld, must be 0..%lld",
+                             j, (long long)rules->cost[j],
+                             (long long)MURK_COST_MOST);
+        }
+    }
+    if (rules->budget < 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "budget is %lld, must be 0 or more",
+                         (long long)rules->budget);
+    }
+    if (rules->budget > 0 && !rules->cost) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "budget is %lld, but no candidate has a cost",
+                         (long long)rules->budget);
+    }
+    return MURK_OK;
+}
+
+static murk_status check_conflicts(const murk_rules *rules, size_t candidates,
+                                   murk_error *err)
+{
+    if (!(rules->spacing_m >= 0 && isfinite(rules->spacing_m))) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "spacing is %g m, must be 0 or more",
+                         rules->spacing_m);
+    }
+    if (rules->spacing_m > 0 && !rules->position_m) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "spacing is %g m, but no candidate has a position",
+                         rules->spacing_m);
+    }
+    if (!rules->conflict_first) {
+        return MURK_OK;
+    }
+    for (size_t j = 0; j < candidates; ++j) {
+        const size_t first = rules->conflict_first[j];
+        for (size_t k = first; k < rules->conflict_first[j + 1]; ++k) {
+            const uint32_t other = rules->conflict[k];
+            if (other >= candidates || other == j ||
+                (k > first && other <= rules->conflict[k - 1]) ||
+                !is_listed(rules, other, (uint32_t)j)) {
+                return murk_fail(err, MURK_BAD_VALUE, "",
+                                 "conflict of candidate %zu with %u: must "
+                                 "name another one below %zu, once, rising, "
+                                 "and be named there, too",
+                                 j, other, candidates);
+            }
+        }
+    }
+    return MURK_OK;
+}
+
+static bool allocate(murk_rulebook *book)
+{
+    const size_t n = book->candidates + 1, classes = book->classes + 1;
+    book->class_of = calloc(n, sizeof *book->class_of);
+    book->least = calloc(classes, sizeof *book->least);
+    book->most = calloc(classes, sizeof *book->most);
+    book->is_fixed = calloc(n, sizeof *book->is_fixed);
+    book->by_cost = calloc(n, sizeof *book->by_cost);
+    book->class_first = calloc(classes + 1, sizeof *book->class_first);
+    if (book->rules->site) {
+        book->site = calloc(n, sizeof *book->site);
+    }
+    return book->class_of && book->least && book->most && book->is_fixed &&
+           book->by_cost && book->class_first &&
+           (book->site || !book->rules->site);
+}
+
+/* Numbers the sites anew, without gaps. scratch[candidates]. */
+static void index_sites(murk_rulebook *book, keyed *scratch)
+{
+    for (size_t j = 0; j < book->candidates; ++j) {
+        scratch[j] = (keyed){book->rules->site[j], 0, (uint32_t)j};
+    }
+    qsort(scratch, book->candidates, sizeof *scratch, by_key);
+    for (size_t k = 0; k < book->candidates; ++k) {
+        book->sites += k == 0 || scratch[k].key != scratch[k - 1].key;
+        book->site[scratch[k].candidate] = (uint32_t)(book->sites - 1);
+    }
+}
+
+static void index_costs(murk_rulebook *book, keyed *scratch)
+{
+    for (size_t j = 0; j < book->candidates; ++j) {
+        const uint32_t class = book->class_of[j];
+        scratch[j] =
+            (keyed){class, murk_rulebook_cost(book, (uint32_t)j), (uint32_t)j};
+        ++book->class_first[class + 1];
+    }
+    for (size_t c = 0; c < book->classes; ++c) {
+        book->class_first[c + 1] += book->class_first[c];
+    }
+    qsort(scratch, book->candidates, sizeof *scratch, by_key);
+    for (size_t k = 0; k < book->candidates; ++k) {
+        book->by_cost[k] = scratch[k].candidate;
+    }
+}
+
+static murk_status index_classes(murk_rulebook *book, murk_error *err)
+{
+    const murk_rules *rules = book->rules;
+    for (size_t j = 0; rules->classes > 0 && j < book->candidates; ++j) {
+        book->class_of[j] = rules->class_of[j];
+        if (rules->class_of[j] >= rules->classes) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "class of candidate %zu is %u, must be below %zu",
+                             j, rules->class_of[j], rules->classes);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status index_counts(murk_rulebook *book, murk_error *err)
+{
+    const murk_rules *rules = book->rules;
+    for (size_t c = 0; c < book->classes; ++c) {
+        const size_t size = book->class_first[c + 1] - book->class_first[c];
+        const bool is_given = rules->classes > 0;
+        const size_t least = is_given && rules->least ? rules->least[c] : 0;
+        const size_t most = is_given && rules->most ? rules->most[c] : size;
+        if (least > size) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "class %zu must have at least %zu sensors, but "
+                             "has only %zu usable candidates",
+                             c, least, size);
+        }
+        if (least > most) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "class %zu must have at least %zu sensors, but "
+                             "at most %zu",
+                             c, least, most);
+        }
+        book->least[c] = least;
+        book->most[c] = most < size ? most : size;
+        book->has_least |= least > 0;
+        book->has_caps |= most < size;
+    }
+    return MURK_OK;
+}
+
+static murk_status index_fixed(murk_rulebook *book, murk_error *err)
+{
+    const murk_rules *rules = book->rules;
+    for (size_t k = 0; k < rules->fixed_count; ++k) {
+        const size_t j = rules->fixed[k];
+        if (j >= book->candidates) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "fixed sensor at candidate %zu, must be below "
+                             "%zu",
+                             j, book->candidates);
+        }
+        if (book->is_fixed[j]) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "fixed sensor at candidate %zu is given twice", j);
+        }
+        for (size_t i = 0; i < k; ++i) {
+            if (murk_rulebook_excludes(book, (uint32_t)rules->fixed[i],
+                                       (uint32_t)j)) {
+                return murk_fail(err, MURK_BAD_VALUE, "",
+                                 "fixed sensors at candidates %zu and %zu "
+                                 "exclude each other",
+                                 rules->fixed[i], j);
+            }
+        }
+        book->is_fixed[j] = true;
+    }
+    return MURK_OK;
+}
+
+static size_t fixed_of_class(const murk_rulebook *book, size_t class)
+{
+    size_t sum = 0;
+    for (size_t k = 0; k < book->rules->fixed_count; ++k) {
+        sum += book->class_of[book->rules->fixed[k]] == class;
+    }
+    return sum;
+}
+
+/* What fixed sensors and least counts cost at least. */
+static uint64_t least_cost(const murk_rulebook *book)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < book->rules->fixed_count; ++k) {
+        sum += murk_rulebook_cost(book, (uint32_t)book->rules->fixed[k]);
+    }
+    for (size_t c = 0; c < book->classes; ++c) {
+        size_t have = fixed_of_class(book, c);
+        for (size_t k = book->class_first[c];
+             k < book->class_first[c + 1] && have < book->least[c]; ++k) {
+            if (!book->is_fixed[book->by_cost[k]]) {
+                sum += murk_rulebook_cost(book, book->by_cost[k]);
+                ++have;
+            }
+        }
+    }
+    return sum;
+}
+
+static murk_status check_budget(const murk_rulebook *book, murk_error *err)
+{
+    if (!book->has_budget) {
+        return MURK_OK;
+    }
+    const uint64_t needed = least_cost(book);
+    if (needed > book->budget) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "budget is %llu, but fixed sensors and least counts "
+                         "cost %llu at least",
+                         (unsigned long long)book->budget,
+                         (unsigned long long)needed);
+    }
+    uint64_t cheapest = UINT64_MAX;
+    for (uint32_t j = 0; j < book->candidates; ++j) {
+        const uint64_t cost = murk_rulebook_cost(book, j);
+        cheapest = cost < cheapest ? cost : cheapest;
+    }
+    if (book->rules->fixed_count == 0 && cheapest > book->budget) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "budget is %llu, but the cheapest candidate costs "
+                         "%llu",
+                         (unsigned long long)book->budget,
+                         (unsigned long long)cheapest);
+    }
+    return MURK_OK;
+}
+
+/* What of the count can be seen at once. */
+static murk_status check_count(murk_rulebook *book, size_t count, bool is_most,
+                               murk_error *err)
+{
+    size_t needed = 0, allowed = 0;
+    for (size_t c = 0; c < book->classes; ++c) {
+        const size_t fixed = fixed_of_class(book, c);
+        if (fixed > book->most[c]) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "class %zu may have at most %zu sensors, but %zu "
+                             "are fixed",
+                             c, book->most[c], fixed);
+        }
+        needed += fixed > book->least[c] ? fixed : book->least[c];
+        allowed += book->most[c];
+    }
+    if (needed > count) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%zu sensors asked for, but fixed sensors and least "
+                         "counts need %zu",
+                         count, needed);
+    }
+    if (!is_most && allowed < count) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%zu sensors asked for, but the classes' greatest "
+                         "counts allow only %zu",
+                         count, allowed);
+    }
+    if (!is_most && book->site && book->sites < count) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%zu sensors asked for, but only %zu sites, with one "
+                         "sensor each",
+                         count, book->sites);
+    }
+    allowed = book->site && book->sites < allowed ? book->sites : allowed;
+    book->most_sensors = count < allowed ? count : allowed;
+    book->fewest_sensors = needed > 0 ? needed : 1;
+    if (needed > book->most_sensors) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "fixed sensors and least counts need %zu sensors, "
+                         "but only %zu may stand, one a site",
+                         needed, book->most_sensors);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_rulebook_init(murk_rulebook *out, const murk_rules *rules,
+                               size_t candidates, size_t count, bool is_most,
+                               murk_error *err)
+{
+    assert(rules->classes == 0 || rules->class_of);
+    *out = (murk_rulebook){
+        .rules = rules,
+        .candidates = candidates,
+        .classes = rules->classes > 0 ? rules->classes : 1,
+        .budget = rules->budget > 0 ? (uint64_t)rules->budget : UINT64_MAX,
+        .has_budget = rules->budget > 0,
+        .has_conflicts =
+            rules->site || rules->spacing_m > 0 || rules->conflict_first};
+    keyed *scratch = NULL;
+    murk_status status = check_costs(rules, candidates, err);
+    if (!status) {
+        status = check_conflicts(rules, candidates, err);
+    }
+    if (status) {
+        return status;
+    }
+    scratch = calloc(candidates + 1, sizeof *scratch);
+    if (!scratch || !allocate(out)) {
+        status =
+            murk_fail(err, MURK_NO_MEMORY, "",
+                      "no memory for the rules of %zu candidates", candidates);
+    }
+    if (!status) {
+        status = index_classes(out, err);
+    }
+    if (!status) {
+        if (rules->site) {
+            index_sites(out, scratch);
+        }
+        index_costs(out, scratch);
+        status = index_counts(out, err);
+    }
+    if (!status) {
+        status = index_fixed(out, err);
+    }
+    if (!status) {
+        status = check_count(out, count, is_most, err);
+    }
+    if (!status) {
+        status = check_budget(out, err);
+    }
+    free(scratch);
+    if (status) {
+        murk_rulebook_release(out);
+    }
+    return status;
+}
+
+void murk_rulebook_release(murk_rulebook *book)
+{
+    free(book->class_of);
+    free(book->site);
+    free(book->least);
+    free(book->most);
+    free(book->is_fixed);
+    free(book->by_cost);
+    free(book->class_first);
+    *book = (murk_rulebook){0};
+}

@@ -1,0 +1,118 @@
+#include "placement/starts.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* `best` stops after so many starts in a row without gain. */
+#define STARTS_WITHOUT_GAIN 20
+
+/* Starts handed to each thread at once: fewer would wait for threads to begin,
+ * more would be made in vain past the stop. */
+#define STARTS_PER_WORKER 4
+
+static void run_start(void *context, unsigned worker, uint64_t batch)
+{
+    murk_starts *t = context;
+    murk_search *s = &t->search[worker];
+    uint32_t *plan = t->plan + batch * t->count;
+    s->evaluations = s->looks = 0;
+    uint64_t value = murk_search_spoq(s, plan, t->n, t->seed, t->first + batch);
+    if (!murk_interrupted()) {
+        value = murk_search_relocate(s, plan, s->size);
+    }
+    t->size[batch] = s->size;
+    t->value[batch] = value;
+    t->evaluations[batch] = s->evaluations;
+    t->looks[batch] = s->looks;
+}
+
+murk_status murk_starts_init(murk_starts *t, const murk_oracle *oracle,
+                             size_t count, uint32_t seed, murk_error *err)
+{
+    /* In an unknown environment, and where a scan is long, threads share each
+     * scan; else each takes a start of its own. */
+    const bool is_wide = oracle->wide_threads > 1 || !oracle->matrix;
+    const unsigned workers = is_wide ? 1 : oracle->problem->threads;
+    const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
+    *t = (murk_starts){.seed = seed,
+                       .count = count,
+                       .search = calloc(workers, sizeof *t->search),
+                       .wave_most = wave,
+                       .plan = calloc(wave * count, sizeof *t->plan),
+                       .size = calloc(wave, sizeof *t->size),
+                       .value = calloc(wave, sizeof *t->value),
+                       .evaluations = calloc(wave, sizeof *t->evaluations),
+                       .looks = calloc(wave, sizeof *t->looks)};
+    if (!t->search || !t->plan || !t->size || !t->value || !t->evaluations ||
+        !t->looks) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
+                         count);
+    }
+    murk_status status = MURK_OK;
+    for (; t->workers < workers && !status; ++t->workers) {
+        status = murk_search_init(&t->search[t->workers], oracle, t->workers,
+                                  is_wide ? oracle->wide_threads : 1, err);
+    }
+    return status;
+}
+
+void murk_starts_release(murk_starts *t)
+{
+    for (unsigned k = 0; k < t->workers; ++k) {
+        murk_search_release(&t->search[k]);
+    }
+    free(t->search);
+    free(t->plan);
+    free(t->size);
+    free(t->value);
+    free(t->evaluations);
+    free(t->looks);
+}
+
+void murk_starts_spare(murk_starts *t, const uint32_t *plan, size_t size)
+{
+    for (unsigned k = 0; k < t->workers; ++k) {
+        t->search[k].spare = plan;
+        t->search[k].spare_size = size;
+    }
+}
+
+uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
+                         uint64_t value, uint64_t upper, size_t most,
+                         size_t *made)
+{
+    size_t without_gain = 0, done = 0;
+    t->n = n;
+    while (done < most && without_gain < STARTS_WITHOUT_GAIN && value < upper &&
+           !murk_interrupted()) {
+        const size_t left = most - done;
+        const size_t wave = left < t->wave_most ? left : t->wave_most;
+        t->first = done;
+        if (t->workers > 1) {
+            murk_crew_run_workers(t->workers, wave, run_start, t);
+        } else {
+            run_start(t, 0, 0);
+        }
+        for (size_t k = 0;
+             k < wave && without_gain < STARTS_WITHOUT_GAIN && value < upper;
+             ++k) {
+            ++done;
+            ++without_gain;
+            t->all_evaluations += t->evaluations[k];
+            t->all_looks += t->looks[k];
+            if (t->value[k] > value) {
+                value = t->value[k];
+                *size = t->size[k];
+                memcpy(plan, t->plan + k * t->count, *size * sizeof *plan);
+                without_gain = 0;
+            }
+        }
+        murk_progress_add(wave);
+    }
+    *made += done;
+    return value;
+}

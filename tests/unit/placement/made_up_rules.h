@@ -1,0 +1,176 @@
+/* Made-up rules of every kind for made-up problems, and their plans by brute
+ * force: all subsets, each judged by the plain meaning of the rules. */
+#ifndef MURK_TESTS_MADE_UP_RULES_H
+#define MURK_TESTS_MADE_UP_RULES_H
+
+#include "made_up.h"
+
+#include <string.h>
+
+#define MADE_UP_MOST 12 /* candidates */
+
+enum made_up_kind {
+    CAPS = 1,
+    LEAST = 2,
+    BUDGET = 4,
+    FIXED = 8,
+    SITES = 16,
+    SPACING = 32,
+    LIST = 64,
+    KINDS = 7
+};
+
+typedef struct made_up_rules {
+    murk_rules rules;
+    unsigned kinds;
+    size_t candidates;
+    uint32_t class_of[MADE_UP_MOST];
+    size_t least[3], most[3];
+    int64_t cost[MADE_UP_MOST];
+    size_t fixed[2];
+    uint32_t site[MADE_UP_MOST];
+    double position_m[MADE_UP_MOST][3];
+    size_t conflict_first[MADE_UP_MOST + 1];
+    uint32_t conflict[MADE_UP_MOST * MADE_UP_MOST];
+    bool is_listed[MADE_UP_MOST][MADE_UP_MOST];
+} made_up_rules;
+
+static uint32_t made_up_draw(uint32_t seed, uint32_t what, uint32_t at,
+                             uint32_t below)
+{
+    uint32_t word[4];
+    murk_random_words(seed, MURK_TEST, 1000 + what, at, 7, word);
+    return murk_random_below(word[0], below);
+}
+
+/* Fills *out in place, whose arrays out->rules points to. */
+static void made_up_rules_fill(made_up_rules *out, uint32_t seed,
+                               unsigned kinds, size_t candidates)
+{
+    *out = (made_up_rules){.kinds = kinds, .candidates = candidates};
+    murk_rules *rules = &out->rules;
+    size_t listed = 0;
+    for (uint32_t j = 0; j < candidates; ++j) {
+        out->class_of[j] = made_up_draw(seed, 1, j, 3);
+        out->cost[j] = made_up_draw(seed, 2, j, 8); /* some are free */
+        out->site[j] = 100 * made_up_draw(seed, 3, j, 5);
+        for (uint32_t axis = 0; axis < 2; ++axis) { /* some in one place */
+            out->position_m[j][axis] =
+                made_up_draw(seed, 4 + axis, j, kinds & SPACING ? 4 : 1);
+        }
+        for (uint32_t i = 0; i < j; ++i) {
+            out->is_listed[i][j] = out->is_listed[j][i] =
+                made_up_draw(seed, 6, 100 * i + j, 5) == 0;
+        }
+    }
+    for (size_t j = 0; j < candidates; ++j) {
+        out->conflict_first[j] = listed;
+        for (size_t i = 0; i < candidates; ++i) {
+            if (out->is_listed[j][i]) {
+                out->conflict[listed++] = (uint32_t)i;
+            }
+        }
+    }
+    out->conflict_first[candidates] = listed;
+    for (uint32_t c = 0; c < 3; ++c) {
+        out->least[c] = made_up_draw(seed, 7, c, 2);
+        out->most[c] = 1 + made_up_draw(seed, 8, c, 2);
+    }
+    if (kinds & (CAPS | LEAST)) {
+        rules->classes = 3;
+        rules->class_of = out->class_of;
+        rules->least = kinds & LEAST ? out->least : NULL;
+        rules->most = kinds & CAPS ? out->most : NULL;
+    }
+    if (kinds & BUDGET) {
+        rules->cost = out->cost;
+        rules->budget = 4 + made_up_draw(seed, 9, 0, 8);
+    }
+    if (kinds & FIXED) {
+        out->fixed[0] = made_up_draw(seed, 10, 0, (uint32_t)candidates);
+        rules->fixed = out->fixed;
+        rules->fixed_count = 1;
+        out->fixed[1] = made_up_draw(seed, 10, 1, (uint32_t)candidates);
+        rules->fixed_count += out->fixed[1] != out->fixed[0] && seed % 2 == 0;
+    }
+    rules->site = kinds & SITES ? out->site : NULL;
+    if (kinds & SPACING) {
+        rules->position_m = (const double(*)[3])out->position_m;
+        rules->spacing_m = 1.2;
+    }
+    if (kinds & LIST) {
+        rules->conflict_first = out->conflict_first;
+        rules->conflict = out->conflict;
+    }
+}
+
+static bool made_up_excludes(const made_up_rules *m, size_t a, size_t b)
+{
+    const double x = m->position_m[a][0] - m->position_m[b][0];
+    const double y = m->position_m[a][1] - m->position_m[b][1];
+    return (m->kinds & SITES && m->site[a] == m->site[b]) ||
+           (m->kinds & SPACING && hypot(x, y) < 1.2) ||
+           (m->kinds & LIST && m->is_listed[a][b]);
+}
+
+/* Whether the set (bit j: candidate j) keeps the rules; count apart. */
+static bool made_up_keeps(const made_up_rules *m, uint32_t set)
+{
+    size_t have[3] = {0};
+    int64_t cost = 0;
+    for (size_t j = 0; j < m->candidates; ++j) {
+        if (!(set >> j & 1)) {
+            continue;
+        }
+        ++have[m->class_of[j]];
+        cost += m->cost[j];
+        for (size_t i = 0; i < j; ++i) {
+            if (set >> i & 1 && made_up_excludes(m, i, j)) {
+                return false;
+            }
+        }
+    }
+    for (size_t c = 0; c < 3; ++c) {
+        if ((m->kinds & LEAST && have[c] < m->least[c]) ||
+            (m->kinds & CAPS && have[c] > m->most[c])) {
+            return false;
+        }
+    }
+    for (size_t k = 0; k < m->rules.fixed_count; ++k) {
+        if (!(set >> m->fixed[k] & 1)) {
+            return false;
+        }
+    }
+    return set != 0 && (!(m->kinds & BUDGET) || cost <= m->rules.budget);
+}
+
+static uint64_t made_up_set_value(const made_up *m, uint32_t set)
+{
+    size_t plan[MADE_UP_MOST], n = 0;
+    for (size_t j = 0; j < m->problem.candidates; ++j) {
+        if (set >> j & 1) {
+            plan[n++] = j;
+        }
+    }
+    return made_up_value(m, plan, n);
+}
+
+/* best[n]: of the plans of n sensors; UINT64_MAX: there is none. */
+static void made_up_ruled_optima(const made_up *m, const made_up_rules *r,
+                                 uint64_t best[MADE_UP_MOST + 1])
+{
+    for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
+        best[n] = UINT64_MAX;
+    }
+    for (uint32_t set = 1; set < 1u << r->candidates; ++set) {
+        if (made_up_keeps(r, set)) {
+            const int n = __builtin_popcount(set);
+            const uint64_t value = made_up_set_value(m, set);
+            if (best[n] == UINT64_MAX || value > best[n]) {
+                best[n] = value;
+            }
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,558 @@
+/* Plans under rules against brute force: every kind of rule, every pair of
+ * kinds, all of them; each method, environment, with presolve and without.
+ * Nothing is random but the fixed seeds. */
+#include "placement/place.h"
+
+#include "check.h"
+#include "made_up_rules.h"
+
+#include <math.h>
+
+#define MATRIX_MOST ((uint64_t)1 << 32)
+#define METHODS     4
+
+typedef struct tally {
+    int plans, refused, not_best, proven;
+} tally;
+
+static murk_status place_any(murk_place_result *out, const made_up *m,
+                             const murk_place_desc *desc, bool known,
+                             murk_error *err)
+{
+    if (!known) {
+        return murk_place_unknown(out, &m->problem, desc, err);
+    }
+    murk_matrix *matrix = NULL;
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, err) ==
+          MURK_OK);
+    const murk_status status =
+        murk_place_known(out, &m->problem, matrix, desc, err);
+    murk_matrix_destroy(matrix);
+    return status;
+}
+
+static uint32_t set_of(const murk_place_result *r)
+{
+    uint32_t set = 0;
+    for (size_t k = 0; k < r->count; ++k) {
+        set |= 1u << r->sensor[k];
+    }
+    return set;
+}
+
+/* The best worth of plans that may be had for this count. */
+static uint64_t optimum_of(const made_up_rules *r, const uint64_t *best,
+                           size_t count)
+{
+    if (!(r->kinds & BUDGET)) {
+        return best[count];
+    }
+    uint64_t most = UINT64_MAX;
+    for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
+        if (best[n] != UINT64_MAX && (most == UINT64_MAX || best[n] > most)) {
+            most = best[n];
+        }
+    }
+    return most;
+}
+
+static double share_promised(const char *guarantee, size_t n)
+{
+    if (strcmp(guarantee, "none") == 0) {
+        return 0;
+    }
+    if (strcmp(guarantee, "1 - (1 - 1/n)^n") == 0) {
+        return 1 - pow(1 - 1 / (double)n, (double)n);
+    }
+    if (strcmp(guarantee, ".405") == 0) {
+        return .405;
+    }
+    int k = 0;
+    CHECK(sscanf(guarantee, "1/%d", &k) == 1 && k >= 2 && k <= 15);
+    return 1 / (double)k;
+}
+
+/* No other place for one sensor, and with a budget no further sensor, is worth
+ * more. */
+static void check_certificate(const made_up *m, const made_up_rules *r,
+                              const murk_place_result *plan, size_t count)
+{
+    const uint32_t set = set_of(plan);
+    for (size_t i = 0; i < r->candidates; ++i) {
+        for (size_t j = 0; j < r->candidates; ++j) {
+            const uint32_t moved = (set & ~(1u << i)) | 1u << j;
+            const size_t n = (size_t)__builtin_popcount(moved);
+            if (set >> i & 1 && n == plan->count && made_up_keeps(r, moved)) {
+                CHECK(made_up_set_value(m, moved) <= plan->value);
+            }
+        }
+        const uint32_t more = set | 1u << i;
+        if (r->kinds & BUDGET && made_up_keeps(r, more) &&
+            (count == 0 || plan->count < count)) {
+            CHECK(made_up_set_value(m, more) <= plan->value);
+        }
+    }
+}
+
+static void check_curve(const made_up_rules *r, const murk_place_result *plan,
+                        const uint64_t *best)
+{
+    CHECK((plan->curve_points == 0) == ((r->kinds & BUDGET) != 0));
+    for (size_t k = 0; k < plan->curve_points; ++k) {
+        const murk_curve_point *at = &plan->curve[k];
+        CHECK(at->count == plan->count - plan->curve_points + 1 + k);
+        CHECK(best[at->count] != UINT64_MAX);
+        CHECK(at->value <= best[at->count] && at->upper >= best[at->count]);
+    }
+    if (plan->curve_points > 0) {
+        const size_t before = plan->count - plan->curve_points;
+        CHECK(before == 0 || best[before] == UINT64_MAX);
+    }
+}
+
+static void check_plan(const made_up *m, const made_up_rules *r,
+                       const murk_place_desc *desc, bool known,
+                       const murk_place_result *plan, const uint64_t *best,
+                       tally *t)
+{
+    const uint64_t optimum = optimum_of(r, best, desc->count);
+    const uint32_t set = set_of(plan);
+    CHECK(made_up_keeps(r, set));
+    CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
+                            : plan->count == desc->count);
+    CHECK(plan->value == made_up_set_value(m, set));
+    CHECK(plan->value <= optimum);
+    CHECK(plan->upper >= optimum);
+    CHECK(!plan->proven_optimal || plan->value == optimum);
+    CHECK((double)plan->value >= share_promised(plan->guarantee, plan->count) *
+                                     (double)optimum * (1 - 1e-15));
+    check_curve(r, plan, best);
+    uint64_t cost = 0;
+    for (size_t k = 0; k < plan->count && r->kinds & BUDGET; ++k) {
+        cost += (uint64_t)r->cost[plan->sensor[k]];
+    }
+    CHECK(plan->cost == cost);
+    const bool proves =
+        desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_EXACT;
+    if (known && proves) {
+        CHECK(plan->value == optimum && plan->proven_optimal);
+    }
+    if (desc->method == MURK_PLACE_BEST) {
+        check_certificate(m, r, plan, desc->count);
+    }
+    ++t->plans;
+    t->not_best += plan->value < optimum;
+    t->proven += plan->proven_optimal;
+}
+
+static void try_all_ways(const made_up *m, const made_up_rules *r,
+                         uint32_t seed, size_t count, tally *t)
+{
+    uint64_t best[MADE_UP_MOST + 1];
+    made_up_ruled_optima(m, r, best);
+    const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
+    murk_place_result first[METHODS] = {{0}};
+    for (int way = 0; way < 3 * METHODS; ++way) {
+        const int method = way % METHODS;
+        const bool known = way < 2 * METHODS;
+        murk_place_desc desc = murk_place_defaults();
+        desc.method = (murk_place_method)method;
+        desc.count = count;
+        desc.restarts = 3;
+        desc.seed = seed;
+        desc.rules = &r->rules;
+        desc.keep_dominated = way >= METHODS;
+        desc.with_curve = seed % 4 < 2;
+        if (!known && method == MURK_PLACE_EXACT) {
+            continue;
+        }
+        murk_error err = {0};
+        murk_place_result plan = {0};
+        const murk_status status = place_any(&plan, m, &desc, known, &err);
+        CHECK((status == MURK_OK) == is_possible);
+        if (status) {
+            CHECK(err.text[0] != 0 && plan.sensor == NULL);
+            CHECK(!is_possible || err.text[0] == 0); /* show the text */
+            ++t->refused;
+            continue;
+        }
+        if (desc.with_curve) {
+            check_plan(m, r, &desc, known, &plan, best, t);
+        } else {
+            murk_place_desc as_if = desc;
+            CHECK(plan.curve_points == 0);
+            plan.curve_points = r->kinds & BUDGET ? 0 : 1;
+            murk_curve_point point = {plan.count, plan.value, plan.upper};
+            murk_curve_point *none = plan.curve;
+            plan.curve = &point;
+            const size_t fewer = plan.count - 1;
+            const uint64_t held = best[fewer];
+            best[fewer] = UINT64_MAX;
+            check_plan(m, r, &as_if, known, &plan, best, t);
+            best[fewer] = held;
+            plan.curve = none;
+        }
+        /* Presolve is for speed; SPOQ and greedy do not even notice it, nor
+         * whether the environment is known. */
+        if (way < METHODS) {
+            first[method] = plan;
+            continue;
+        }
+        if (method == MURK_PLACE_SPOQ || method == MURK_PLACE_GREEDY) {
+            CHECK(set_of(&plan) == set_of(&first[method]));
+        }
+        murk_place_release(&plan);
+    }
+    for (int method = 0; method < METHODS; ++method) {
+        murk_place_release(&first[method]);
+    }
+}
+
+/* The last half of the candidates see what the first half do, or less: each is
+ * dominated, if the rules let it be. */
+static void let_half_see_no_more(made_up *m, uint32_t seed)
+{
+    const size_t n = m->problem.photons, half = m->problem.candidates / 2;
+    for (uint32_t j = 0; j < half; ++j) {
+        const uint32_t kept = made_up_draw(seed, 30, j, 3);
+        for (size_t i = 0; i < n; ++i) {
+            m->clarity[(half + j) * n + i] =
+                kept == 0 || i % (kept + 1) ? m->clarity[j * n + i] : 0;
+        }
+    }
+}
+
+static void test_every_rule(uint32_t seed)
+{
+    for (unsigned kinds = 0; kinds < 1u << KINDS; ++kinds) {
+        const int bits = __builtin_popcount(kinds);
+        const uint32_t problems = bits == 1 ? 12 : bits == 2 ? 6 : 1;
+        tally t = {0};
+        for (uint32_t k = 0; k < problems; ++k) {
+            const uint32_t own = seed + 1000 * kinds + k;
+            made_up *m = made_up_create(own, 60, 10, k % 3 ? .25 : .07,
+                                        k % 2 ? 1 : 40, 1 + k % 4, 1);
+            if (k % 2 == k / 2 % 2) {
+                let_half_see_no_more(m, own);
+            }
+            made_up_rules r;
+            made_up_rules_fill(&r, own, kinds, 10);
+            const size_t count =
+                kinds & BUDGET && k % 3 ? 0 : 1 + made_up_draw(own, 20, 0, 5);
+            try_all_ways(m, &r, own, count, &t);
+            made_up_destroy(m);
+        }
+        if (bits <= 1) {
+            printf("kinds %u: %d plans, %d refusals, %d short of the best, "
+                   "%d proven\n",
+                   kinds, t.plans, t.refused, t.not_best, t.proven);
+        }
+        CHECK(bits != 1 || t.plans > 0);
+    }
+}
+
+/* As few sensors as reach the target, under caps and with fixed ones. */
+static void test_target_under_rules(uint32_t seed)
+{
+    int reached = 0, missed = 0;
+    for (uint32_t k = 0; k < 60; ++k) {
+        const unsigned kinds[] = {CAPS, FIXED, CAPS | FIXED, LEAST, SITES};
+        made_up *m = made_up_create(seed + k, 60, 10, .2, k % 2 ? 1 : 40, 2, 1);
+        made_up_rules r;
+        made_up_rules_fill(&r, seed + k, kinds[k % 5], 10);
+        uint64_t best[MADE_UP_MOST + 1];
+        made_up_ruled_optima(m, &r, best);
+        const size_t aim = 2 + k % 4;
+        murk_place_desc desc = murk_place_defaults();
+        desc.method = k % 3 ? MURK_PLACE_BEST : MURK_PLACE_EXACT;
+        desc.count = 10;
+        desc.restarts = 3;
+        desc.rules = &r.rules;
+        desc.target = made_up_set_value(m, (1u << (2 * aim)) - 1);
+        size_t fewest = 0;
+        bool is_possible = false;
+        for (size_t n = 10; n >= 1; --n) {
+            is_possible |= best[n] != UINT64_MAX;
+            if (best[n] != UINT64_MAX && best[n] >= desc.target) {
+                fewest = n;
+            }
+        }
+        murk_error err = {0};
+        murk_place_result plan = {0};
+        const murk_status status = place_any(&plan, m, &desc, true, &err);
+        CHECK((status == MURK_OK) == (fewest > 0));
+        if (status) {
+            CHECK_MENTIONS(err.text, is_possible ? "target" : "class");
+            ++missed;
+        } else {
+            CHECK(plan.count == fewest && plan.fewest == fewest);
+            CHECK(plan.value >= desc.target);
+            CHECK(made_up_keeps(&r, set_of(&plan)));
+            ++reached;
+        }
+        murk_place_release(&plan);
+        made_up_destroy(m);
+    }
+    CHECK(reached > 10 && missed > 3); /* or one of them was not tested */
+}
+
+static void check_refusal(const murk_rules *rules, size_t count,
+                          uint64_t target, const char *text)
+{
+    made_up *m = made_up_create(5, 20, 6, .3, 1, 1, 1);
+    murk_place_desc desc = murk_place_defaults();
+    desc.count = count;
+    desc.target = target;
+    desc.rules = rules;
+    murk_place_result plan = {0};
+    murk_error err = {0};
+    CHECK(murk_place_unknown(&plan, &m->problem, &desc, &err) != MURK_OK);
+    CHECK_TEXT(err.text, text);
+    CHECK(plan.sensor == NULL);
+    made_up_destroy(m);
+}
+
+static void test_contradictions_are_refused(void)
+{
+    const uint32_t class_of[] = {0, 0, 1, 1, 1, 1};
+    const uint32_t bad_class[] = {0, 0, 1, 2, 1, 1};
+    const size_t two[] = {2, 0}, three[] = {3, 0}, ones[] = {1, 1};
+    const size_t fixed[] = {0, 1}, twice[] = {4, 4}, outside[] = {6};
+    const int64_t cost[] = {5, 7, 9, 5, 6, 8};
+    const int64_t negative[] = {5, 7, -9, 5, 6, 8};
+    const uint32_t site[] = {8, 8, 8, 9, 9, 9};
+    const double place[6][3] = {{0}, {.5}, {1}, {1.5}, {2}, {2.5}};
+    const size_t first[] = {0, 1, 1, 1, 1, 1, 1};
+    const uint32_t one_way[] = {3};
+    const struct {
+        murk_rules rules;
+        size_t count;
+        uint64_t target;
+        const char *text;
+    } bad[] = {
+        {{.classes = 2, .class_of = bad_class},
+         2,
+         0,
+         "class of candidate 3 is 2, must be below 2"},
+        {{.classes = 2, .class_of = class_of, .least = two, .most = ones},
+         2,
+         0,
+         "class 0 must have at least 2 sensors, but at most 1"},
+        {{.classes = 2, .class_of = class_of, .least = three},
+         4,
+         0,
+         "class 0 must have at least 3 sensors, but has only 2 usable "
+         "candidates"},
+        {{.classes = 2, .class_of = class_of, .least = two},
+         1,
+         0,
+         "1 sensors asked for, but fixed sensors and least counts need 2"},
+        {{.classes = 2, .class_of = class_of, .most = ones},
+         3,
+         0,
+         "3 sensors asked for, but the classes' greatest counts allow only 2"},
+        {{.classes = 2,
+          .class_of = class_of,
+          .most = ones,
+          .fixed = fixed,
+          .fixed_count = 2},
+         2,
+         0,
+         "class 0 may have at most 1 sensors, but 2 are fixed"},
+        {{.fixed = twice, .fixed_count = 2},
+         3,
+         0,
+         "fixed sensor at candidate 4 is given twice"},
+        {{.fixed = outside, .fixed_count = 1},
+         3,
+         0,
+         "fixed sensor at candidate 6, must be below 6"},
+        {{.fixed = fixed, .fixed_count = 2},
+         1,
+         0,
+         "1 sensors asked for, but fixed sensors and least counts need 2"},
+        {{.fixed = fixed, .fixed_count = 2, .site = site},
+         2,
+         0,
+         "fixed sensors at candidates 0 and 1 exclude each other"},
+        {{.fixed = fixed,
+          .fixed_count = 2,
+          .position_m = place,
+          .spacing_m = .6},
+         2,
+         0,
+         "fixed sensors at candidates 0 and 1 exclude each other"},
+        {{.cost = negative, .budget = 9},
+         0,
+         0,
+         "cost of candidate 2 is -9, must be 0..1000000000000"},
+        {{.cost = cost, .budget = -1}, 1, 0, "budget is -1, must be 0 or more"},
+        {{.budget = 5}, 0, 0, "budget is 5, but no candidate has a cost"},
+        {{.cost = cost, .budget = 4},
+         0,
+         0,
+         "budget is 4, but the cheapest candidate costs 5"},
+        {{.cost = cost, .budget = 11, .fixed = fixed, .fixed_count = 2},
+         0,
+         0,
+         "budget is 11, but fixed sensors and least counts cost 12 at least"},
+        {{.cost = cost, .budget = 11},
+         0,
+         5,
+         "a target and a budget are given, must be one"},
+        {{.site = site},
+         3,
+         0,
+         "3 sensors asked for, but only 2 sites, with one sensor each"},
+        {{.position_m = place, .spacing_m = (double)NAN},
+         1,
+         0,
+         "spacing is nan m, must be 0 or more"},
+        {{.spacing_m = 1},
+         1,
+         0,
+         "spacing is 1 m, but no candidate has a position"},
+        {{.position_m = place, .spacing_m = 1.2},
+         3,
+         0,
+         "no plan: no 3 of 6 usable candidates keep all rules"},
+        {{.conflict_first = first, .conflict = one_way},
+         2,
+         0,
+         "conflict of candidate 0 with 3: must name another one below 6, "
+         "once, rising, and be named there, too"},
+    };
+    for (size_t k = 0; k < sizeof bad / sizeof bad[0]; ++k) {
+        check_refusal(&bad[k].rules, bad[k].count, bad[k].target, bad[k].text);
+    }
+}
+
+/* What a plan promises, by name. */
+static void test_guarantees_are_named(void)
+{
+    static const struct {
+        unsigned kinds;
+        const char *name;
+    } all[] = {{0, "1 - (1 - 1/n)^n"},
+               {FIXED, "1 - (1 - 1/n)^n"},
+               {CAPS, "1/2"},
+               {LEAST, "1/2"},
+               {SITES, "1/2"},
+               {SITES | CAPS, "1/3"},
+               {SPACING, "1/13"},
+               {SPACING | CAPS, "1/14"},
+               {SPACING | SITES, "1/14"},
+               {LIST, "none"},
+               {BUDGET, ".405"},
+               {BUDGET | FIXED, ".405"},
+               {BUDGET | CAPS, "none"},
+               {BUDGET | SPACING, "none"}};
+    made_up *m = made_up_create(5, 20, 10, .3, 1, 1, 1);
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {
+        made_up_rules r;
+        made_up_rules_fill(&r, 11, all[k].kinds, 10);
+        for (size_t c = 0; c < 3; ++c) {
+            r.most[c] = 1; /* a cap that says something */
+            r.least[c] = c == 0;
+        }
+        murk_place_desc desc = murk_place_defaults();
+        desc.count = all[k].kinds & BUDGET ? 0 : 2;
+        desc.method = MURK_PLACE_GREEDY;
+        desc.rules = &r.rules;
+        murk_place_result plan = {0};
+        murk_error err = {0};
+        CHECK(place_any(&plan, m, &desc, true, &err) == MURK_OK);
+        CHECK_TEXT(err.text, "");
+        CHECK_TEXT(plan.guarantee ? plan.guarantee : "", all[k].name);
+        murk_place_release(&plan);
+        desc.method = MURK_PLACE_SPOQ;
+        CHECK(place_any(&plan, m, &desc, true, &err) == MURK_OK);
+        CHECK_TEXT(plan.guarantee ? plan.guarantee : "", "none");
+        murk_place_release(&plan);
+    }
+    made_up_destroy(m);
+}
+
+/* Gain per cost alone may be arbitrarily bad: a cheap candidate that sees
+ * little keeps the dear one out, which sees all. Greedy tries both. */
+static void test_budget_is_not_spent_on_crumbs(void)
+{
+    made_up *m = made_up_create(1, 100, 2, 0, 1, 1, 1);
+    for (size_t i = 0; i < 100; ++i) {
+        m->clarity[i] = MURK_CLEAR;
+        m->clarity[100 + i] = i < 2 ? MURK_CLEAR : 0;
+    }
+    const int64_t cost[] = {100, 1};
+    const murk_rules rules = {.cost = cost, .budget = 100};
+    murk_place_desc desc = murk_place_defaults();
+    desc.method = MURK_PLACE_GREEDY;
+    desc.count = 0;
+    desc.rules = &rules;
+    murk_place_result plan = {0};
+    murk_error err = {0};
+    CHECK(place_any(&plan, m, &desc, false, &err) == MURK_OK);
+    CHECK(plan.count == 1 && plan.sensor[0] == 0 && plan.cost == 100);
+    murk_place_release(&plan);
+    made_up_destroy(m);
+}
+
+/* Threads, rules of every kind, and more candidates than brute force can try:
+ * the same plan, and the same bound. */
+static void test_threads_change_nothing_under_rules(void)
+{
+    enum { CANDIDATES = 80 };
+    uint32_t class_of[CANDIDATES], site[CANDIDATES];
+    int64_t cost[CANDIDATES];
+    for (uint32_t j = 0; j < CANDIDATES; ++j) {
+        class_of[j] = j % 3;
+        site[j] = j / 2;
+        cost[j] = 2 + j % 5;
+    }
+    const size_t least[] = {1, 0, 0}, most[] = {2, 2, 1}, fixed[] = {17};
+    for (int with_budget = 0; with_budget < 2; ++with_budget) {
+        const murk_rules rules = {.classes = 3,
+                                  .class_of = class_of,
+                                  .least = least,
+                                  .most = most,
+                                  .cost = cost,
+                                  .budget = with_budget ? 14 : 0,
+                                  .fixed = fixed,
+                                  .fixed_count = 1,
+                                  .site = site};
+        murk_place_result was = {0};
+        for (unsigned threads = 1; threads <= 4; threads += 3) {
+            made_up *m = made_up_create(3, 700, CANDIDATES, .12, 9, 2, threads);
+            murk_place_desc desc = murk_place_defaults();
+            desc.count = 4;
+            desc.restarts = 40;
+            desc.nodes = 50;
+            desc.rules = &rules;
+            murk_place_result r = {0};
+            murk_error err = {0};
+            CHECK(place_any(&r, m, &desc, true, &err) == MURK_OK);
+            if (threads > 1) {
+                CHECK(r.count == was.count && r.value == was.value);
+                CHECK(memcmp(r.sensor, was.sensor,
+                             r.count * sizeof *r.sensor) == 0);
+                CHECK(r.upper == was.upper && r.restarts == was.restarts);
+                CHECK(r.evaluations == was.evaluations);
+            }
+            murk_place_release(&was);
+            was = r;
+            made_up_destroy(m);
+        }
+        murk_place_release(&was);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
+    test_every_rule(seed);
+    test_target_under_rules(seed);
+    test_contradictions_are_refused();
+    test_guarantees_are_named();
+    test_budget_is_not_spent_on_crumbs();
+    test_threads_change_nothing_under_rules();
+    return check_done();
+}
