@@ -233,11 +233,10 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
                          "1.001..2",
                          n);
     }
-    if (!(slope > 3 && slope < 5)) {
+    if (!(slope >= MURK_FORAND_LEAST && slope <= MURK_FORAND_MOST)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "slope mu of Fournier-Forand is %g, must be more "
-                         "than 3 and less than 5",
-                         slope);
+                         "slope mu of Fournier-Forand is %g, must be %g..%g",
+                         slope, MURK_FORAND_LEAST, MURK_FORAND_MOST);
     }
     const forand f = {n, slope};
     const double s = forand_head(&f);

@@ -41,7 +41,7 @@ static const murk_key TWO_HG_ITEMS[] = {
 
 static const murk_key FOURNIER_FORAND_ITEMS[] = {
     ROW("n", NUMBER, .least = 1.001, .most = 2),
-    ROW("mu", NUMBER, .least = 3, .most = 5, .above = true, .below = true),
+    ROW("mu", NUMBER, .least = 3.0001, .most = 4.9999),
     END,
 };
 

@@ -72,7 +72,7 @@ static void show_words(const murk_word *words, char *out, size_t size)
     }
 }
 
-/* "[n, mu], n 1.001..2, mu more than 3 and less than 5" */
+/* "[n, mu], n 1.001..2, mu 3.0001..4.9999" */
 static void show_items(const murk_key *items, char *out, size_t size)
 {
     size_t length = 0;

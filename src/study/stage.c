@@ -256,6 +256,24 @@ static void warn_if_cut(const char *where, const murk_box *box,
     }
 }
 
+/* Nothing bends light in a side of the domain; where a periodic one joins the
+ * cut of a region to what is not that region, it should. */
+static void warn_if_cut_once(const murk_stage *stage,
+                             const murk_scene_region *r, const murk_box *box)
+{
+    const murk_domain *domain = &stage->world.domain;
+    const murk_box *d = &domain->box;
+    const bool x = (box->min.x <= d->min.x) != (box->max.x >= d->max.x);
+    const bool y = (box->min.y <= d->min.y) != (box->max.y >= d->max.y);
+    if (domain->is_periodic && r->ior > 0 && (x || y)) {
+        murk_warn(r->where,
+                  "reaches one %c side of the periodic domain and not the "
+                  "other: light that wraps there changes its index of "
+                  "refraction without being bent",
+                  x ? 'x' : 'y');
+    }
+}
+
 static void warn_of_cuts(const murk_stage *stage)
 {
     const murk_box *domain = &stage->world.domain.box;
@@ -271,6 +289,7 @@ static void warn_of_cuts(const murk_stage *stage)
             const murk_box box = murk_extent_region(
                 stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
             warn_if_cut(r->where, &box, domain);
+            warn_if_cut_once(stage, r, &box);
         }
     }
 }

@@ -326,9 +326,11 @@ regions: [{medium: fog}]
 lights: [{type: point, position_m: [2, 2, 2.5], power_w: 10}]
 photons: {emit: 1000000}
 END
-expect 2 "no material or medium absorbs and there is no way out" trace "$dir/white.yaml"
-expect 2 "light does not end" check "$dir/white.yaml"
-expect 2 "light does not end" trace "$dir/white.yaml" --set photons.maps=none
+expect 2 "no surface or medium absorbs and no way out was found" trace "$dir/white.yaml"
+expect 2 "light of 550 nm does not end" check "$dir/white.yaml"
+expect 2 "does not end" trace "$dir/white.yaml" --set photons.maps=none
+expect 2 "light of 600 nm does not end" trace "$dir/white.yaml" --set "bands_nm=[450, 600]" \
+    --set "media.fog.albedo=[0.5, 1]"
 expect 2 "more absorption" trace "$dir/white.yaml" --set media.fog.albedo=0.9999999
 
 [ $failed -eq 0 ] && echo "all refused as they should be"

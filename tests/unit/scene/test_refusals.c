@@ -144,7 +144,7 @@ static const refusal REFUSALS[] = {
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {fournier_forand: "
      "1.1}}\n",
      VALUE, "fog.yaml:3:66: media.fog.phase.fournier_forand",
-     "1.1, must be [n, mu], n 1.001..2, mu more than 3 and less than 5"},
+     "1.1, must be [n, mu], n 1.001..2, mu 3.0001..4.9999"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {fournier_forand: "
      "[1, 3.5]}}\n",
      VALUE, "fog.yaml:3:67: media.fog.phase.fournier_forand.0",
@@ -152,7 +152,7 @@ static const refusal REFUSALS[] = {
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {fournier_forand: "
      "[1.1, 3]}}\n",
      VALUE, "fog.yaml:3:72: media.fog.phase.fournier_forand.1",
-     "3, must be more than 3 and less than 5"},
+     "3, must be 3.0001..4.9999"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {table: []}}\n",
      VALUE, "fog.yaml:3:49: media.fog.phase.table",
      "an empty list, must be the name of a file"},

@@ -127,7 +127,7 @@ static void test_refusals(void)
                    "must be at least 2");
     /* white walls and a white fog: light that nothing ends */
     expect_refusal("photons={emit: 2, maps: none}", "materials.wall.diffuse=1",
-                   MURK_BAD_VALUE, "light does not end");
+                   MURK_BAD_VALUE, "does not end");
     /* nearly so: half of the light is lost to the cap on events */
     expect_refusal("photons={emit: 20, maps: none}",
                    "materials.wall.diffuse=0.99998", MURK_RUN_FAILED,
