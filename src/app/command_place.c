@@ -1,4 +1,5 @@
 #include "app/coverage_out.h"
+#include "app/exports.h"
 #include "app/place_matrix.h"
 #include "app/plan_out.h"
 #include "app/session.h"
@@ -125,7 +126,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
 }
 
 static murk_status write_plan(murk_session *session, const murk_plan *plan,
-                              murk_error *err)
+                              murk_error *late, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -144,6 +145,9 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
                                        &plan->in_sample, err);
     }
     if (!status) {
+        status = murk_exports_add_plan(session, plan, late, err);
+    }
+    if (!status) {
         status = murk_session_finish(session, "plan.json",
                                      plan_json(session, plan), err);
     }
@@ -157,6 +161,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     }
     murk_session session;
     murk_plan plan = {0};
+    murk_error late = {0};
     murk_status status = murk_session_begin(&session, options, err);
     if (!status) {
         status = murk_plan_prepare(&plan, session.stage, options->threads, err);
@@ -173,10 +178,13 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         session.run.map_s = plan.map_s;
         session.run.sense_s = plan.sense_s;
         session.run.place_s = plan.place_s;
-        status = write_plan(&session, &plan, err);
+        status = write_plan(&session, &plan, &late, err);
     }
     if (!status && murk_session_speaks(&session)) {
         print_plan(&session, &plan);
+    }
+    if (!status && late.status) { /* the plan is written, this is not */
+        status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_plan_release(&plan);
     murk_session_end(&session);

@@ -26,6 +26,11 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_MATRIX, "--matrix", NULL, "FILE", "place",
      "choose columns of this coverage matrix, CSV or OR-Library text, in place "
      "of a scene; with --count or --target"},
+    {MURK_OPTION_EXPORT, "--export", NULL, "LIST", "place",
+     "write these into DIR, too, with commas between: matrix (matrix.csv, the "
+     "coverage matrix, which --matrix reads, and candidates.csv), or-library "
+     "(matrix.txt, the same as OR-Library text), lp (problem.lp, the problem "
+     "for an outside solver)"},
     {MURK_OPTION_PHOTON, "--photon", NULL, "N", "replay",
      "index of the emitted photon, from 0"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense",

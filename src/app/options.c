@@ -26,11 +26,12 @@ const murk_command murk_commands[] = {
      "the main job: trace, sense, place sensors",
      "Traces, finds which candidate sees which stored photon and how clearly, "
      "chooses the sensors, and measures the choice on a second, independent "
-     "map. With -o writes DIR/plan.json (last), sensors.csv, coverage.csv and "
-     "all that trace writes. With --matrix it chooses columns of a given "
+     "map. With -o writes DIR/plan.json (last), sensors.csv, coverage.csv, "
+     "plan.ply and all that trace writes. With --matrix it chooses columns of "
+     "a given "
      "coverage matrix, so that most of the rows' weight is covered; "
-     "DIR/plan.json is then all it writes, with null where a matrix has no "
-     "such thing. The formats of a matrix: scenes/README.md.",
+     "DIR/plan.json is then all it writes by itself, with null where a matrix "
+     "has no such thing. The formats of a matrix: scenes/README.md.",
      murk_command_place},
     {"sense", "SCENE --sensors FILE [-o DIR]", "measure a given placement",
      "Traces and measures what the given sensors see. With -o writes "
@@ -154,6 +155,34 @@ static murk_status choice(const char *name, const char *value,
     return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be %s", value, list);
 }
 
+/* Words with commas between. */
+static murk_status read_exports(murk_options *out, const char *name,
+                                const char *value, murk_error *err)
+{
+    static const char *const words[] = {"matrix", "or-library", "lp"};
+    for (const char *word = value;;) {
+        const size_t length = strcspn(word, ",");
+        unsigned bit = 0;
+        for (unsigned i = 0; i < sizeof words / sizeof *words; ++i) {
+            if (strlen(words[i]) == length &&
+                strncmp(words[i], word, length) == 0) {
+                bit = 1u << i;
+            }
+        }
+        if (!bit) {
+            return murk_fail(err, MURK_BAD_VALUE, name,
+                             "%s, must be of matrix, or-library, lp, with "
+                             "commas between",
+                             value);
+        }
+        out->exports |= bit;
+        if (!word[length]) {
+            return MURK_OK;
+        }
+        word += length + 1;
+    }
+}
+
 static murk_status apply(murk_options *out, const murk_option *option,
                          const char *value, murk_error *err)
 {
@@ -200,6 +229,8 @@ static murk_status apply(murk_options *out, const murk_option *option,
     case MURK_OPTION_MATRIX:
         out->matrix = value;
         break;
+    case MURK_OPTION_EXPORT:
+        return read_exports(out, name, value, err);
     case MURK_OPTION_PHOTON:
         out->has_photon = true;
         return need_count(name, value, 0, UINT32_MAX - UINT64_C(1),
@@ -327,6 +358,10 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     if (!out->command) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "no command; try murk --help");
+    }
+    if (out->exports && !out->out) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "needs a folder to write into: -o DIR");
     }
     if (out->matrix) {
         return out->input ? murk_fail(err, MURK_BAD_VALUE, "--matrix",

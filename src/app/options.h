@@ -20,6 +20,13 @@ typedef struct murk_command {
     murk_status (*run)(const murk_options *options, murk_error *err);
 } murk_command;
 
+/* What --export writes. */
+typedef enum murk_export {
+    MURK_EXPORT_MATRIX = 1,
+    MURK_EXPORT_OR_LIBRARY = 2,
+    MURK_EXPORT_LP = 4
+} murk_export;
+
 struct murk_options {
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
@@ -28,6 +35,7 @@ struct murk_options {
     const char *light;   /* --light */
     const char *sensors; /* --sensors */
     const char *matrix;  /* --matrix */
+    unsigned exports;    /* --export: murk_export bits */
     bool has_photon;
     uint64_t photon; /* --photon */
     unsigned threads;

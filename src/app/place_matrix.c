@@ -1,5 +1,6 @@
 #include "app/place_matrix.h"
 
+#include "app/exports.h"
 #include "app/matrix_plan.h"
 #include "app/plan_out.h"
 
@@ -239,12 +240,22 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     if (!status) {
         status = choose(&p, err);
     }
+    murk_error late = {0};
+    if (!status && options->exports) {
+        const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,
+                                   p.desc.target};
+        murk_exports_add(&p.session.results, options->exports, p.matrix, &goal,
+                         &late);
+    }
     if (!status) {
         status = murk_session_finish(&p.session, "plan.json",
                                      murk_matrix_plan_json(&p), err);
     }
     if (!status && murk_session_speaks(&p.session)) {
         murk_matrix_plan_print(&p);
+    }
+    if (!status && late.status) {
+        status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_session_end(&p.session);
     murk_place_release(&p.place);

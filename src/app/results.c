@@ -45,6 +45,14 @@ static murk_status stage_name(murk_results *results, const char *name,
     return MURK_OK;
 }
 
+static void drop_last(murk_results *results)
+{
+    --results->n;
+    unlink(results->staged[results->n]);
+    free(results->staged[results->n]);
+    free(results->path[results->n]);
+}
+
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err)
@@ -59,6 +67,7 @@ murk_status murk_results_add(murk_results *results, const char *name,
         if (status) { /* under the staged name; told of the final one */
             status = murk_fail(err, status, results->path[results->n - 1], "%s",
                                told.text);
+            drop_last(results);
         }
     }
     return status;

@@ -33,7 +33,8 @@ typedef murk_status (*murk_results_writer)(const char *path,
                                            const void *context,
                                            murk_error *err);
 
-/* One more file of the folder, staged. */
+/* One more file of the folder, staged; where that fails, as if it had not been
+ * asked for. */
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);

@@ -1,5 +1,8 @@
 #include "study/sparse_matrix.h"
 
+#include "base/crew.h"
+#include "base/interrupt.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,14 +28,50 @@ murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
                           .threads = threads};
 }
 
-/* Room for `more` entries behind the first `have`. */
-static bool make_room(murk_sparse_matrix *m, size_t *room, size_t have,
-                      size_t more)
+/* Looks are made by blocks: on any thread, each kept until all of its block are
+ * appended in order. */
+#define BLOCK_EACH 8
+
+typedef struct kept_look {
+    size_t seen;
+    uint32_t *photon;
+    uint16_t *clarity;
+    bool has_failed;
+} kept_look;
+
+typedef struct collection {
+    const murk_problem *problem;
+    murk_sparse_matrix *matrix;
+    size_t room, most;
+    size_t first; /* candidate of block[0] */
+    kept_look *block;
+} collection;
+
+static void look_once(void *context, unsigned worker, uint64_t batch)
 {
-    if (have + more <= *room) {
+    const collection *c = context;
+    kept_look *kept = &c->block[batch];
+    murk_look seen;
+    c->problem->look(c->problem->context, worker, c->first + batch, &seen);
+    *kept =
+        (kept_look){.seen = seen.seen,
+                    .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
+                    .clarity = malloc((seen.seen + 1) * sizeof *kept->clarity)};
+    kept->has_failed = !kept->photon || !kept->clarity;
+    for (size_t k = 0; k < seen.seen && !kept->has_failed; ++k) {
+        kept->photon[k] = seen.photon[k];
+        kept->clarity[k] = seen.clarity ? seen.clarity[k] : MURK_CLEAR;
+    }
+}
+
+/* Room for `more` entries behind the first `have`. */
+static bool make_room(collection *c, size_t have, size_t more)
+{
+    murk_sparse_matrix *m = c->matrix;
+    if (have + more <= c->room) {
         return true;
     }
-    size_t wanted = 2 * *room;
+    size_t wanted = 2 * c->room;
     wanted = wanted > have + more ? wanted : have + more;
     uint32_t *row = realloc(m->row, wanted * sizeof *row);
     if (!row) {
@@ -44,20 +83,59 @@ static bool make_room(murk_sparse_matrix *m, size_t *room, size_t have,
         return false;
     }
     m->clarity = clarity;
-    *room = wanted;
+    c->room = wanted;
     return true;
 }
 
-static void append(murk_sparse_matrix *m, size_t at, const murk_look *seen)
+static murk_status append(collection *c, size_t candidate,
+                          const kept_look *seen, murk_error *err)
 {
-    if (seen->seen) {
-        memcpy(m->row + at, seen->photon, seen->seen * sizeof *m->row);
+    murk_sparse_matrix *m = c->matrix;
+    const size_t have = m->begin[candidate];
+    if (have + seen->seen > c->most) {
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "the first %zu of %zu candidates see %zu photons, a "
+                         "matrix may have %zu entries",
+                         candidate + 1, m->columns, have + seen->seen, c->most);
     }
+    if (seen->has_failed || !make_room(c, have, seen->seen)) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
+    }
+    memcpy(m->row + have, seen->photon, seen->seen * sizeof *m->row);
+    memcpy(m->clarity + have, seen->clarity, seen->seen * sizeof *m->clarity);
     for (size_t k = 0; k < seen->seen; ++k) {
-        const uint16_t clarity = seen->clarity ? seen->clarity[k] : MURK_CLEAR;
-        m->clarity[at + k] = clarity;
-        m->is_clear = m->is_clear && clarity == MURK_CLEAR;
+        m->is_clear = m->is_clear && seen->clarity[k] == MURK_CLEAR;
     }
+    m->begin[candidate + 1] = have + seen->seen;
+    return MURK_OK;
+}
+
+static murk_status look_all(collection *c, murk_error *err)
+{
+    const size_t room = (size_t)BLOCK_EACH * c->problem->threads;
+    murk_status status = MURK_OK;
+    c->block = calloc(room, sizeof *c->block);
+    if (!c->block) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
+    }
+    for (; c->first < c->matrix->columns && !status; c->first += room) {
+        const size_t left = c->matrix->columns - c->first;
+        const size_t n = left < room ? left : room;
+        murk_crew_run_workers(c->problem->threads, n, look_once, c);
+        if (murk_interrupted()) {
+            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        }
+        for (size_t i = 0; i < n; ++i) {
+            if (!status) {
+                status = append(c, c->first + i, &c->block[i], err);
+            }
+            free(c->block[i].photon);
+            free(c->block[i].clarity);
+            c->block[i] = (kept_look){0};
+        }
+    }
+    free(c->block);
+    return status;
 }
 
 /* Weights in the smallest whole numbers of the same ratios: a sum is then
@@ -84,52 +162,34 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
                                        size_t most_entries, murk_error *err)
 {
     murk_status status = MURK_NO_MEMORY;
-    size_t room = 1024, have = 0;
     murk_sparse_matrix *m = calloc(1, sizeof *m);
-    if (!m) {
-        goto done;
+    if (m) {
+        *m = (murk_sparse_matrix){
+            .format = MURK_MATRIX_SPARSE_CSV,
+            .rows = problem->photons,
+            .columns = problem->candidates,
+            .unit = 1,
+            .is_clear = true,
+            .weight = malloc((problem->photons + 1) * sizeof *m->weight),
+            .begin = calloc(problem->candidates + 1, sizeof *m->begin)};
+        status = m->weight && m->begin ? MURK_OK : status;
     }
-    *m = (murk_sparse_matrix){
-        .format = MURK_MATRIX_SPARSE_CSV,
-        .rows = problem->photons,
-        .columns = problem->candidates,
-        .unit = 1,
-        .is_clear = true,
-        .weight = malloc((problem->photons + 1) * sizeof *m->weight),
-        .begin = calloc(problem->candidates + 1, sizeof *m->begin),
-        .row = malloc(room * sizeof *m->row),
-        .clarity = malloc(room * sizeof *m->clarity)};
-    if (!m->weight || !m->begin || !m->row || !m->clarity) {
-        goto done;
+    if (status) {
+        murk_sparse_matrix_destroy(m);
+        return murk_fail(err, status, "", "no memory for the matrix");
     }
     memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
-    for (size_t j = 0; j < problem->candidates; ++j) {
-        murk_look seen;
-        problem->look(problem->context, 0, j, &seen);
-        if (have + seen.seen > most_entries) {
-            status =
-                murk_fail(err, MURK_RUN_FAILED, "",
-                          "the first %zu of %zu candidates see %zu "
-                          "photons, a matrix may have %zu entries",
-                          j + 1, m->columns, have + seen.seen, most_entries);
-            goto done;
-        }
-        if (!make_room(m, &room, have, seen.seen)) {
-            goto done;
-        }
-        append(m, have, &seen);
-        have += seen.seen;
-        m->begin[j + 1] = have;
-    }
     reduce_weights(m);
+    collection c = {.problem = problem, .matrix = m, .most = most_entries};
+    status = make_room(&c, 0, 1) ? look_all(&c, err)
+                                 : murk_fail(err, MURK_NO_MEMORY, "",
+                                             "no memory for the matrix");
+    if (status) {
+        murk_sparse_matrix_destroy(m);
+        return status;
+    }
     *out = m;
-    m = NULL;
-    status = MURK_OK;
-done:
-    murk_sparse_matrix_destroy(m);
-    return status == MURK_NO_MEMORY
-               ? murk_fail(err, status, "", "no memory for the matrix")
-               : status;
+    return MURK_OK;
 }
 
 void murk_sparse_matrix_destroy(murk_sparse_matrix *matrix)

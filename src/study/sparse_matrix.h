@@ -30,7 +30,7 @@ typedef struct murk_sparse_matrix {
 } murk_sparse_matrix;
 
 /* Reads any of the formats, told from the content; scenes/README.md describes
- * them. Fails with MURK_BAD_FILE at FILE:LINE:COLUMN. At most 2 GB; memory is
+ * them. Fails with MURK_BAD_FILE at FILE:LINE:COLUMN. At most 4 GB; memory is
  * in proportion to the file's size, whatever its header says. */
 murk_status murk_sparse_matrix_read(murk_sparse_matrix **out, const char *path,
                                     murk_error *err);
@@ -65,5 +65,27 @@ murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *matrix,
 murk_status
 murk_sparse_matrix_write_or_library(const murk_sparse_matrix *matrix,
                                     const char *path, murk_error *err);
+
+/* What a solver of integer programs is asked. */
+typedef struct murk_lp_goal {
+    size_t count;    /* of so many columns the best, or, when 0: */
+    uint64_t target; /* the fewest worth so much, in weight * clarity */
+} murk_lp_goal;
+
+/* The problem as an LP file (CPLEX's format). Rows that are covered alike are
+ * one row of their summed weight. With x_j in {0, 1} for "column j is chosen"
+ * and y in 0..1 for "this row is covered (by column j)":
+ *
+ *     maximise sum w_i y_i, y_i <= sum_j x_j        where all are clear, else
+ *     maximise sum w_i p_ij y_ij, y_ij <= x_j, sum_j y_ij <= 1
+ *
+ * with sum x_j = count; or the least sum x_j that reaches the target. The
+ * objective is in weights as given. Fails with MURK_RUN_FAILED beyond 1e7
+ * entries. Source: Church, ReVelle, Pap. Reg. Sci.
+ * 32 (1974) 101, doi:10.1007/BF01942293; Cornuejols, Fisher, Nemhauser,
+ * Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789. */
+murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *matrix,
+                                        const murk_lp_goal *goal,
+                                        const char *path, murk_error *err);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FILE_BYTES_MOST 2000000000u
+#define FILE_BYTES_MOST 4000000000u
 #define WEIGHT_LEAST    1e-12
 #define WEIGHT_MOST     1e12
 

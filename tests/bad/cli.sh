@@ -256,7 +256,7 @@ with_small_files() (
 
 expect 1 "not a folder" place "$dir/good.yaml" -o "$dir/good.yaml"
 within_limits place "$dir/good.yaml" -q -o "$dir/kept" || fail "the good scene failed"
-[ "$(ls -A "$dir/kept" | wc -l)" -eq 6 ] || fail "not six files: $(ls -A "$dir/kept")"
+[ "$(ls -A "$dir/kept" | wc -l)" -eq 7 ] || fail "not seven files: $(ls -A "$dir/kept")"
 full_disk "$dir/kept" with_small_files --emit 20000
 
 mkdir "$dir/small"

@@ -123,8 +123,16 @@ expect 2 "--emit: with --matrix there is no such key" --emit 5 --count 1
 expect 2 "--set placement.method: fast, must be best | spoq | greedy | exact" --set placement.method=fast --count 1
 expect 2 "--set placement.restarts: 0" --set placement.restarts=0 --count 1
 expect 2 "stands in place of a scene" scenes/paper-room.yaml --count 1
+expect 2 "--export: lp,png, must be of" --export lp,png --count 1
+expect 2 "--export: , must be of" --export "" --count 1
 file=$dir/absent.csv
 expect 2 "absent.csv" --count 1
 file=$dir
 expect 2 "$dir" --count 1
+within_limits place --matrix "$file" --count 1 --export lp >"$dir/stdout" 2>"$dir/stderr"
+[ $? -eq 2 ] && grep -qF -- "--export: needs a folder" "$dir/stderr" || {
+    echo "--export without -o:"
+    cat "$dir/stderr"
+    failed=1
+}
 exit $failed

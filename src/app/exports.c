@@ -1,0 +1,131 @@
+#include "app/exports.h"
+
+#include "app/plan_ply.h"
+#include "scene/number.h"
+
+#include <stdlib.h>
+
+/* 6 bytes of memory and up to some 20 of text an entry. */
+#define ENTRIES_MOST 100000000
+
+typedef struct lp_parts {
+    const murk_sparse_matrix *matrix;
+    const murk_lp_goal *goal;
+} lp_parts;
+
+static murk_status write_csv(const char *path, const void *context,
+                             murk_error *err)
+{
+    return murk_sparse_matrix_write_csv(context, path, err);
+}
+
+static murk_status write_or_library(const char *path, const void *context,
+                                    murk_error *err)
+{
+    return murk_sparse_matrix_write_or_library(context, path, err);
+}
+
+static murk_status write_lp(const char *path, const void *context,
+                            murk_error *err)
+{
+    const lp_parts *parts = context;
+    return murk_sparse_matrix_write_lp(parts->matrix, parts->goal, path, err);
+}
+
+void murk_exports_add(murk_results *results, unsigned exports,
+                      const murk_sparse_matrix *matrix,
+                      const murk_lp_goal *goal, murk_error *late)
+{
+    const lp_parts parts = {matrix, goal};
+    if (exports & MURK_EXPORT_MATRIX) {
+        (void)murk_results_add(results, "matrix.csv", write_csv, matrix, late);
+    }
+    if (exports & MURK_EXPORT_OR_LIBRARY) {
+        (void)murk_results_add(results, "matrix.txt", write_or_library, matrix,
+                               late);
+    }
+    if (exports & MURK_EXPORT_LP) {
+        (void)murk_results_add(results, "problem.lp", write_lp, &parts, late);
+    }
+}
+
+static murk_status write_candidates(const char *path, const void *context,
+                                    murk_error *err)
+{
+    const murk_candidates *candidates = context;
+    murk_file *file = NULL;
+    const murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    FILE *to = murk_file_stream(file);
+    fputs("column,x_m,y_m,z_m\n", to);
+    for (size_t j = 0; j < candidates->usable; ++j) {
+        const murk_vec3 p = candidates->position[j];
+        char x[MURK_NUMBER_SIZE], y[MURK_NUMBER_SIZE], z[MURK_NUMBER_SIZE];
+        murk_number_print(x, p.x);
+        murk_number_print(y, p.y);
+        murk_number_print(z, p.z);
+        fprintf(to, "%zu,%s,%s,%s\n", j + 1, x, y, z);
+    }
+    return murk_file_commit(&file, err);
+}
+
+/* Too large a matrix is told late, like a file that cannot be. */
+static murk_status add_matrix(murk_session *session, const murk_plan *plan,
+                              murk_sight *sight, murk_error *late,
+                              murk_error *err)
+{
+    const murk_scene_sensors *wish = &session->scene->sensors;
+    murk_sparse_matrix *matrix = NULL;
+    murk_sight_problem seen;
+    murk_sight_problem_init(&seen, sight, plan->candidates->position,
+                            plan->candidates->usable);
+    murk_error told = {0};
+    const murk_status status =
+        murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MOST, &told);
+    if (status) {
+        return murk_fail(status == MURK_RUN_FAILED ? late : err, status,
+                         "--export", "%s", told.text) == MURK_RUN_FAILED
+                   ? MURK_OK
+                   : status;
+    }
+    murk_lp_goal goal = {.count = plan->place.count};
+    if (wish->target > 0) {
+        const murk_problem problem = murk_sparse_matrix_problem(matrix, 1);
+        goal = (murk_lp_goal){.target =
+                                  murk_plan_value_of(wish->target, &problem)};
+    }
+    const unsigned exports = session->options->exports;
+    murk_exports_add(&session->results, exports, matrix, &goal, late);
+    if (exports & MURK_EXPORT_MATRIX) {
+        (void)murk_results_add(&session->results, "candidates.csv",
+                               write_candidates, plan->candidates, late);
+    }
+    murk_sparse_matrix_destroy(matrix);
+    return MURK_OK;
+}
+
+murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
+                                  murk_error *late, murk_error *err)
+{
+    if (!session->results.folder) {
+        return MURK_OK;
+    }
+    murk_sight *sight = NULL;
+    murk_status status =
+        murk_plan_sight(&sight, session->stage, session->traced,
+                        session->options->threads, err);
+    if (!status) {
+        const double size_m =
+            murk_length(murk_sub(session->stage->world.domain.box.max,
+                                 session->stage->world.domain.box.min));
+        status = murk_add_plan_ply(&session->results, sight, plan->sensor,
+                                   plan->place.count, size_m, err);
+    }
+    if (!status && session->options->exports) {
+        status = add_matrix(session, plan, sight, late, err);
+    }
+    murk_sight_destroy(sight);
+    return status;
+}

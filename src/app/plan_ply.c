@@ -1,0 +1,194 @@
+#include "app/plan_ply.h"
+
+#include "study/sparse_matrix.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MARK_SIZE    0.005 /* half an octahedron's width, of the world's size */
+#define SENSORS_HELD 16    /* looks in memory at a time */
+#define CORNERS      6
+#define FACES        8
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+               "numbers are written as they lie in memory");
+
+typedef enum vertex_kind {
+    SENSOR,
+    SURFACE_PHOTON,
+    VOLUME_PHOTON,
+    CORNER
+} vertex_kind;
+
+typedef struct seen {
+    uint16_t sensors, clarity;
+} sighting;
+
+typedef struct parts {
+    murk_sight *sight;
+    const murk_vec3 *sensor;
+    size_t sensors, photons;
+    sighting *seen; /* [photons] */
+    double mark_m;
+} parts;
+
+/* ---- who sees what ---- */
+
+static void take_up(sighting *to, const murk_sparse_matrix *looks)
+{
+    for (size_t k = 0; k < murk_sparse_matrix_entries(looks); ++k) {
+        sighting *s = &to[looks->row[k]];
+        s->sensors = (uint16_t)(s->sensors + (s->sensors < UINT16_MAX));
+        if (looks->clarity[k] > s->clarity) {
+            s->clarity = looks->clarity[k];
+        }
+    }
+}
+
+static murk_status look_all(parts *p, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t first = 0; first < p->sensors && !status;
+         first += SENSORS_HELD) {
+        const size_t left = p->sensors - first;
+        murk_sparse_matrix *looks = NULL;
+        murk_sight_problem problem;
+        murk_sight_problem_init(&problem, p->sight, p->sensor + first,
+                                left < SENSORS_HELD ? left : SENSORS_HELD);
+        status =
+            murk_sparse_matrix_collect(&looks, &problem.problem, SIZE_MAX, err);
+        if (!status) {
+            take_up(p->seen, looks);
+        }
+        murk_sparse_matrix_destroy(looks);
+    }
+    return status;
+}
+
+/* ---- writing ---- */
+
+static void put_vertex(FILE *to, const float place_m[3], vertex_kind kind,
+                       sighting s)
+{
+    static const uint8_t yellow[3] = {255, 200, 0}, red[3] = {205, 45, 45},
+                         blue[3] = {60, 120, 200}, green[3] = {60, 175, 90};
+    const uint8_t *color = kind == SENSOR || kind == CORNER ? yellow
+                           : s.sensors == 0                 ? red
+                           : s.sensors == 1                 ? blue
+                                                            : green;
+    const uint8_t number = (uint8_t)kind;
+    const float quality = (float)s.clarity / MURK_CLEAR;
+    uint8_t bytes[22];
+    memcpy(bytes, place_m, 12);
+    memcpy(bytes + 12, color, 3);
+    memcpy(bytes + 15, &number, 1);
+    memcpy(bytes + 16, &s.sensors, 2);
+    memcpy(bytes + 18, &quality, 4);
+    (void)fwrite(bytes, 1, sizeof bytes, to); /* commit asks ferror */
+}
+
+static void put_sensor(FILE *to, murk_vec3 at, vertex_kind kind)
+{
+    const float place_m[3] = {(float)at.x, (float)at.y, (float)at.z};
+    put_vertex(to, place_m, kind, (sighting){0, MURK_CLEAR});
+}
+
+static void put_map(FILE *to, const murk_photon_map *map, vertex_kind kind,
+                    const sighting *seen)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
+        put_vertex(to, photon[i].position_m, kind, seen[i]);
+    }
+}
+
+/* Corners -x +x -y +y -z +z of each. */
+static void put_corners(FILE *to, const parts *p)
+{
+    for (size_t k = 0; k < p->sensors; ++k) {
+        for (int c = 0; c < CORNERS; ++c) {
+            const double d = c % 2 ? p->mark_m : -p->mark_m;
+            put_sensor(to,
+                       murk_add(p->sensor[k],
+                                murk_vec(c / 2 == 0 ? d : 0, c / 2 == 1 ? d : 0,
+                                         c / 2 == 2 ? d : 0)),
+                       CORNER);
+        }
+    }
+}
+
+/* Wound so that normals point out. */
+static void put_faces(FILE *to, const parts *p)
+{
+    static const int corner_of[FACES][3] = {{1, 3, 5}, {3, 0, 5}, {0, 2, 5},
+                                            {2, 1, 5}, {3, 1, 4}, {0, 3, 4},
+                                            {2, 0, 4}, {1, 2, 4}};
+    for (size_t k = 0; k < p->sensors; ++k) {
+        const size_t first = p->sensors + k * CORNERS;
+        for (int f = 0; f < FACES; ++f) {
+            uint8_t bytes[13] = {3};
+            for (int c = 0; c < 3; ++c) {
+                const uint32_t vertex =
+                    (uint32_t)(first + (size_t)corner_of[f][c]);
+                memcpy(bytes + 1 + 4 * c, &vertex, 4);
+            }
+            (void)fwrite(bytes, 1, sizeof bytes, to);
+        }
+    }
+}
+
+static murk_status write_ply(const char *path, const void *context,
+                             murk_error *err)
+{
+    const parts *p = context;
+    const murk_sight_desc *maps = murk_sight_described(p->sight);
+    murk_file *file = NULL;
+    const murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    FILE *to = murk_file_stream(file);
+    fprintf(
+        to,
+        "ply\nformat binary_little_endian 1.0\n"
+        "comment murk plan: sensors, corners of their marks, stored photons\n"
+        "comment kind: 0 sensor, 1 surface photon, 2 volume photon, 3 "
+        "corner of a mark\n"
+        "element vertex %zu\n"
+        "property float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "property uchar kind\nproperty ushort seen_by\n"
+        "property float quality\n"
+        "element face %zu\nproperty list uchar int vertex_indices\n"
+        "end_header\n",
+        p->sensors * (1 + CORNERS) + p->photons, p->sensors * FACES);
+    for (size_t k = 0; k < p->sensors; ++k) {
+        put_sensor(to, p->sensor[k], SENSOR);
+    }
+    put_corners(to, p);
+    put_map(to, maps->surface_map, SURFACE_PHOTON, p->seen);
+    put_map(to, maps->volume_map, VOLUME_PHOTON,
+            p->seen + murk_photon_map_count(maps->surface_map));
+    put_faces(to, p);
+    return murk_file_commit(&file, err);
+}
+
+murk_status murk_add_plan_ply(murk_results *results, murk_sight *sight,
+                              const murk_vec3 *sensor, size_t n, double size_m,
+                              murk_error *err)
+{
+    parts p = {.sight = sight,
+               .sensor = sensor,
+               .sensors = n,
+               .photons = murk_sight_photons(sight),
+               .mark_m = MARK_SIZE * size_m};
+    p.seen = calloc(p.photons + 1, sizeof *p.seen);
+    murk_status status = p.seen ? look_all(&p, err)
+                                : murk_fail(err, MURK_NO_MEMORY, "plan.ply",
+                                            "no memory to write it");
+    if (!status) {
+        status = murk_results_add(results, "plan.ply", write_ply, &p, err);
+    }
+    free(p.seen);
+    return status;
+}

@@ -1,0 +1,26 @@
+/* plan.ply: the plan as points and marks, for ParaView, MeshLab, Blender. */
+#ifndef MURK_APP_PLAN_PLY_H
+#define MURK_APP_PLAN_PLY_H
+
+#include "app/results.h"
+#include "sensing/sight.h"
+
+/* Vertices: the sensors, in order; six corners of an octahedron about each of
+ * them, which the faces join (a point alone is hard to see); the stored
+ * photons, surface map first, in the maps' order. Each with
+ *
+ *     x y z           float, m
+ *     red green blue  uchar: sensors yellow; photons red unseen, blue seen by
+ *                     one, green by more
+ *     kind            uchar: 0 sensor, 1 surface photon, 2 volume photon,
+ *                     3 corner of a sensor's mark
+ *     seen_by         ushort: of a photon, how many sensors see it
+ *     quality         float, 0..1: of a photon, its clearest sightline; else 1
+ *
+ * Binary, little endian. size_m: of the world; marks are one part in a
+ * hundred of it. */
+murk_status murk_add_plan_ply(murk_results *results, murk_sight *sight,
+                              const murk_vec3 *sensor, size_t n, double size_m,
+                              murk_error *err);
+
+#endif

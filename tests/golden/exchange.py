@@ -1,0 +1,257 @@
+"""What murk place writes for other programs, read by others.
+
+usage: exchange.py files MURK   matrix.csv, matrix.txt, candidates.csv, plan.ply
+       exchange.py cbc MURK     problem.lp, solved by cbc (Debian coinor-cbc);
+                                skipped where it is missing
+"""
+
+import csv
+import json
+import math
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+SCENE = """
+murk: 1
+domain: {min_m: [0, 0, 0], max_m: [8, 6, 3]}
+geometry:
+  - {box: {min_m: [0.1, 0.1, 0.1], max_m: [7.9, 5.9, 2.9]}}
+  - {box: {min_m: [3, 0.2, 0.2], max_m: [3.4, 4, 2.8]}}
+media: {fog: {extinction_per_m: EXTINCTION, albedo: 0.9}}
+regions: [{medium: fog}]
+lights:
+  - {type: point, position_m: [1.5, 2, 2.5], power_w: 10}
+  - {type: point, position_m: [6, 3, 2.5], power_w: 7}
+photons: {store: 400}
+sensors:
+  types: [{name: node, range_m: 3}]
+  candidates: {grid: {min_m: [0.6, 0.6, 0.6], max_m: [7.4, 5.4, 2.4], size: [7, 5, 2]}}
+  count: 3
+"""
+
+
+class Failed(Exception):
+    pass
+
+
+def check(holds, *words):
+    if not holds:
+        raise Failed(" ".join(str(word) for word in words))
+
+
+def is_near(a, b, relative):
+    return math.isclose(a, b, rel_tol=relative, abs_tol=0)
+
+
+class Murk:
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def run(self, *arguments, code=0):
+        done = subprocess.run([self.program, *arguments], capture_output=True, text=True)
+        check(done.returncode == code, arguments, "ends with", done.returncode, done.stderr)
+        return done
+
+    def scene(self, extinction):
+        path = self.path("scene-%g.yaml" % extinction)
+        with open(path, "w") as file:
+            file.write(SCENE.replace("EXTINCTION", str(extinction)))
+        return path
+
+    def place(self, name, *arguments, code=0):
+        """The plan, and what was said on standard error."""
+        folder = self.path(name)
+        done = self.run("place", *arguments, "-q", "-o", folder, code=code)
+        with open(os.path.join(folder, "plan.json")) as file:
+            return json.load(file), done.stderr
+
+
+# ---- the matrix ----
+
+def places(murk, name, plan):
+    """Where a plan over matrix columns puts its sensors."""
+    with open(murk.path(name, "candidates.csv"), newline="") as file:
+        at = {int(row["column"]): [float(row[k]) for k in ("x_m", "y_m", "z_m")]
+              for row in csv.DictReader(file)}
+    return [at[sensor["column"]] for sensor in plan["sensors"]]
+
+
+def check_same_plan(murk, name, plan, again):
+    have, want = places(murk, name, again), [s["position_m"] for s in plan["sensors"]]
+    check(len(have) == len(want) and
+          all(math.dist(a, b) < 1e-12 for a, b in zip(have, want)),
+          "another plan over the matrix:", again["sensors"], plan["sensors"])
+    for key in ("in_sample", "ceiling", "sum_of_views"):
+        check(is_near(plan["coverage"][key], again["coverage"][key], 1e-12),
+              key, plan["coverage"], again["coverage"])
+    check(is_near(plan["bound"]["upper"], again["bound"]["upper"], 1e-12), "upper")
+    for key in ("covers", "only_it_covers"):
+        for one, two in zip(plan["sensors"], again["sensors"]):
+            check(math.isclose(one[key], two[key], abs_tol=1e-12), key, one, two)
+
+
+def test_the_matrix_gives_the_same_plan(murk):
+    clear = murk.scene(0)
+    plan, _ = murk.place("clear", clear, "--export", "or-library,matrix")
+    for file in ("matrix.csv", "matrix.txt"):
+        again, _ = murk.place("again", "--matrix", murk.path("clear", file), "--count", "3")
+        check_same_plan(murk, "clear", plan, again)
+    two, _ = murk.place("two", "--matrix", murk.path("clear", "matrix.csv"), "--count", "2")
+    check(two["coverage"]["in_sample"] < plan["coverage"]["in_sample"], "two as good as three")
+
+    plan, _ = murk.place("fog", murk.scene(0.4), "--export", "matrix")
+    again, _ = murk.place("again", "--matrix", murk.path("fog", "matrix.csv"), "--count", "3")
+    check_same_plan(murk, "fog", plan, again)
+    check(not os.path.exists(murk.path("fog", "matrix.txt")), "a file that nobody asked for")
+
+
+def test_what_cannot_be_written_costs_no_plan(murk):
+    plan, said = murk.place("dim", murk.scene(0.4), "--export", "or-library,lp", code=1)
+    check("matrix.txt: OR-Library's text holds 0 and 1 only" in said, said)
+    check(said.count("\n") == 1, said)
+    check(len(plan["sensors"]) == 3, plan["sensors"])
+    check(os.path.exists(murk.path("dim", "problem.lp")), "no problem.lp")
+    left = [n for n in os.listdir(murk.path("dim")) if "staged" in n or n == "matrix.txt"]
+    check(not left, left)
+
+
+# ---- plan.ply ----
+
+SIZES = {"float": "f", "uchar": "B", "ushort": "H"}
+
+
+def read_ply(path):
+    """Vertices as dicts, faces as lists: as the header says, nothing assumed."""
+    with open(path, "rb") as file:
+        data = file.read()
+    head, body = data.split(b"end_header\n", 1)
+    lines = head.decode("ascii").splitlines()
+    check(lines[:2] == ["ply", "format binary_little_endian 1.0"], lines[:2])
+    count, names, kinds = {}, [], ""
+    for words in (line.split() for line in lines[2:]):
+        if words[0] == "element":
+            count[words[1]] = int(words[2])
+        elif words[0] == "property" and words[1] != "list":
+            kinds += SIZES[words[1]]
+            names.append(words[2])
+    check("property list uchar int vertex_indices" in lines, lines)
+    vertex = struct.Struct("<" + kinds)
+    end = vertex.size * count["vertex"]
+    vertices = [dict(zip(names, row)) for row in vertex.iter_unpack(body[:end])]
+    check(len(body) == end + 13 * count["face"], "the file has", len(body), "bytes")
+    faces = [row[1:] for row in struct.iter_unpack("<Biii", body[end:])]
+    return vertices, faces
+
+
+def check_ply(murk, name):
+    with open(murk.path(name, "plan.json")) as file:
+        plan = json.load(file)
+    vertices, faces = read_ply(murk.path(name, "plan.ply"))
+    sensors = plan["sensors"]
+    n = len(sensors)
+    check(len(faces) == 8 * n, len(faces), "faces")
+    kinds = [vertex["kind"] for vertex in vertices]
+    surface, volume = plan["photons"]["surface"], plan["photons"]["volume"]
+    check(kinds == [0] * n + [3] * 6 * n + [1] * surface + [2] * volume, "kinds")
+    for k, sensor in enumerate(sensors):
+        at = [vertices[k][axis] for axis in "xyz"]
+        check(all(abs(a - b) < 1e-6 for a, b in zip(at, sensor["position_m"])), at, sensor)
+        corners = vertices[n + 6 * k:n + 6 * k + 6]
+        for axis, have in zip("xyz", at):
+            check(abs(sum(c[axis] for c in corners) / 6 - have) < 1e-5, "mark", corners)
+        for face in faces[8 * k:8 * k + 8]:
+            p = [[vertices[i][axis] for axis in "xyz"] for i in face]
+            a, b = ([q - r for q, r in zip(p[i], p[0])] for i in (1, 2))
+            normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                      a[0] * b[1] - a[1] * b[0]]
+            out = [sum(q) / 3 - r for q, r in zip(zip(*p), at)]
+            check(sum(x * y for x, y in zip(normal, out)) > 0, "a face looks inward", p)
+    photons = vertices[7 * n:]
+    for photon in photons:
+        check((photon["seen_by"] > 0) == (photon["quality"] > 0), photon)
+    by_map = [[p for p in photons if p["kind"] == kind] for kind in (1, 2)]
+    for have, key in zip(by_map, ("surface", "volume")):
+        if not have:
+            continue
+        # two lamps' packets differ a little in power, so not to the last digit
+        mean = sum(p["quality"] for p in have) / len(have)
+        check(abs(mean - plan["coverage"][key]) < 2e-3, key, mean, plan["coverage"])
+    return plan
+
+
+def test_the_plan_as_points(murk):
+    murk.place("points", murk.scene(0.4))
+    plan = check_ply(murk, "points")
+    check(plan["photons"]["volume"] > 50 and plan["photons"]["surface"] > 50, plan["photons"])
+    # Assimp, too, reads it: the marks are its triangles
+    with open(murk.path("ply.yaml"), "w") as file:
+        file.write("murk: 1\ngeometry: [{file: points/plan.ply}]\n"
+                   "lights: [{type: point, position_m: [0.5, 0.5, 0.5], power_w: 1}]\n"
+                   "photons: {emit: 10}\n")
+    told = json.loads(murk.run("check", murk.path("ply.yaml"), "--format", "json").stdout)
+    text = json.dumps(told)
+    check(re.search(r'"triangles": %d\b' % (8 * len(plan["sensors"])), text), text[:2000])
+
+
+# ---- cbc ----
+
+def solve(path):
+    """The optimum that cbc proves."""
+    done = subprocess.run(["cbc", path, "solve"], capture_output=True, text=True)
+    check("Optimal solution found" in done.stdout, path, done.stdout[-2000:])
+    return float(re.search(r"^Objective value: +(\S+)$", done.stdout, re.MULTILINE).group(1))
+
+
+def test_cbc_agrees(murk):
+    for extinction in (0, 0.4):
+        scene = murk.scene(extinction)
+        plan, _ = murk.place("lp", scene, "--export", "lp,matrix")
+        check(plan["bound"]["proven_optimal"], "not proven")
+        again, _ = murk.place("again", "--matrix", murk.path("lp", "matrix.csv"),
+                              "--count", "3", "--export", "lp")
+        for name in ("lp", "again"):
+            best = solve(murk.path(name, "problem.lp"))
+            check(is_near(best, again["matrix"]["covered"], 1e-6), extinction, name,
+                  "cbc covers", best, "murk", again["matrix"])
+        # one sensor less is another problem
+        fewer, _ = murk.place("fewer", scene, "--count", "2", "--export", "lp")
+        check(solve(murk.path("fewer", "problem.lp")) < best * 0.999, "two cover as much")
+        # the fewest for what three cover, and for a little more
+        share = plan["coverage"]["in_sample"]
+        for target, count in ((share, 3), (share + 1e-4, 4)):
+            plan, _ = murk.place("target", scene, "--target", repr(target), "--export", "lp")
+            check(len(plan["sensors"]) == count and plan["target"]["fewest_possible"] == count,
+                  target, len(plan["sensors"]), plan["target"])
+            check(round(solve(murk.path("target", "problem.lp"))) == count, "cbc takes another count")
+
+
+def main():
+    what, program = sys.argv[1:3]
+    if what == "cbc" and not shutil.which("cbc"):
+        print("skipped: no cbc (Debian coinor-cbc)")
+        return 77
+    tests = {"files": (test_the_matrix_gives_the_same_plan,
+                       test_what_cannot_be_written_costs_no_plan,
+                       test_the_plan_as_points),
+             "cbc": (test_cbc_agrees,)}[what]
+    for test in tests:
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                test(Murk(program, folder))
+            except Failed as failed:
+                print("%s: %s" % (test.__name__, failed))
+                return 1
+    print("others read what murk writes")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
