@@ -82,19 +82,15 @@ static void keep_better(placing *p, uint64_t value, uint64_t *best,
     }
 }
 
-/* Under a budget: by gain per cost, the best single candidate filled up, and
- * by gain alone. */
+/* Under a budget: by gain per cost, and by gain alone, which begins with the
+ * best single sensor. */
 static uint64_t spend(placing *p)
 {
     murk_search *s = &p->search;
-    const size_t most = p->book->most_sensors, fixed = fixed_count(p);
+    const size_t most = p->book->most_sensors;
     uint64_t best = 0;
     size_t size = 0;
     keep_better(p, murk_search_spend(s, p->trial, 0), &best, &size);
-    if (fixed < most) {
-        murk_search_greedy(s, p->trial, 0, fixed + 1, NULL);
-        keep_better(p, murk_search_spend(s, p->trial, s->size), &best, &size);
-    }
     keep_better(p, murk_search_greedy(s, p->trial, 0, most, NULL), &best,
                 &size);
     p->size = size;

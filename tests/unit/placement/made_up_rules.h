@@ -43,6 +43,21 @@ static uint32_t made_up_draw(uint32_t seed, uint32_t what, uint32_t at,
     return murk_random_below(word[0], below);
 }
 
+/* The last half exclude all that the first half do, one by one. */
+static void made_up_nest(made_up_rules *out)
+{
+    const size_t n = out->candidates, half = n / 2;
+    for (int pass = 0; pass < 3; ++pass) {
+        for (size_t j = half; j < n; ++j) {
+            for (size_t i = 0; i < n; ++i) {
+                if (i != j && out->is_listed[j - half][i]) {
+                    out->is_listed[j][i] = out->is_listed[i][j] = true;
+                }
+            }
+        }
+    }
+}
+
 /* Fills *out in place, whose arrays out->rules points to. */
 static void made_up_rules_fill(made_up_rules *out, uint32_t seed,
                                unsigned kinds, size_t candidates)
@@ -60,8 +75,11 @@ static void made_up_rules_fill(made_up_rules *out, uint32_t seed,
         }
         for (uint32_t i = 0; i < j; ++i) {
             out->is_listed[i][j] = out->is_listed[j][i] =
-                made_up_draw(seed, 6, 100 * i + j, 5) == 0;
+                made_up_draw(seed, 6, 100 * i + j, 8) == 0;
         }
+    }
+    if (seed % 2) {
+        made_up_nest(out);
     }
     for (size_t j = 0; j < candidates; ++j) {
         out->conflict_first[j] = listed;

@@ -496,6 +496,34 @@ static void test_budget_is_not_spent_on_crumbs(void)
     made_up_destroy(m);
 }
 
+/* Candidates 0, 1, 3 exclude 2, 4, 5. Of three sensors 0, 1, 3 are best, though
+ * 3 sees nothing that 0 does not: presolve may not take it away, for there is
+ * nobody else to fill the plan. */
+static void test_presolve_leaves_who_fills_the_plan(void)
+{
+    made_up *m = made_up_create(1, 30, 6, 0, 1, 1, 1);
+    for (size_t i = 0; i < 10; ++i) {
+        m->clarity[i] = m->clarity[30 + 10 + i] = MURK_CLEAR;
+        m->clarity[60 + 5 + i] = m->clarity[60 + 20] = MURK_CLEAR;
+        m->clarity[90 + i] = i < 3 ? MURK_CLEAR : 0;
+    }
+    const size_t first[] = {0, 3, 6, 9, 12, 15, 18};
+    const uint32_t conflict[] = {2, 4, 5, 2, 4, 5, 0, 1, 3,
+                                 2, 4, 5, 0, 1, 3, 0, 1, 3};
+    const murk_rules rules = {.conflict_first = first, .conflict = conflict};
+    murk_place_desc desc = murk_place_defaults();
+    desc.method = MURK_PLACE_EXACT;
+    desc.count = 3;
+    desc.rules = &rules;
+    murk_place_result plan = {0};
+    murk_error err = {0};
+    CHECK(place_any(&plan, m, &desc, true, &err) == MURK_OK);
+    CHECK(set_of(&plan) == (1 | 2 | 8));
+    CHECK(plan.proven_optimal);
+    murk_place_release(&plan);
+    made_up_destroy(m);
+}
+
 /* Threads, rules of every kind, and more candidates than brute force can try:
  * the same plan, and the same bound. */
 static void test_threads_change_nothing_under_rules(void)
@@ -553,6 +581,7 @@ int main(int argc, char **argv)
     test_contradictions_are_refused();
     test_guarantees_are_named();
     test_budget_is_not_spent_on_crumbs();
+    test_presolve_leaves_who_fills_the_plan();
     test_threads_change_nothing_under_rules();
     return check_done();
 }
