@@ -1,0 +1,322 @@
+#include "placement/finding.h"
+
+#include "base/interrupt.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A curve point gets one start for each of so many of the plan's own. */
+#define RESTARTS_PER_CURVE_START 10
+#define CURVE_STARTS_MOST        20
+
+/* Evaluations of the bound in a known environment, at most; matrices so large
+ * that these would take long get fewer, by pairs. In an unknown environment
+ * each costs a look at every candidate: one is made. */
+#define ROUNDS_MOST        400
+#define ROUNDS_LEAST       40
+#define PAIRS_WEIGHED_MOST 20000000000.0
+
+/* A curve point gets one round for each of so many of the plan's own. */
+#define ROUNDS_PER_CURVE_ROUND 3
+
+/* With a target, greedy goes so far at once, and then twice as far again. */
+#define FIRST_GREEDY 8
+
+static bool has_budget(const murk_finding *p)
+{
+    return p->book && p->book->has_budget;
+}
+
+static size_t fixed_count(const murk_finding *p)
+{
+    return p->book ? p->book->rules->fixed_count : 0;
+}
+
+/* Keeps the plan of p->size sensors, if the rules let it stand and it is worth
+ * more than p->plan. */
+static void keep_better(murk_finding *p, uint64_t value, uint64_t *best,
+                        size_t *size)
+{
+    if (murk_standing_is_plan(&p->search.standing) &&
+        (*size == 0 || value > *best)) {
+        *best = value;
+        *size = p->search.size;
+        memcpy(p->plan, p->trial, *size * sizeof *p->plan);
+    }
+}
+
+/* Under a budget: by gain per cost, and by gain alone, which begins with the
+ * best single sensor. */
+static uint64_t spend(murk_finding *p)
+{
+    murk_search *s = &p->search;
+    const size_t most = p->book->most_sensors;
+    uint64_t best = 0;
+    size_t size = 0;
+    keep_better(p, murk_search_spend(s, p->trial, 0), &best, &size);
+    keep_better(p, murk_search_greedy(s, p->trial, 0, most, NULL), &best,
+                &size);
+    p->size = size;
+    return best;
+}
+
+/* Greedy's plan of n; under rules that bring it to a dead end, any. */
+static uint64_t plan_greedily(murk_finding *p, size_t n)
+{
+    uint64_t value;
+    if (!p->book) {
+        memcpy(p->plan, p->greedy, n * sizeof *p->plan);
+        p->size = n;
+        return p->greedy_value[n - 1];
+    }
+    if (has_budget(p)) {
+        value = spend(p);
+    } else {
+        value = murk_search_greedy(&p->search, p->plan, 0, n, NULL);
+        p->size = p->search.size < n ? 0 : n;
+    }
+    p->is_greedy_done = p->size > 0;
+    if (p->size == 0) {
+        memcpy(p->plan, p->spare, p->spare_size * sizeof *p->plan);
+        p->size = p->spare_size;
+        value = murk_search_value(&p->search, p->plan, p->size);
+    }
+    return value;
+}
+
+/* Greedy, relocated, then starts. Where `from`, a plan of n - 1, is worth more
+ * than that, it is completed and taken instead. */
+static murk_curve_point find_best(murk_finding *p, size_t n,
+                                  const uint32_t *from, uint64_t from_value,
+                                  size_t most, size_t rounds, size_t *made)
+{
+    uint32_t *plan = p->plan;
+    uint64_t value = plan_greedily(p, n);
+    /* of one that is free, greedy finds the best */
+    const bool is_open = n > fixed_count(p) + 1 || has_budget(p) ||
+                         (p->book && !p->is_greedy_done);
+    if (is_open) {
+        value = murk_search_relocate(&p->search, plan, p->size);
+        p->size = p->search.size;
+    }
+    if (from && from_value > value) {
+        memcpy(p->trial, from, (n - 1) * sizeof *plan);
+        murk_search_greedy(&p->search, p->trial, n - 1, n, NULL);
+        if (p->search.size == n) {
+            memcpy(plan, p->trial, n * sizeof *plan);
+            value = murk_search_relocate(&p->search, plan, n);
+        }
+    }
+    uint64_t upper = value;
+    if (is_open) {
+        const size_t before = p->oracle->matrix ? rounds / 2 : 0;
+        upper = murk_bound_tighten(&p->bound, n, value, plan, p->size, before);
+        value = murk_starts_try(&p->starts, plan, &p->size, n, value, upper,
+                                most, made);
+        const uint64_t again =
+            murk_bound_tighten(&p->bound, n, value, before ? NULL : plan,
+                               p->size, rounds - before);
+        upper = again < upper ? again : upper;
+    }
+    return (murk_curve_point){p->size, value, upper};
+}
+
+/* The plan of one method without more ado, and its bound. */
+static murk_curve_point find_once(murk_finding *p, size_t n, size_t rounds,
+                                  size_t *made)
+{
+    uint64_t value = 0;
+    if (p->desc->method == MURK_PLACE_SPOQ) {
+        value = murk_search_spoq(&p->search, p->plan, n, p->desc->seed, 0);
+        p->size = p->search.size;
+        ++*made;
+    } else {
+        value = plan_greedily(p, n);
+    }
+    const uint64_t upper =
+        murk_bound_tighten(&p->bound, n, value, p->plan, p->size, rounds);
+    return (murk_curve_point){p->size, value, upper};
+}
+
+/* Under rules: a plan of fewer, filled up to n by whoever may join. */
+static uint64_t fill_up(murk_finding *p, size_t n)
+{
+    murk_search *s = &p->search;
+    const uint64_t value =
+        has_budget(p) ? murk_search_spend(s, p->plan, p->size)
+                      : murk_search_greedy(s, p->plan, p->size, n, NULL);
+    p->size = s->size;
+    return value;
+}
+
+/* Branch and bound from a plan whose bound was tightened last. */
+static murk_status prove(murk_finding *p, size_t n, murk_curve_point *point,
+                         murk_error *err)
+{
+    const bool is_wanted = p->desc->method == MURK_PLACE_BEST ||
+                           p->desc->method == MURK_PLACE_EXACT;
+    if (!p->oracle->matrix || !is_wanted || (n < 2 && !p->book)) {
+        return MURK_OK;
+    }
+    murk_exact exact;
+    const murk_status status =
+        murk_exact_search(&exact, &p->bound, p->plan, p->size, n, point->value,
+                          point->upper, p->desc->nodes, err);
+    if (!status) {
+        p->size = exact.size;
+        point->value = p->book ? fill_up(p, n) : exact.value;
+        point->count = p->size;
+        point->upper = exact.upper > point->value ? exact.upper : point->value;
+        p->result->nodes += exact.nodes;
+        p->result->is_cut = exact.is_cut;
+    }
+    return status;
+}
+
+/* Where candidates exclude each other a start may end short: any plan of n. */
+static murk_status find_spare(murk_finding *p, size_t n, murk_error *err)
+{
+    if (!p->book || !p->book->has_conflicts) {
+        return MURK_OK;
+    }
+    murk_standing *standing = &p->search.standing;
+    bool is_sure;
+    murk_standing_clear(standing, n);
+    for (size_t k = 0; k < fixed_count(p); ++k) {
+        murk_standing_add(standing, (uint32_t)p->book->rules->fixed[k]);
+    }
+    if (!murk_standing_find_plan(standing, &is_sure)) {
+        return murk_interrupted()
+                   ? MURK_OK
+                   : murk_fail(err, MURK_RUN_FAILED, "",
+                               is_sure ? "no plan: no %zu of %zu usable "
+                                         "candidates keep all rules"
+                                       : "no plan found: of %zu sensors at "
+                                         "%zu usable candidates that keeps "
+                                         "all rules",
+                               n, p->oracle->candidates);
+    }
+    p->spare_size = standing->size;
+    memcpy(p->spare, standing->member, p->spare_size * sizeof *p->spare);
+    murk_starts_spare(&p->starts, p->spare, p->spare_size);
+    p->search.spare = p->spare;
+    p->search.spare_size = p->spare_size;
+    return MURK_OK;
+}
+
+static size_t curve_starts(size_t restarts)
+{
+    const size_t share = restarts / RESTARTS_PER_CURVE_START;
+    return share < CURVE_STARTS_MOST ? share : CURVE_STARTS_MOST;
+}
+
+static size_t curve_rounds(size_t rounds)
+{
+    return rounds > ROUNDS_PER_CURVE_ROUND ? rounds / ROUNDS_PER_CURVE_ROUND
+                                           : rounds;
+}
+
+static size_t rounds_for(const murk_oracle *oracle)
+{
+    if (!oracle->matrix) {
+        return 1;
+    }
+    const double pairs = (double)murk_matrix_pairs(oracle->matrix);
+    const double rounds = PAIRS_WEIGHED_MOST / (pairs > 1 ? pairs : 1);
+    return rounds > ROUNDS_MOST    ? ROUNDS_MOST
+           : rounds < ROUNDS_LEAST ? ROUNDS_LEAST
+                                   : (size_t)rounds;
+}
+
+murk_status murk_finding_init(murk_finding *p, const murk_oracle *oracle,
+                              const murk_rulebook *book,
+                              const murk_place_desc *desc,
+                              murk_place_result *result, murk_error *err)
+{
+    const size_t n = book ? book->most_sensors : desc->count;
+    const bool is_curve =
+        (desc->with_curve || desc->target) && !(book && book->has_budget);
+    *p = (murk_finding){.oracle = oracle,
+                        .desc = desc,
+                        .book = book,
+                        .first = !is_curve ? n
+                                 : book    ? book->fewest_sensors
+                                           : 1,
+                        .last = n,
+                        .result = result,
+                        .rounds = rounds_for(oracle),
+                        .greedy = calloc(n, sizeof *p->greedy),
+                        .greedy_value = calloc(n, sizeof *p->greedy_value),
+                        .plan = calloc(n, sizeof *p->plan),
+                        .last_plan = calloc(n, sizeof *p->last_plan),
+                        .trial = calloc(n, sizeof *p->trial),
+                        .spare = calloc(n, sizeof *p->spare)};
+    result->sensor = calloc(n, sizeof *result->sensor);
+    if (is_curve) {
+        result->curve = calloc(n, sizeof *result->curve);
+    }
+    if (!p->greedy || !p->trial || !p->spare || !p->greedy_value || !p->plan ||
+        !p->last_plan || !result->sensor || (is_curve && !result->curve)) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
+                         n);
+    }
+    murk_status status =
+        murk_search_init(&p->search, oracle, 0, oracle->wide_threads, err);
+    if (!status) {
+        status = murk_bound_init(&p->bound, oracle, err);
+    }
+    if (!status) {
+        status = murk_starts_init(&p->starts, oracle, n, desc->seed, err);
+    }
+    return status;
+}
+
+void murk_finding_release(murk_finding *p)
+{
+    murk_search_release(&p->search);
+    murk_bound_release(&p->bound);
+    murk_starts_release(&p->starts);
+    free(p->greedy);
+    free(p->greedy_value);
+    free(p->plan);
+    free(p->last_plan);
+    free(p->trial);
+    free(p->spare);
+}
+
+void murk_finding_greedy(murk_finding *p)
+{
+    const murk_place_desc *desc = p->desc;
+    size_t have = 0;
+    size_t n = desc->target && p->last > FIRST_GREEDY ? FIRST_GREEDY : p->last;
+    while (have < n && !murk_interrupted()) {
+        murk_search_greedy(&p->search, p->greedy, have, n, p->greedy_value);
+        have = n;
+        if (desc->target && p->greedy_value[n - 1] < desc->target) {
+            n = n < p->last / 2 ? 2 * n : p->last;
+        }
+    }
+}
+
+murk_status murk_finding_count(murk_finding *p, size_t k, const uint32_t *from,
+                               murk_curve_point *last, murk_error *err)
+{
+    const murk_place_desc *desc = p->desc;
+    /* With a target, any count may turn out to be the plan's. */
+    const bool is_plan = desc->target || k == p->last;
+    const size_t rounds = is_plan ? p->rounds : curve_rounds(p->rounds);
+    size_t extra = 0;
+    size_t *made = is_plan ? &p->result->restarts : &extra;
+    const size_t most = is_plan ? desc->restarts : curve_starts(desc->restarts);
+    const murk_status status = find_spare(p, k, err);
+    if (status || murk_interrupted()) {
+        return status;
+    }
+    *last = desc->method == MURK_PLACE_BEST
+                ? find_best(p, k, from, last->value, most, rounds, made)
+                : find_once(p, k, rounds, made);
+    const bool is_open = desc->target == 0 || (last->value < desc->target &&
+                                               last->upper >= desc->target);
+    return is_plan && is_open && !murk_interrupted() ? prove(p, k, last, err)
+                                                     : MURK_OK;
+}
