@@ -308,7 +308,12 @@ murk_status murk_finding_count(murk_finding *p, size_t k, const uint32_t *from,
     size_t extra = 0;
     size_t *made = is_plan ? &p->result->restarts : &extra;
     const size_t most = is_plan ? desc->restarts : curve_starts(desc->restarts);
-    const murk_status status = find_spare(p, k, err);
+    /* Where the whole count cannot stand, say so of it. */
+    murk_status status =
+        k == p->first && !desc->target ? find_spare(p, p->last, err) : MURK_OK;
+    if (!status) {
+        status = find_spare(p, k, err);
+    }
     if (status || murk_interrupted()) {
         return status;
     }
