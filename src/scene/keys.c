@@ -134,7 +134,8 @@ static const murk_key CANDIDATES_ROWS[] = {
         AT(murk_scene, sensors.clearance_m)),
     ROW("avoid", ONLY, .preset = "[]"),
     ROW("mount", ONLY, .preset = "free"),
-    ROW("spacing_m", ONLY, .preset = "0"),
+    ROW("spacing_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
+        AT(murk_scene, sensors.spacing_m)),
     END,
 };
 

@@ -185,8 +185,9 @@ typedef struct murk_scene_sensors {
     murk_vec3 grid_min, grid_max;
     size_t grid_size[3];
     double clearance_m;
-    uint64_t count; /* 0: not given */
-    double target;  /* coverage 0..1; 0: not given */
+    double spacing_m; /* least distance between sensors */
+    uint64_t count;   /* 0: not given */
+    double target;    /* coverage 0..1; 0: not given */
 } murk_scene_sensors;
 
 typedef enum murk_scene_method {

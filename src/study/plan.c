@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+_Static_assert(sizeof(murk_vec3) == sizeof(double[3]),
+               "rules take positions as three numbers each");
+
 #define HELD_OUT_STREAM 1u
 #define CONFIRM_STREAM  2u
 #define LAID_POINTS     1000 /* of a grid that the scene leaves to murk */
@@ -163,6 +166,10 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     murk_sight_problem_init(&seen, sight, plan->candidates->position,
                             plan->candidates->usable);
     murk_place_desc desc = place_desc(stage->scene);
+    const murk_rules rules = {
+        .position_m = (const double(*)[3])plan->candidates->position,
+        .spacing_m = stage->scene->sensors.spacing_m};
+    desc.rules = rules.spacing_m > 0 ? &rules : NULL;
     if (stage->scene->sensors.target > 0) {
         desc.target =
             murk_plan_value_of(stage->scene->sensors.target, &seen.problem);

@@ -66,7 +66,7 @@ static const char FULL_SCENE[] =
     "    clearance_m: 0.1\n"
     "    avoid: []\n"
     "    mount: free\n"
-    "    spacing_m: 0\n"
+    "    spacing_m: 0.5\n"
     "  fixed: []\n"
     "  count: 3\n"
     "placement: {method: spoq, detection: weighted, visibility: normal,\n"

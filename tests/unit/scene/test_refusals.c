@@ -290,6 +290,10 @@ static const refusal REFUSALS[] = {
      "2 sensor types are not supported yet, must be 1"},
     {"sensors: {types: [{name: a, range_m: 1, view: {}}]}\n", LATER,
      "fog.yaml:2:41: sensors.types.0.view", "not supported yet"},
+    {"sensors: {types: [{name: a, range_m: 1}], count: 1, candidates: "
+     "{spacing_m: -1}}\n",
+     VALUE, "fog.yaml:2:77: sensors.candidates.spacing_m",
+     "-1, must be 0..1e9 m"},
     {ROOM "budget: 10}\n", LATER, "fog.yaml:2:43: sensors.budget",
      "not supported yet"},
     {ROOM "target: 1.5}\n", VALUE, "fog.yaml:2:51: sensors.target",

@@ -145,6 +145,7 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
     CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
     CHECK(sensors->grid_max.y == 19);
+    CHECK(sensors->spacing_m == 0.5);
     CHECK_TEXT(sensors->grid_where, "fog.yaml:60:5: sensors.candidates.grid");
 
     const murk_scene_placement *placement = &scene->placement;
