@@ -1,8 +1,9 @@
 /* The validation harness gives the verdicts it should: it passes what is
  * within the limit, and refuses a value that is off, a twin that is not, a run
- * without checks, and light that is lost. Errors come down to what is asked,
- * and a joined run is the whole one. Deterministic but for one traced slab,
- * whose only z-test has a 1e-3 chance of a false alarm. */
+ * without checks, errors too large for no reason, and light that is lost.
+ * Errors come down to what is asked, and a joined run is the whole one.
+ * Deterministic but for one traced slab, whose only z-test has a 1e-3 chance of
+ * a false alarm. */
 #include "check.h"
 #include "scores.h"
 #include "validation.h"
@@ -14,6 +15,7 @@
 
 static const validation_settings quick = {
     .is_quick = true, .threads = 2, .seed = 1};
+static const validation_settings nightly = {.threads = 2, .seed = 2};
 
 static void add(validation *v, const char *is_wrong, double value)
 {
@@ -118,20 +120,140 @@ static void test_traced_and_joined(void)
     validation_destroy(v);
 }
 
-static void test_short_rows_are_marked(void)
+static void read_markdown(const validation *v, char *text, size_t size)
+{
+    FILE *file = tmpfile();
+    validation_markdown(v, file);
+    read_all(file, text, size);
+    fclose(file);
+}
+
+static void test_short_rows_need_a_reason(void)
 {
     static char text[8192];
     validation *v = validation_create(&quick);
     validation_group(v, "made");
     add(v, NULL, 1.02);
-    validation_mark_short(v);
+    validation_mark_short(v, NULL);
     add(v, NULL, .98);
-    FILE *file = tmpfile();
-    validation_markdown(v, file);
-    read_all(file, text, sizeof text);
-    fclose(file);
+    read_markdown(v, text, sizeof text);
     CHECK_MENTIONS(text, "| 1.02 | 1.0e-02 * |");
     CHECK_MENTIONS(text, "| 0.98 | 1.0e-02 |");
+    CHECK(validation_passed(v));
+    validation_destroy(v);
+
+    v = validation_create(&nightly);
+    validation_group(v, "made");
+    add(v, NULL, 1.02);
+    validation_mark_short(v, "it would take a week");
+    read_markdown(v, text, sizeof text);
+    CHECK_MENTIONS(text, "| 1.02 | 1.0e-02 * |");
+    CHECK_MENTIONS(text, "* made, made up: it would take a week");
+    CHECK(validation_passed(v));
+    add(v, NULL, 1.02);
+    validation_mark_short(v, NULL);
+    read_markdown(v, text, sizeof text);
+    CHECK_MENTIONS(text, "| 1.02 | 1.0e-02 **short** |");
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+}
+
+/* 3.1 sigmas are within the limit of one check, 3.29, but not within 3. */
+static void test_rows_may_have_limits_of_their_own(void)
+{
+    validation *v = validation_create(&nightly);
+    add(v, NULL, 1.031);
+    CHECK(validation_passed(v));
+    validation_mark_limit(v, 3);
+    CHECK(!validation_passed(v));
+    validation_mark_limit(v, 5); /* none is wider than the run's */
+    CHECK(validation_passed(v));
+    add(v, NULL, 1.05);
+    validation_mark_limit(v, 5.5);
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+}
+
+static void test_bounds(void)
+{
+    validation *v = validation_create(&nightly);
+    add(v, NULL, .5); /* 50 sigmas below */
+    CHECK(!validation_passed(v));
+    validation_mark_bound(v);
+    CHECK(validation_passed(v));
+    add(v, "no farther off than a bound lets it be", .5);
+    validation_mark_bound(v);
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+    v = validation_create(&nightly);
+    add(v, NULL, 1.0001); /* a hundredth of a sigma above */
+    validation_mark_bound(v);
+    CHECK(!validation_passed(v));
+    validation_destroy(v);
+}
+
+/* Writes the rows to a file and unmakes them. */
+static void write_part(validation *v, char *path)
+{
+    FILE *csv = fdopen(mkstemp(path), "w");
+    validation_csv(v, csv);
+    fclose(csv);
+    validation_destroy(v);
+}
+
+static void test_joined_rows_keep_what_is_known(void)
+{
+    static char text[8192];
+    char a[] = "/tmp/murk-validation-XXXXXX",
+         b[] = "/tmp/murk-validation-XXXXXX";
+    validation *v = validation_create(&quick);
+    validation_group(v, "low");
+    add(v, NULL, 1.01);
+    write_part(v, a);
+    validation_settings other = nightly;
+    other.seed = quick.seed;
+    v = validation_create(&other);
+    validation_group(v, "high");
+    add(v, NULL, .5);
+    validation_mark_bound(v);
+    add(v, NULL, 1.029);
+    validation_mark_limit(v, 3);
+    validation_mark_short(v, "it would take a week");
+    write_part(v, b);
+
+    v = validation_create(&nightly); /* of another seed, which it drops */
+    validation_join(v, a);
+    validation_join(v, b);
+    CHECK(validation_passed(v));
+    read_markdown(v, text, sizeof text);
+    CHECK_MENTIONS(text, "references, nightly and quick form");
+    CHECK_MENTIONS(text, "Seed 1.");
+    CHECK_MENTIONS(text, "## low, quick form");
+    CHECK_MENTIONS(text, "## high, nightly form");
+    CHECK_MENTIONS(text, "at most 1 | 0.5 |");
+    CHECK_MENTIONS(text, "(limit 3)");
+    CHECK_MENTIONS(text, "* high, made up: it would take a week");
+    validation_destroy(v);
+    unlink(a);
+    unlink(b);
+}
+
+static void test_unsound_stays_so_when_joined(void)
+{
+    char path[] = "/tmp/murk-validation-XXXXXX";
+    validation *v = validation_create(&quick);
+    validation_group(v, "fog");
+    trace(v, .5, 1);
+    add(v, NULL, 1);
+    write_part(v, path);
+    v = validation_create(&quick);
+    validation_join(v, path);
+    unlink(path);
+    static char text[8192];
+    read_markdown(v, text, sizeof text);
+    CHECK_MENTIONS(text, "**unsound**");
+    CHECK_MENTIONS(text, "whose ledger is off: 1.");
+    CHECK(!validation_passed(v));
     validation_destroy(v);
 }
 
@@ -159,9 +281,13 @@ int main(void)
 {
     test_verdicts();
     test_digits();
-    test_short_rows_are_marked();
+    test_short_rows_need_a_reason();
+    test_rows_may_have_limits_of_their_own();
+    test_bounds();
     test_errors_wanted();
     test_traced_and_joined();
     test_lost_light_is_noticed();
+    test_joined_rows_keep_what_is_known();
+    test_unsound_stays_so_when_joined();
     return check_done();
 }

@@ -3,9 +3,10 @@
  * nightly/validate-GROUP.
  *
  *   validate [--quick] [--seed N] [--threads N] [--csv FILE] [CASE...]
- *   validate [--quick] [--seed N] [--csv FILE] --join FILE...
+ *   validate [--csv FILE] --join FILE...
  *
- * --join traces nothing: its rows are those of earlier runs' --csv files.
+ * --join traces nothing: its rows, their forms and their one seed are those of
+ * earlier runs' --csv files.
  *
  * Markdown goes to standard output, progress to standard error. Exit: 0 all
  * within the limit, 1 not, 2 usage. */
@@ -29,11 +30,13 @@ static const group groups[] = {VALIDATION_GROUPS(X)};
 
 static int usage(const char *what)
 {
-    fprintf(stderr,
-            "validate: %s\nusage: validate [--quick] [--seed N] [--threads N] "
-            "[--csv FILE] [GROUP | GROUP/PART-OF-CASE ... | --join FILE...]\n"
-            "groups:",
-            what);
+    fprintf(
+        stderr,
+        "validate: %s\nusage: validate [--quick] [--seed N] [--threads N] "
+        "[--csv FILE] [GROUP | GROUP/PART-OF-CASE ...]\n       validate [--csv "
+        "FILE] --join FILE...\n"
+        "groups:",
+        what);
     for (size_t i = 0; i < GROUPS; ++i) {
         fprintf(stderr, " %s", groups[i].name);
     }
@@ -107,6 +110,7 @@ typedef struct options {
 /* 0, or what to exit with. */
 static int read_options(options *o, int argc, char **argv)
 {
+    bool names_seed = false;
     int i = 1;
     for (; i < argc && !o->joins && strncmp(argv[i], "--", 2) == 0; ++i) {
         unsigned long number = 0;
@@ -119,6 +123,7 @@ static int read_options(options *o, int argc, char **argv)
                 return usage("--seed needs 0..4294967295");
             }
             o->settings.seed = (uint32_t)number;
+            names_seed = true;
         } else if (strcmp(argv[i], "--threads") == 0) {
             if (!reads_number(argv[++i], 1, 1024, &number)) {
                 return usage("--threads needs 1..1024");
@@ -138,6 +143,9 @@ static int read_options(options *o, int argc, char **argv)
     if (!o->joins) {
         o->settings.wanted = o->word;
         o->settings.n_wanted = o->words;
+    }
+    if (o->joins && (o->settings.is_quick || names_seed)) {
+        return usage("--join takes form and seed from its files");
     }
     for (size_t k = 0; k < o->settings.n_wanted; ++k) {
         if (!is_known(o->word[k])) {

@@ -1,6 +1,7 @@
 #include "validation_rows.h"
 
 #include <assert.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -173,24 +174,19 @@ static double scorers_of(const sums *s, size_t q, murk_estimate e)
     return e.value > 0 ? n / (1 + n * ratio * ratio) : 0;
 }
 
-/* Photons that the case needs in all, as far as can be seen now. */
-static double photons_needed(const validation *v, const sums *s)
+/* Photons that a quantity needs in all, as far as can be seen now. */
+static double photons_needed(const validation *v, const sums *s, size_t q)
 {
     const validation_case *c = s->c;
     const double n = (double)s->photons;
-    double most = 0;
-    for (size_t q = 0; q < c->quantities; ++q) {
-        const double wanted =
-            validation_error_wanted(v, c->reference[q].value, c->error_scale);
-        const murk_estimate e = estimate_of(s, q);
-        const double over = e.standard_error / wanted;
-        const double scorers = fmax(1, scorers_of(s, q, e));
-        most = fmax(most, n * over * over);
-        if (scorers < VALIDATION_SCORERS) {
-            most = fmax(most, n * VALIDATION_SCORERS / scorers);
-        }
-    }
-    return most;
+    const double wanted =
+        validation_error_wanted(v, c->reference[q].value, c->error_scale);
+    const murk_estimate e = estimate_of(s, q);
+    const double over = e.standard_error / wanted;
+    const double scorers = fmax(1, scorers_of(s, q, e));
+    const double for_scorers =
+        scorers < VALIDATION_SCORERS ? n * VALIDATION_SCORERS / scorers : 0;
+    return fmax(n * over * over, for_scorers);
 }
 
 static bool is_plainly_off(const sums *s)
@@ -246,9 +242,8 @@ static void start(sums *s, const validation *v, const validation_case *c)
     assert(s->ledger->channels <= CHANNELS_MAX);
 }
 
-/* Photons until all errors are small enough, or the case's last. Returns how
- * many were needed in the end. */
-static double trace_all(const validation *v, sums *s)
+/* Photons until all errors are small enough, or the case's last. */
+static void trace_all(const validation *v, sums *s)
 {
     const validation_case *c = s->c;
     const double most =
@@ -268,13 +263,27 @@ static double trace_all(const validation *v, sums *s)
         const double n = fmin(fmin(batches * MURK_BATCH_PHOTONS, growth),
                               (double)BLOCK_MOST);
         trace_block(v, batch, (uint64_t)n, s);
-        needed = photons_needed(v, s);
+        needed = 0;
+        for (size_t q = 0; q < c->quantities; ++q) {
+            needed = fmax(needed, photons_needed(v, s, q));
+        }
         if (needed > (double)s->photons) {
             needed *= PHOTONS_MARGIN;
         }
     }
     free(batch);
-    return needed;
+}
+
+static bool is_sound(const validation *v, const sums *s)
+{
+    const double lost = lost_share(s->ledger);
+    const int64_t imbalance = murk_ledger_imbalance(s->ledger);
+    const bool sound = imbalance == 0 && lost <= LOST_MOST;
+    if (!sound) {
+        fprintf(stderr, "%s/%s: imbalance %" PRId64 ", share lost %g\n",
+                v->group, s->c->name, imbalance, lost);
+    }
+    return sound;
 }
 
 void validation_trace(validation *v, const validation_case *c)
@@ -287,20 +296,17 @@ void validation_trace(validation *v, const validation_case *c)
     const double begin = murk_clock_s();
     sums s;
     start(&s, v, c);
-    const double needed = trace_all(v, &s);
+    trace_all(v, &s);
+    const bool is_unsound = !is_sound(v, &s);
     for (size_t q = 0; q < c->quantities; ++q) {
         validation_row *row = validation_add_row(v, c->name, c->source,
                                                  c->is_wrong, &c->reference[q]);
         row->murk = estimate_of(&s, q);
         row->photons = s.photons;
-        row->is_short = !c->is_wrong && needed > (double)s.photons;
-    }
-    if (murk_ledger_imbalance(s.ledger) != 0 ||
-        !(lost_share(s.ledger) <= LOST_MOST)) {
-        fprintf(stderr, "%s/%s: imbalance %lld, share lost %g\n", v->group,
-                c->name, (long long)murk_ledger_imbalance(s.ledger),
-                lost_share(s.ledger));
-        ++v->unsound;
+        row->is_unsound = is_unsound;
+        if (!c->is_wrong && photons_needed(v, &s, q) > (double)s.photons) {
+            validation_mark_short(v, c->why_short);
+        }
     }
     tell(v, &s, murk_clock_s() - begin);
     murk_tallies_destroy(s.tallies);

@@ -9,9 +9,13 @@
  *
  * The verdict is a z-test a quantity, |murk - reference| over the square root
  * of standard error^2 + uncertainty^2, against the two-sided Sidak limit that
- * spends VALIDATION_FALSE_ALARM over all checks of the run. Each group of cases
- * has a twin with a slightly wrong constant, which must be refused by the same
- * limit.
+ * spends VALIDATION_FALSE_ALARM over all checks of the run; a row may have a
+ * narrower limit of its own, or be a bound that murk must not exceed. Each
+ * group of cases has a twin with a slightly wrong constant, which must be
+ * refused by the same limits.
+ *
+ * In the nightly form a row whose error did not come down to what is asked
+ * fails, unless its case says why its photons end before.
  *
  * A group is a file tests/physics/cases/NAME.c with a function
  * `void cases_NAME(validation *v)` and a row in cases/groups.h; it makes its
@@ -79,8 +83,10 @@ typedef struct validation_case {
     double least_weight;   /* 0: 1, roulette alone */
     double error_scale;    /* references are in units of this; 0: 1. The
                               absolute bound on errors is 3e-5 of it */
-    uint64_t photons_most; /* 0: 2^32. Where they end a case early, its rows
+    uint64_t photons_most; /* 0: 2^32. Rows whose errors are not reached then
                               are marked */
+    const char *why_short; /* they may be in the nightly form, too, for this
+                              reason, which is printed; NULL: they fail */
     uint32_t events_max;   /* 0: the tracer's own */
 } validation_case;
 
@@ -94,9 +100,13 @@ void validation_check(validation *v, const char *name, const char *source,
                       const validation_reference *reference, murk_estimate murk,
                       uint64_t photons);
 
-/* Says of the last row that its photons ended before its error was reached: it
- * is marked. */
-void validation_mark_short(validation *v);
+/* Of the last row. Its photons ended before its error was reached, for that
+ * reason, or NULL: none that the nightly form lets pass. It is refused beyond
+ * that many sigmas, where the run's own limit is wider. Its reference is a
+ * bound: murk may be as far below as it likes, and not above. */
+void validation_mark_short(validation *v, const char *why_short);
+void validation_mark_limit(validation *v, double sigmas_most);
+void validation_mark_bound(validation *v);
 
 /* For groups: whether a case of that name runs at all; the form; the error that
  * a quantity must reach, with the absolute bound scaled as above; threads. */
@@ -136,12 +146,13 @@ void validation_markdown(const validation *v, FILE *out);
 void validation_csv(const validation *v, FILE *out);
 
 /* The rows of a file that validation_csv() wrote, as if they were traced here:
- * for runs in parts, of one seed and form. Ends the program where it cannot be
- * read. */
+ * for runs in parts. Files may be of either form, of one seed: the first one's
+ * takes the place of the run's. Ends the program where a file cannot be read or
+ * has another seed. */
 void validation_join(validation *v, const char *path);
 
-/* True when at least one row was made, all of them lie within the limit, all
- * twins do not, and nothing was lost. */
+/* True when at least one row was made, all of them lie within their limits, all
+ * twins do not, errors are as small as they should be, and nothing was lost. */
 bool validation_passed(const validation *v);
 
 #endif

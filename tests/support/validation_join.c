@@ -1,4 +1,6 @@
+#include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "scene/table.h"
 #include "validation_rows.h"
@@ -18,6 +20,37 @@ static double number(const murk_table *t, size_t row, const char *column)
     return strtod(text(t, row, column), NULL); /* as validation_csv() wrote */
 }
 
+static bool flag(const murk_table *t, size_t row, const char *column)
+{
+    return number(t, row, column) != 0;
+}
+
+/* The first row says the seed of the run, the others must have it, too. */
+static void read_seed(validation *v, const murk_table *t, size_t row)
+{
+    const uint32_t seed = (uint32_t)strtoul(text(t, row, "seed"), NULL, 10);
+    if (v->rows > 0 && seed != v->settings.seed) {
+        fprintf(stderr,
+                "%s:%d: seed %" PRIu32 ", but rows before have seed %" PRIu32
+                ": one table takes one seed\n",
+                t->path, t->line[row], seed, v->settings.seed);
+        exit(1);
+    }
+    v->settings.seed = seed;
+}
+
+static bool read_is_quick(const murk_table *t, size_t row)
+{
+    const char *form = text(t, row, "form");
+    const bool is_quick = strcmp(form, "quick") == 0;
+    if (!is_quick && strcmp(form, "nightly") != 0) {
+        fprintf(stderr, "%s:%d: form `%s`: quick or nightly\n", t->path,
+                t->line[row], form);
+        exit(1);
+    }
+    return is_quick;
+}
+
 void validation_join(validation *v, const char *path)
 {
     murk_table *t = NULL;
@@ -30,13 +63,20 @@ void validation_join(validation *v, const char *path)
         const validation_reference reference = {text(t, i, "quantity"),
                                                 number(t, i, "reference"),
                                                 number(t, i, "uncertainty")};
+        read_seed(v, t, i);
         validation_group(v, text(t, i, "group"));
         validation_row *row =
             validation_add_row(v, text(t, i, "case"), text(t, i, "source"),
                                text(t, i, "wrong"), &reference);
         row->murk.value = number(t, i, "murk");
         row->murk.standard_error = number(t, i, "standard_error");
-        row->is_short = number(t, i, "is_short") != 0;
+        row->is_quick = read_is_quick(t, i);
+        row->sigmas_most = number(t, i, "sigmas_most");
+        row->is_bound = flag(t, i, "is_bound");
+        row->is_short = flag(t, i, "is_short");
+        snprintf(row->why_short, sizeof row->why_short, "%s",
+                 text(t, i, "why_short"));
+        row->is_unsound = flag(t, i, "is_unsound");
         row->photons = strtoull(text(t, i, "photons"), NULL, 10);
     }
     murk_table_destroy(t);

@@ -23,7 +23,8 @@ validation_row *validation_add_row(validation *v, const char *name,
     }
     validation_row *row = &v->row[v->rows++];
     *row = (validation_row){.reference = reference->value,
-                            .uncertainty = reference->uncertainty};
+                            .uncertainty = reference->uncertainty,
+                            .is_quick = v->settings.is_quick};
     snprintf(row->group, sizeof row->group, "%s", v->group);
     snprintf(row->name, sizeof row->name, "%s", name);
     snprintf(row->quantity, sizeof row->quantity, "%s", reference->quantity);
@@ -45,9 +46,22 @@ void validation_check(validation *v, const char *name, const char *source,
     }
 }
 
-void validation_mark_short(validation *v)
+void validation_mark_short(validation *v, const char *why_short)
 {
-    v->row[v->rows - 1].is_short = true;
+    validation_row *row = &v->row[v->rows - 1];
+    row->is_short = true;
+    snprintf(row->why_short, sizeof row->why_short, "%s",
+             why_short ? why_short : "");
+}
+
+void validation_mark_limit(validation *v, double sigmas_most)
+{
+    v->row[v->rows - 1].sigmas_most = sigmas_most;
+}
+
+void validation_mark_bound(validation *v)
+{
+    v->row[v->rows - 1].is_bound = true;
 }
 
 bool validation_wants(const validation *v, const char *name)

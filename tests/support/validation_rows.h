@@ -6,11 +6,16 @@
 
 typedef struct validation_row {
     char group[32], name[96], quantity[64], source[224];
-    char wrong[96]; /* empty: not a twin */
+    char wrong[96];      /* empty: not a twin */
+    char why_short[160]; /* empty: it may not be, in the nightly form */
     double reference, uncertainty;
     murk_estimate murk;
     uint64_t photons;
-    bool is_short; /* photons_most ended it before its error was reached */
+    double sigmas_most; /* 0: only the run's own limit */
+    bool is_bound;      /* murk may be anything up to the reference */
+    bool is_short;      /* photons ended before its error was reached */
+    bool is_quick;      /* its form */
+    bool is_unsound;    /* of a case that lost light, or whose ledger is off */
 } validation_row;
 
 struct validation {
@@ -18,7 +23,6 @@ struct validation {
     char group[32];
     validation_row *row;
     size_t rows, room;
-    size_t unsound; /* cases that lost light, or whose ledger is off */
 };
 
 /* A new row without an estimate. Ends the program where memory is short. */
