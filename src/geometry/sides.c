@@ -136,7 +136,7 @@ static murk_status learn_sides(murk_hull *b, const murk_patches *p,
     }
     for (size_t k = 0; k < p->patches; ++k) {
         const uint32_t i = largest[k];
-        /* The patch's own side, for now under its largest triangle. */
+        /* The patch's own side, under its largest triangle's number. */
         is_inward[i] = points_inside(b, i) != p->is_turned[i];
     }
     for (size_t k = 0; k < p->patches; ++k) {
