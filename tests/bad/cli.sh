@@ -279,9 +279,11 @@ if [ "$(id -u)" -ne 0 ]; then
     [ "$before" = "$(contents "$dir/kept")" ] || fail "wrote into a folder that may not be written"
     chmod u+w "$dir/kept"
     expect 1 "cannot make the folder" place "$dir/good.yaml" -q -o /nowhere
-else
+elif [ -e /proc/self/status ]; then
     expect 1 "cannot write" place "$dir/good.yaml" -q -o /proc/self
     expect 1 "cannot make the folder" place "$dir/good.yaml" -q -o /proc/self/nowhere
+else
+    echo "skipped: folders that root may not write, no /proc here"
 fi
 [ -e /dev/full ] && { within_limits check "$dir/good.yaml" >/dev/full 2>"$dir/stderr"
     [ $? -eq 1 ] || fail "a full standard output went unnoticed"; }
