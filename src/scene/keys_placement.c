@@ -1,0 +1,98 @@
+/* Placement: how plans are found and what they are worth. */
+#include "scene/keys_rows.h"
+
+static murk_status check_weights(murk_walk *walk, const murk_yaml *map,
+                                 void *item)
+{
+    const murk_scene_placement *placement = &((murk_scene *)item)->placement;
+    if (!(placement->weight_surface + placement->weight_volume > 0)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "surface and volume are both 0, one must be "
+                              "more than 0");
+    }
+    return MURK_OK;
+}
+
+static const murk_key WEIGHTS_ROWS[] = {
+    ROW("surface", NUMBER, NEEDED, .most = 1e6,
+        AT(murk_scene, placement.weight_surface)),
+    ROW("volume", NUMBER, NEEDED, .most = 1e6,
+        AT(murk_scene, placement.weight_volume)),
+    END,
+};
+
+static const murk_keys WEIGHTS = {
+    .noun = "weights",
+    .check = check_weights,
+    .key = WEIGHTS_ROWS,
+};
+
+static const murk_word METHOD_WORDS[] = {
+    {"best", MURK_SCENE_BEST, false},
+    {"spoq", MURK_SCENE_SPOQ, false},
+    {"greedy", MURK_SCENE_GREEDY, false},
+    {"exact", MURK_SCENE_EXACT, false},
+    WORDS_END,
+};
+
+static const murk_word DETECTION_WORDS[] = {
+    {"weighted", 0, false},
+    {"independent", 0, true},
+    {"threshold", 0, true},
+    {"power", 0, true},
+    WORDS_END,
+};
+
+static const murk_word VISIBILITY_WORDS[] = {
+    {"ray", 0, false},
+    {"normal", 1, false},
+    WORDS_END,
+};
+
+static const murk_word THROUGH_WORDS[] = {
+    {"thin", 0, false},
+    {"block", 1, false},
+    {"refract", 0, true},
+    WORDS_END,
+};
+
+static const murk_word KNOWLEDGE_WORDS[] = {
+    {"known", 0, false},
+    {"unknown", 1, false},
+    {"explore", 0, true},
+    WORDS_END,
+};
+
+static const murk_word WEIGHTS_WORDS[] = {
+    {"balanced", 1, false},
+    WORDS_END,
+};
+
+static const murk_key PLACEMENT_ROWS[] = {
+    ROW("method", WORD, .preset = "best", .words = METHOD_WORDS,
+        AT(murk_scene, placement.method)),
+    ROW("detection", WORD, .preset = "weighted", .words = DETECTION_WORDS),
+    ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
+        AT(murk_scene, placement.by_normal)),
+    ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
+        AT(murk_scene, placement.block)),
+    ROW("knowledge", WORD, .preset = "known", .words = KNOWLEDGE_WORDS,
+        AT(murk_scene, placement.unknown)),
+    ROW("restarts", COUNT, .least = 1, .most = 1e6, .preset = "200",
+        AT(murk_scene, placement.restarts)),
+    ROW("redundancy", ONLY, .preset = "1"),
+    ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
+        .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
+    ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
+    ROW("nodes", COUNT, .most = 1e15, .preset = "1000000",
+        AT(murk_scene, placement.nodes)),
+    ROW("over", ONLY, .preset = "null"),
+    ROW("condition_weights", ONLY, .preset = "{}"),
+    END,
+};
+
+const murk_keys murk_placement_keys = {
+    .noun = "placement",
+    WHERE(murk_scene, placement.where),
+    .key = PLACEMENT_ROWS,
+};
