@@ -417,8 +417,8 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
                                      options->threads, err);
     }
     if (!status && session.scene->sensors.given) {
-        status = murk_plan_candidates(&f.candidates, session.stage,
-                                      options->threads, err);
+        status = murk_sites_find(&f.candidates, session.stage, options->threads,
+                                 err);
     }
     if (!status && options->json) {
         status = murk_session_finish(&session, NULL, check_json(&f), err);

@@ -58,99 +58,13 @@ static const murk_keys SENSOR_TYPE = {
     .key = SENSOR_TYPE_ROWS,
 };
 
-#define MOST_CANDIDATES 1e7
-
-/* max - min over spacing_m is rounded a few times: a last point that passes
- * max by less than this share of a step still counts. */
-#define STEP_SLACK 1e-9
-
-static void fill_size_by_spacing(murk_scene_sensors *sensors, double spacing)
-{
-    const double min[3] = {sensors->grid_min.x, sensors->grid_min.y,
-                           sensors->grid_min.z};
-    double *const max[3] = {&sensors->grid_max.x, &sensors->grid_max.y,
-                            &sensors->grid_max.z};
-    for (int i = 0; i < 3; ++i) {
-        const double steps = fmin(
-            floor((*max[i] - min[i]) / spacing + STEP_SLACK), MOST_CANDIDATES);
-        sensors->grid_size[i] = (size_t)steps + 1;
-        *max[i] = min[i] + steps * spacing;
-    }
-}
-
-static murk_status check_grid(murk_walk *walk, const murk_yaml *map, void *item)
-{
-    murk_scene_sensors *sensors = &((murk_scene *)item)->sensors;
-    const murk_vec3 min = sensors->grid_min, max = sensors->grid_max;
-    if (!(min.x <= max.x && min.y <= max.y && min.z <= max.z)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "min_m [%.9g, %.9g, %.9g] and max_m "
-                              "[%.9g, %.9g, %.9g], min must be at most max on "
-                              "each axis, m",
-                              min.x, min.y, min.z, max.x, max.y, max.z);
-    }
-    const murk_yaml *spacing = murk_yaml_get(map, "spacing_m");
-    double spacing_m;
-    if (spacing && murk_yaml_number(spacing, &spacing_m)) {
-        fill_size_by_spacing(sensors, spacing_m);
-    }
-    const double extent[3] = {max.x - min.x, max.y - min.y, max.z - min.z};
-    double points = 1;
-    for (int i = 0; i < 3; ++i) {
-        points *= (double)sensors->grid_size[i];
-        if (extent[i] == 0 && sensors->grid_size[i] > 1) {
-            return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                                  "size %zu along %c where min_m is max_m, "
-                                  "must be 1",
-                                  sensors->grid_size[i], "xyz"[i]);
-        }
-    }
-    if (!(points <= MOST_CANDIDATES)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "%.9g points, must be at most 1e7", points);
-    }
-    return MURK_OK;
-}
-
-static const murk_key GRID_ROWS[] = {
-    ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene, sensors.grid_min)),
-    ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene, sensors.grid_max)),
-    ROW("size", SIZES, .group = 1, NEEDED, .least = 1, .most = MOST_CANDIDATES,
-        .unit = "points", AT(murk_scene, sensors.grid_size)),
-    ROW("spacing_m", NUMBER, .group = 1, NEEDED, SIZE_M),
-    END,
-};
-
-static const murk_keys GRID = {
-    .noun = "grid",
-    .check = check_grid,
-    WHERE(murk_scene, sensors.grid_where),
-    .key = GRID_ROWS,
-};
-
-static const murk_key CANDIDATES_ROWS[] = {
-    ROW("grid", MAP, .keys = &GRID, FLAG(murk_scene, sensors.has_grid)),
-    ROW("clearance_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
-        AT(murk_scene, sensors.clearance_m)),
-    ROW("avoid", ONLY, .preset = "[]"),
-    ROW("mount", ONLY, .preset = "free"),
-    ROW("spacing_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
-        AT(murk_scene, sensors.spacing_m)),
-    END,
-};
-
-static const murk_keys CANDIDATES = {
-    .noun = "candidates",
-    .key = CANDIDATES_ROWS,
-};
-
 static murk_status check_sensors(murk_walk *walk, const murk_yaml *map,
                                  void *item)
 {
     const murk_scene_sensors *sensors = &((murk_scene *)item)->sensors;
-    const size_t *n = sensors->grid_size;
+    const size_t *n = sensors->candidates.grid_size;
     const uint64_t points = (uint64_t)n[0] * n[1] * n[2];
-    if (sensors->has_grid && sensors->count > points) {
+    if (sensors->candidates.has_grid && sensors->count > points) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "count is %llu, must be 1..%llu: the points of "
                               "the grid",
@@ -162,7 +76,7 @@ static murk_status check_sensors(murk_walk *walk, const murk_yaml *map,
 
 static const murk_key SENSORS_ROWS[] = {
     ROW("types", LIST, NEEDED, .keys = &SENSOR_TYPE),
-    ROW("candidates", MAP, .keys = &CANDIDATES, .preset = "{}"),
+    ROW("candidates", MAP, .keys = &murk_candidate_keys, .preset = "{}"),
     ROW("fixed", ONLY, .preset = "[]"),
     ROW("count", COUNT, .group = 1, .least = 1, .most = 1e6, .unit = "sensors",
         AT(murk_scene, sensors.count)),

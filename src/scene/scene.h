@@ -175,16 +175,21 @@ typedef struct murk_scene_tally {
     bool hemispheres;
 } murk_scene_tally;
 
+typedef struct murk_scene_candidates {
+    murk_scene_where where; /* of `sensors.candidates` */
+    bool has_grid;
+    murk_scene_where grid_where; /* of `sensors.candidates.grid` */
+    murk_vec3 grid_min, grid_max;
+    size_t grid_size[3];
+    double clearance_m;
+} murk_scene_candidates;
+
 typedef struct murk_scene_sensors {
     murk_scene_where where; /* of `sensors` */
     bool given;             /* the scene has sensors */
     murk_scene_name type_name;
     double range_m;
-    murk_scene_where grid_where; /* of `sensors.candidates.grid` */
-    bool has_grid;
-    murk_vec3 grid_min, grid_max;
-    size_t grid_size[3];
-    double clearance_m;
+    murk_scene_candidates candidates;
     double spacing_m; /* least distance between sensors */
     uint64_t count;   /* 0: not given */
     double target;    /* coverage 0..1; 0: not given */

@@ -4,13 +4,9 @@
 #define MURK_STUDY_PLAN_H
 
 #include "placement/place.h"
-#include "sensing/candidates.h"
 #include "sensing/sight.h"
 #include "study/light.h"
-
-/* The scene's candidates in its free space. */
-murk_status murk_plan_candidates(murk_candidates **out, const murk_stage *stage,
-                                 unsigned threads, murk_error *err);
+#include "study/sites.h"
 
 /* Sight through a stage onto traced light. Borrows both. */
 murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,

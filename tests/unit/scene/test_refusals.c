@@ -548,7 +548,7 @@ static void test_options_apply(void)
     CHECK(scene->placement.balanced);
     CHECK(scene->n_media == 6 && scene->regions[0].medium == 5);
     CHECK(scene->materials[0].diffuse.band[0] == 0.25);
-    CHECK(scene->sensors.grid_size[0] == 15);
+    CHECK(scene->sensors.candidates.grid_size[0] == 15);
     murk_scene_destroy(scene);
 }
 

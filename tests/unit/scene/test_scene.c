@@ -140,13 +140,16 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(scene->photons.maps == MURK_SCENE_MAPS_VOLUME);
 
     const murk_scene_sensors *sensors = &scene->sensors;
-    CHECK(sensors->given && sensors->has_grid && sensors->count == 3);
+    CHECK(sensors->given && sensors->candidates.has_grid &&
+          sensors->count == 3);
     CHECK_TEXT(sensors->type_name, "node");
-    CHECK(sensors->range_m == 12 && sensors->clearance_m == 0.1);
-    CHECK(sensors->grid_size[0] == 12 && sensors->grid_size[2] == 9);
-    CHECK(sensors->grid_max.y == 19);
+    CHECK(sensors->range_m == 12 && sensors->candidates.clearance_m == 0.1);
+    CHECK(sensors->candidates.grid_size[0] == 12 &&
+          sensors->candidates.grid_size[2] == 9);
+    CHECK(sensors->candidates.grid_max.y == 19);
     CHECK(sensors->spacing_m == 0.5);
-    CHECK_TEXT(sensors->grid_where, "fog.yaml:60:5: sensors.candidates.grid");
+    CHECK_TEXT(sensors->candidates.grid_where,
+               "fog.yaml:60:5: sensors.candidates.grid");
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
@@ -174,7 +177,7 @@ static void test_defaults(void)
     CHECK(scene->placement.method == MURK_SCENE_BEST);
     CHECK(scene->placement.balanced && scene->placement.hold_out);
     CHECK(scene->placement.restarts == 200 && !scene->placement.block);
-    CHECK(scene->sensors.count == 0 && !scene->sensors.has_grid);
+    CHECK(scene->sensors.count == 0 && !scene->sensors.candidates.has_grid);
     murk_scene_destroy(scene);
 }
 
@@ -256,11 +259,11 @@ static void test_spacing_fills_the_grid(void)
         .text = "sensors.candidates.grid={min_m: [0, 0, 1], max_m: "
                 "[1.2, 1.5, 1], spacing_m: 0.4}"};
     murk_scene *scene = must_read(FULL_SCENE, &spacing, 1);
-    CHECK(scene->sensors.grid_size[0] == 4);
-    CHECK(scene->sensors.grid_size[1] == 4);
-    CHECK(scene->sensors.grid_size[2] == 1);
-    CHECK_NEAR(scene->sensors.grid_max.y, 1.2, 1e-12);
-    CHECK(scene->sensors.grid_max.z == 1);
+    CHECK(scene->sensors.candidates.grid_size[0] == 4);
+    CHECK(scene->sensors.candidates.grid_size[1] == 4);
+    CHECK(scene->sensors.candidates.grid_size[2] == 1);
+    CHECK_NEAR(scene->sensors.candidates.grid_max.y, 1.2, 1e-12);
+    CHECK(scene->sensors.candidates.grid_max.z == 1);
     murk_scene_destroy(scene);
 }
 

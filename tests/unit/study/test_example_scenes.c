@@ -153,8 +153,10 @@ static void test_scenes_read_and_name_their_materials(void)
         }
         check_materials(scene);
         CHECK(scene->has_domain);
-        CHECK(murk_box_contains(&scene->domain.box, scene->sensors.grid_min));
-        CHECK(murk_box_contains(&scene->domain.box, scene->sensors.grid_max));
+        CHECK(murk_box_contains(&scene->domain.box,
+                                scene->sensors.candidates.grid_min));
+        CHECK(murk_box_contains(&scene->domain.box,
+                                scene->sensors.candidates.grid_max));
         murk_scene_destroy(scene);
     }
 }
@@ -163,7 +165,7 @@ static void test_paper_room_is_of_the_papers_size(void)
 {
     murk_scene *scene = read_scene("scenes/paper-room.yaml");
     if (scene) {
-        const size_t *size = scene->sensors.grid_size;
+        const size_t *size = scene->sensors.candidates.grid_size;
         CHECK(size[0] * size[1] * size[2] == 1188);
         CHECK(scene->photons.store == 10000);
         CHECK(scene->sensors.count == 5);

@@ -139,7 +139,7 @@ static void test_laid_candidates(void)
     murk_error err = {0};
     murk_candidates *candidates = NULL;
     murk_stage *stage = stage_text_create(scene_text, NULL);
-    CHECK(stage && !murk_plan_candidates(&candidates, stage, 2, &err));
+    CHECK(stage && !murk_sites_find(&candidates, stage, 2, &err));
     if (candidates) {
         /* 4 x 4 x 3 m in cells of .3634 m: 11 x 11 x 8 */
         CHECK(candidates->asked == 11 * 11 * 8);
