@@ -154,14 +154,15 @@ static const murk_key SCENE_ROWS[] = {
         .words = FLIGHT_WORDS, AT(murk_scene, by_delta)),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
     ROW("sensors", MAP, .keys = &SENSORS, FLAG(murk_scene, sensors.given)),
+    ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),
     ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}"),
-    ROW("conditions", ONLY, .preset = "{}"),
     ROW("cameras", ONLY, .preset = "[]"),
     END,
 };
 
 const murk_keys murk_scene_keys = {
     .noun = "scene",
+    .check = murk_check_conditions,
     .key = SCENE_ROWS,
 };
 

@@ -81,6 +81,7 @@ struct murk_keys {
     size_t item_size, array_at, count_at, most_items, name_at;
     bool needs_item;
     const char *first, *first_preset; /* a name built in, always item 0 */
+    bool is_open; /* any keys with any values: check() reads them */
 };
 
 extern const murk_keys murk_scene_keys;

@@ -68,6 +68,13 @@ static const murk_word WEIGHTS_WORDS[] = {
     WORDS_END,
 };
 
+static const murk_word OVER_WORDS[] = {
+    {"null", MURK_SCENE_OVER_NONE, false},
+    {"mean", MURK_SCENE_OVER_MEAN, false},
+    {"worst", MURK_SCENE_OVER_WORST, false},
+    WORDS_END,
+};
+
 static const murk_key PLACEMENT_ROWS[] = {
     ROW("method", WORD, .preset = "best", .words = METHOD_WORDS,
         AT(murk_scene, placement.method)),
@@ -86,8 +93,10 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
     ROW("nodes", COUNT, .most = 1e15, .preset = "1000000",
         AT(murk_scene, placement.nodes)),
-    ROW("over", ONLY, .preset = "null"),
-    ROW("condition_weights", ONLY, .preset = "{}"),
+    ROW("over", WORD, .preset = "null", .words = OVER_WORDS,
+        AT(murk_scene, placement.over)),
+    ROW("condition_weights", MAP, .keys = &murk_condition_weight_keys,
+        .preset = "{}"),
     END,
 };
 

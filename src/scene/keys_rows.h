@@ -48,10 +48,15 @@
 /* One table per part of a scene; keys.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys,
-    murk_placement_keys, murk_candidate_keys;
+    murk_placement_keys, murk_candidate_keys, murk_condition_keys,
+    murk_condition_weight_keys;
 
 /* Of meshes: x, y, z. */
 extern const murk_word murk_up_words[];
+
+/* Of the whole scene, at its end: what it averages over is there. */
+murk_status murk_check_conditions(murk_walk *walk, const murk_yaml *map,
+                                  void *item);
 
 /* min less than max on each axis. */
 murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box);

@@ -16,29 +16,48 @@ typedef struct spot {
 } spot;
 
 typedef struct option_context {
-    const char *source;
+    const char *source;    /* of what it makes on the way */
+    const char *where;     /* what messages name */
+    murk_yaml *const *own; /* [n_own] values it put before; NULL: all that is */
+    size_t n_own;          /* not of the scene's file */
     const murk_yaml *root;
     murk_error *err;
 } option_context;
 
 static murk_status fail(const option_context *option, const char *text)
 {
-    char where[256];
-    const murk_yaml node = {.source = option->source};
-    murk_yaml_place(&node, where, sizeof where);
-    return murk_fail(option->err, MURK_BAD_VALUE, where, "%s", text);
+    return murk_fail(option->err, MURK_BAD_VALUE, option->where, "%s", text);
 }
 
 static murk_status no_memory(const option_context *option)
 {
-    return murk_fail(option->err, MURK_NO_MEMORY, option->source,
+    return murk_fail(option->err, MURK_NO_MEMORY, option->where,
                      "no memory for it");
 }
 
-/* Length of the first part of a path. A name that holds dots is taken whole
- * where the map has it. */
-static size_t part_length(const murk_yaml *node, const char *path)
+/* Whether its keys are those of a map, not of the items in it. */
+static bool is_map(const spot *at)
 {
+    const bool may_be_map =
+        at->key->kind == MURK_KEY_PER_BAND ||
+        (at->key->kind == MURK_KEY_SPECTRUM && at->key->keys);
+    return at->key->kind == MURK_KEY_MAP ||
+           (may_be_map && at->node->kind != MURK_YAML_LIST);
+}
+
+static bool is_open_map(const spot *at)
+{
+    return at->key && at->key->keys && at->key->keys->is_open && is_map(at);
+}
+
+/* Length of the first part of a path. A name that holds dots is taken whole
+ * where the map has it, and so is all that is left in a map of any keys. */
+static size_t part_length(const spot *at, const char *path)
+{
+    const murk_yaml *node = at->node;
+    if (is_open_map(at)) {
+        return strlen(path);
+    }
     size_t length = strcspn(path, ".");
     for (size_t i = 0; node->kind == MURK_YAML_MAP && i < node->n; ++i) {
         const size_t n = strlen(node->key[i]);
@@ -79,16 +98,6 @@ static murk_status unknown_key(const option_context *option,
     return unknown(option, owner, part, names, n);
 }
 
-/* Whether its keys are those of a map, not of the items in it. */
-static bool is_map(const spot *at)
-{
-    const bool may_be_map =
-        at->key->kind == MURK_KEY_PER_BAND ||
-        (at->key->kind == MURK_KEY_SPECTRUM && at->key->keys);
-    return at->key->kind == MURK_KEY_MAP ||
-           (may_be_map && at->node->kind != MURK_YAML_LIST);
-}
-
 /* What the table says of a child of this spot. Names and items are maps. */
 static const murk_key *child_key(const spot *at, const char *part,
                                  murk_key *item)
@@ -104,6 +113,25 @@ static const murk_key *child_key(const spot *at, const char *part,
     return item;
 }
 
+/* Whether the tree is, or holds, what the same source of options put there. */
+static bool is_own(const option_context *option, const murk_yaml *node)
+{
+    if (!option->own) {
+        return node->source != option->root->source;
+    }
+    for (size_t i = 0; i < option->n_own; ++i) {
+        if (option->own[i] == node) {
+            return true;
+        }
+    }
+    for (size_t i = 0; i < node->n; ++i) {
+        if (is_own(option, node->child[i])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* A key replaces those that it excludes, but two options must not fight. */
 static murk_status remove_rivals(const option_context *option, murk_yaml *map,
                                  const murk_key *owner, const murk_key *key)
@@ -115,12 +143,12 @@ static murk_status remove_rivals(const option_context *option, murk_yaml *map,
             !rival) {
             continue;
         }
-        if (rival->source != option->root->source) {
+        if (is_own(option, rival)) {
             char text[256];
             snprintf(text, sizeof text,
-                     "%s and %s are both on the command line, must be one of "
-                     "them",
-                     other->name, key->name);
+                     "%s and %s are both %s, must be one of them", other->name,
+                     key->name,
+                     option->own ? "in the condition" : "on the command line");
             return fail(option, text);
         }
         murk_yaml_remove(map, other->name);
@@ -178,7 +206,7 @@ static murk_status step_map(const option_context *option, spot *at,
     const murk_key *owner = at->key;
     murk_yaml *map = at->node;
     murk_yaml *child = murk_yaml_get(map, part);
-    if (!next && !child) {
+    if (!next && !child && !is_open_map(at)) {
         return unknown_key(option, owner, part);
     }
     const bool is_named = owner && owner->kind == MURK_KEY_NAMED;
@@ -238,7 +266,7 @@ static murk_status descend(const option_context *option, murk_yaml *root,
     murk_key items[2]; /* of this step and the one before */
     spot at = {root, &whole};
     for (int i = 0;; i ^= 1) {
-        const size_t length = part_length(at.node, path);
+        const size_t length = part_length(&at, path);
         const bool is_last = path[length] == '\0';
         path[length] = '\0';
         if (length == 0) {
@@ -266,10 +294,44 @@ char *murk_override_source(const murk_override *override)
     return source;
 }
 
+static murk_status put(const option_context *option, murk_yaml *root,
+                       const char *path, size_t length, murk_yaml *value)
+{
+    char *own_path = malloc(length + 1);
+    if (!own_path) {
+        murk_yaml_destroy(value);
+        return no_memory(option);
+    }
+    memcpy(own_path, path, length);
+    own_path[length] = '\0';
+    const murk_status status = descend(option, root, own_path, &value);
+    free(own_path);
+    murk_yaml_destroy(value);
+    return status;
+}
+
+murk_status murk_override_put(murk_yaml *root, const char *path,
+                              murk_yaml *value, const char *where,
+                              murk_yaml *const *own, size_t n_own,
+                              murk_error *err)
+{
+    const option_context option = {.source = value->source,
+                                   .where = where,
+                                   .own = own,
+                                   .n_own = n_own,
+                                   .root = root,
+                                   .err = err};
+    return put(&option, root, path, strlen(path), value);
+}
+
 murk_status murk_override_apply(murk_yaml *root, const murk_override *override,
                                 const char *source, murk_error *err)
 {
-    const option_context option = {source, root, err};
+    char where[256];
+    const murk_yaml node = {.source = source};
+    murk_yaml_place(&node, where, sizeof where);
+    const option_context option = {
+        .source = source, .where = where, .root = root, .err = err};
     const char *equals = strchr(override->text, '=');
     if (!equals) {
         return fail(&option, "must be KEY=VALUE, such as photons.emit=1e5");
@@ -283,16 +345,6 @@ murk_status murk_override_apply(murk_yaml *root, const murk_override *override,
     if (status) {
         return status;
     }
-    const size_t length = (size_t)(equals - override->text);
-    char *path = malloc(length + 1);
-    if (!path) {
-        murk_yaml_destroy(value);
-        return no_memory(&option);
-    }
-    memcpy(path, override->text, length);
-    path[length] = '\0';
-    status = descend(&option, root, path, &value);
-    free(path);
-    murk_yaml_destroy(value);
-    return status;
+    return put(&option, root, override->text, (size_t)(equals - override->text),
+               value);
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "scene/conditions.h"
 #include "scene/override.h"
 #include "scene/print.h"
 #include "scene/walk.h"
@@ -128,21 +129,99 @@ static bool is_of_light(const char *key)
 
 /* The texts that need the tree. Paths are rewritten on the way: first as the
  * resolved scene has them, then as the light's key does. */
-static murk_status print_texts(reading *r, murk_scene *scene)
+static murk_status print_resolved(const murk_walk *walk, murk_scene *scene)
 {
-    for (size_t i = 0; i < r->walk.n_paths; ++i) {
-        if (make_absolute(r->walk.paths[i], r->root, scene->path)) {
+    for (size_t i = 0; i < walk->n_paths; ++i) {
+        if (make_absolute(walk->paths[i], walk->root, scene->path)) {
             return MURK_NO_MEMORY;
         }
     }
-    scene->resolved = murk_print_file(r->root, NULL);
-    for (size_t i = 0; i < r->walk.n_paths; ++i) {
-        if (drop_folder(r->walk.paths[i])) {
+    scene->resolved = murk_print_file(walk->root, NULL);
+    return scene->resolved ? MURK_OK : MURK_NO_MEMORY;
+}
+
+static murk_status print_light_key(const murk_walk *walk, murk_scene *scene)
+{
+    for (size_t i = 0; i < walk->n_paths; ++i) {
+        if (drop_folder(walk->paths[i])) {
             return MURK_NO_MEMORY;
         }
     }
-    scene->light_key = murk_print_file(r->root, is_of_light);
-    return scene->resolved && scene->light_key ? MURK_OK : MURK_NO_MEMORY;
+    scene->light_key = murk_print_file(walk->root, is_of_light);
+    return scene->light_key ? MURK_OK : MURK_NO_MEMORY;
+}
+
+/* ---- scenes ---- */
+
+static murk_scene *scene_make(const char *path, const char sha256[65])
+{
+    murk_scene *scene = calloc(1, sizeof *scene);
+    if (scene) {
+        memcpy(scene->sha256, sha256, sizeof scene->sha256);
+        scene->path = strdup(path);
+    }
+    if (scene && !scene->path) {
+        free(scene);
+        scene = NULL;
+    }
+    return scene;
+}
+
+/* The scene of a condition, from the tree as it was given; what the condition
+ * sets is rewritten as resolved in the walked tree `root`. */
+static murk_status read_condition(murk_scene_condition *condition,
+                                  const murk_scene *base, murk_yaml *root,
+                                  const murk_yaml *given, murk_error *err)
+{
+    murk_condition_values values = {0};
+    murk_yaml *tree = murk_yaml_copy(given);
+    condition->scene = scene_make(base->path, base->sha256);
+    murk_walk walk = {.scene = condition->scene, .root = tree, .err = err};
+    murk_status status =
+        tree && condition->scene
+            ? murk_condition_apply(&values, tree, condition->name, err)
+            : no_memory(base->path, err);
+    if (status) {
+        goto done;
+    }
+    murk_walk_enter(&walk, "conditions");
+    murk_walk_enter(&walk, condition->name);
+    status = murk_walk_scene(&walk);
+    if (!status && (print_resolved(&walk, condition->scene) ||
+                    !murk_condition_put_back(root, condition->name, &values) ||
+                    print_light_key(&walk, condition->scene))) {
+        status = no_memory(base->path, err);
+    }
+done:
+    free(values.value);
+    free(walk.paths);
+    murk_yaml_destroy(tree);
+    return status;
+}
+
+/* Walks the tree, and that of each condition. */
+static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    murk_yaml *given = NULL; /* with conditions: the tree before the walk */
+    if (murk_yaml_get(r->root, "conditions")) {
+        given = murk_yaml_copy(r->root);
+        if (!given) {
+            return no_memory(scene->path, err);
+        }
+    }
+    r->walk = (murk_walk){.scene = scene, .root = r->root, .err = err};
+    status = murk_walk_scene(&r->walk);
+    for (size_t i = 0; !status && i < scene->n_conditions; ++i) {
+        status =
+            read_condition(&scene->conditions[i], scene, r->root, given, err);
+    }
+    murk_yaml_destroy(given);
+    if (!status &&
+        (print_resolved(&r->walk, scene) || print_light_key(&r->walk, scene))) {
+        status = no_memory(scene->path, err);
+    }
+    return status;
 }
 
 murk_status murk_scene_read(murk_scene **out, const char *path,
@@ -151,6 +230,7 @@ murk_status murk_scene_read(murk_scene **out, const char *path,
 {
     reading r = {0};
     murk_scene *scene = NULL;
+    char sha256[65];
     murk_status status =
         murk_file_read(&r.text, &r.size, path, MURK_YAML_MOST_BYTES, err);
     if (status ||
@@ -158,22 +238,10 @@ murk_status murk_scene_read(murk_scene **out, const char *path,
         (status = apply_overrides(&r, path, overrides, n_overrides, err))) {
         goto done;
     }
-    scene = calloc(1, sizeof *scene);
-    if (!scene || !(scene->path = strdup(path))) {
-        status = no_memory(path, err);
-        goto done;
-    }
-    murk_sha256_hex(r.text, r.size, scene->sha256);
-    r.walk.scene = scene;
-    r.walk.root = r.root;
-    r.walk.err = err;
-    status = murk_walk_scene(&r.walk);
+    murk_sha256_hex(r.text, r.size, sha256);
+    scene = scene_make(path, sha256);
+    status = scene ? read_tree(&r, scene, err) : no_memory(path, err);
     if (status) {
-        goto done;
-    }
-    status = print_texts(&r, scene);
-    if (status) {
-        no_memory(path, err);
         goto done;
     }
     *out = scene;
@@ -207,6 +275,10 @@ void murk_scene_destroy(murk_scene *scene)
     for (size_t i = 0; i < scene->n_regions; ++i) {
         free(scene->regions[i].mesh);
     }
+    for (size_t i = 0; i < scene->n_conditions; ++i) {
+        murk_scene_destroy(scene->conditions[i].scene);
+    }
+    free(scene->conditions);
     free(scene->geometry);
     free(scene->materials);
     free(scene->media);

@@ -202,6 +202,12 @@ typedef enum murk_scene_method {
     MURK_SCENE_EXACT
 } murk_scene_method;
 
+typedef enum murk_scene_over {
+    MURK_SCENE_OVER_NONE, /* the scene as it stands */
+    MURK_SCENE_OVER_MEAN, /* of its conditions */
+    MURK_SCENE_OVER_WORST
+} murk_scene_over;
+
 typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
@@ -212,9 +218,23 @@ typedef struct murk_scene_placement {
     bool balanced; /* weights */
     double weight_surface, weight_volume;
     bool hold_out;
+    murk_scene_over over;
 } murk_scene_placement;
 
-typedef struct murk_scene {
+#define MURK_SCENE_CONDITIONS_MAX 16
+
+typedef struct murk_scene murk_scene;
+
+typedef struct murk_scene_condition {
+    murk_scene_name name; /* letters, digits, - and _; not mean, worst */
+    murk_scene_where where;
+    double weight;     /* placement.condition_weights; 1 where none is given */
+    murk_scene *scene; /* the scene with its overrides, without conditions; its
+                          places read "yard.yaml:12:5: conditions.fog.media.a"
+                        */
+} murk_scene_condition;
+
+struct murk_scene {
     char *path;      /* as given */
     char sha256[65]; /* of the file's bytes */
     int bands;
@@ -241,6 +261,8 @@ typedef struct murk_scene {
     size_t n_tallies;
     murk_scene_sensors sensors;
     murk_scene_placement placement;
+    murk_scene_condition *conditions;
+    size_t n_conditions;
     char *resolved;  /* the whole scene as it was used, overrides and defaults
                         written out, files by absolute path, as YAML that reads
                         back the same from any folder */
@@ -248,7 +270,7 @@ typedef struct murk_scene {
                         by their name without folder: with the checksums of
                         those files, two scenes give the same light when these
                         are equal */
-} murk_scene;
+};
 
 /* One --set, or an option that is one ("seed=3"). */
 typedef struct murk_override {

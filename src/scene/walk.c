@@ -189,6 +189,13 @@ static void mark_absent(const murk_keys *keys, const murk_yaml *map,
 static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
                             murk_yaml *map, void *item)
 {
+    if (keys->is_open) {
+        if (keys->has_where) {
+            murk_walk_where(map, walk->key, false,
+                            (char *)item + keys->where_at);
+        }
+        return keys->check(walk, map, item);
+    }
     int variant = 0;
     murk_status status = murk_walk_check_names(walk, keys, map);
     if (status || (status = murk_walk_check_groups(walk, keys, map)) ||

@@ -17,7 +17,8 @@ struct murk_walk {
     size_t n_paths;
 };
 
-/* scene->path is set, all else is empty. */
+/* scene->path is set, all else is empty; a key that the walk has already goes
+ * before all others. */
 murk_status murk_walk_scene(murk_walk *walk);
 
 /* One value, map or list under the walk's present key, into its member of the

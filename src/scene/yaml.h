@@ -57,6 +57,7 @@ bool murk_yaml_is_null(const murk_yaml *node); /* empty, ~ or null */
  * `child`, also where they fail: false when out of memory. put() replaces what
  * stood under that key; remove() of a missing key is fine. */
 murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source);
+murk_yaml *murk_yaml_copy(const murk_yaml *root); /* NULL: out of memory */
 bool murk_yaml_append(murk_yaml *node, char *key, murk_yaml *child);
 bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child);
 void murk_yaml_remove(murk_yaml *map, const char *key);

@@ -125,6 +125,35 @@ bool murk_yaml_append(murk_yaml *node, char *key, murk_yaml *child)
     return true;
 }
 
+murk_yaml *murk_yaml_copy(const murk_yaml *root)
+{
+    murk_yaml *out = murk_yaml_make(root->kind, root->source);
+    if (!out) {
+        return NULL;
+    }
+    out->line = root->line;
+    out->column = root->column;
+    out->key_line = root->key_line;
+    out->key_column = root->key_column;
+    out->is_quoted = root->is_quoted;
+    bool is_whole = !root->text || murk_yaml_set_text(out, root->text);
+    for (size_t i = 0; is_whole && i < root->n; ++i) {
+        murk_yaml *child = murk_yaml_copy(root->child[i]);
+        char *key = child && root->key ? strdup(root->key[i]) : NULL;
+        is_whole = child && (key || !root->key);
+        if (!is_whole) {
+            murk_yaml_destroy(child);
+        } else {
+            is_whole = murk_yaml_append(out, key, child);
+        }
+    }
+    if (!is_whole) {
+        murk_yaml_destroy(out);
+        out = NULL;
+    }
+    return out;
+}
+
 static size_t find_key(const murk_yaml *map, const char *key)
 {
     size_t i = 0;

@@ -62,6 +62,11 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
     }
+    if (stage->scene->placement.over != MURK_SCENE_OVER_NONE) {
+        return murk_fail(err, MURK_UNSUPPORTED, stage->scene->placement.where,
+                         "over: mean and worst are not supported yet, must be "
+                         "null");
+    }
     if (wish->count < 1 && !(wish->target > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "count: not given; give sensors.count or --count N, "

@@ -72,9 +72,11 @@ static const char FULL_SCENE[] =
     "placement: {method: spoq, detection: weighted, visibility: normal,\n"
     "            through: block, knowledge: unknown, restarts: 20,\n"
     "            redundancy: 1, weights: {surface: 1, volume: 2},\n"
-    "            hold_out: false, nodes: 1000000, over: null,\n"
-    "            condition_weights: {}}\n"
-    "conditions: {}\n"
+    "            hold_out: false, nodes: 1000000, over: mean,\n"
+    "            condition_weights: {fog: 2}}\n"
+    "conditions: {clear: {}, fog: {media.haze.extinction_per_m: .2,\n"
+    "  media.smoke.vdb: thick.vdb, lights.0.power_w: 1e1,\n"
+    "  media.thin: {extinction_per_m: 1, albedo: 1}}}\n"
     "cameras: []\n";
 
 #endif

@@ -341,8 +341,10 @@ static const refusal REFUSALS[] = {
      "2 is not supported yet, must be 1"},
     {"placement: {nodes: -5}\n", VALUE, "fog.yaml:2:20: placement.nodes",
      "-5, must be 0..1e15"},
-    {"placement: {over: worst}\n", LATER, "fog.yaml:2:19: placement.over",
-     "worst is not supported yet, must be null"},
+    {"placement: {over: worst}\n", VALUE, "fog.yaml:2:19: placement.over",
+     "worst, but the scene has no conditions"},
+    {"placement: {over: best}\n", VALUE, "fog.yaml:2:19: placement.over",
+     "best, must be null, mean, worst"},
     {"placement: {weights: {surface: 0, volume: 0}}\n", VALUE,
      "fog.yaml:2:13: placement.weights",
      "surface and volume are both 0, one must be more than 0"},
@@ -377,8 +379,8 @@ static const refusal REFUSALS[] = {
      VALUE, "fog.yaml:2:11: tallies.0",
      "min_m [0, 0, 0] and max_m [1, 0, 1], min must be less than max on each "
      "axis, m"},
-    {"conditions: {fog: {}}\n", LATER, "fog.yaml:2:1: conditions",
-     "a map is not supported yet, must be {}"},
+    {"conditions: {fog: 3}\n", VALUE, "fog.yaml:2:19: conditions.fog",
+     "3, must be a map of keys"},
     {"photon: {}\n", VALUE, "fog.yaml:2:1: photon",
      "unknown key, did you mean photons?"},
 };

@@ -1,0 +1,70 @@
+#include "scene/conditions.h"
+
+#include "scene/override.h"
+#include "scene/scene.h"
+#include "scene/walk.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Takes the map of the condition out of the tree, and all that is said of
+ * conditions. NULL when out of memory. */
+static murk_yaml *take_out(murk_yaml *root, const char *name)
+{
+    murk_yaml *all = murk_yaml_get(root, "conditions");
+    murk_yaml *map = murk_yaml_copy(murk_yaml_get(all, name));
+    murk_yaml_remove(root, "conditions");
+    murk_yaml *placement = murk_yaml_get(root, "placement");
+    if (placement && placement->kind == MURK_YAML_MAP) {
+        murk_yaml_remove(placement, "over");
+        murk_yaml_remove(placement, "condition_weights");
+    }
+    return map;
+}
+
+murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
+                                 const char *name, murk_error *err)
+{
+    murk_yaml *map = take_out(root, name);
+    murk_yaml **value = map ? calloc(map->n + 1, sizeof *value) : NULL;
+    murk_status status = MURK_OK;
+    if (!value) {
+        status = murk_fail(err, MURK_NO_MEMORY, root->source,
+                           "no memory for condition %s", name);
+    }
+    for (size_t i = 0; !status && i < map->n; ++i) {
+        char key[MURK_WALK_KEY_SIZE];
+        murk_scene_where where;
+        snprintf(key, sizeof key, "conditions.%s.%s", name, map->key[i]);
+        murk_walk_where(map->child[i], key, true, where);
+        value[i] = map->child[i];
+        map->child[i] = NULL;
+        status = murk_override_put(root, map->key[i], value[i], where, value, i,
+                                   err);
+    }
+    if (status) {
+        free(value);
+    } else {
+        *out = (murk_condition_values){value, map->n};
+    }
+    murk_yaml_destroy(map);
+    return status;
+}
+
+bool murk_condition_put_back(murk_yaml *root, const char *name,
+                             const murk_condition_values *values)
+{
+    murk_yaml *map = murk_yaml_get(murk_yaml_get(root, "conditions"), name);
+    assert(map && map->n == values->n);
+    for (size_t i = 0; i < values->n; ++i) {
+        murk_yaml *copy = murk_yaml_copy(values->value[i]);
+        if (!copy) {
+            return false;
+        }
+        murk_yaml_destroy(map->child[i]);
+        map->child[i] = copy;
+    }
+    return true;
+}

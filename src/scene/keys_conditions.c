@@ -1,0 +1,187 @@
+/* Conditions: named overrides of the scene, and how much each weighs. */
+#include "scene/keys_rows.h"
+
+#include "scene/value.h"
+#include "scene/words.h"
+
+#include <string.h>
+
+#define LETTERS \
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_"
+
+/* What may differ between conditions; all else says what is placed or what a
+ * sensor is, or is the world's frame. */
+static const char *const MAY_DIFFER[] = {
+    "seed",   "materials", "geometry", "media",   "regions",
+    "lights", "photons",   "flight",   "tallies", NULL};
+
+/* Whether the first part of a path is that key. */
+static bool begins_with(const char *path, const char *key)
+{
+    const size_t length = strlen(key);
+    return strncmp(path, key, length) == 0 &&
+           (path[length] == '.' || path[length] == '\0');
+}
+
+static bool may_differ(const char *path)
+{
+    for (const char *const *key = MAY_DIFFER; *key; ++key) {
+        if (begins_with(path, *key)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_of_scene(const char *path)
+{
+    for (const murk_key *key = murk_scene_keys.key; key->name; ++key) {
+        if (begins_with(path, key->name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Two paths of one condition: one must not lie within the other. */
+static bool overlap(const char *a, const char *b)
+{
+    return begins_with(a, b) || begins_with(b, a);
+}
+
+/* Names stand in tables and columns of result files. */
+static murk_status check_name(murk_walk *walk, const murk_yaml *map,
+                              const char *name)
+{
+    if (strspn(name, LETTERS) != strlen(name)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, true,
+                              "a name of other characters than letters, "
+                              "digits, - and _");
+    }
+    if (strcmp(name, "mean") == 0 || strcmp(name, "worst") == 0) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, true,
+                              "%s is a word of placement.over, must be "
+                              "another name",
+                              name);
+    }
+    return MURK_OK;
+}
+
+static murk_status check_condition(murk_walk *walk, const murk_yaml *map,
+                                   void *item)
+{
+    murk_scene_condition *condition = item;
+    condition->weight = 1;
+    murk_status status = check_name(walk, map, condition->name);
+    for (size_t i = 0; !status && i < map->n; ++i) {
+        const size_t back = murk_walk_enter(walk, map->key[i]);
+        for (size_t k = 0; !status && k < i; ++k) {
+            if (overlap(map->key[i], map->key[k])) {
+                char other[MURK_SCENE_NAME_SIZE];
+                murk_words_show(other, sizeof other, map->key[k]);
+                status =
+                    murk_walk_fail(walk, MURK_BAD_VALUE, map->child[i], true,
+                                   "one of it and %s lies within the "
+                                   "other, must be apart",
+                                   other);
+            }
+        }
+        if (!status && !may_differ(map->key[i]) && is_of_scene(map->key[i])) {
+            status = murk_walk_fail(
+                walk, MURK_BAD_VALUE, map->child[i], true,
+                "must be the same in all conditions; what may differ lies in "
+                "seed, materials, geometry, media, regions, lights, photons, "
+                "flight, tallies");
+        }
+        murk_walk_leave(walk, back);
+    }
+    return status;
+}
+
+static const murk_key NO_ROWS[] = {END};
+
+const murk_keys murk_condition_keys = {
+    .noun = "condition",
+    .is_open = true,
+    .check = check_condition,
+    WHERE(murk_scene_condition, where),
+    ITEMS(murk_scene_condition, conditions, n_conditions),
+    .name_at = offsetof(murk_scene_condition, name),
+    .most_items = MURK_SCENE_CONDITIONS_MAX,
+    .key = NO_ROWS,
+};
+
+/* ---- weights ---- */
+
+static const murk_key WEIGHT = {
+    .name = "weight", .kind = MURK_KEY_NUMBER, .most = 1e6, .size = 8};
+
+static murk_status no_such_condition(murk_walk *walk, const murk_scene *scene,
+                                     const char *name, const murk_yaml *node)
+{
+    const char *names[MURK_SCENE_CONDITIONS_MAX];
+    for (size_t i = 0; i < scene->n_conditions; ++i) {
+        names[i] = scene->conditions[i].name;
+    }
+    const char *meant = murk_words_meant(name, names, scene->n_conditions);
+    return murk_walk_fail(
+        walk, MURK_BAD_VALUE, node, true, "no such condition%s%s%s",
+        meant ? ", did you mean " : "", meant ? meant : "", meant ? "?" : "");
+}
+
+/* The conditions come before placement in the table. */
+static murk_status check_weights(murk_walk *walk, const murk_yaml *map,
+                                 void *item)
+{
+    murk_scene *scene = item;
+    double sum = 0;
+    for (size_t i = 0; i < map->n; ++i) {
+        size_t k = 0;
+        while (k < scene->n_conditions &&
+               strcmp(scene->conditions[k].name, map->key[i]) != 0) {
+            ++k;
+        }
+        const size_t back = murk_walk_enter(walk, map->key[i]);
+        const murk_status status =
+            k < scene->n_conditions
+                ? murk_value_read(walk, &WEIGHT, map->child[i],
+                                  &scene->conditions[k].weight)
+                : no_such_condition(walk, scene, map->key[i], map->child[i]);
+        murk_walk_leave(walk, back);
+        if (status) {
+            return status;
+        }
+    }
+    for (size_t k = 0; k < scene->n_conditions; ++k) {
+        sum += scene->conditions[k].weight;
+    }
+    return scene->n_conditions == 0 || sum > 0
+               ? MURK_OK
+               : murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                "all weights are 0, one must be more than 0");
+}
+
+const murk_keys murk_condition_weight_keys = {
+    .noun = "condition weight",
+    .is_open = true,
+    .check = check_weights,
+    .key = NO_ROWS,
+};
+
+murk_status murk_check_conditions(murk_walk *walk, const murk_yaml *map,
+                                  void *item)
+{
+    const murk_scene *scene = item;
+    if (scene->placement.over == MURK_SCENE_OVER_NONE ||
+        scene->n_conditions > 0) {
+        return MURK_OK;
+    }
+    const murk_yaml *placement = murk_yaml_get(map, "placement");
+    const murk_yaml *over = murk_yaml_get(placement, "over");
+    const size_t back = murk_walk_enter(walk, "placement.over");
+    const murk_status status =
+        murk_walk_fail(walk, MURK_BAD_VALUE, over, false,
+                       "%s, but the scene has no conditions", over->text);
+    murk_walk_leave(walk, back);
+    return status;
+}
