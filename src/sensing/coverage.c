@@ -10,6 +10,7 @@
 
 #include "base/crew.h"
 #include "base/interrupt.h"
+#include "sensing/region_coverage.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -134,13 +135,12 @@ static murk_status look_all(measure *m, murk_error *err)
  * map's order, which does not depend on threads. */
 static share add_up(measure *m, const murk_photon_map *map, size_t first)
 {
-    const murk_photon *photon = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
     share sum = {0};
     for (size_t k = 0; k < n; ++k) {
         const size_t i = first + k;
         const view *v = &m->view[i];
-        const double power_w = (double)photon[k].power_w;
+        const double power_w = murk_sight_power_w(m->sight, i);
         sum.seen_w += power_w * v->best;
         sum.whole_w += power_w * MURK_CLEAR;
         const uint64_t w = m->weight[i];
@@ -218,8 +218,6 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
                                   const share part[2], double c_total)
 {
     const murk_sight_desc *desc = murk_sight_described(m->sight);
-    const murk_photon *photon[2] = {murk_photon_map_photons(desc->surface_map),
-                                    murk_photon_map_photons(desc->volume_map)};
     double c_weight[2], c_power[2];
     for (int p = 0; p < 2; ++p) {
         c_weight[p] = desc->weights.balanced
@@ -234,8 +232,7 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
         for (; k < m->photons && key[k] >> 32 == emitted; ++k) {
             const size_t i = (size_t)(key[k] & UINT32_MAX);
             const int p = i >= m->surface_photons;
-            const size_t first = p ? m->surface_photons : 0;
-            const double power_w = (double)photon[p][i - first].power_w;
+            const double power_w = murk_sight_power_w(m->sight, i);
             const double best = m->view[i].best;
             own[p] += power_w * (best - c_power[p] * MURK_CLEAR);
             if (m->weight[i] > 0) {
@@ -256,6 +253,12 @@ static double error_of(double squares, double whole, double emitted)
     return whole > 0 && emitted > 1
                ? sqrt(emitted / (emitted - 1) * squares) / whole
                : NAN;
+}
+
+static double seen_of(const void *context, size_t i)
+{
+    const measure *m = context;
+    return (double)m->view[i].best / MURK_CLEAR;
 }
 
 static murk_status find_errors(murk_coverage *out, const measure *m,
@@ -288,6 +291,9 @@ static murk_status find_errors(murk_coverage *out, const measure *m,
         error_of(sum.part[1], part[1].whole_w, emitted);
     out->total.standard_error =
         error_of(sum.total, (double)(part[0].whole + part[1].whole), emitted);
+    if (out->region) {
+        murk_region_coverage_measure(out->region, m->sight, sorted, seen_of, m);
+    }
 done:
     free(keys);
     free(other);
@@ -326,8 +332,12 @@ static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
     out->covers = calloc(n + 1, sizeof *out->covers);
     out->only_it_covers = calloc(n + 1, sizeof *out->only_it_covers);
     out->seen_by_at_least = calloc(n + 1, sizeof *out->seen_by_at_least);
+    const murk_interest *interest = murk_sight_described(m->sight)->interest;
+    const size_t regions = interest ? interest->n : 0;
+    out->region = regions ? calloc(regions, sizeof *out->region) : NULL;
     if (m->view && m->block && m->alone && m->only && m->seen_by &&
-        out->covers && out->only_it_covers && out->seen_by_at_least) {
+        out->covers && out->only_it_covers && out->seen_by_at_least &&
+        (out->region || !regions)) {
         return MURK_OK;
     }
     return murk_fail(err, MURK_NO_MEMORY, "",
@@ -388,5 +398,6 @@ void murk_coverage_release(murk_coverage *coverage)
     free(coverage->covers);
     free(coverage->only_it_covers);
     free(coverage->seen_by_at_least);
+    free(coverage->region);
     *coverage = (murk_coverage){0};
 }

@@ -30,6 +30,7 @@ struct murk_sight {
     bool has_sheets;     /* that let light through */
     bool has_interfaces; /* where the index changes */
     uint32_t *weight;
+    uint64_t *regions; /* of interest, [photons]; NULL: none */
     size_t photons;
     scratch *worker; /* [threads] */
     murk_tally queries, shadow_rays;
@@ -103,7 +104,11 @@ static murk_status set_aside(murk_sight *sight, murk_error *err)
     const bool attenuates = sight->has_media || sight->has_sheets;
     sight->weight = malloc(n * sizeof *sight->weight + 1);
     sight->worker = calloc(threads, sizeof *sight->worker);
-    bool has_room = sight->weight && sight->worker;
+    const bool has_regions = sight->desc.interest && sight->desc.interest->n;
+    sight->regions =
+        has_regions ? malloc(n * sizeof *sight->regions + 1) : NULL;
+    bool has_room =
+        sight->weight && sight->worker && (sight->regions || !has_regions);
     for (unsigned i = 0; has_room && i < threads; ++i) {
         scratch *s = &sight->worker[i];
         s->photon = malloc(found * sizeof *s->photon + 1);
@@ -115,6 +120,19 @@ static murk_status set_aside(murk_sight *sight, murk_error *err)
                                 "no memory to look at %zu photons with %u "
                                 "threads",
                                 n, threads);
+}
+
+static void find_regions(murk_sight *sight)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    if (sight->regions) {
+        murk_interest_members(sight->regions, desc->interest, desc->surface_map,
+                              sight->position_error_m, desc->threads);
+        murk_interest_members(sight->regions +
+                                  murk_photon_map_count(desc->surface_map),
+                              desc->interest, desc->volume_map,
+                              sight->position_error_m, desc->threads);
+    }
 }
 
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
@@ -150,8 +168,10 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     if (status) {
         goto done;
     }
+    find_regions(sight);
+    const murk_photon_factors factors = {desc->interest, sight->regions};
     status = murk_photon_weights(sight->weight, desc->surface_map,
-                                 desc->volume_map, &desc->weights,
+                                 desc->volume_map, &desc->weights, &factors,
                                  desc->where ? desc->where : "", err);
     if (status) {
         goto done;
@@ -173,6 +193,7 @@ void murk_sight_destroy(murk_sight *sight)
         free(sight->worker[i].clarity);
     }
     free(sight->worker);
+    free(sight->regions);
     free(sight->weight);
     free(sight);
 }
@@ -401,6 +422,24 @@ const uint32_t *murk_sight_weights(const murk_sight *sight)
 size_t murk_sight_photons(const murk_sight *sight)
 {
     return sight->photons;
+}
+
+uint64_t murk_sight_regions(const murk_sight *sight, size_t i)
+{
+    return sight->regions ? sight->regions[i] : 0;
+}
+
+double murk_sight_power_w(const murk_sight *sight, size_t i)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    const size_t surface = murk_photon_map_count(desc->surface_map);
+    const murk_photon *photon =
+        i < surface ? murk_photon_map_photons(desc->surface_map) + i
+                    : murk_photon_map_photons(desc->volume_map) + (i - surface);
+    return sight->regions
+               ? (double)photon->power_w *
+                     murk_interest_factor(desc->interest, sight->regions[i])
+               : (double)photon->power_w;
 }
 
 const murk_sight_desc *murk_sight_described(const murk_sight *sight)

@@ -25,6 +25,7 @@
 #include "medium/media.h"
 #include "photonmap/map.h"
 #include "placement/problem.h"
+#include "sensing/interest.h"
 
 typedef enum murk_visibility {
     MURK_VISIBILITY_RAY,   /* shadow rays: the default */
@@ -52,6 +53,7 @@ typedef struct murk_sight_desc {
     murk_visibility visibility;
     bool through_sheets; /* through: thin; false: block */
     murk_map_weights weights;
+    const murk_interest *interest; /* NULL: no regions of interest */
     unsigned threads;
     const char *where; /* of the wish, for messages; NULL: none */
 } murk_sight_desc;
@@ -82,12 +84,18 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_vec3 *position, size_t n);
 
 /* Whole-number weights of the photons [surface + volume], as the plan counts
- * them: in proportion to power within a map, rounded; equal powers weigh the
+ * them: in proportion to power (times the factor of its regions of interest)
+ * within a map, rounded; equal powers weigh the
  * same. Rounding moves a weight by half a unit, less than 2^-20 of its map's
  * mean weight up to 2^26 records, unless so few records carry a map's power
  * that theirs meet the end of 32 bits. Their sum is below 2^47. */
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
+
+/* The regions of interest that photon i lies in, and its power times their
+ * factor. */
+uint64_t murk_sight_regions(const murk_sight *sight, size_t i);
+double murk_sight_power_w(const murk_sight *sight, size_t i);
 
 /* What it was made from. */
 const murk_sight_desc *murk_sight_described(const murk_sight *sight);
@@ -97,11 +105,20 @@ const murk_sight_desc *murk_sight_described(const murk_sight *sight);
 uint64_t murk_sight_queries(const murk_sight *sight);
 uint64_t murk_sight_shadow_rays(const murk_sight *sight);
 
+/* How much of a region of interest is in view: what the total would be if
+ * nothing else were there and every region weighed 1. NaN where no photon with
+ * power lies in it. */
+typedef struct murk_region_coverage {
+    size_t photons; /* stored in it, in both maps */
+    murk_estimate coverage;
+} murk_region_coverage;
+
 /* Coverage of sensors at `position` [n], measured on this sight's maps. */
 typedef struct murk_coverage {
     murk_estimate total;   /* error by emitted photon */
-    murk_estimate surface; /* by power, whatever the maps' weights; NaN where
-                              the map is empty, or without power */
+    murk_estimate surface; /* by power times regions' factors, whatever the
+                              maps' weights; NaN where the map is empty, or
+                              without power */
     murk_estimate volume;
     double sum_of_views;      /* the paper's eq. (1) as printed: photons seen
                                  twice count twice */
@@ -109,6 +126,7 @@ typedef struct murk_coverage {
     double *only_it_covers;   /* [n] total less total without it */
     double *seen_by_at_least; /* [n]: by 1, 2, .., n sensors, of the balanced
                                  weight, seen at all counting whole */
+    murk_region_coverage *region; /* [interest->n]; NULL without */
 } murk_coverage;
 
 /* All but surface and volume are of the same whole-number weights that plans

@@ -8,15 +8,32 @@
 typedef struct powers {
     const murk_photon *photon;
     size_t n;
+    const murk_interest *interest;
+    const uint64_t *regions; /* [n]; NULL: none */
     double sum, most;
 } powers;
 
-static powers add_up(const murk_photon_map *map)
+static double power_of(const powers *p, size_t i)
 {
-    powers p = {murk_photon_map_photons(map), murk_photon_map_count(map), 0, 0};
+    const double power_w = (double)p->photon[i].power_w;
+    return p->regions
+               ? power_w * murk_interest_factor(p->interest, p->regions[i])
+               : power_w;
+}
+
+static powers add_up(const murk_photon_map *map,
+                     const murk_photon_factors *factors, size_t first)
+{
+    powers p = {.photon = murk_photon_map_photons(map),
+                .n = murk_photon_map_count(map)};
+    if (factors && factors->regions) {
+        p.interest = factors->interest;
+        p.regions = factors->regions + first;
+    }
     for (size_t i = 0; i < p.n; ++i) {
-        p.sum += p.photon[i].power_w;
-        p.most = fmax(p.most, p.photon[i].power_w);
+        const double power_w = power_of(&p, i);
+        p.sum += power_w;
+        p.most = fmax(p.most, power_w);
     }
     return p;
 }
@@ -32,7 +49,7 @@ static double largest_sum(const powers *p, double most)
 static void scale(uint32_t *weight, const powers *p, double factor)
 {
     for (size_t i = 0; i < p->n; ++i) {
-        const double w = floor(p->photon[i].power_w * factor + 0.5);
+        const double w = floor(power_of(p, i) * factor + 0.5);
         weight[i] = (uint32_t)fmin(w, WEIGHT_MAX);
     }
 }
@@ -59,8 +76,9 @@ static void balance(double *factor_surface, double *factor_volume,
 murk_status murk_photon_weights(uint32_t *weight,
                                 const murk_photon_map *surface,
                                 const murk_photon_map *volume,
-                                const murk_map_weights *maps, const char *where,
-                                murk_error *err)
+                                const murk_map_weights *maps,
+                                const murk_photon_factors *factors,
+                                const char *where, murk_error *err)
 {
     const double a = maps->surface, b = maps->volume;
     if (!maps->balanced &&
@@ -70,7 +88,8 @@ murk_status murk_photon_weights(uint32_t *weight,
                          "both 0",
                          a, b);
     }
-    const powers s = add_up(surface), v = add_up(volume);
+    const powers s = add_up(surface, factors, 0);
+    const powers v = add_up(volume, factors, s.n);
     double factor_surface, factor_volume;
     if (maps->balanced) {
         balance(&factor_surface, &factor_volume, &s, &v);

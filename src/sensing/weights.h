@@ -5,12 +5,20 @@
 
 #include "sensing/sight.h"
 
-/* Fills weight[surface + volume]. Fails with MURK_BAD_VALUE (maps), or at
- * `where` with MURK_RUN_FAILED: no photon has weight. */
+/* What multiplies the photons' powers. */
+typedef struct murk_photon_factors {
+    const murk_interest *interest;
+    const uint64_t *regions; /* [surface + volume] of each; NULL: all 1 */
+} murk_photon_factors;
+
+/* Fills weight[surface + volume]; factors NULL: all 1. Fails with
+ * MURK_BAD_VALUE (maps), or at `where` with MURK_RUN_FAILED: no photon has
+ * weight. */
 murk_status murk_photon_weights(uint32_t *weight,
                                 const murk_photon_map *surface,
                                 const murk_photon_map *volume,
-                                const murk_map_weights *maps, const char *where,
-                                murk_error *err);
+                                const murk_map_weights *maps,
+                                const murk_photon_factors *factors,
+                                const char *where, murk_error *err);
 
 #endif

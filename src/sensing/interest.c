@@ -1,0 +1,118 @@
+#include "sensing/interest.h"
+
+#include "base/crew.h"
+
+#define BATCH_PHOTONS 4096
+
+static murk_vec3 position_of(const murk_photon *photon)
+{
+    return murk_vec((double)photon->position_m[0],
+                    (double)photon->position_m[1],
+                    (double)photon->position_m[2]);
+}
+
+static bool is_of_kind(const murk_interest_region *region,
+                       const murk_photon *photon)
+{
+    const bool is_volume = murk_photon_is_volume(photon);
+    return (region->material < 0 ||
+            (!is_volume && photon->material == region->material)) &&
+           (region->medium < 0 ||
+            (is_volume && photon->material == region->medium));
+}
+
+static bool box_holds(const murk_box *box, murk_vec3 p, double slack_m)
+{
+    const murk_vec3 slack = {slack_m, slack_m, slack_m};
+    const murk_box wide = {murk_sub(box->min, slack),
+                           murk_add(box->max, slack)};
+    return murk_box_contains(&wide, p);
+}
+
+/* Whose hulls hold the photon. One on a surface is asked for on both sides of
+ * it, since the hull may be that very surface. */
+static uint64_t hulls_around(const murk_interest *interest,
+                             const murk_photon *photon, double slack_m)
+{
+    const murk_vec3 p = position_of(photon);
+    if (!interest->hulls) {
+        return 0;
+    }
+    if (murk_photon_is_volume(photon)) {
+        return murk_hulls_at(interest->hulls, p);
+    }
+    const murk_vec3 normal = murk_direction_unpack(photon->normal);
+    const double off = slack_m + murk_hulls_tolerance_m(interest->hulls);
+    return murk_hulls_at(interest->hulls, murk_along(p, off, normal)) |
+           murk_hulls_at(interest->hulls, murk_along(p, -off, normal));
+}
+
+uint64_t murk_interest_at(const murk_interest *interest,
+                          const murk_photon *photon, double slack_m)
+{
+    const murk_vec3 p = position_of(photon);
+    const double slack = murk_photon_is_volume(photon) ? 0 : slack_m;
+    const uint64_t hulls = hulls_around(interest, photon, slack_m);
+    uint64_t regions = 0;
+    for (size_t i = 0; i < interest->n; ++i) {
+        const murk_interest_region *r = &interest->region[i];
+        bool is_in = is_of_kind(r, photon);
+        switch (r->shape) {
+        case MURK_INTEREST_ANYWHERE:
+            break;
+        case MURK_INTEREST_BOX:
+            is_in = is_in && box_holds(&r->box, p, slack);
+            break;
+        case MURK_INTEREST_SPHERE:
+            is_in = is_in &&
+                    murk_length(murk_sub(p, r->center)) <= r->radius_m + slack;
+            break;
+        case MURK_INTEREST_MESH:
+            is_in = is_in && (hulls >> i & 1);
+            break;
+        }
+        regions |= (uint64_t)is_in << i;
+    }
+    return regions;
+}
+
+typedef struct work {
+    uint64_t *member;
+    const murk_interest *interest;
+    const murk_photon *photon;
+    size_t n;
+    double slack_m;
+} work;
+
+static void find_members(void *context, uint64_t batch)
+{
+    const work *w = context;
+    const size_t begin = (size_t)batch * BATCH_PHOTONS;
+    for (size_t i = begin; i < w->n && i < begin + BATCH_PHOTONS; ++i) {
+        w->member[i] = murk_interest_at(w->interest, &w->photon[i], w->slack_m);
+    }
+}
+
+void murk_interest_members(uint64_t *member, const murk_interest *interest,
+                           const murk_photon_map *map, double slack_m,
+                           unsigned threads)
+{
+    work w = {.member = member,
+              .interest = interest,
+              .photon = murk_photon_map_photons(map),
+              .n = murk_photon_map_count(map),
+              .slack_m = slack_m};
+    murk_crew_run(threads, (w.n + BATCH_PHOTONS - 1) / BATCH_PHOTONS,
+                  find_members, &w);
+}
+
+double murk_interest_factor(const murk_interest *interest, uint64_t regions)
+{
+    double factor = regions ? 1 : interest->elsewhere;
+    for (size_t i = 0; i < interest->n; ++i) {
+        if (regions >> i & 1) {
+            factor *= interest->region[i].weight;
+        }
+    }
+    return factor;
+}

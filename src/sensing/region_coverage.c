@@ -1,0 +1,142 @@
+/* A region's coverage is what the total would be if nothing else were there and
+ * every region weighed 1; so is its error, by emitted photon (the formula:
+ * sensing/coverage.c). */
+#include "sensing/region_coverage.h"
+
+#include <string.h>
+
+/* Of one region: power seen and all, by map. */
+typedef struct share {
+    double seen_w[2], whole_w[2];
+    size_t photons;
+    /* What a record adds to the residual, over its power: (seen - mean) *
+     * scale, by its map. */
+    double mean[2], scale[2];
+    double residual, squares; /* of the emitted photon at hand; of all */
+} share;
+
+typedef struct sums {
+    const murk_sight *sight;
+    const murk_sight_desc *desc;
+    const murk_photon *photon[2];
+    size_t first[2]; /* of each map's photons */
+    size_t photons;
+    share part[MURK_INTERESTS_MAX];
+} sums;
+
+static int map_of(const sums *s, size_t i)
+{
+    return i >= s->first[1];
+}
+
+static double power_w(const sums *s, size_t i)
+{
+    const int p = map_of(s, i);
+    return (double)s->photon[p][i - s->first[p]].power_w;
+}
+
+static void add_up(sums *s, murk_seen seen, const void *context)
+{
+    for (size_t i = 0; i < s->photons; ++i) {
+        const uint64_t regions = murk_sight_regions(s->sight, i);
+        const double worth = regions ? seen(context, i) : 0;
+        const int p = map_of(s, i);
+        for (size_t r = 0; r < s->desc->interest->n; ++r) {
+            if (regions >> r & 1) {
+                share *part = &s->part[r];
+                part->seen_w[p] += power_w(s, i) * worth;
+                part->whole_w[p] += power_w(s, i);
+                ++part->photons;
+            }
+        }
+    }
+}
+
+/* Fills mean and scale; returns the coverage, NaN where nothing has weight. */
+static double settle(share *part, const murk_map_weights *weights)
+{
+    const double given[2] = {weights->surface, weights->volume};
+    double seen = 0, whole = 0;
+    for (int p = 0; p < 2; ++p) {
+        const double each = !weights->balanced     ? given[p]
+                            : part->whole_w[p] > 0 ? 1 / part->whole_w[p]
+                                                   : 0;
+        part->scale[p] = each;
+        part->mean[p] =
+            part->whole_w[p] > 0 ? part->seen_w[p] / part->whole_w[p] : 0;
+        seen += each * part->seen_w[p];
+        whole += each * part->whole_w[p];
+    }
+    if (!(whole > 0)) {
+        return NAN;
+    }
+    const double coverage = seen / whole;
+    for (int p = 0; p < 2; ++p) {
+        part->scale[p] /= whole;
+        part->mean[p] = weights->balanced ? part->mean[p] : coverage;
+    }
+    return coverage;
+}
+
+static void take_residual(sums *s, uint64_t touched)
+{
+    for (size_t r = 0; r < s->desc->interest->n; ++r) {
+        if (touched >> r & 1) {
+            share *part = &s->part[r];
+            part->squares += part->residual * part->residual;
+            part->residual = 0;
+        }
+    }
+}
+
+static void square_residuals(sums *s, const uint64_t *key, murk_seen seen,
+                             const void *context)
+{
+    uint64_t touched = 0;
+    for (size_t k = 0; k < s->photons; ++k) {
+        if (k > 0 && key[k] >> 32 != key[k - 1] >> 32) {
+            take_residual(s, touched);
+            touched = 0;
+        }
+        const size_t i = (size_t)(key[k] & UINT32_MAX);
+        const uint64_t regions = murk_sight_regions(s->sight, i);
+        const double worth = regions ? seen(context, i) : 0;
+        const int p = map_of(s, i);
+        touched |= regions;
+        for (size_t r = 0; r < s->desc->interest->n; ++r) {
+            if (regions >> r & 1) {
+                share *part = &s->part[r];
+                part->residual +=
+                    power_w(s, i) * (worth - part->mean[p]) * part->scale[p];
+            }
+        }
+    }
+    take_residual(s, touched);
+}
+
+void murk_region_coverage_measure(murk_region_coverage *out,
+                                  const murk_sight *sight, const uint64_t *key,
+                                  murk_seen seen, const void *context)
+{
+    const murk_sight_desc *desc = murk_sight_described(sight);
+    sums s = {.sight = sight,
+              .desc = desc,
+              .photon = {murk_photon_map_photons(desc->surface_map),
+                         murk_photon_map_photons(desc->volume_map)},
+              .first = {0, murk_photon_map_count(desc->surface_map)},
+              .photons = murk_sight_photons(sight)};
+    memset(out, 0, desc->interest->n * sizeof *out);
+    add_up(&s, seen, context);
+    for (size_t r = 0; r < desc->interest->n; ++r) {
+        out[r].photons = s.part[r].photons;
+        out[r].coverage.value = settle(&s.part[r], &desc->weights);
+    }
+    square_residuals(&s, key, seen, context);
+    const double emitted = (double)desc->photons_emitted;
+    for (size_t r = 0; r < desc->interest->n; ++r) {
+        out[r].coverage.standard_error =
+            isfinite(out[r].coverage.value) && emitted > 1
+                ? sqrt(emitted / (emitted - 1) * s.part[r].squares)
+                : NAN;
+    }
+}
