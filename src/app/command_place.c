@@ -2,6 +2,7 @@
 #include "app/exports.h"
 #include "app/place_matrix.h"
 #include "app/plan_out.h"
+#include "app/regions_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -84,6 +85,8 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
                       &plan->in_sample);
     add_coverage(root, plan);
     murk_json_seen(root, &plan->in_sample, plan->place.count);
+    murk_json_regions(root, session->scene, plan->in_sample.region,
+                      plan->held_out_region);
     murk_json_bound(root, &plan->place);
     add_target(root, plan, session->scene);
     add_placement(root, plan, session->scene);
@@ -116,6 +119,8 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
                session->scene->sensors.target, place->count, place->fewest,
                plan->confirmed.value, plan->confirmed.standard_error);
     }
+    murk_print_regions(session->scene, plan->in_sample.region,
+                       plan->held_out_region);
     murk_print_bound(place, "sample of photons");
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "

@@ -1,5 +1,6 @@
 #include "app/coverage_out.h"
 #include "app/placement_in.h"
+#include "app/regions_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -26,6 +27,7 @@ static cJSON *coverage_json(const murk_session *session,
                      coverage->volume.standard_error);
     murk_json_number(object, "sum_of_views", coverage->sum_of_views);
     murk_json_seen(root, coverage, n);
+    murk_json_regions(root, session->scene, coverage->region, NULL);
     return root;
 }
 
@@ -63,6 +65,7 @@ static void print_coverage(const murk_session *session, const murk_vec3 *sensor,
            coverage->total.value, coverage->total.standard_error);
     murk_print_maps(coverage);
     printf(")\n");
+    murk_print_regions(session->scene, coverage->region, NULL);
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense "
            "%.2f\n",
            session->run.total_s, session->run.load_s, session->run.trace_s,

@@ -90,6 +90,9 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("redundancy", ONLY, .preset = "1"),
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
         .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
+    ROW("interest", LIST, .keys = &murk_interest_keys, .preset = "[]"),
+    ROW("elsewhere", NUMBER, .most = 1e6, .preset = "1",
+        AT(murk_scene, placement.elsewhere)),
     ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
     ROW("nodes", COUNT, .most = 1e15, .preset = "1000000",
         AT(murk_scene, placement.nodes)),
@@ -100,8 +103,26 @@ static const murk_key PLACEMENT_ROWS[] = {
     END,
 };
 
+/* Once the regions of interest are read. */
+static murk_status check_placement(murk_walk *walk, const murk_yaml *map,
+                                   void *item)
+{
+    const murk_scene_placement *placement = &((murk_scene *)item)->placement;
+    double most = placement->elsewhere;
+    for (size_t i = 0; i < placement->n_interests; ++i) {
+        most = fmax(most, placement->interest[i].weight);
+    }
+    if (!(most > 0)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "elsewhere and the weights of interest are all "
+                              "0, one must be more than 0");
+    }
+    return MURK_OK;
+}
+
 const murk_keys murk_placement_keys = {
     .noun = "placement",
+    .check = check_placement,
     WHERE(murk_scene, placement.where),
     .key = PLACEMENT_ROWS,
 };

@@ -279,6 +279,10 @@ void murk_scene_destroy(murk_scene *scene)
         murk_scene_destroy(scene->conditions[i].scene);
     }
     free(scene->conditions);
+    for (size_t i = 0; i < scene->placement.n_interests; ++i) {
+        free(scene->placement.interest[i].mesh);
+    }
+    free(scene->placement.interest);
     free(scene->geometry);
     free(scene->materials);
     free(scene->media);

@@ -195,6 +195,29 @@ typedef struct murk_scene_sensors {
     double target;    /* coverage 0..1; 0: not given */
 } murk_scene_sensors;
 
+typedef enum murk_scene_zone {
+    MURK_SCENE_NO_SHAPE,
+    MURK_SCENE_ZONE_BOX,
+    MURK_SCENE_ZONE_SPHERE,
+    MURK_SCENE_ZONE_MESH
+} murk_scene_zone;
+
+typedef struct murk_scene_interest { /* a region of interest */
+    murk_scene_name name;
+    murk_scene_where where;
+    double weight;
+    murk_scene_zone shape;
+    murk_box box;
+    murk_vec3 center;
+    double radius_m;
+    char *mesh;    /* file as it is to be opened; NULL for the other shapes */
+    double unit_m; /* mesh: as of geometry */
+    char up;
+    murk_vec3 rotate_deg, translate_m;
+    double scale;
+    int material, medium; /* index; -1: any */
+} murk_scene_interest;
+
 typedef enum murk_scene_method {
     MURK_SCENE_BEST,
     MURK_SCENE_SPOQ,
@@ -217,6 +240,9 @@ typedef struct murk_scene_placement {
     uint64_t restarts, nodes;
     bool balanced; /* weights */
     double weight_surface, weight_volume;
+    murk_scene_interest *interest; /* at most 64 */
+    size_t n_interests;
+    double elsewhere; /* weight of what lies in none of them */
     bool hold_out;
     murk_scene_over over;
 } murk_scene_placement;

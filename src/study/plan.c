@@ -34,9 +34,20 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .weights = {.balanced = wish->balanced,
                                               .surface = wish->weight_surface,
                                               .volume = wish->weight_volume},
+                                  .interest = murk_goals_interest(stage->goals),
                                   .threads = threads,
                                   .where = wish->where};
-    return murk_sight_create(out, &desc, err);
+    murk_sight *sight = NULL;
+    murk_status status = murk_sight_create(&sight, &desc, err);
+    if (!status && traced->stream == 0) { /* others only confirm */
+        status = murk_goals_check_sight(sight, err);
+    }
+    if (status) {
+        murk_sight_destroy(sight);
+        return status;
+    }
+    *out = sight;
+    return MURK_OK;
 }
 
 static murk_place_desc place_desc(const murk_scene *scene)
@@ -146,10 +157,13 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
-/* The plan's coverage on light that had no part in choosing it. */
+/* The plan's coverage on light that had no part in choosing it; regions may be
+ * NULL. */
 static murk_status measure_on(murk_plan *plan, uint32_t stream,
-                              murk_estimate *out, const murk_stage *stage,
-                              unsigned threads, murk_error *err)
+                              murk_estimate *out,
+                              murk_region_coverage **regions,
+                              const murk_stage *stage, unsigned threads,
+                              murk_error *err)
 {
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
@@ -166,6 +180,10 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
     }
     if (!status) {
         *out = coverage.total;
+        if (regions) {
+            *regions = coverage.region;
+            coverage.region = NULL;
+        }
     }
     murk_coverage_release(&coverage);
     murk_sight_destroy(sight);
@@ -205,12 +223,12 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
                                    plan->place.count, err);
     if (!status && stage->scene->placement.hold_out) {
-        status = measure_on(plan, HELD_OUT_STREAM, &plan->held_out, stage,
-                            threads, err);
+        status = measure_on(plan, HELD_OUT_STREAM, &plan->held_out,
+                            &plan->held_out_region, stage, threads, err);
         plan->has_held_out = !status;
     }
     if (!status && stage->scene->sensors.target > 0) {
-        status = measure_on(plan, CONFIRM_STREAM, &plan->confirmed, stage,
+        status = measure_on(plan, CONFIRM_STREAM, &plan->confirmed, NULL, stage,
                             threads, err);
     }
 done:
@@ -223,6 +241,7 @@ void murk_plan_release(murk_plan *plan)
     murk_candidates_destroy(plan->candidates);
     murk_place_release(&plan->place);
     murk_coverage_release(&plan->in_sample);
+    free(plan->held_out_region);
     free(plan->sensor);
     *plan = (murk_plan){0};
 }

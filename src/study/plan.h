@@ -23,9 +23,11 @@ typedef struct murk_plan {
     murk_vec3 *sensor;       /* [place.count] positions */
     murk_coverage in_sample; /* on the light that chose */
     bool has_held_out;
-    murk_estimate held_out;        /* on the second map */
-    murk_estimate confirmed;       /* with a target: on a third map */
-    uint64_t queries, shadow_rays; /* spent on choosing */
+    murk_estimate held_out;                /* on the second map */
+    murk_region_coverage *held_out_region; /* [regions of interest] likewise;
+                                              NULL: none held out */
+    murk_estimate confirmed;               /* with a target: on a third map */
+    uint64_t queries, shadow_rays;         /* spent on choosing */
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;
 

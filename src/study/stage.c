@@ -76,6 +76,9 @@ static murk_status import_files(murk_stage *stage, murk_error *err)
         status = murk_fillings_create(&stage->fillings, scene, err);
     }
     if (!status) {
+        status = murk_goals_import(&stage->goals, scene, err);
+    }
+    if (!status) {
         stage->grid = stage->fillings->grid;
     }
     return status;
@@ -375,6 +378,10 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
         status = build_lights(stage, err);
     }
     if (!status) {
+        status = murk_goals_build(stage->goals, stage->surfaces,
+                                  &stage->world.domain, err);
+    }
+    if (!status) {
         status =
             murk_tallies_asked(&stage->tally, scene, &stage->world.domain, err);
     }
@@ -400,6 +407,7 @@ void murk_stage_destroy(murk_stage *stage)
     if (!stage) {
         return;
     }
+    murk_goals_destroy(stage->goals);
     murk_lights_destroy(stage->lights);
     murk_media_destroy(stage->media);
     murk_phases_destroy(stage->phases);

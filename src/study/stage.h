@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "scene/scene.h"
 #include "study/fillings.h"
+#include "study/goals.h"
 #include "study/phases.h"
 #include "transport/trace.h"
 
@@ -24,6 +25,7 @@ typedef struct murk_stage {
     murk_media *media;
     murk_hulls *hulls; /* NULL: no region is a mesh */
     murk_lights *lights;
+    murk_goals *goals;
     murk_tally_desc *tally; /* [scene->n_tallies]; NULL for none */
     char *light_key; /* the scene's, and a checksum of each file it names: equal
                         keys trace equal light */

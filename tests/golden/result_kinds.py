@@ -84,7 +84,11 @@ SENSORS = {
     "sensors": many({"type": one_of("node"), "position_m": point, "axis": point,
                      "heading_deg": null, "tilt_deg": null, "covers": fraction,
                      "only_it_covers": fraction}),
-    "seen_by_at_least": many(fraction)}
+    "seen_by_at_least": many(fraction),
+    "regions_of_interest": many({"name": text(".+"), "weight": number(0),
+                                 "stored_photons": count, "coverage": fraction,
+                                 "standard_error": fraction,
+                                 "held_out": either(null, fraction)})}
 PLAN = HEAD | LIGHT | SENSORS | {
     "candidates": {"asked": count, "usable": count, "doubtful": count,
                    "after_presolve": count},

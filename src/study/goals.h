@@ -1,0 +1,31 @@
+/* What a scene's plans are to see: its regions of interest. */
+#ifndef MURK_STUDY_GOALS_H
+#define MURK_STUDY_GOALS_H
+
+#include "geometry/surfaces.h"
+#include "scene/scene.h"
+#include "sensing/sight.h"
+
+typedef struct murk_goals murk_goals;
+
+/* Imports the meshes, in child processes: call before any thread or ray device
+ * exists. *out is the caller's: murk_goals_destroy(). The scene must outlive
+ * it. */
+murk_status murk_goals_import(murk_goals **out, const murk_scene *scene,
+                              murk_error *err);
+void murk_goals_destroy(murk_goals *goals); /* NULL is fine */
+
+/* Makes them ready for these surfaces. Fails with MURK_BAD_VALUE at the place
+ * of a region of interest: a name given twice, an open mesh, a place where
+ * nothing can be stored. */
+murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
+                             const murk_domain *domain, murk_error *err);
+
+/* Built; NULL where there are no regions of interest. */
+const murk_interest *murk_goals_interest(const murk_goals *goals);
+
+/* Fails with MURK_RUN_FAILED where nothing that this sight sees lies in a
+ * region of interest. */
+murk_status murk_goals_check_sight(const murk_sight *sight, murk_error *err);
+
+#endif
