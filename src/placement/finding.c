@@ -11,16 +11,14 @@
 
 /* Evaluations of the bound in a known environment, at most; matrices so large
  * that these would take long get fewer, by pairs. In an unknown environment
- * each costs a look at every candidate: one is made. */
+ * each costs a look at every candidate: one is made, where greedy's own scans
+ * do not say enough. */
 #define ROUNDS_MOST        400
 #define ROUNDS_LEAST       40
 #define PAIRS_WEIGHED_MOST 20000000000.0
 
 /* A curve point gets one round for each of so many of the plan's own. */
 #define ROUNDS_PER_CURVE_ROUND 3
-
-/* With a target, greedy goes so far at once, and then twice as far again. */
-#define FIRST_GREEDY 8
 
 static bool has_budget(const murk_finding *p)
 {
@@ -54,8 +52,8 @@ static uint64_t spend(murk_finding *p)
     uint64_t best = 0;
     size_t size = 0;
     keep_better(p, murk_search_spend(s, p->trial, 0), &best, &size);
-    keep_better(p, murk_search_greedy(s, p->trial, 0, most, NULL), &best,
-                &size);
+    keep_better(p, murk_search_greedy(s, p->trial, 0, most, UINT64_MAX, NULL),
+                &best, &size);
     p->size = size;
     return best;
 }
@@ -72,7 +70,7 @@ static uint64_t plan_greedily(murk_finding *p, size_t n)
     if (has_budget(p)) {
         value = spend(p);
     } else {
-        value = murk_search_greedy(&p->search, p->plan, 0, n, NULL);
+        value = murk_search_greedy(&p->search, p->plan, 0, n, UINT64_MAX, NULL);
         p->size = p->search.size < n ? 0 : n;
     }
     p->is_greedy_done = p->size > 0;
@@ -82,6 +80,15 @@ static uint64_t plan_greedily(murk_finding *p, size_t n)
         value = murk_search_value(&p->search, p->plan, p->size);
     }
     return value;
+}
+
+/* The bound from so many rounds, and from greedy's scans. */
+static uint64_t tighten(murk_finding *p, size_t n, uint64_t value,
+                        const uint32_t *plan, size_t rounds)
+{
+    const uint64_t upper = murk_bound_tighten(
+        &p->bound, n, value, rounds ? plan : NULL, p->size, rounds);
+    return !p->book && p->reach[n - 1] < upper ? p->reach[n - 1] : upper;
 }
 
 /* Greedy, relocated, then starts. Where `from`, a plan of n - 1, is worth more
@@ -101,7 +108,7 @@ static murk_curve_point find_best(murk_finding *p, size_t n,
     }
     if (from && from_value > value) {
         memcpy(p->trial, from, (n - 1) * sizeof *plan);
-        murk_search_greedy(&p->search, p->trial, n - 1, n, NULL);
+        murk_search_greedy(&p->search, p->trial, n - 1, n, UINT64_MAX, NULL);
         if (p->search.size == n) {
             memcpy(plan, p->trial, n * sizeof *plan);
             value = murk_search_relocate(&p->search, plan, n);
@@ -110,12 +117,11 @@ static murk_curve_point find_best(murk_finding *p, size_t n,
     uint64_t upper = value;
     if (is_open) {
         const size_t before = p->oracle->matrix ? rounds / 2 : 0;
-        upper = murk_bound_tighten(&p->bound, n, value, plan, p->size, before);
+        upper = tighten(p, n, value, plan, before);
         value = murk_starts_try(&p->starts, plan, &p->size, n, value, upper,
                                 most, made);
         const uint64_t again =
-            murk_bound_tighten(&p->bound, n, value, before ? NULL : plan,
-                               p->size, rounds - before);
+            tighten(p, n, value, before ? NULL : plan, rounds - before);
         upper = again < upper ? again : upper;
     }
     return (murk_curve_point){p->size, value, upper};
@@ -133,8 +139,7 @@ static murk_curve_point find_once(murk_finding *p, size_t n, size_t rounds,
     } else {
         value = plan_greedily(p, n);
     }
-    const uint64_t upper =
-        murk_bound_tighten(&p->bound, n, value, p->plan, p->size, rounds);
+    const uint64_t upper = tighten(p, n, value, p->plan, rounds);
     return (murk_curve_point){p->size, value, upper};
 }
 
@@ -143,8 +148,9 @@ static uint64_t fill_up(murk_finding *p, size_t n)
 {
     murk_search *s = &p->search;
     const uint64_t value =
-        has_budget(p) ? murk_search_spend(s, p->plan, p->size)
-                      : murk_search_greedy(s, p->plan, p->size, n, NULL);
+        has_budget(p)
+            ? murk_search_spend(s, p->plan, p->size)
+            : murk_search_greedy(s, p->plan, p->size, n, UINT64_MAX, NULL);
     p->size = s->size;
     return value;
 }
@@ -216,6 +222,19 @@ static size_t curve_rounds(size_t rounds)
                                            : rounds;
 }
 
+/* Evaluations of the bound for k sensors. */
+static size_t rounds_of(const murk_finding *p, size_t k, bool is_plan)
+{
+    const murk_place_desc *desc = p->desc;
+    if (p->oracle->matrix) {
+        return is_plan ? p->rounds : curve_rounds(p->rounds);
+    }
+    const bool is_told = !p->book && desc->method != MURK_PLACE_SPOQ;
+    const bool is_wanted = is_plan && desc->method == MURK_PLACE_BEST &&
+                           p->reach[k - 1] >= desc->target;
+    return !is_told || is_wanted ? 1 : 0;
+}
+
 static size_t rounds_for(const murk_oracle *oracle)
 {
     if (!oracle->matrix) {
@@ -247,6 +266,7 @@ murk_status murk_finding_init(murk_finding *p, const murk_oracle *oracle,
                         .rounds = rounds_for(oracle),
                         .greedy = calloc(n, sizeof *p->greedy),
                         .greedy_value = calloc(n, sizeof *p->greedy_value),
+                        .reach = malloc((n + 1) * sizeof *p->reach),
                         .plan = calloc(n, sizeof *p->plan),
                         .last_plan = calloc(n, sizeof *p->last_plan),
                         .trial = calloc(n, sizeof *p->trial),
@@ -255,13 +275,17 @@ murk_status murk_finding_init(murk_finding *p, const murk_oracle *oracle,
     if (is_curve) {
         result->curve = calloc(n, sizeof *result->curve);
     }
-    if (!p->greedy || !p->trial || !p->spare || !p->greedy_value || !p->plan ||
-        !p->last_plan || !result->sensor || (is_curve && !result->curve)) {
+    if (!p->greedy || !p->trial || !p->spare || !p->greedy_value || !p->reach ||
+        !p->plan || !p->last_plan || !result->sensor ||
+        (is_curve && !result->curve)) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          n);
     }
     murk_status status =
-        murk_search_init(&p->search, oracle, 0, oracle->wide_threads, err);
+        murk_search_init(&p->search, oracle, 0, oracle->problem->threads, err);
+    memset(p->reach, 0xff, n * sizeof *p->reach);
+    p->search.reach = p->reach;
+    p->search.reach_count = book ? 0 : n;
     if (!status) {
         status = murk_bound_init(&p->bound, oracle, err);
     }
@@ -278,6 +302,7 @@ void murk_finding_release(murk_finding *p)
     murk_starts_release(&p->starts);
     free(p->greedy);
     free(p->greedy_value);
+    free(p->reach);
     free(p->plan);
     free(p->last_plan);
     free(p->trial);
@@ -286,16 +311,9 @@ void murk_finding_release(murk_finding *p)
 
 void murk_finding_greedy(murk_finding *p)
 {
-    const murk_place_desc *desc = p->desc;
-    size_t have = 0;
-    size_t n = desc->target && p->last > FIRST_GREEDY ? FIRST_GREEDY : p->last;
-    while (have < n && !murk_interrupted()) {
-        murk_search_greedy(&p->search, p->greedy, have, n, p->greedy_value);
-        have = n;
-        if (desc->target && p->greedy_value[n - 1] < desc->target) {
-            n = n < p->last / 2 ? 2 * n : p->last;
-        }
-    }
+    const uint64_t enough = p->desc->target ? p->desc->target : UINT64_MAX;
+    murk_search_greedy(&p->search, p->greedy, 0, p->last, enough,
+                       p->greedy_value);
 }
 
 murk_status murk_finding_count(murk_finding *p, size_t k, const uint32_t *from,
@@ -304,7 +322,7 @@ murk_status murk_finding_count(murk_finding *p, size_t k, const uint32_t *from,
     const murk_place_desc *desc = p->desc;
     /* With a target, any count may turn out to be the plan's. */
     const bool is_plan = desc->target || k == p->last;
-    const size_t rounds = is_plan ? p->rounds : curve_rounds(p->rounds);
+    const size_t rounds = rounds_of(p, k, is_plan);
     size_t extra = 0;
     size_t *made = is_plan ? &p->result->restarts : &extra;
     const size_t most = is_plan ? desc->restarts : curve_starts(desc->restarts);

@@ -17,6 +17,8 @@ typedef struct murk_finding {
     murk_starts starts;
     uint32_t *greedy;       /* [last] in order of choice, without rules */
     uint64_t *greedy_value; /* [last] of its first k + 1 */
+    uint64_t *reach;        /* [last] without rules: no plan of k + 1 is worth
+                               more, by greedy's scans */
     uint32_t *plan;         /* [last] the best so far */
     size_t size;            /* sensors of plan */
     uint32_t *last_plan;    /* [last] that of one sensor fewer */

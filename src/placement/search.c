@@ -2,13 +2,12 @@
 
 #include "base/interrupt.h"
 #include "base/rng.h"
+#include "placement/draw.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Candidates weighed between two looks at the best so far. Fixed, so that who
- * is weighed does not depend on the threads. */
-#define CHUNK 128
+#define CHUNK MURK_SEARCH_CHUNK
 
 #define NOT_WEIGHED UINT64_MAX
 
@@ -206,6 +205,18 @@ static void sharpen_ranking(murk_search *s)
     murk_ranked_sort(s->ranking, n);
 }
 
+/* What any candidate adds to what stands, worth `value`, is at most its
+ * ranking's bound, and k more add at most the sum of the k largest. */
+static void note_reach(murk_search *s, uint64_t value)
+{
+    const size_t n = s->oracle->undominated;
+    uint64_t most = value;
+    for (size_t k = 0; k < s->reach_count; ++k) {
+        most = murk_sum_saturated(most, k < n ? s->ranking[k].bound : 0);
+        s->reach[k] = most < s->reach[k] ? most : s->reach[k];
+    }
+}
+
 /* Under rules: the plan is to have n sensors, or n at most, and begins with
  * those fixed. Returns how many are given. */
 static size_t begin(murk_search *s, uint32_t *plan, size_t given, size_t n)
@@ -241,7 +252,7 @@ static bool is_enough(const murk_search *s, uint64_t gain)
 }
 
 uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
-                            size_t n, uint64_t *value_after)
+                            size_t n, uint64_t enough, uint64_t *value_after)
 {
     const murk_oracle *o = s->oracle;
     memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
@@ -251,16 +262,18 @@ uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
         value_after[given - 1] = value;
     }
     s->size = given;
-    for (size_t k = given; k < n && !murk_interrupted(); ++k) {
+    for (size_t k = given; k < n && value < enough && !murk_interrupted();
+         ++k) {
         const uint64_t gain = scan(s, s->ranking, plan, k, k, value);
         if (s->ties == 0 || is_enough(s, gain)) {
             break;
         }
-        value += gain;
         s->size = k + 1;
         plan[k] = s->tie[0];
         stand(s, plan[k]);
         sharpen_ranking(s);
+        note_reach(s, value);
+        value += gain;
         if (value_after) {
             value_after[k] = value;
         }
@@ -342,20 +355,13 @@ uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given)
     return value;
 }
 
-/* The first n of a random permutation of the candidates. */
 static void draw_start(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
                        uint64_t restart)
 {
-    const uint32_t m = (uint32_t)s->oracle->candidates;
-    for (uint32_t j = 0; j < m; ++j) {
-        s->shuffle[j] = j;
-    }
+    const size_t m = s->oracle->candidates;
+    murk_draw_begin(s->shuffle, m);
     for (uint32_t k = 0; k < n; ++k) {
-        uint32_t word[4];
-        murk_random_words(seed, MURK_SPOQ_START, restart, k, 0, word);
-        const uint32_t at = k + murk_random_below(word[0], m - k);
-        plan[k] = s->shuffle[at];
-        s->shuffle[at] = s->shuffle[k];
+        plan[k] = murk_draw_next(s->shuffle, m, k, seed, restart);
     }
 }
 
@@ -364,20 +370,15 @@ static void draw_start(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
 static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
                                uint32_t seed, uint64_t restart)
 {
-    const uint32_t m = (uint32_t)s->oracle->candidates;
+    const size_t m = s->oracle->candidates;
     const size_t fixed = begin(s, plan, 0, n);
     for (size_t k = 0; k < fixed; ++k) {
         murk_standing_add(&s->standing, plan[k]);
     }
-    for (uint32_t j = 0; j < m; ++j) {
-        s->shuffle[j] = j;
-    }
+    murk_draw_begin(s->shuffle, m);
     for (uint32_t k = 0; k < m && s->standing.size < s->standing.wanted; ++k) {
-        uint32_t word[4];
-        murk_random_words(seed, MURK_SPOQ_START, restart, k, 0, word);
-        const uint32_t at = k + murk_random_below(word[0], m - k);
-        const uint32_t candidate = s->shuffle[at];
-        s->shuffle[at] = s->shuffle[k];
+        const uint32_t candidate =
+            murk_draw_next(s->shuffle, m, k, seed, restart);
         if (is_open(s, candidate)) {
             plan[s->standing.size] = candidate;
             murk_standing_add(&s->standing, candidate);
@@ -388,23 +389,6 @@ static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
     }
     memcpy(plan, s->spare, s->spare_size * sizeof *plan);
     return s->spare_size;
-}
-
-/* A random order of 0..n-1. */
-static void draw_order(uint32_t *order, size_t n, uint32_t seed,
-                       uint64_t restart, uint32_t sweep)
-{
-    for (uint32_t k = 0; k < n; ++k) {
-        order[k] = k;
-    }
-    for (uint32_t k = 0; k + 1 < n; ++k) {
-        uint32_t word[4];
-        murk_random_words(seed, MURK_SPOQ_ORDER, restart, sweep, k, word);
-        const uint32_t at = k + murk_random_below(word[0], (uint32_t)n - k);
-        const uint32_t held = order[at];
-        order[at] = order[k];
-        order[k] = held;
-    }
 }
 
 uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
@@ -421,7 +405,7 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
     uint32_t sweep = 0, step = 0;
     do {
         before = value;
-        draw_order(s->shuffle, n - fixed, seed, restart, sweep++);
+        murk_draw_order(s->shuffle, n - fixed, seed, restart, sweep++);
         for (size_t k = 0; k < n - fixed && !murk_interrupted(); ++k) {
             const size_t mover = fixed + s->shuffle[k];
             s->is_move = true;

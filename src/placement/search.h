@@ -9,6 +9,10 @@
 
 #include "placement/relaxed.h"
 
+/* Candidates weighed between two looks at the best so far. Fixed, so that who
+ * is weighed does not depend on the threads. */
+#define MURK_SEARCH_CHUNK 128
+
 /* One worker's desk; carries nothing from one plan to the next. */
 typedef struct murk_search {
     const murk_oracle *oracle;
@@ -25,6 +29,10 @@ typedef struct murk_search {
     uint64_t evaluations, looks; /* counted since last set to 0 */
     size_t size; /* sensors of the plan last made; under rules it may differ
                     from what was asked for */
+    /* What greedy's scans say of every count, without rules: reach[k] no plan
+     * of k + 1 exceeds. NULL: not kept. */
+    uint64_t *reach; /* [reach_count], borrowed */
+    size_t reach_count;
     /* With rules. */
     murk_standing standing;
     bool is_move;          /* who joins must make a plan of what stands */
@@ -46,11 +54,12 @@ void murk_search_release(murk_search *search);
  * greedy may come to a dead end before n, and with a budget a plan has as many
  * as pay, n at most. */
 
-/* Extends the first `given` of plan to n, each the one that adds most, the
- * lowest number on ties. value_after[k] (NULL is fine) is the value of the
- * first k + 1, for k >= given. */
+/* Extends the first `given` of plan to n, or until it is worth `enough`, each
+ * the one that adds most, the lowest number on ties. value_after[k] (NULL is
+ * fine) is the value of the first k + 1, for k >= given. Lowers s->reach on the
+ * way, by what it learns anyhow. */
 uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
-                            size_t n, uint64_t *value_after);
+                            size_t n, uint64_t enough, uint64_t *value_after);
 
 /* The paper's algorithm from its start number `restart`. Two sensors never
  * share a candidate: one that another holds adds nothing, so this matters only

@@ -169,6 +169,22 @@ static void test_known_is_unknown(uint32_t seed)
     }
 }
 
+/* In an unknown environment greedy looks at each candidate once, and again
+ * only at those that may add most to what stands: its bounds cost no look. */
+static void test_greedy_looks_again_at_few(uint32_t seed)
+{
+    made_up *m = made_up_create(seed, 2000, 600, 0.02, 1, 1, 2);
+    murk_place_desc desc = murk_place_defaults();
+    desc.method = MURK_PLACE_GREEDY;
+    desc.count = 3;
+    murk_place_result r = place_unknown(m, &desc);
+    CHECK(r.looks == 600 + r.evaluations + 3);
+    CHECK(r.evaluations < 3 * 600 - 600);
+    CHECK(r.upper < r.ceiling / 2);
+    murk_place_release(&r);
+    made_up_destroy(m);
+}
+
 /* Exact finds the optimum and proves it; cut short, its bound still holds, and
  * it says that it was cut. */
 static void test_exact(uint32_t seed)
@@ -391,6 +407,7 @@ int main(int argc, char **argv)
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     test_against_brute_force(seed);
     test_known_is_unknown(seed);
+    test_greedy_looks_again_at_few(seed);
     test_exact(seed);
     test_target(seed);
     test_certificate_notices_a_bad_plan();
