@@ -234,7 +234,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         }
         b->base = round_thresholds(b);
         murk_oracle_gains(o, &b->rounded, b->live, b->live_count,
-                          o->wide_threads, 0, b->gain);
+                          o->problem->threads, 0, b->gain);
         b->evaluations += b->live_count;
         b->looks += o->matrix ? 0 : b->live_count;
         size_t chosen = 0;

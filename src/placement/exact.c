@@ -77,7 +77,7 @@ static void finish(exact *e, const level *l)
         e->members[k] = l->live[k].candidate;
     }
     murk_oracle_gains(e->oracle, &l->cover, e->members, l->live_count,
-                      e->oracle->wide_threads, 0, e->gain);
+                      e->oracle->problem->threads, 0, e->gain);
     count_work(e, l->live_count);
     for (size_t k = 0; k < l->live_count; ++k) {
         e->chosen[e->n - 1] = e->members[k];

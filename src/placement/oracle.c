@@ -7,9 +7,13 @@
 
 #include <stdlib.h>
 
-/* Starting threads costs some 50 us: a scan is spread only where one row is
- * worth about a microsecond and more. */
-#define ROW_BYTES_WORTH_THREADS 16384
+/* Starting threads costs some 50 us: a scan is spread only where it goes
+ * through so many bytes, some 200 us and more. */
+#define BYTES_WORTH_THREADS 2097152
+
+/* Candidates that a thread takes at once: their rows are worth more than the
+ * taking. A look is always worth it. */
+#define ROWS_AT_ONCE 16
 
 typedef struct weighing {
     const murk_oracle *oracle;
@@ -17,6 +21,7 @@ typedef struct weighing {
     const uint32_t *candidate; /* NULL: candidate k is k */
     uint64_t *gain;
     murk_cover *seen; /* [threads] joined with every row, or NULL */
+    size_t n, at_once;
 } weighing;
 
 murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
@@ -30,9 +35,8 @@ murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
     return murk_row_borrow(&look);
 }
 
-static void weigh(void *context, unsigned worker, uint64_t batch)
+static void weigh(const weighing *w, unsigned worker, size_t batch)
 {
-    const weighing *w = context;
     const murk_layout *layout = w->oracle->layout;
     const uint32_t candidate =
         w->candidate ? w->candidate[batch] : (uint32_t)batch;
@@ -44,13 +48,36 @@ static void weigh(void *context, unsigned worker, uint64_t batch)
     }
 }
 
+static void weigh_batch(void *context, unsigned worker, uint64_t batch)
+{
+    const weighing *w = context;
+    const size_t end = ((size_t)batch + 1) * w->at_once;
+    for (size_t k = (size_t)batch * w->at_once; k < end && k < w->n; ++k) {
+        weigh(w, worker, k);
+    }
+}
+
+static void weigh_all(weighing *w, unsigned threads)
+{
+    w->at_once = w->oracle->matrix ? ROWS_AT_ONCE : 1;
+    murk_crew_run_workers(threads, (w->n + w->at_once - 1) / w->at_once,
+                          weigh_batch, w);
+}
+
+unsigned murk_oracle_threads(const murk_oracle *oracle, size_t n)
+{
+    const bool is_worth =
+        !oracle->matrix || n > BYTES_WORTH_THREADS / (oracle->row_bytes + 1);
+    return is_worth ? oracle->problem->threads : 1;
+}
+
 void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
                        const uint32_t *candidate, size_t n, unsigned threads,
                        unsigned worker, uint64_t *gain)
 {
-    weighing w = {oracle, cover, candidate, gain, NULL};
-    if (threads > 1) {
-        murk_crew_run_workers(threads, n, weigh, &w);
+    weighing w = {oracle, cover, candidate, gain, NULL, n, 1};
+    if (threads > 1 && murk_oracle_threads(oracle, n) > 1) {
+        weigh_all(&w, threads);
         return;
     }
     for (size_t k = 0; k < n; ++k) {
@@ -89,10 +116,10 @@ static murk_status weigh_alone(murk_oracle *o, murk_error *err)
                            o->layout->photons);
         goto done;
     }
-    weighing w = {o, &empty, NULL, o->alone, seen};
+    weighing w = {o, &empty, NULL, o->alone, seen, o->candidates, 1};
     murk_progress_begin(o->matrix ? "weigh" : "look", o->candidates,
                         "candidates");
-    murk_crew_run_workers(threads, o->candidates, weigh, &w);
+    weigh_all(&w, threads);
     murk_progress_end();
     for (unsigned k = 1; k < threads; ++k) {
         murk_cover_join(&seen[0], o->layout, &seen[k]);
@@ -164,16 +191,6 @@ static murk_status rank(murk_oracle *o, bool keep_dominated, murk_error *err)
     return status;
 }
 
-static unsigned threads_for_scan(const murk_oracle *o)
-{
-    if (!o->matrix) {
-        return o->problem->threads; /* a look is always worth a thread */
-    }
-    const size_t per_row =
-        o->candidates ? o->matrix->memory_bytes / o->candidates : 0;
-    return per_row > ROW_BYTES_WORTH_THREADS ? o->problem->threads : 1;
-}
-
 murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
                              const murk_matrix *matrix,
                              const murk_rulebook *book, bool keep_dominated,
@@ -187,6 +204,7 @@ murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
                          .all_clear = matrix && matrix->all_clear};
     if (matrix) {
         out->layout = &matrix->layout;
+        out->row_bytes = n ? matrix->memory_bytes / n : 0;
     } else {
         const murk_status status =
             murk_layout_init(&out->own_layout, problem, false, err);
@@ -195,7 +213,6 @@ murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
         }
         out->layout = &out->own_layout;
     }
-    out->wide_threads = threads_for_scan(out);
     out->grain =
         (uint64_t)out->layout->common * (out->all_clear ? MURK_CLEAR : 1);
     out->alone = calloc(n + 1, sizeof *out->alone);

@@ -19,13 +19,13 @@ typedef struct murk_oracle {
     const murk_layout *layout;
     murk_layout own_layout; /* unknown environment */
     size_t candidates;
-    bool all_clear;        /* covers may be bits */
-    unsigned wide_threads; /* threads worth using for one scan */
-    uint64_t *alone;       /* [candidates] value of each by itself */
-    uint32_t *dominator;   /* [candidates] an undominated candidate that
-                              sees all it sees as clearly; or itself */
-    murk_ranked *ranked;   /* [candidates] undominated ones first, by
-                              falling alone, then number */
+    bool all_clear;      /* covers may be bits */
+    size_t row_bytes;    /* of the matrix, in the mean */
+    uint64_t *alone;     /* [candidates] value of each by itself */
+    uint32_t *dominator; /* [candidates] an undominated candidate that
+                            sees all it sees as clearly; or itself */
+    murk_ranked *ranked; /* [candidates] undominated ones first, by
+                            falling alone, then number */
     size_t undominated;
     uint64_t ceiling, grain; /* every plan's value is a multiple of grain */
     uint64_t looks;          /* made at creation */
@@ -43,8 +43,11 @@ void murk_oracle_release(murk_oracle *oracle);
 murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
                          uint32_t candidate);
 
-/* gain[k] = what candidate[k] would add to the cover, k < n, over threads;
- * with one thread, as `worker`. */
+/* Threads worth using to weigh n candidates. */
+unsigned murk_oracle_threads(const murk_oracle *oracle, size_t n);
+
+/* gain[k] = what candidate[k] would add to the cover, k < n, over `threads` at
+ * most, as is worth while; with one, as `worker`. */
 void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
                        const uint32_t *candidate, size_t n, unsigned threads,
                        unsigned worker, uint64_t *gain);

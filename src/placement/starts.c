@@ -35,8 +35,10 @@ murk_status murk_starts_init(murk_starts *t, const murk_oracle *oracle,
 {
     /* In an unknown environment, and where a scan is long, threads share each
      * scan; else each takes a start of its own. */
-    const bool is_wide = oracle->wide_threads > 1 || !oracle->matrix;
-    const unsigned workers = is_wide ? 1 : oracle->problem->threads;
+    const unsigned threads = oracle->problem->threads;
+    const bool is_wide =
+        !oracle->matrix || murk_oracle_threads(oracle, MURK_SEARCH_CHUNK) > 1;
+    const unsigned workers = is_wide ? 1 : threads;
     const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
     *t = (murk_starts){.seed = seed,
                        .count = count,
@@ -55,7 +57,7 @@ murk_status murk_starts_init(murk_starts *t, const murk_oracle *oracle,
     murk_status status = MURK_OK;
     for (; t->workers < workers && !status; ++t->workers) {
         status = murk_search_init(&t->search[t->workers], oracle, t->workers,
-                                  is_wide ? oracle->wide_threads : 1, err);
+                                  is_wide ? threads : 1, err);
     }
     return status;
 }
