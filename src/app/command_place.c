@@ -54,6 +54,17 @@ static void add_target(cJSON *root, const murk_plan *plan,
     }
 }
 
+static void add_budget(cJSON *root, const murk_plan *plan,
+                       const murk_scene *scene)
+{
+    if (scene->sensors.budget > 0) {
+        cJSON *object = cJSON_AddObjectToObject(root, "budget");
+        murk_json_number(object, "asked", scene->sensors.budget);
+        murk_json_number(object, "spent",
+                         (double)plan->place.cost * MURK_COST_UNIT);
+    }
+}
+
 static void add_placement(cJSON *root, const murk_plan *plan,
                           const murk_scene *scene)
 {
@@ -89,6 +100,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
                       plan->held_out_region);
     murk_json_bound(root, &plan->place);
     add_target(root, plan, session->scene);
+    add_budget(root, plan, session->scene);
     add_placement(root, plan, session->scene);
     return root;
 }
@@ -121,6 +133,11 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
     }
     murk_print_regions(session->scene, plan->in_sample.region,
                        plan->held_out_region);
+    if (session->scene->sensors.budget > 0) {
+        printf("budget      %.10g of %.10g spent\n",
+               (double)place->cost * MURK_COST_UNIT,
+               session->scene->sensors.budget);
+    }
     murk_print_bound(place, "sample of photons");
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 static cJSON *coverage_json(const murk_session *session,
-                            const murk_vec3 *sensor, size_t n,
+                            const murk_pose *sensor, size_t n,
                             const murk_coverage *coverage)
 {
     cJSON *root = murk_json_begin(session->scene);
@@ -32,7 +32,7 @@ static cJSON *coverage_json(const murk_session *session,
 }
 
 static murk_status write_coverage(murk_session *session,
-                                  const murk_vec3 *sensor, size_t n,
+                                  const murk_pose *sensor, size_t n,
                                   const murk_coverage *coverage,
                                   murk_error *err)
 {
@@ -55,7 +55,7 @@ static murk_status write_coverage(murk_session *session,
     return status;
 }
 
-static void print_coverage(const murk_session *session, const murk_vec3 *sensor,
+static void print_coverage(const murk_session *session, const murk_pose *sensor,
                            size_t n, const murk_coverage *coverage)
 {
     murk_print_light(session);
@@ -78,7 +78,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     murk_session session;
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
-    murk_vec3 *sensor = NULL;
+    murk_pose *sensor = NULL;
     size_t n = 0;
     if (!options->sensors) {
         return murk_fail(err, MURK_BAD_VALUE, "",

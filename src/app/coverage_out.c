@@ -16,20 +16,38 @@ void murk_json_photons(cJSON *root, const murk_traced *traced)
                             (double)murk_photon_map_count(traced->volume));
 }
 
-/* Sensors of one range that see all round have no heading, and an axis only
- * by convention: up. */
+/* As it was asked for: turning to radians and back leaves rounding behind. */
+static double degrees(double rad)
+{
+    return round(rad * (180 / MURK_PI) * 1e9) / 1e9;
+}
+
+static bool is_all_round(const murk_scene *scene, const murk_pose *sensor)
+{
+    return scene->sensors.type[sensor->type].view == MURK_SCENE_VIEW_SPHERE;
+}
+
+/* Sensors that see all round have no heading, and an axis only by convention:
+ * up. */
 void murk_json_sensors(cJSON *root, const murk_scene *scene,
-                       const murk_vec3 *sensor, size_t n,
+                       const murk_pose *sensor, size_t n,
                        const murk_coverage *coverage)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "sensors");
     for (size_t i = 0; i < n; ++i) {
+        const bool has_axis = !is_all_round(scene, &sensor[i]);
         cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "type", scene->sensors.type_name);
-        murk_json_vector(item, "position_m", sensor[i]);
-        murk_json_vector(item, "axis", murk_vec(0, 0, 1));
-        cJSON_AddNullToObject(item, "heading_deg");
-        cJSON_AddNullToObject(item, "tilt_deg");
+        cJSON_AddStringToObject(item, "type",
+                                scene->sensors.type[sensor[i].type].name);
+        murk_json_vector(item, "position_m", sensor[i].position);
+        murk_json_vector(item, "axis",
+                         has_axis
+                             ? murk_pose_frame(&sensor[i], scene->north).axis
+                             : murk_vec(0, 0, 1));
+        murk_json_number(item, "heading_deg",
+                         has_axis ? degrees(sensor[i].heading_rad) : NAN);
+        murk_json_number(item, "tilt_deg",
+                         has_axis ? degrees(sensor[i].tilt_rad) : NAN);
         murk_json_number(item, "covers", coverage->covers[i]);
         murk_json_number(item, "only_it_covers", coverage->only_it_covers[i]);
         cJSON_AddItemToArray(list, item);
@@ -74,9 +92,27 @@ static void quote(char out[2 * MURK_SCENE_NAME_SIZE + 3], const char *text)
     *out = '\0';
 }
 
+void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
+                     const murk_pose *pose)
+{
+    const murk_vec3 p = pose->position;
+    char type[2 * MURK_SCENE_NAME_SIZE + 3];
+    char x[32], y[32], z[32], heading[32] = "", tilt[32] = "";
+    quote(type, scene->sensors.type[pose->type].name);
+    print_number(x, p.x);
+    print_number(y, p.y);
+    print_number(z, p.z);
+    if (!is_all_round(scene, pose)) {
+        print_number(heading, degrees(pose->heading_rad));
+        print_number(tilt, degrees(pose->tilt_rad));
+    }
+    fprintf(to, "%zu,%s,%s,%s,%s,%s,%s\n", number, x, y, z, type, heading,
+            tilt);
+}
+
 static murk_status add_csv(murk_results *results, const char *name,
                            const char *header, const murk_scene *scene,
-                           const murk_vec3 *sensor, size_t n,
+                           const murk_pose *sensor, size_t n,
                            const murk_coverage *coverage, murk_error *err)
 {
     if (!results->folder) {
@@ -85,16 +121,22 @@ static murk_status add_csv(murk_results *results, const char *name,
     const size_t room = strlen(header) + n * CSV_LINE_MAX + 1;
     char *text = malloc(room);
     size_t at = 0;
-    char type[2 * MURK_SCENE_NAME_SIZE + 3];
-    quote(type, scene->sensors.type_name);
     if (text) {
         at = (size_t)snprintf(text, room, "%s", header);
     }
     for (size_t i = 0; text && i < n; ++i) {
+        const murk_vec3 p = sensor[i].position;
+        char type[2 * MURK_SCENE_NAME_SIZE + 3];
         char x[32], y[32], z[32], covers[32], only[32];
-        print_number(x, sensor[i].x);
-        print_number(y, sensor[i].y);
-        print_number(z, sensor[i].z);
+        char heading[32] = "", tilt[32] = "";
+        quote(type, scene->sensors.type[sensor[i].type].name);
+        print_number(x, p.x);
+        print_number(y, p.y);
+        print_number(z, p.z);
+        if (!is_all_round(scene, &sensor[i])) {
+            print_number(heading, degrees(sensor[i].heading_rad));
+            print_number(tilt, degrees(sensor[i].tilt_rad));
+        }
         if (coverage) {
             print_number(covers, coverage->covers[i]);
             print_number(only, coverage->only_it_covers[i]);
@@ -102,8 +144,8 @@ static murk_status add_csv(murk_results *results, const char *name,
                                    "%zu,%s,%s,%s,%s,%s,%s\n", i + 1, type, x, y,
                                    z, covers, only);
         } else {
-            at += (size_t)snprintf(text + at, room - at, "%s,%s,%s,%s,,\n",
-                                   type, x, y, z);
+            at += (size_t)snprintf(text + at, room - at, "%s,%s,%s,%s,%s,%s\n",
+                                   type, x, y, z, heading, tilt);
         }
     }
     const murk_status status = murk_results_add_text(results, name, text, err);
@@ -112,7 +154,7 @@ static murk_status add_csv(murk_results *results, const char *name,
 }
 
 murk_status murk_add_sensors_csv(murk_results *results, const murk_scene *scene,
-                                 const murk_vec3 *sensor, size_t n,
+                                 const murk_pose *sensor, size_t n,
                                  murk_error *err)
 {
     return add_csv(results, "sensors.csv",
@@ -122,7 +164,7 @@ murk_status murk_add_sensors_csv(murk_results *results, const murk_scene *scene,
 
 murk_status murk_add_coverage_csv(murk_results *results,
                                   const murk_scene *scene,
-                                  const murk_vec3 *sensor, size_t n,
+                                  const murk_pose *sensor, size_t n,
                                   const murk_coverage *coverage,
                                   murk_error *err)
 {
@@ -131,15 +173,22 @@ murk_status murk_add_coverage_csv(murk_results *results,
                    sensor, n, coverage, err);
 }
 
-void murk_print_sensors(const murk_scene *scene, const murk_vec3 *sensor,
+void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
                         size_t n, const murk_coverage *coverage)
 {
-    printf("sensors     %4s  %-8s %9s %9s %9s  %8s %10s\n", "", "type", "x m",
-           "y m", "z m", "covers", "only it");
+    printf("sensors     %4s  %-8s %9s %9s %9s %8s %6s  %8s %10s\n", "", "type",
+           "x m", "y m", "z m", "heading", "tilt", "covers", "only it");
     for (size_t i = 0; i < n && i < PRINTED_SENSORS_MAX; ++i) {
-        printf("            %4zu  %-8s %9.3f %9.3f %9.3f  %8.4f %10.4f\n",
-               i + 1, scene->sensors.type_name, sensor[i].x, sensor[i].y,
-               sensor[i].z, coverage->covers[i], coverage->only_it_covers[i]);
+        const murk_vec3 p = sensor[i].position;
+        char way[20] = "all round";
+        if (!is_all_round(scene, &sensor[i])) {
+            snprintf(way, sizeof way, "%8.1f %6.1f",
+                     degrees(sensor[i].heading_rad),
+                     degrees(sensor[i].tilt_rad));
+        }
+        printf("            %4zu  %-8s %9.3f %9.3f %9.3f %15s  %8.4f %10.4f\n",
+               i + 1, scene->sensors.type[sensor[i].type].name, p.x, p.y, p.z,
+               way, coverage->covers[i], coverage->only_it_covers[i]);
     }
     if (n > PRINTED_SENSORS_MAX) {
         printf("            .. and %zu more\n", n - PRINTED_SENSORS_MAX);

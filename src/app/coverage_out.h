@@ -7,24 +7,28 @@
 /* "photons": {emitted, surface, volume} */
 void murk_json_photons(cJSON *root, const murk_traced *traced);
 
-/* "sensors": one object a sensor; n positions, coverage of just those. */
+/* "sensors": one object a sensor; n poses, coverage of just those. */
 void murk_json_sensors(cJSON *root, const murk_scene *scene,
-                       const murk_vec3 *sensor, size_t n,
+                       const murk_pose *sensor, size_t n,
                        const murk_coverage *coverage);
 
 /* "seen_by_at_least": [by 1, by 2, ..] */
 void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n);
 
 murk_status murk_add_sensors_csv(murk_results *results, const murk_scene *scene,
-                                 const murk_vec3 *sensor, size_t n,
+                                 const murk_pose *sensor, size_t n,
                                  murk_error *err);
 murk_status murk_add_coverage_csv(murk_results *results,
                                   const murk_scene *scene,
-                                  const murk_vec3 *sensor, size_t n,
+                                  const murk_pose *sensor, size_t n,
                                   const murk_coverage *coverage,
                                   murk_error *err);
 
-void murk_print_sensors(const murk_scene *scene, const murk_vec3 *sensor,
+/* A line "number,x,y,z,type,heading,tilt"; the last two empty all round. */
+void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
+                     const murk_pose *pose);
+
+void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
                         size_t n, const murk_coverage *coverage);
 
 /* "surface 0.91 +- 0.01, no volume photons": each map's own fraction. */

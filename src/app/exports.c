@@ -1,7 +1,7 @@
 #include "app/exports.h"
 
+#include "app/coverage_out.h"
 #include "app/plan_ply.h"
-#include "scene/number.h"
 
 #include <stdlib.h>
 
@@ -49,24 +49,24 @@ void murk_exports_add(murk_results *results, unsigned exports,
     }
 }
 
+typedef struct candidate_list {
+    const murk_poses *poses;
+    const murk_scene *scene;
+} candidate_list;
+
 static murk_status write_candidates(const char *path, const void *context,
                                     murk_error *err)
 {
-    const murk_candidates *candidates = context;
+    const candidate_list *list = context;
     murk_file *file = NULL;
     const murk_status status = murk_file_create(&file, path, err);
     if (status) {
         return status;
     }
     FILE *to = murk_file_stream(file);
-    fputs("column,x_m,y_m,z_m\n", to);
-    for (size_t j = 0; j < candidates->usable; ++j) {
-        const murk_vec3 p = candidates->position[j];
-        char x[MURK_NUMBER_SIZE], y[MURK_NUMBER_SIZE], z[MURK_NUMBER_SIZE];
-        murk_number_print(x, p.x);
-        murk_number_print(y, p.y);
-        murk_number_print(z, p.z);
-        fprintf(to, "%zu,%s,%s,%s\n", j + 1, x, y, z);
+    fputs("column,x_m,y_m,z_m,type,heading_deg,tilt_deg\n", to);
+    for (size_t j = 0; j < list->poses->count; ++j) {
+        murk_write_pose(to, j + 1, list->scene, &list->poses->pose[j]);
     }
     return murk_file_commit(&file, err);
 }
@@ -79,8 +79,8 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
     const murk_scene_sensors *wish = &session->scene->sensors;
     murk_sparse_matrix *matrix = NULL;
     murk_sight_problem seen;
-    murk_sight_problem_init(&seen, sight, plan->candidates->position,
-                            plan->candidates->usable);
+    murk_sight_problem_init(&seen, sight, plan->poses->pose,
+                            plan->poses->count);
     murk_error told = {0};
     const murk_status status =
         murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MOST, &told);
@@ -99,8 +99,9 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
     const unsigned exports = session->options->exports;
     murk_exports_add(&session->results, exports, matrix, &goal, late);
     if (exports & MURK_EXPORT_MATRIX) {
+        const candidate_list list = {plan->poses, session->scene};
         (void)murk_results_add(&session->results, "candidates.csv",
-                               write_candidates, plan->candidates, late);
+                               write_candidates, &list, late);
     }
     murk_sparse_matrix_destroy(matrix);
     return MURK_OK;

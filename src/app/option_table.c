@@ -20,6 +20,9 @@ const murk_option murk_option_table[] = {
      "number of sensors to place; replaces the scene's target"},
     {MURK_OPTION_TARGET, "--target", NULL, "C", "check place",
      "the fewest sensors that cover C, 0..1; replaces the scene's count"},
+    {MURK_OPTION_BUDGET, "--budget", NULL, "B", "check place",
+     "the best sensors whose costs come to B at most; replaces the scene's "
+     "count"},
     {MURK_OPTION_SENSORS, "--sensors", NULL, "FILE", "sense",
      "the placement to measure: sensors.csv (type, x_m, y_m, z_m) or a "
      "plan.json"},
@@ -50,7 +53,6 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_VERSION, "--version", NULL, NULL, NULL,
      "version, commit, compiler and packages"},
     {MURK_OPTION_MAN, "--man", NULL, NULL, NULL, NULL},
-    {MURK_OPTION_LATER, "--budget", NULL, "B", NULL, NULL},
     {MURK_OPTION_LATER, "--camera", NULL, "NAME", NULL, NULL},
     {MURK_OPTION_LATER, "--data", NULL, "FILE", NULL, NULL},
     {MURK_OPTION_LATER, "--free", NULL, "KEY", NULL, NULL},

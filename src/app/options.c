@@ -214,6 +214,8 @@ static murk_status apply(murk_options *out, const murk_option *option,
         return set_count(out, name, "sensors.count", value, 1, 1000000, err);
     case MURK_OPTION_TARGET:
         return add_override(out, "sensors.target", value, name, err);
+    case MURK_OPTION_BUDGET:
+        return add_override(out, "sensors.budget", value, name, err);
     case MURK_OPTION_SET:
         if (!strchr(value, '=') || *value == '=') {
             return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be KEY=VALUE",

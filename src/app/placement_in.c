@@ -3,26 +3,48 @@
 #include "scene/table.h"
 #include "scene/yaml.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define SENSORS_MAX 1000000
 
-static murk_status check_sensor(const char *where, const char *type,
-                                murk_vec3 p, const murk_scene *scene,
-                                const murk_domain *domain, murk_error *err)
+/* Angles are NAN where none is given. */
+static murk_status read_sensor(murk_pose *out, const char *where,
+                               const char *type, murk_vec3 p,
+                               double heading_deg, double tilt_deg,
+                               const murk_scene *scene,
+                               const murk_domain *domain, murk_error *err)
 {
-    if (strcmp(type, scene->sensors.type_name) != 0) {
+    const murk_scene_sensors *wish = &scene->sensors;
+    size_t k = 0;
+    while (k < wish->types && strcmp(type, wish->type[k].name) != 0) {
+        ++k;
+    }
+    if (k == wish->types) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "type: %s, the scene's sensors are of type %s", type,
-                         scene->sensors.type_name);
+                         "type: %s is no type of the scene's sensors; the "
+                         "first there is %s",
+                         type, wish->type[0].name);
     }
     if (!murk_box_contains(&domain->box, p)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "sensor at %.6g %.6g %.6g m lies outside the domain",
                          p.x, p.y, p.z);
     }
+    *out = (murk_pose){.type = (uint32_t)k, .position = p};
+    if (wish->type[k].view == MURK_SCENE_VIEW_SPHERE) {
+        return MURK_OK;
+    }
+    if (!(fabs(heading_deg) <= 360) || !(fabs(tilt_deg) <= 90)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "heading_deg %g and tilt_deg %g, type %s must have "
+                         "-360..360 and -90..90 degrees",
+                         heading_deg, tilt_deg, type);
+    }
+    out->heading_rad = heading_deg * (MURK_PI / 180);
+    out->tilt_rad = tilt_deg * (MURK_PI / 180);
     return MURK_OK;
 }
 
@@ -37,36 +59,47 @@ static murk_status need_column(const murk_table *table, const char *name,
                                  name);
 }
 
-static murk_status from_table(murk_vec3 *sensor, const murk_table *table,
+static bool is_empty(const murk_table *table, size_t row, long column)
+{
+    return table->cell[row * table->columns + (size_t)column][0] == '\0';
+}
+
+static murk_status from_table(murk_pose *sensor, const murk_table *table,
                               const murk_scene *scene,
                               const murk_domain *domain, murk_error *err)
 {
-    static const char *const names[4] = {"type", "x_m", "y_m", "z_m"};
-    long column[4];
+    static const char *const names[6] = {"type", "x_m",         "y_m",
+                                         "z_m",  "heading_deg", "tilt_deg"};
+    long column[6];
     murk_status status = MURK_OK;
     for (int i = 0; i < 4 && !status; ++i) {
         status = need_column(table, names[i], &column[i], err);
     }
+    column[4] = murk_table_column(table, names[4]);
+    column[5] = murk_table_column(table, names[5]);
     for (size_t row = 0; row < table->rows && !status; ++row) {
-        double p[3];
-        for (int i = 0; i < 3 && !status; ++i) {
-            status =
-                murk_table_number(table, row, column[i + 1], NAN, &p[i], err);
+        double p[5] = {NAN, NAN, NAN, NAN, NAN};
+        for (int i = 0; i < 5 && !status; ++i) {
+            if (column[i + 1] >= 0 &&
+                !(i >= 3 && is_empty(table, row, column[i + 1]))) {
+                status = murk_table_number(table, row, column[i + 1], NAN,
+                                           &p[i], err);
+            }
         }
         if (status) {
             break;
         }
-        sensor[row] = murk_vec(p[0], p[1], p[2]);
         char where[320];
         snprintf(where, sizeof where, "%s:%d", table->path, table->line[row]);
-        status = check_sensor(
-            where, table->cell[row * table->columns + (size_t)column[0]],
-            sensor[row], scene, domain, err);
+        status = read_sensor(
+            &sensor[row], where,
+            table->cell[row * table->columns + (size_t)column[0]],
+            murk_vec(p[0], p[1], p[2]), p[3], p[4], scene, domain, err);
     }
     return status;
 }
 
-static murk_status read_csv(murk_vec3 **out, size_t *n, const char *path,
+static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
                             const murk_scene *scene, const murk_domain *domain,
                             murk_error *err)
 {
@@ -75,7 +108,7 @@ static murk_status read_csv(murk_vec3 **out, size_t *n, const char *path,
     if (status) {
         return status;
     }
-    murk_vec3 *sensor = calloc(table->rows + 1, sizeof *sensor);
+    murk_pose *sensor = calloc(table->rows + 1, sizeof *sensor);
     if (!sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
     } else if (table->rows < 1 || table->rows > SENSORS_MAX) {
@@ -95,7 +128,15 @@ static murk_status read_csv(murk_vec3 **out, size_t *n, const char *path,
     return status;
 }
 
-static murk_status from_plan(murk_vec3 *sensor, const murk_yaml *list,
+/* NAN where there is none, or null. */
+static double angle_of(const murk_yaml *item, const char *name)
+{
+    const murk_yaml *node = murk_yaml_get(item, name);
+    double value;
+    return node && murk_yaml_number(node, &value) ? value : NAN;
+}
+
+static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
                              const murk_scene *scene, const murk_domain *domain,
                              murk_error *err)
 {
@@ -120,9 +161,10 @@ static murk_status from_plan(murk_vec3 *sensor, const murk_yaml *list,
                              "must have a type and a position_m [x, y, z] in "
                              "m");
         }
-        sensor[i] = murk_vec(p[0], p[1], p[2]);
-        const murk_status status =
-            check_sensor(where, type->text, sensor[i], scene, domain, err);
+        const murk_status status = read_sensor(
+            &sensor[i], where, type->text, murk_vec(p[0], p[1], p[2]),
+            angle_of(item, "heading_deg"), angle_of(item, "tilt_deg"), scene,
+            domain, err);
         if (status) {
             return status;
         }
@@ -132,7 +174,7 @@ static murk_status from_plan(murk_vec3 *sensor, const murk_yaml *list,
 
 /* JSON is YAML in flow style: the scene reader's parser knows lines and
  * columns. */
-static murk_status read_json(murk_vec3 **out, size_t *n, const char *path,
+static murk_status read_json(murk_pose **out, size_t *n, const char *path,
                              const murk_scene *scene, const murk_domain *domain,
                              murk_error *err)
 {
@@ -143,7 +185,7 @@ static murk_status read_json(murk_vec3 **out, size_t *n, const char *path,
     }
     const murk_yaml *list =
         root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "sensors") : NULL;
-    murk_vec3 *sensor = NULL;
+    murk_pose *sensor = NULL;
     if (!list || list->kind != MURK_YAML_LIST || list->n < 1 ||
         list->n > SENSORS_MAX) {
         status = murk_fail(err, MURK_BAD_FILE, path,
@@ -165,7 +207,7 @@ done:
     return status;
 }
 
-murk_status murk_placement_read(murk_vec3 **out, size_t *n, const char *path,
+murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
                                 const murk_scene *scene,
                                 const murk_domain *domain, murk_error *err)
 {

@@ -2,13 +2,14 @@
 #ifndef MURK_APP_PLACEMENT_IN_H
 #define MURK_APP_PLACEMENT_IN_H
 
-#include "base/vector.h"
 #include "scene/scene.h"
+#include "sensing/sensor.h"
 
-/* *out[*n], n >= 1, is the caller's to free(). Every sensor's type must be the
- * scene's, and it must lie in the domain. Files that end in .json are read as
- * a plan or coverage, all others as CSV. */
-murk_status murk_placement_read(murk_vec3 **out, size_t *n, const char *path,
+/* *out[*n], n >= 1, is the caller's to free(). Every sensor's type must be one
+ * of the scene's, with a heading and tilt where that has a view, and it must
+ * lie in the domain. Files that end in .json are read as a plan or coverage,
+ * all others as CSV. */
+murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
                                 const murk_scene *scene,
                                 const murk_domain *domain, murk_error *err);
 

@@ -53,9 +53,13 @@ void murk_print_bound(const murk_place_result *place, const char *sample)
     if (place->proven_optimal) {
         printf("bound       proven optimal for this %s\n", sample);
     } else {
-        printf("bound       no %zu candidates cover more than %.4f of this "
-               "%s; guarantee: %s\n",
-               place->count, murk_share(place->upper, place->whole), sample,
+        char what[40] = "no plan within the budget covers";
+        if (place->cost == 0) {
+            snprintf(what, sizeof what, "no %zu candidates cover",
+                     place->count);
+        }
+        printf("bound       %s more than %.4f of this %s; guarantee: %s\n",
+               what, murk_share(place->upper, place->whole), sample,
                place->guarantee);
     }
 }

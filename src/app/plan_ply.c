@@ -26,7 +26,7 @@ typedef struct seen {
 
 typedef struct parts {
     murk_sight *sight;
-    const murk_vec3 *sensor;
+    const murk_pose *sensor;
     size_t sensors, photons;
     sighting *seen; /* [photons] */
     double mark_m;
@@ -109,7 +109,7 @@ static void put_corners(FILE *to, const parts *p)
         for (int c = 0; c < CORNERS; ++c) {
             const double d = c % 2 ? p->mark_m : -p->mark_m;
             put_sensor(to,
-                       murk_add(p->sensor[k],
+                       murk_add(p->sensor[k].position,
                                 murk_vec(c / 2 == 0 ? d : 0, c / 2 == 1 ? d : 0,
                                          c / 2 == 2 ? d : 0)),
                        CORNER);
@@ -163,7 +163,7 @@ static murk_status write_ply(const char *path, const void *context,
         "end_header\n",
         p->sensors * (1 + CORNERS) + p->photons, p->sensors * FACES);
     for (size_t k = 0; k < p->sensors; ++k) {
-        put_sensor(to, p->sensor[k], SENSOR);
+        put_sensor(to, p->sensor[k].position, SENSOR);
     }
     put_corners(to, p);
     put_map(to, maps->surface_map, SURFACE_PHOTON, p->seen);
@@ -174,7 +174,7 @@ static murk_status write_ply(const char *path, const void *context,
 }
 
 murk_status murk_add_plan_ply(murk_results *results, murk_sight *sight,
-                              const murk_vec3 *sensor, size_t n, double size_m,
+                              const murk_pose *sensor, size_t n, double size_m,
                               murk_error *err)
 {
     parts p = {.sight = sight,

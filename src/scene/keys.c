@@ -35,64 +35,6 @@ murk_status murk_check_edges(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* ---- sensors ---- */
-
-static const murk_key SENSOR_TYPE_ROWS[] = {
-    ROW("name", TEXT, NEEDED, AT(murk_scene, sensors.type_name)),
-    ROW("range_m", NUMBER, NEEDED, SIZE_M, AT(murk_scene, sensors.range_m)),
-    LATER("least_range_m"),
-    LATER("view"),
-    LATER("headings"),
-    LATER("tilts_deg"),
-    LATER("arrival"),
-    LATER("bands"),
-    LATER("cost"),
-    LATER("max_count"),
-    END,
-};
-
-static const murk_keys SENSOR_TYPE = {
-    .noun = "sensor type",
-    .most_items = 1,
-    .needs_item = true,
-    .key = SENSOR_TYPE_ROWS,
-};
-
-static murk_status check_sensors(murk_walk *walk, const murk_yaml *map,
-                                 void *item)
-{
-    const murk_scene_sensors *sensors = &((murk_scene *)item)->sensors;
-    const size_t *n = sensors->candidates.grid_size;
-    const uint64_t points = (uint64_t)n[0] * n[1] * n[2];
-    if (sensors->candidates.has_grid && sensors->count > points) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "count is %llu, must be 1..%llu: the points of "
-                              "the grid",
-                              (unsigned long long)sensors->count,
-                              (unsigned long long)points);
-    }
-    return MURK_OK;
-}
-
-static const murk_key SENSORS_ROWS[] = {
-    ROW("types", LIST, NEEDED, .keys = &SENSOR_TYPE),
-    ROW("candidates", MAP, .keys = &murk_candidate_keys, .preset = "{}"),
-    ROW("fixed", ONLY, .preset = "[]"),
-    ROW("count", COUNT, .group = 1, .least = 1, .most = 1e6, .unit = "sensors",
-        AT(murk_scene, sensors.count)),
-    ROW("target", NUMBER, .group = 1, .above = true, .most = 1,
-        AT(murk_scene, sensors.target)),
-    LATER("budget"),
-    END,
-};
-
-static const murk_keys SENSORS = {
-    .noun = "sensors",
-    .check = check_sensors,
-    WHERE(murk_scene, sensors.where),
-    .key = SENSORS_ROWS,
-};
-
 /* ---- the scene ---- */
 
 static murk_status check_domain(murk_walk *walk, const murk_yaml *map,
@@ -136,7 +78,8 @@ static const murk_key SCENE_ROWS[] = {
         .unit = "nm", .lights = true, AT(murk_scene, band_edge_nm)),
     ROW("seed", COUNT, .most = 4294967295.0, .preset = "1", .lights = true,
         AT(murk_scene, seed)),
-    ROW("north", ONLY, .preset = "[0, 1, 0]", .lights = true),
+    ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", .lights = true,
+        AT(murk_scene, north)),
     ROW("domain", MAP, .keys = &DOMAIN_KEYS, .lights = true,
         FLAG(murk_scene, has_domain)),
     ROW("materials", NAMED, .keys = &murk_material_keys, .preset = "{}",
@@ -153,16 +96,34 @@ static const murk_key SCENE_ROWS[] = {
     ROW("flight", WORD, .preset = "march", .lights = true,
         .words = FLIGHT_WORDS, AT(murk_scene, by_delta)),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
-    ROW("sensors", MAP, .keys = &SENSORS, FLAG(murk_scene, sensors.given)),
+    ROW("sensors", MAP, .keys = &murk_sensor_keys,
+        FLAG(murk_scene, sensors.given)),
     ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),
     ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}"),
     ROW("cameras", ONLY, .preset = "[]"),
     END,
 };
 
+static murk_status check_scene(murk_walk *walk, const murk_yaml *map,
+                               void *item)
+{
+    murk_scene *scene = item;
+    const murk_vec3 n = scene->north;
+    const double length = murk_length(n);
+    if (n.z != 0 || !(length > 0)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, murk_yaml_get(map, "north"),
+                              false,
+                              "north: [%.9g, %.9g, %.9g] is not level, must be "
+                              "[x, y, 0] and point somewhere",
+                              n.x, n.y, n.z);
+    }
+    scene->north = murk_scale(1 / length, n);
+    return murk_check_conditions(walk, map, item);
+}
+
 const murk_keys murk_scene_keys = {
     .noun = "scene",
-    .check = murk_check_conditions,
+    .check = check_scene,
     .key = SCENE_ROWS,
 };
 

@@ -22,7 +22,7 @@ typedef enum murk_key_kind {
     MURK_KEY_NUMBERS,     /* double[]: a list, one for each of `items` */
     MURK_KEY_BANDS,       /* 1..16 rising doubles: the scene's bands */
     MURK_KEY_BAND_EDGES,  /* 2..17 rising doubles: the scene's bands */
-    MURK_KEY_NUMBER_LIST, /* murk_scene_numbers */
+    MURK_KEY_NUMBER_LIST, /* murk_scene_numbers; or one of `words`: empty */
     MURK_KEY_SPECTRUM_LIST, /* murk_scene_spectra: each as a spectrum */
     MURK_KEY_SPECTRUM, /* one value for all bands, or a list; or a map, where
                           there are `keys` */

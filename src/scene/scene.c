@@ -283,6 +283,13 @@ void murk_scene_destroy(murk_scene *scene)
         free(scene->placement.interest[i].mesh);
     }
     free(scene->placement.interest);
+    for (size_t i = 0; i < scene->sensors.types; ++i) {
+        free(scene->sensors.type[i].headings_deg.value);
+        free(scene->sensors.type[i].tilts_deg.value);
+        free(scene->sensors.type[i].bands_nm.value);
+    }
+    free(scene->sensors.type);
+    free(scene->sensors.fixed);
     free(scene->geometry);
     free(scene->materials);
     free(scene->media);

@@ -184,15 +184,48 @@ typedef struct murk_scene_candidates {
     double clearance_m;
 } murk_scene_candidates;
 
+typedef enum murk_scene_view {
+    MURK_SCENE_VIEW_SPHERE,
+    MURK_SCENE_VIEW_CONE,
+    MURK_SCENE_VIEW_FRUSTUM
+} murk_scene_view;
+
+typedef struct murk_scene_sensor_type {
+    murk_scene_name name; /* each its own */
+    murk_scene_where where;
+    double least_range_m, range_m;
+    murk_scene_view view;
+    double cone_rad, hfov_rad, vfov_rad; /* whole angles */
+    uint64_t headings; /* evenly round from north; 0: those of the list */
+    murk_scene_numbers headings_deg, tilts_deg; /* n 0: sees all round */
+    bool toward;                                /* arrival: toward */
+    murk_scene_numbers bands_nm;                /* n 0: all */
+    uint32_t bands;                             /* the same by bits; 0: all */
+    double cost;
+    uint64_t least_count, max_count;
+} murk_scene_sensor_type;
+
+typedef struct murk_scene_fixed_sensor {
+    murk_scene_where where;
+    murk_scene_name type_name; /* as given; may be empty */
+    size_t type;
+    murk_vec3 position;
+    double heading_rad, tilt_rad;
+} murk_scene_fixed_sensor;
+
 typedef struct murk_scene_sensors {
     murk_scene_where where; /* of `sensors` */
     bool given;             /* the scene has sensors */
-    murk_scene_name type_name;
-    double range_m;
+    murk_scene_sensor_type *type;
+    size_t types;
+    murk_scene_fixed_sensor *fixed;
+    size_t n_fixed;
+    bool one_per_site;
     murk_scene_candidates candidates;
     double spacing_m; /* least distance between sensors */
     uint64_t count;   /* 0: not given */
     double target;    /* coverage 0..1; 0: not given */
+    double budget;    /* in the types' costs; 0: not given */
 } murk_scene_sensors;
 
 typedef enum murk_scene_zone {
@@ -268,6 +301,7 @@ struct murk_scene {
     double band_edge_nm[MURK_BANDS_MAX + 1];
     bool has_edges;
     uint32_t seed;
+    murk_vec3 north; /* level, of length 1 */
     bool has_domain;
     murk_domain domain;
     murk_scene_where domain_where;

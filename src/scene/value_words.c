@@ -136,7 +136,13 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
                  range, key->keys ? ", or a map of keys" : "");
         break;
     case MURK_KEY_NUMBER_LIST:
-        snprintf(out, size, "a list of numbers, each %s", range);
+        if (key->words) {
+            show_words(key->words, out, size);
+        }
+        snprintf(out + (key->words ? strlen(out) : 0),
+                 size - (key->words ? strlen(out) : 0),
+                 "%sa list of numbers, each %s", key->words ? " or " : "",
+                 range);
         break;
     case MURK_KEY_SPECTRUM_LIST:
         snprintf(out, size,

@@ -348,11 +348,12 @@ murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);
     }
-    if (key->kind == MURK_KEY_MAP && key->words &&
-        node->kind == MURK_YAML_SCALAR) {
+    const bool may_be_word =
+        key->kind == MURK_KEY_MAP || key->kind == MURK_KEY_NUMBER_LIST;
+    if (may_be_word && key->words && node->kind == MURK_YAML_SCALAR) {
         int word = 0;
         const murk_status status = murk_value_word(walk, key, node, &word);
-        if (!status) {
+        if (!status) { /* a list has no room for it: then it is empty */
             murk_value_store(item, key->at, key->size, word);
         }
         return status;

@@ -32,7 +32,7 @@ typedef struct kept_look {
 
 typedef struct measure {
     murk_sight *sight;
-    const murk_vec3 *position;
+    const murk_pose *pose;
     size_t sensors, photons, surface_photons;
     const uint32_t *weight;
     view *view;             /* [photons] */
@@ -66,7 +66,7 @@ static void look_from(void *context, unsigned worker, uint64_t batch)
     measure *m = context;
     kept_look *s = &m->block[batch];
     murk_look look;
-    murk_sight_look(m->sight, worker, m->position[m->first + batch], &look);
+    murk_sight_look(m->sight, worker, &m->pose[m->first + batch], &look);
     s->look.seen = look.seen;
     s->look.photon = copy(look.photon, look.seen * sizeof *look.photon);
     s->look.clarity = look.clarity
@@ -302,11 +302,11 @@ done:
 
 /* ---- the measure ---- */
 
-static murk_status check(const murk_sight_desc *desc, const murk_vec3 *position,
+static murk_status check(const murk_sight_desc *desc, const murk_pose *pose,
                          size_t n, murk_error *err)
 {
     for (size_t j = 0; j < n; ++j) {
-        const murk_vec3 p = position[j], min = desc->domain.box.min,
+        const murk_vec3 p = pose[j].position, min = desc->domain.box.min,
                         max = desc->domain.box.max;
         if (!murk_box_contains(&desc->domain.box, p)) {
             return murk_fail(err, MURK_BAD_VALUE, "sensors",
@@ -346,18 +346,18 @@ static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
 }
 
 murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
-                                  const murk_vec3 *position, size_t n,
+                                  const murk_pose *pose, size_t n,
                                   murk_error *err)
 {
     const murk_sight_desc *desc = murk_sight_described(sight);
     measure m = {.sight = sight,
-                 .position = position,
+                 .pose = pose,
                  .sensors = n,
                  .photons = murk_sight_photons(sight),
                  .surface_photons = murk_photon_map_count(desc->surface_map),
                  .weight = murk_sight_weights(sight)};
     murk_coverage coverage = {0};
-    murk_status status = check(desc, position, n, err);
+    murk_status status = check(desc, pose, n, err);
     if (status) {
         goto done;
     }

@@ -24,7 +24,7 @@ typedef struct scratch {
 
 struct murk_sight {
     murk_sight_desc desc;
-    double range_m; /* finite */
+    murk_sensor_type *type; /* [desc.types], their ranges finite */
     double position_error_m, hair_m;
     bool has_media;
     bool has_sheets;     /* that let light through */
@@ -40,6 +40,10 @@ struct murk_sight {
 typedef struct look {
     murk_sight *sight;
     murk_vec3 sensor;
+    double range_m;
+    murk_field field;
+    bool is_picky;  /* something but the range limits the view */
+    uint32_t bands; /* seen, by bits */
     murk_passages passages;
     uint32_t *photon;
     uint16_t *clarity;
@@ -73,9 +77,15 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
 
 static murk_status check(const murk_sight_desc *desc, murk_error *err)
 {
-    if (!(desc->range_m > 0)) {
-        return murk_fail(err, MURK_BAD_VALUE, "sensors.types",
-                         "range_m is %g m, must be above 0", desc->range_m);
+    for (size_t k = 0; k < desc->types; ++k) {
+        const murk_sensor_type *type = &desc->type[k];
+        if (!(type->range_m > 0) || !(type->least_range_m >= 0) ||
+            !(type->least_range_m < type->range_m)) {
+            return murk_fail(err, MURK_BAD_VALUE, "sensors.types",
+                             "range_m is %g m, must be above 0 and above "
+                             "least_range_m, %g m, which must be 0 or more",
+                             type->range_m, type->least_range_m);
+        }
     }
     const double photons = (double)murk_photon_map_count(desc->surface_map) +
                            (double)murk_photon_map_count(desc->volume_map);
@@ -151,9 +161,21 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     }
     const murk_box *box = &desc->domain.box;
     sight->desc = *desc;
+    if (murk_length(desc->north) == 0) {
+        sight->desc.north = murk_vec(0, 1, 0);
+    }
+    sight->type = malloc(desc->types * sizeof *sight->type + 1);
+    if (!sight->type) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
+        goto done;
+    }
     /* Twice the diagonal holds every image, and its square is finite. */
-    sight->range_m =
-        fmin(desc->range_m, 2 * murk_length(murk_sub(box->max, box->min)));
+    const double most_m = 2 * murk_length(murk_sub(box->max, box->min));
+    for (size_t k = 0; k < desc->types; ++k) {
+        sight->type[k] = desc->type[k];
+        sight->type[k].range_m = fmin(desc->type[k].range_m, most_m);
+    }
+    sight->desc.type = sight->type;
     sight->position_error_m =
         POSITION_ERROR * murk_domain_extent(&desc->domain);
     sight->hair_m = murk_hair(desc->surfaces, &desc->domain);
@@ -195,6 +217,7 @@ void murk_sight_destroy(murk_sight *sight)
     free(sight->worker);
     free(sight->regions);
     free(sight->weight);
+    free(sight->type);
     free(sight);
 }
 
@@ -337,13 +360,26 @@ static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
     }
 }
 
+/* Whether the photon is such, and lies where, the sensor takes it up. `sensor`
+ * is the sensor's image nearest to it. */
+static bool is_taken(const look *l, const murk_photon *photon, murk_vec3 at,
+                     murk_vec3 sensor)
+{
+    const murk_vec3 way = murk_sub(at, sensor);
+    return (l->bands >> photon->band & 1) &&
+           murk_field_contains(&l->field, way) &&
+           (!l->field.toward ||
+            murk_field_takes(&l->field, way,
+                             murk_direction_unpack(photon->direction)));
+}
+
 static void look_at(look *l, const murk_photon_map *map, uint32_t first)
 {
     const murk_sight_desc *desc = &l->sight->desc;
     const murk_photon *photon = murk_photon_map_photons(map);
     uint32_t *found = l->photon + l->seen;
-    const size_t n = murk_photons_nearby(map, &desc->domain, l->sensor,
-                                         l->sight->range_m, found);
+    const size_t n =
+        murk_photons_nearby(map, &desc->domain, l->sensor, l->range_m, found);
     const bool is_periodic = desc->domain.is_periodic;
     murk_vec3 from[BLOCK];
     uint32_t number[BLOCK];
@@ -352,11 +388,14 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = &photon[found[i]];
         murk_vec3 at = position_of(p);
+        const murk_vec3 sensor =
+            is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
+                        : l->sensor;
+        if (l->is_picky && !is_taken(l, p, at, sensor)) {
+            continue;
+        }
         if (!murk_photon_is_volume(p)) {
             const side *facing = recall(sides, desc->surfaces, p->normal);
-            const murk_vec3 sensor =
-                is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
-                            : l->sensor;
             if (!faces(facing, at, sensor, l->sight->position_error_m)) {
                 continue;
             }
@@ -372,16 +411,22 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
     keep_seen(l, photon, first, number, from, filled);
 }
 
-void murk_sight_look(murk_sight *sight, unsigned worker, murk_vec3 position,
+void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
                      murk_look *out)
 {
-    assert(worker < sight->desc.threads);
+    assert(worker < sight->desc.threads && pose->type < sight->desc.types);
     const murk_sight_desc *desc = &sight->desc;
+    const murk_sensor_type *type = &sight->type[pose->type];
     const scratch *s = &sight->worker[worker];
     look l = {.sight = sight,
-              .sensor = position,
+              .sensor = pose->position,
+              .range_m = type->range_m,
+              .field = murk_field_of(type, pose, desc->north),
+              .is_picky = type->view != MURK_VIEW_SPHERE || type->bands ||
+                          type->toward || type->least_range_m > 0,
+              .bands = type->bands ? type->bands : UINT32_MAX,
               .passages = murk_passages_from(desc->media, desc->hulls,
-                                             &desc->domain, position),
+                                             &desc->domain, pose->position),
               .photon = s->photon,
               .clarity = s->clarity,
               .all_clear = true};
@@ -398,14 +443,14 @@ static void look_from(void *context, unsigned worker, size_t candidate,
                       murk_look *out)
 {
     const murk_sight_problem *p = context;
-    murk_sight_look(p->sight, worker, p->position[candidate], out);
+    murk_sight_look(p->sight, worker, &p->pose[candidate], out);
 }
 
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
-                             const murk_vec3 *position, size_t n)
+                             const murk_pose *pose, size_t n)
 {
     out->sight = sight;
-    out->position = position;
+    out->pose = pose;
     out->problem = (murk_problem){.photons = sight->photons,
                                   .candidates = n,
                                   .weight = sight->weight,

@@ -1,7 +1,8 @@
 /* What a sensor sees of the photon maps.
  *
- * V = [within range][surface photon: normal . (sensor - photon) > 0][segment
- * open]; clarity = V * transmittance of sheets and media along the segment, in
+ * V = [within range, in the field of view, in a band of the type's, arriving as
+ * it asks][surface photon: normal . (sensor - photon) > 0][segment open];
+ * clarity = V * transmittance of sheets and media along the segment, in
  * the photon's band, rounded to 1/65535: what rounds to 0 is not seen. Photons
  * are numbered surface map first, then volume map, each in the map's own
  * order. Immutable but for its counters.
@@ -26,6 +27,7 @@
 #include "photonmap/map.h"
 #include "placement/problem.h"
 #include "sensing/interest.h"
+#include "sensing/sensor.h"
 
 typedef enum murk_visibility {
     MURK_VISIBILITY_RAY,   /* shadow rays: the default */
@@ -49,7 +51,9 @@ typedef struct murk_sight_desc {
     murk_domain domain;      /* periodic: sightlines go to the nearest image */
     const murk_photon_map *surface_map, *volume_map; /* either may be empty */
     uint64_t photons_emitted; /* all emitted, those that stored nothing too */
-    double range_m;           /* > 0, may be INFINITY */
+    const murk_sensor_type *type; /* [types], copied */
+    size_t types;
+    murk_vec3 north; /* level, of length 1; zero: +y */
     murk_visibility visibility;
     bool through_sheets; /* through: thin; false: block */
     murk_map_weights weights;
@@ -60,7 +64,7 @@ typedef struct murk_sight_desc {
 
 typedef struct murk_sight murk_sight;
 
-/* Borrows all that desc points to. Fails with MURK_BAD_VALUE (range, weights),
+/* Borrows all that desc points to. Fails with MURK_BAD_VALUE (types, weights),
  * MURK_BAD_FILE (a record that no run can have stored: power negative or not
  * finite, place not finite, band or emitted index out of range),
  * MURK_RUN_FAILED (no photon has weight: at desc->where) or MURK_NO_MEMORY: 4
@@ -69,19 +73,19 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_sight_destroy(murk_sight *sight); /* NULL is fine */
 
-/* What a sensor at `position` sees; valid until the worker's next look.
- * worker in [0, threads). */
-void murk_sight_look(murk_sight *sight, unsigned worker, murk_vec3 position,
+/* What a sensor sees; valid until the worker's next look. worker in [0,
+ * threads), pose->type below types. */
+void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
                      murk_look *look);
 
 /* The placement problem over these candidates (borrowed, as is the sight). */
 typedef struct murk_sight_problem {
     murk_problem problem;
     murk_sight *sight;
-    const murk_vec3 *position;
+    const murk_pose *pose;
 } murk_sight_problem;
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
-                             const murk_vec3 *position, size_t n);
+                             const murk_pose *pose, size_t n);
 
 /* Whole-number weights of the photons [surface + volume], as the plan counts
  * them: in proportion to power (times the factor of its regions of interest)
@@ -113,7 +117,7 @@ typedef struct murk_region_coverage {
     murk_estimate coverage;
 } murk_region_coverage;
 
-/* Coverage of sensors at `position` [n], measured on this sight's maps. */
+/* Coverage of sensors pose[n], measured on this sight's maps. */
 typedef struct murk_coverage {
     murk_estimate total;   /* error by emitted photon */
     murk_estimate surface; /* by power times regions' factors, whatever the
@@ -137,7 +141,7 @@ typedef struct murk_coverage {
  * MURK_BAD_VALUE when a sensor is outside the domain, MURK_NO_MEMORY (some 26
  * bytes a photon) or MURK_INTERRUPTED. Release with murk_coverage_release(). */
 murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
-                                  const murk_vec3 *position, size_t n,
+                                  const murk_pose *pose, size_t n,
                                   murk_error *err);
 void murk_coverage_release(murk_coverage *coverage);
 

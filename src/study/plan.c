@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-_Static_assert(sizeof(murk_vec3) == sizeof(double[3]),
-               "rules take positions as three numbers each");
-
 #define HELD_OUT_STREAM 1u
 #define CONFIRM_STREAM  2u
 #define MATRIX_SHARE    0.7 /* of the free memory, for the known matrix */
@@ -19,6 +16,11 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             murk_error *err)
 {
     const murk_scene_placement *wish = &stage->scene->placement;
+    murk_sensor_type *types = murk_poses_types(stage->scene);
+    if (!types) {
+        return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
+                         "no memory for the sensors' types");
+    }
     const murk_sight_desc desc = {.surfaces = stage->surfaces,
                                   .media = stage->media,
                                   .hulls = stage->hulls,
@@ -26,7 +28,9 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .surface_map = traced->surface,
                                   .volume_map = traced->volume,
                                   .photons_emitted = traced->emitted,
-                                  .range_m = stage->scene->sensors.range_m,
+                                  .type = types,
+                                  .types = stage->scene->sensors.types,
+                                  .north = stage->scene->north,
                                   .visibility = wish->by_normal
                                                     ? MURK_VISIBILITY_NORMAL
                                                     : MURK_VISIBILITY_RAY,
@@ -39,6 +43,7 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .where = wish->where};
     murk_sight *sight = NULL;
     murk_status status = murk_sight_create(&sight, &desc, err);
+    free(types);
     if (!status && traced->stream == 0) { /* others only confirm */
         status = murk_goals_check_sight(sight, err);
     }
@@ -78,10 +83,11 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
                          "over: mean and worst are not supported yet, must be "
                          "null");
     }
-    if (wish->count < 1 && !(wish->target > 0)) {
+    if (wish->count < 1 && !(wish->target > 0) && !(wish->budget > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "count: not given; give sensors.count or --count N, "
-                         "or sensors.target or --target C");
+                         "or sensors.target or --target C, or sensors.budget "
+                         "or --budget B");
     }
     if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
@@ -93,17 +99,14 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
 murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
-    const murk_scene_sensors *wish = &stage->scene->sensors;
     murk_status status = validate(stage, err);
     if (!status) {
         status = murk_sites_find(&plan->candidates, stage, threads, err);
     }
-    if (!status && wish->count > plan->candidates->usable) {
-        status = murk_fail(err, MURK_BAD_VALUE, wish->where,
-                           "count: %llu sensors, but only %zu of %zu "
-                           "candidates are usable",
-                           (unsigned long long)wish->count,
-                           plan->candidates->usable, plan->candidates->asked);
+    if (!status) {
+        status = murk_poses_create(
+            &plan->poses, stage->scene, &stage->world.domain,
+            plan->candidates->position, plan->candidates->usable, err);
     }
     return status;
 }
@@ -124,17 +127,14 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
 {
     murk_sight_problem seen;
-    murk_sight_problem_init(&seen, sight, plan->candidates->position,
-                            plan->candidates->usable);
+    murk_sight_problem_init(&seen, sight, plan->poses->pose,
+                            plan->poses->count);
     murk_place_desc desc = place_desc(stage->scene);
-    const murk_rules rules = {
-        .position_m = (const double(*)[3])plan->candidates->position,
-        .spacing_m = stage->scene->sensors.spacing_m};
-    desc.rules = rules.spacing_m > 0 ? &rules : NULL;
+    desc.rules = murk_poses_rules(plan->poses);
     if (stage->scene->sensors.target > 0) {
         desc.target =
             murk_plan_value_of(stage->scene->sensors.target, &seen.problem);
-        desc.count = plan->candidates->usable;
+        desc.count = plan->poses->count;
     }
     murk_matrix *matrix = NULL;
     murk_status status = MURK_OK;
@@ -218,7 +218,7 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
         goto done;
     }
     for (size_t i = 0; i < plan->place.count; ++i) {
-        plan->sensor[i] = plan->candidates->position[plan->place.sensor[i]];
+        plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
     }
     status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
                                    plan->place.count, err);
@@ -239,6 +239,7 @@ done:
 void murk_plan_release(murk_plan *plan)
 {
     murk_candidates_destroy(plan->candidates);
+    murk_poses_destroy(plan->poses);
     murk_place_release(&plan->place);
     murk_coverage_release(&plan->in_sample);
     free(plan->held_out_region);

@@ -6,6 +6,7 @@
 #include "placement/place.h"
 #include "sensing/sight.h"
 #include "study/light.h"
+#include "study/poses.h"
 #include "study/sites.h"
 
 /* Sight through a stage onto traced light. Borrows both. */
@@ -19,8 +20,9 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem);
 
 typedef struct murk_plan {
     murk_candidates *candidates;
+    murk_poses *poses; /* of them: what placement chooses from */
     murk_place_result place;
-    murk_vec3 *sensor;       /* [place.count] positions */
+    murk_pose *sensor;       /* [place.count] */
     murk_coverage in_sample; /* on the light that chose */
     bool has_held_out;
     murk_estimate held_out;                /* on the second map */
@@ -32,7 +34,7 @@ typedef struct murk_plan {
 } murk_plan;
 
 /* All that can be wrong with the scene's sensors is found here, before any
- * light is traced: fills plan->candidates. */
+ * light is traced: fills plan->candidates and plan->poses. */
 murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 

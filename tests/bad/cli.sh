@@ -86,7 +86,7 @@ expect 2 "--emit: 1152921504606846976" place "$dir/good.yaml" --emit 11529215046
 expect 2 "emit" place "$dir/good.yaml" --emit 10 --store 10
 expect 2 "needs a value" place "$dir/good.yaml" --emit
 expect 2 "not an option of murk trace" trace "$dir/good.yaml" --count 3
-expect 2 "not supported yet" place "$dir/good.yaml" --budget 3
+expect 2 "must be more than 0" place "$dir/good.yaml" --budget 0
 expect 2 "KEY=VALUE" place "$dir/good.yaml" --set seed
 expect 2 "must be text | json" place "$dir/good.yaml" --format xml
 expect 2 "replay needs --photon" replay "$dir/good.yaml"
@@ -163,7 +163,7 @@ place 2 "regions.0.ior=0.9: 0.9, must be 1..10" --set regions.0.ior=0.9
 sed -i '/^domain/d' "$dir/bad.yaml"
 place 2 "bad.yaml:10:5: regions.0: a half space needs a domain or geometry"
 expect 2 "sensors" place "$dir/good.yaml" --count 49 -o "$dir/out"
-expect 2 "must be 1..48" place "$dir/good.yaml" --count 49 -o "$dir/out"
+expect 2 "count: 49 sensors, but only 48 candidates" place "$dir/good.yaml" --count 49 -o "$dir/out"
 expect 2 "candidates" place "$dir/good.yaml" -o "$dir/out" \
     --set 'sensors.candidates.grid={min_m: [0.02, 0.02, 0.02], max_m: [0.05, 0.05, 0.05], size: [2, 2, 2]}'
 

@@ -116,7 +116,7 @@ expect 2 "both are given" --count 2 --target 0.5
 expect 2 "--target: 1.5, must be more than 0 and at most 1" --target 1.5
 expect 2 "--target: nan" --target nan
 expect 2 "cannot be reached: all 3" --target 0.9
-expect 2 "--budget: not supported yet" --budget 5
+expect 2 "--budget: with --matrix there is no such key" --budget 5
 expect 2 "a matrix has no light" --light light.murk --count 1
 expect 2 "--set photons.emit: with --matrix there is no such key" --set photons.emit=5 --count 1
 expect 2 "--emit: with --matrix there is no such key" --emit 5 --count 1

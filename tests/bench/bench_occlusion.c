@@ -115,19 +115,22 @@ typedef struct contest {
     murk_media *media;
     murk_photon_map *map, *empty;
     murk_vec3 candidate[CANDIDATES];
+    murk_pose pose[CANDIDATES];
     peer_occlusion *peer;
     size_t rays;
 } contest;
 
 static murk_sight *sight_of(const contest *c, murk_visibility visibility)
 {
+    const murk_sensor_type type = {.range_m = RANGE_M};
     const murk_sight_desc desc = {.surfaces = c->surfaces,
                                   .media = c->media,
                                   .domain = domain,
                                   .surface_map = c->map,
                                   .volume_map = c->empty,
                                   .photons_emitted = UINT32_MAX,
-                                  .range_m = RANGE_M,
+                                  .type = &type,
+                                  .types = 1,
                                   .visibility = visibility,
                                   .through_sheets = true,
                                   .weights = {.balanced = true},
@@ -149,7 +152,7 @@ static void pack_rays(contest *c)
     static murk_vec3 from[PHOTONS];
     for (size_t j = 0; j < CANDIDATES; ++j) {
         murk_look look;
-        murk_sight_look(facing, 0, c->candidate[j], &look);
+        murk_sight_look(facing, 0, &c->pose[j], &look);
         for (size_t k = 0; k < look.seen; ++k) {
             const murk_photon *p = &photon[look.photon[k]];
             const float *x = p->position_m;
@@ -184,6 +187,7 @@ static void build(contest *c)
     c->empty = store(c->surfaces, 0);
     for (size_t i = 0; i < CANDIDATES; ++i) {
         c->candidate[i] = murk_candidate_grid_point(&grid, i);
+        c->pose[i] = (murk_pose){.position = c->candidate[i]};
     }
     pack_rays(c);
 }
@@ -199,7 +203,7 @@ static void tear_down(contest *c)
 
 typedef struct looks {
     murk_sight *sight;
-    const murk_vec3 *candidate;
+    const murk_pose *pose;
     size_t seen[CANDIDATES];
 } looks;
 
@@ -207,7 +211,7 @@ static void look_once(void *context, unsigned worker, uint64_t batch)
 {
     looks *l = context;
     murk_look look;
-    murk_sight_look(l->sight, worker, l->candidate[batch], &look);
+    murk_sight_look(l->sight, worker, &l->pose[batch], &look);
     l->seen[batch] = look.seen;
 }
 
@@ -278,7 +282,7 @@ int main(void)
     build(&c);
     static looks l;
     l.sight = sight_of(&c, MURK_VISIBILITY_RAY);
-    l.candidate = c.candidate;
+    l.pose = c.pose;
     for (unsigned threads = 1; threads <= THREADS; ++threads) {
         report(&c, &l, threads);
     }

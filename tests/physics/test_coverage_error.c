@@ -35,7 +35,8 @@ static const char scene_text[] =
     "photons: {emit: 300}\n"
     "sensors: {types: [{name: node, range_m: 3}]}\n";
 
-static const murk_vec3 sensors[2] = {{2, 6, 2}, {2, 2, 2}};
+static const murk_pose sensors[2] = {{.position = {2, 6, 2}},
+                                     {.position = {2, 2, 2}}};
 
 typedef struct measured {
     murk_estimate coverage;

@@ -142,8 +142,10 @@ static void test_the_rest(const murk_scene *scene)
     const murk_scene_sensors *sensors = &scene->sensors;
     CHECK(sensors->given && sensors->candidates.has_grid &&
           sensors->count == 3);
-    CHECK_TEXT(sensors->type_name, "node");
-    CHECK(sensors->range_m == 12 && sensors->candidates.clearance_m == 0.1);
+    CHECK(sensors->types == 1);
+    CHECK_TEXT(sensors->type[0].name, "node");
+    CHECK(sensors->type[0].range_m == 12 &&
+          sensors->candidates.clearance_m == 0.1);
     CHECK(sensors->candidates.grid_size[0] == 12 &&
           sensors->candidates.grid_size[2] == 9);
     CHECK(sensors->candidates.grid_max.y == 19);

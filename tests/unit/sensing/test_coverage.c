@@ -36,13 +36,15 @@ static world build(const murk_photon *surface, size_t n_surface,
                .media = mist(&hall, per_m, per_m),
                .surface_map = map_of(surface, n_surface),
                .volume_map = map_of(volume, n_volume)};
+    const murk_sensor_type far = all_round(100);
     const murk_sight_desc desc = {.surfaces = w.surfaces,
                                   .media = w.media,
                                   .domain = hall,
                                   .surface_map = w.surface_map,
                                   .volume_map = w.volume_map,
                                   .photons_emitted = emitted,
-                                  .range_m = 100,
+                                  .type = &far,
+                                  .types = 1,
                                   .through_sheets = true,
                                   .weights = weights,
                                   .threads = threads};
@@ -65,7 +67,8 @@ static murk_coverage measure(world *w, const murk_vec3 *sensor, size_t n)
 {
     murk_coverage c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w->sight, sensor, n, &err) == MURK_OK);
+    CHECK(murk_coverage_measure(&c, w->sight, standing_at(sensor, n), n,
+                                &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return c;
 }
@@ -340,7 +343,7 @@ static void test_total_is_the_plans_value(void)
     world w = build(s.surface, s.n_surface, s.volume, s.n_volume, 500, balanced,
                     0.2, 1);
     murk_sight_problem problem;
-    murk_sight_problem_init(&problem, w.sight, sensor, 3);
+    murk_sight_problem_init(&problem, w.sight, standing_at(sensor, 3), 3);
     const murk_problem *p = &problem.problem;
     CHECK(p->candidates == 3 && p->photons == s.n_surface + s.n_volume);
     int best[2 * RECORDS] = {0};
@@ -434,7 +437,7 @@ static void test_a_sensor_outside_is_refused(void)
         build(s.surface, s.n_surface, s.volume, s.n_volume, 10, balanced, 0, 1);
     murk_coverage c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w.sight, sensor, 2, &err) ==
+    CHECK(murk_coverage_measure(&c, w.sight, standing_at(sensor, 2), 2, &err) ==
           MURK_BAD_VALUE);
     CHECK_MENTIONS(err.text, "sensor 2 at [10.5, 1, 3] m is outside");
     tear_down(&w);

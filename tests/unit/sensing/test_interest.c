@@ -150,13 +150,15 @@ static world build(const murk_photon *surface, size_t n_surface,
                .media = clear_air(&hall),
                .surface_map = map_of(surface, n_surface),
                .volume_map = map_of(volume, n_volume)};
+    const murk_sensor_type far = all_round(100);
     const murk_sight_desc desc = {.surfaces = w.surfaces,
                                   .media = w.media,
                                   .domain = hall,
                                   .surface_map = w.surface_map,
                                   .volume_map = w.volume_map,
                                   .photons_emitted = emitted,
-                                  .range_m = 100,
+                                  .type = &far,
+                                  .types = 1,
                                   .through_sheets = true,
                                   .weights = weights,
                                   .interest = interest,
@@ -173,7 +175,8 @@ static murk_coverage measure(world *w)
     const murk_vec3 sensor = {1, 4, 3};
     murk_coverage c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w->sight, &sensor, 1, &err) == MURK_OK);
+    CHECK(murk_coverage_measure(&c, w->sight, standing_at(&sensor, 1), 1,
+                                &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     murk_sight_destroy(w->sight);
     murk_photon_map_destroy(w->surface_map);

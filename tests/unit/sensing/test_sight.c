@@ -56,11 +56,14 @@ static void tear_down(world *w)
     murk_surfaces_destroy(w->surfaces);
 }
 
+static const murk_sensor_type FAR = {.range_m = 100};
+
 static murk_sight_desc plain(const murk_domain *domain)
 {
     return (murk_sight_desc){.domain = *domain,
                              .photons_emitted = 1u << 20,
-                             .range_m = 100,
+                             .type = &FAR,
+                             .types = 1,
                              .through_sheets = true,
                              .weights = {.balanced = true},
                              .threads = 2};
@@ -70,7 +73,7 @@ static murk_sight_desc plain(const murk_domain *domain)
 static int seen_from(const world *w, murk_vec3 sensor, uint32_t emitted)
 {
     murk_look look;
-    murk_sight_look(w->sight, 0, sensor, &look);
+    murk_sight_look(w->sight, 0, standing_at(&sensor, 1), &look);
     for (size_t k = 1; k < look.seen; ++k) {
         CHECK(look.photon[k - 1] < look.photon[k]);
     }
@@ -91,7 +94,7 @@ static void test_a_wall_hides_what_is_behind(void)
     const murk_vec3 sensors[2] = {{2.1, 4.1, 1.9}, {9.9, 0.1, 3.9}};
     for (int s = 0; s < 2; ++s) {
         murk_look look;
-        murk_sight_look(w.sight, 0, sensors[s], &look);
+        murk_sight_look(w.sight, 0, standing_at(&sensors[s], 1), &look);
         CHECK(look.seen == 500 && look.clarity == NULL);
         for (size_t k = 0; k < look.seen; ++k) {
             const murk_photon *p =
@@ -147,13 +150,14 @@ static void test_grazing_is_not_seen(void)
         }
         world w = build(NULL, 0, clear_air(&hall), photon, 64, plain(&hall));
         murk_look look;
-        murk_sight_look(w.sight, 0, center, &look);
+        murk_sight_look(w.sight, 0, standing_at(&center, 1), &look);
         CHECK(look.seen == 0);
         /* Storing moves a position by 2^-20 of 10 m at most, a normal by its
          * error times the 1.7 m between; twice, and some room. */
         const double height =
             k == 0 ? 2 * 10 * 0x1p-20 : 3 * 1.7 * MURK_DIRECTION_ERROR_RAD;
-        murk_sight_look(w.sight, 0, murk_along(center, height, n), &look);
+        const murk_vec3 above = murk_along(center, height, n);
+        murk_sight_look(w.sight, 0, standing_at(&above, 1), &look);
         CHECK(look.seen == 64);
         tear_down(&w);
     }
@@ -167,7 +171,8 @@ static void test_range_is_inclusive(void)
     const double range[3] = {3, 3 - 1e-5, INFINITY};
     for (int k = 0; k < 3; ++k) {
         murk_sight_desc desc = plain(&hall);
-        desc.range_m = range[k];
+        const murk_sensor_type type = all_round(range[k]);
+        desc.type = &type;
         world w = build(NULL, 0, clear_air(&hall), photon, 2, desc);
         for (uint32_t e = 0; e < 2; ++e) {
             CHECK(seen_from(&w, murk_vec(2, 4, 2), e) ==
@@ -342,7 +347,7 @@ static int twin(const world *w, murk_vec3 sensor, const murk_photon *p)
     murk_vec3 from = {(double)p->position_m[0], (double)p->position_m[1],
                       (double)p->position_m[2]};
     const murk_vec3 way = murk_sub(sensor, from);
-    if (murk_length(way) > desc->range_m) {
+    if (murk_length(way) > desc->type[0].range_m) {
         return 0;
     }
     if (!murk_photon_is_volume(p)) {
@@ -366,7 +371,8 @@ static void test_agrees_with_the_plain_twin(void)
         a_box(hall.box.min, hall.box.max),
         a_box(murk_vec(4.2, 3.1, 0), murk_vec(6.3, 5.2, 2.4))};
     murk_sight_desc desc = plain(&hall);
-    desc.range_m = 6.1;
+    const murk_sensor_type type = all_round(6.1);
+    desc.type = &type;
     for (int misty = 0; misty < 2; ++misty) {
         murk_media *media = misty ? mist(&hall, 0.2, 0.9) : clear_air(&hall);
         world w = build(d, 2, media, photon, MANY, desc);
@@ -376,7 +382,7 @@ static void test_agrees_with_the_plain_twin(void)
             const murk_vec3 sensor = {0.1 + 9.8 * r.u[0], 0.1 + 7.8 * r.u[1],
                                       0.1 + 3.8 * r.u[2]};
             murk_look look;
-            murk_sight_look(w.sight, 1, sensor, &look);
+            murk_sight_look(w.sight, 1, standing_at(&sensor, 1), &look);
             int got[MANY] = {0};
             for (size_t k = 0; k < look.seen; ++k) {
                 const size_t i = look.photon[k];
@@ -423,8 +429,9 @@ static void test_no_extinction_is_clear_air(void)
     world a = build(&d, 1, clear_air(&hall), photon, MANY, plain(&hall));
     world b = build(&d, 1, mist(&hall, 0, 0), photon, MANY, plain(&hall));
     murk_look x, y;
-    murk_sight_look(a.sight, 0, murk_vec(3, 3, 3), &x);
-    murk_sight_look(b.sight, 1, murk_vec(3, 3, 3), &y);
+    const murk_vec3 sensor = {3, 3, 3};
+    murk_sight_look(a.sight, 0, standing_at(&sensor, 1), &x);
+    murk_sight_look(b.sight, 1, standing_at(&sensor, 1), &y);
     CHECK(x.seen == y.seen && x.seen == MANY);
     CHECK(memcmp(x.photon, y.photon, x.seen * sizeof *x.photon) == 0);
     CHECK(!x.clarity && !y.clarity);
@@ -448,7 +455,8 @@ static void test_periodic_sightlines_go_to_the_nearest_image(void)
     murk_surface_desc at_side =
         a_rect(murk_vec(10, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4), WALL);
     murk_sight_desc desc = plain(&around);
-    desc.range_m = 2;
+    const murk_sensor_type type = all_round(2);
+    desc.type = &type;
     world w = build(walls, 1, mist(&around, 0.3, 0.3), photon, 4, desc);
     const murk_vec3 sensor = {0.5, 0.5, 2}, level = {0.5, 4, 2};
     CHECK(seen_from(&w, level, 0) == clarity(exp(-0.3)));
@@ -478,13 +486,14 @@ static void test_periodic_photons_are_found_once(void)
     murk_domain around = hall;
     around.is_periodic = true;
     murk_sight_desc desc = plain(&around);
-    desc.range_m = 5.5;
+    const murk_sensor_type type = all_round(5.5);
+    desc.type = &type;
     world w = build(NULL, 0, clear_air(&around), photon, MANY, desc);
     for (int s = 0; s < 8; ++s) {
         const murk_random4 r = murk_random(8, MURK_TEST, 0, 1, (uint32_t)s);
         const murk_vec3 o = {10 * r.u[0], 8 * r.u[1], 4 * r.u[2]};
         murk_look look;
-        murk_sight_look(w.sight, 0, o, &look);
+        murk_sight_look(w.sight, 0, standing_at(&o, 1), &look);
         size_t want = 0;
         for (size_t i = 0; i < MANY; ++i) {
             const float *x = photon[i].position_m;
@@ -532,10 +541,13 @@ static void test_bad_input_is_refused(void)
 {
     const murk_photon good = a_photon(murk_vec(1, 1, 1), none, 0);
     murk_sight_desc desc = plain(&hall);
-    desc.range_m = 0;
+    murk_sensor_type type = all_round(0);
+    desc.type = &type;
     check_refused(desc, good, MURK_BAD_VALUE, "range_m is 0 m");
-    desc.range_m = NAN;
+    type.range_m = NAN;
     check_refused(desc, good, MURK_BAD_VALUE, "range_m");
+    type = (murk_sensor_type){.range_m = 2, .least_range_m = 2};
+    check_refused(desc, good, MURK_BAD_VALUE, "least_range_m, 2 m");
     desc = plain(&hall);
     desc.weights = (murk_map_weights){false, -1, 2};
     check_refused(desc, good, MURK_BAD_VALUE, "surface -1 and volume 2");

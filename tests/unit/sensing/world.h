@@ -10,6 +10,23 @@
 
 #include <stdlib.h>
 
+/* Sees all round, as far as this. */
+static inline murk_sensor_type all_round(double range_m)
+{
+    return (murk_sensor_type){.range_m = range_m};
+}
+
+/* Sensors of the first type; valid until the next call. */
+static inline const murk_pose *standing_at(const murk_vec3 *place, size_t n)
+{
+    static murk_pose pose[64];
+    CHECK(n <= 64);
+    for (size_t k = 0; k < n; ++k) {
+        pose[k] = (murk_pose){.position = place[k]};
+    }
+    return pose;
+}
+
 /* Materials of every world here. */
 enum { WALL, GLASS };
 #define GLASS_TRANSMIT 0.8

@@ -31,7 +31,8 @@ static double closest(const char *spacing, murk_error *err)
     }
     for (size_t i = 0; least > 0 && i < plan.place.count; ++i) {
         for (size_t j = 0; j < i; ++j) {
-            const murk_vec3 way = murk_sub(plan.sensor[i], plan.sensor[j]);
+            const murk_vec3 way =
+                murk_sub(plan.sensor[i].position, plan.sensor[j].position);
             least = fmin(least, murk_length(way));
         }
     }

@@ -1,0 +1,250 @@
+/* Sensors: their types, those that stand already, and how many are wanted. */
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/keys_rows.h"
+
+/* ---- types ---- */
+
+static const char *const VIEW_VARIANTS[] = {"sphere", "cone", "frustum"};
+
+#define CONE    .variants = BIT(MURK_SCENE_VIEW_CONE)
+#define FRUSTUM .variants = BIT(MURK_SCENE_VIEW_FRUSTUM)
+
+#define FOV                                                               \
+    NEEDED, .above = true, .below = true, .most = 180, .unit = "degrees", \
+            .factor = MURK_PI / 180, FRUSTUM
+
+static const murk_word VIEW_WORDS[] = {
+    {"sphere", MURK_SCENE_VIEW_SPHERE, false},
+    WORDS_END,
+};
+
+static const murk_key VIEW_ROWS[] = {
+    ROW("cone_deg", NUMBER, NEEDED, .above = true, .most = 360,
+        .unit = "degrees", .factor = MURK_PI / 180, CONE,
+        AT(murk_scene_sensor_type, cone_rad)),
+    ROW("hfov_deg", NUMBER, FOV, AT(murk_scene_sensor_type, hfov_rad)),
+    ROW("vfov_deg", NUMBER, FOV, AT(murk_scene_sensor_type, vfov_rad)),
+    END,
+};
+
+static murk_status choose_view(murk_walk *walk, const murk_yaml *map,
+                               int *variant)
+{
+    (void)walk;
+    *variant = murk_yaml_get(map, "cone_deg") ? MURK_SCENE_VIEW_CONE
+                                              : MURK_SCENE_VIEW_FRUSTUM;
+    return MURK_OK;
+}
+
+static const murk_keys VIEW = {
+    .noun = "view",
+    .choose = choose_view,
+    .variant_names = VIEW_VARIANTS,
+    VARIANT(murk_scene_sensor_type, view),
+    .key = VIEW_ROWS,
+};
+
+/* A type that looks somewhere has headings and tilts. */
+enum { ALL_ROUND, DIRECTED };
+
+static const char *const TYPE_VARIANTS[] = {"all round", "with a view"};
+
+static murk_status choose_type(murk_walk *walk, const murk_yaml *map,
+                               int *variant)
+{
+    const murk_yaml *view = murk_yaml_get(map, "view");
+    (void)walk;
+    *variant = view && view->kind == MURK_YAML_MAP ? DIRECTED : ALL_ROUND;
+    return MURK_OK;
+}
+
+/* The band that a wavelength names: a line as it is given, or where edges
+ * enclose it; -1: none. */
+static int find_band(const murk_scene *scene, double nm)
+{
+    for (int b = 0; b < scene->bands; ++b) {
+        if (scene->has_edges ? nm >= scene->band_edge_nm[b] &&
+                                   nm < scene->band_edge_nm[b + 1]
+                             : nm == scene->band_nm[b]) {
+            return b;
+        }
+    }
+    return -1;
+}
+
+static murk_status find_bands(murk_walk *walk, const murk_yaml *map,
+                              murk_scene_sensor_type *type)
+{
+    const murk_yaml *list = murk_yaml_get(map, "bands");
+    for (size_t i = 0; i < type->bands_nm.n; ++i) {
+        const int band = find_band(walk->scene, type->bands_nm.value[i]);
+        if (band < 0) {
+            return murk_walk_fail(walk, MURK_BAD_VALUE, list->child[i], false,
+                                  "bands: %.9g nm is in no band of the scene",
+                                  type->bands_nm.value[i]);
+        }
+        type->bands |= 1u << band;
+    }
+    return MURK_OK;
+}
+
+static murk_status check_type(murk_walk *walk, const murk_yaml *map, void *item)
+{
+    murk_scene_sensor_type *type = item;
+    const murk_scene_sensors *all = &walk->scene->sensors;
+    if (!(type->least_range_m < type->range_m)) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "least_range_m is %.9g and range_m %.9g m, the "
+                              "least must be less",
+                              type->least_range_m, type->range_m);
+    }
+    if (type->least_count > type->max_count) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "least_count is %llu and max_count %llu, the "
+                              "least must be at most the other",
+                              (unsigned long long)type->least_count,
+                              (unsigned long long)type->max_count);
+    }
+    for (const murk_scene_sensor_type *other = all->type; other < type;
+         ++other) {
+        if (strcmp(other->name, type->name) == 0) {
+            return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                  "name: %s is the name of an earlier type, "
+                                  "must be one's own",
+                                  type->name);
+        }
+    }
+    return find_bands(walk, map, type);
+}
+
+static const murk_word ARRIVAL_WORDS[] = {
+    {"any", 0, false},
+    {"toward", 1, false},
+    WORDS_END,
+};
+
+static const murk_word BANDS_WORDS[] = {
+    {"all", 0, false},
+    WORDS_END,
+};
+
+#define HAS_VIEW .variants = BIT(DIRECTED)
+#define COUNT_OF .most = 1e6, .unit = "sensors"
+
+static const murk_key TYPE_ROWS[] = {
+    ROW("name", TEXT, NEEDED, AT(murk_scene_sensor_type, name)),
+    ROW("range_m", NUMBER, NEEDED, SIZE_M, AT(murk_scene_sensor_type, range_m)),
+    ROW("least_range_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
+        AT(murk_scene_sensor_type, least_range_m)),
+    ROW("view", MAP, .keys = &VIEW, .words = VIEW_WORDS, .preset = "sphere",
+        AT(murk_scene_sensor_type, view)),
+    ROW("headings", COUNT, .group = 1, .least = 1, .most = 3600,
+        .unit = "headings", .preset = "8", HAS_VIEW,
+        AT(murk_scene_sensor_type, headings)),
+    ROW("headings_deg", NUMBER_LIST, .group = 1, .least = -360, .most = 360,
+        .unit = "degrees", HAS_VIEW, AT(murk_scene_sensor_type, headings_deg)),
+    ROW("tilts_deg", NUMBER_LIST, .least = -90, .most = 90, .unit = "degrees",
+        .preset = "[0]", HAS_VIEW, AT(murk_scene_sensor_type, tilts_deg)),
+    ROW("arrival", WORD, .words = ARRIVAL_WORDS, .preset = "any",
+        AT(murk_scene_sensor_type, toward)),
+    ROW("bands", NUMBER_LIST, .above = true, .most = 1e9, .unit = "nm",
+        .words = BANDS_WORDS, .preset = "all",
+        AT(murk_scene_sensor_type, bands_nm)),
+    ROW("cost", NUMBER, .most = 1e6, .preset = "1",
+        AT(murk_scene_sensor_type, cost)),
+    ROW("least_count", COUNT, COUNT_OF, .preset = "0",
+        AT(murk_scene_sensor_type, least_count)),
+    ROW("max_count", COUNT, COUNT_OF, .preset = "1000000",
+        AT(murk_scene_sensor_type, max_count)),
+    END,
+};
+
+static const murk_keys TYPE = {
+    .noun = "sensor type",
+    .choose = choose_type,
+    .variant_names = TYPE_VARIANTS,
+    .check = check_type,
+    WHERE(murk_scene_sensor_type, where),
+    ITEMS(murk_scene_sensor_type, sensors.type, sensors.types),
+    .most_items = 64,
+    .needs_item = true,
+    .key = TYPE_ROWS,
+};
+
+/* ---- those that stand already ---- */
+
+static murk_status check_fixed(murk_walk *walk, const murk_yaml *map,
+                               void *item)
+{
+    murk_scene_fixed_sensor *fixed = item;
+    const murk_scene_sensors *all = &walk->scene->sensors;
+    fixed->type = all->types;
+    for (size_t i = 0; i < all->types; ++i) {
+        const bool is_it = fixed->type_name[0] ? strcmp(all->type[i].name,
+                                                        fixed->type_name) == 0
+                                               : all->types == 1;
+        fixed->type = is_it ? i : fixed->type;
+    }
+    if (fixed->type == all->types) {
+        return fixed->type_name[0]
+                   ? murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                    "type: %s is no type of `types`",
+                                    fixed->type_name)
+                   : murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                    "misses type, must be a name of `types`");
+    }
+    const bool has_pose =
+        murk_yaml_get(map, "heading_deg") || murk_yaml_get(map, "tilt_deg");
+    if (has_pose && all->type[fixed->type].view == MURK_SCENE_VIEW_SPHERE) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "heading_deg or tilt_deg, but type %s sees all "
+                              "round",
+                              all->type[fixed->type].name);
+    }
+    return MURK_OK;
+}
+
+static const murk_key FIXED_ROWS[] = {
+    ROW("type", TEXT, AT(murk_scene_fixed_sensor, type_name)),
+    ROW("position_m", VECTOR, NEEDED, LONG_M,
+        AT(murk_scene_fixed_sensor, position)),
+    ROW("heading_deg", NUMBER, .least = -360, .most = 360, .unit = "degrees",
+        .factor = MURK_PI / 180, AT(murk_scene_fixed_sensor, heading_rad)),
+    ROW("tilt_deg", NUMBER, .least = -90, .most = 90, .unit = "degrees",
+        .factor = MURK_PI / 180, AT(murk_scene_fixed_sensor, tilt_rad)),
+    END,
+};
+
+static const murk_keys FIXED = {
+    .noun = "fixed sensor",
+    .check = check_fixed,
+    WHERE(murk_scene_fixed_sensor, where),
+    ITEMS(murk_scene_fixed_sensor, sensors.fixed, sensors.n_fixed),
+    .most_items = 100000,
+    .key = FIXED_ROWS,
+};
+
+/* ---- all of it ---- */
+
+static const murk_key SENSORS_ROWS[] = {
+    ROW("types", LIST, NEEDED, .keys = &TYPE),
+    ROW("candidates", MAP, .keys = &murk_candidate_keys, .preset = "{}"),
+    ROW("fixed", LIST, .keys = &FIXED, .preset = "[]"),
+    ROW("one_per_site", BOOL, .preset = "false",
+        AT(murk_scene, sensors.one_per_site)),
+    ROW("count", COUNT, .group = 1, .least = 1, .most = 1e6, .unit = "sensors",
+        AT(murk_scene, sensors.count)),
+    ROW("target", NUMBER, .group = 1, .above = true, .most = 1,
+        AT(murk_scene, sensors.target)),
+    ROW("budget", NUMBER, .group = 1, .above = true, .most = 1e12,
+        AT(murk_scene, sensors.budget)),
+    END,
+};
+
+const murk_keys murk_sensor_keys = {
+    .noun = "sensors",
+    WHERE(murk_scene, sensors.where),
+    .key = SENSORS_ROWS,
+};

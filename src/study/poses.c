@@ -1,0 +1,275 @@
+#include "study/poses.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define POSES_MOST 1e7
+
+#define RAD_PER_DEG (MURK_PI / 180)
+
+/* What a type that says no most count has in the scene: any number. */
+#define ANY_COUNT 1000000
+
+/* ---- types ---- */
+
+static const murk_view VIEW_OF[] = {[MURK_SCENE_VIEW_SPHERE] = MURK_VIEW_SPHERE,
+                                    [MURK_SCENE_VIEW_CONE] = MURK_VIEW_CONE,
+                                    [MURK_SCENE_VIEW_FRUSTUM] =
+                                        MURK_VIEW_FRUSTUM};
+
+murk_sensor_type *murk_poses_types(const murk_scene *scene)
+{
+    const murk_scene_sensors *wish = &scene->sensors;
+    murk_sensor_type *out = calloc(wish->types + 1, sizeof *out);
+    for (size_t k = 0; out && k < wish->types; ++k) {
+        const murk_scene_sensor_type *type = &wish->type[k];
+        out[k] = (murk_sensor_type){.least_range_m = type->least_range_m,
+                                    .range_m = type->range_m,
+                                    .view = VIEW_OF[type->view],
+                                    .cone_rad = type->cone_rad,
+                                    .hfov_rad = type->hfov_rad,
+                                    .vfov_rad = type->vfov_rad,
+                                    .toward = type->toward,
+                                    .bands = type->bands};
+    }
+    return out;
+}
+
+/* ---- poses ---- */
+
+static size_t headings_of(const murk_scene_sensor_type *type)
+{
+    return type->view == MURK_SCENE_VIEW_SPHERE ? 1
+           : type->headings_deg.n               ? type->headings_deg.n
+                                                : (size_t)type->headings;
+}
+
+static size_t tilts_of(const murk_scene_sensor_type *type)
+{
+    return type->view == MURK_SCENE_VIEW_SPHERE ? 1 : type->tilts_deg.n;
+}
+
+static murk_pose pose_of(const murk_scene_sensor_type *type, size_t number,
+                         murk_vec3 site, size_t heading, size_t tilt)
+{
+    murk_pose pose = {.type = (uint32_t)number, .position = site};
+    if (type->view != MURK_SCENE_VIEW_SPHERE) {
+        const double heading_deg =
+            type->headings_deg.n
+                ? type->headings_deg.value[heading]
+                : 360.0 * (double)heading / (double)type->headings;
+        pose.heading_rad = heading_deg * RAD_PER_DEG;
+        pose.tilt_rad = type->tilts_deg.value[tilt] * RAD_PER_DEG;
+    }
+    return pose;
+}
+
+/* Writes the poses of all types at one site; returns how many. */
+static size_t fill_site(murk_poses *p, const murk_scene_sensors *wish,
+                        murk_vec3 site, uint32_t number, size_t at)
+{
+    const size_t first = at;
+    for (size_t k = 0; k < wish->types; ++k) {
+        const murk_scene_sensor_type *type = &wish->type[k];
+        for (size_t h = 0; h < headings_of(type); ++h) {
+            for (size_t t = 0; t < tilts_of(type); ++t) {
+                p->site[at] = number;
+                p->pose[at++] = pose_of(type, k, site, h, t);
+            }
+        }
+    }
+    return at - first;
+}
+
+static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
+                               const murk_domain *domain, uint32_t sites,
+                               murk_error *err)
+{
+    const size_t first = p->count - p->fixed;
+    for (size_t k = 0; k < p->fixed; ++k) {
+        const murk_scene_fixed_sensor *fixed = &wish->fixed[k];
+        const murk_vec3 x = fixed->position, a = domain->box.min,
+                        b = domain->box.max;
+        if (!murk_box_contains(&domain->box, x)) {
+            return murk_fail(err, MURK_BAD_VALUE, fixed->where,
+                             "position_m: [%.9g, %.9g, %.9g] m lies outside "
+                             "the domain, [%.9g, %.9g, %.9g] to [%.9g, %.9g, "
+                             "%.9g] m",
+                             x.x, x.y, x.z, a.x, a.y, a.z, b.x, b.y, b.z);
+        }
+        p->fixed_number[k] = first + k;
+        p->pose[first + k] = (murk_pose){.type = (uint32_t)fixed->type,
+                                         .position = x,
+                                         .heading_rad = fixed->heading_rad,
+                                         .tilt_rad = fixed->tilt_rad};
+        p->site[first + k] = sites + (uint32_t)k;
+        for (size_t j = 0; j < first + k; ++j) {
+            const murk_vec3 y = p->pose[j].position;
+            if (x.x == y.x && x.y == y.y && x.z == y.z) {
+                p->site[first + k] = p->site[j];
+                break;
+            }
+        }
+    }
+    return MURK_OK;
+}
+
+/* ---- rules ---- */
+
+/* How many sensors of each type there can be at all. */
+static murk_status check_counts(const murk_poses *p,
+                                const murk_scene_sensors *wish, murk_error *err)
+{
+    for (size_t k = 0; k < wish->types; ++k) {
+        const murk_scene_sensor_type *type = &wish->type[k];
+        size_t have = 0;
+        for (size_t j = 0; j < p->count; ++j) {
+            have += p->pose[j].type == k;
+        }
+        if (type->least_count > have) {
+            return murk_fail(err, MURK_BAD_VALUE, type->where,
+                             "least_count: %llu sensors of type %s, but only "
+                             "%zu candidates",
+                             (unsigned long long)type->least_count, type->name,
+                             have);
+        }
+    }
+    if (wish->count > p->count) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "count: %llu sensors, but only %zu candidates",
+                         (unsigned long long)wish->count, p->count);
+    }
+    if (wish->count > 0 && p->fixed > wish->count) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "count: %llu sensors, but %zu are fixed, which count "
+                         "too",
+                         (unsigned long long)wish->count, p->fixed);
+    }
+    return MURK_OK;
+}
+
+static void fill_rules(murk_poses *p, const murk_scene_sensors *wish)
+{
+    bool has_classes = false, has_costs = wish->budget > 0;
+    for (size_t k = 0; k < wish->types; ++k) {
+        const murk_scene_sensor_type *type = &wish->type[k];
+        p->least[k] = (size_t)type->least_count;
+        p->most[k] =
+            type->max_count < ANY_COUNT ? (size_t)type->max_count : p->count;
+        has_classes =
+            has_classes || type->least_count > 0 || type->max_count < ANY_COUNT;
+    }
+    for (size_t j = 0; j < p->count; ++j) {
+        const murk_vec3 x = p->pose[j].position;
+        p->class_of[j] = p->pose[j].type;
+        const bool is_paid = j >= p->count - p->fixed;
+        p->cost[j] =
+            is_paid
+                ? 0
+                : llround(wish->type[p->pose[j].type].cost / MURK_COST_UNIT);
+        p->position_m[j][0] = x.x;
+        p->position_m[j][1] = x.y;
+        p->position_m[j][2] = x.z;
+    }
+    p->rules = (murk_rules){
+        .classes = has_classes ? wish->types : 0,
+        .class_of = has_classes ? p->class_of : NULL,
+        .least = has_classes ? p->least : NULL,
+        .most = has_classes ? p->most : NULL,
+        .cost = has_costs ? p->cost : NULL,
+        .budget = has_costs ? llround(wish->budget / MURK_COST_UNIT) : 0,
+        .fixed = p->fixed ? p->fixed_number : NULL,
+        .fixed_count = p->fixed,
+        .site = wish->one_per_site ? p->site : NULL,
+        .position_m = (const double(*)[3])p->position_m,
+        .spacing_m = wish->spacing_m};
+    p->has_rules = has_classes || has_costs || p->fixed > 0 ||
+                   wish->one_per_site || wish->spacing_m > 0;
+}
+
+/* ---- all ---- */
+
+static bool set_aside(murk_poses *p, size_t types)
+{
+    const size_t n = p->count + 1;
+    p->pose = calloc(n, sizeof *p->pose);
+    p->class_of = calloc(n, sizeof *p->class_of);
+    p->site = calloc(n, sizeof *p->site);
+    p->cost = calloc(n, sizeof *p->cost);
+    p->position_m = calloc(n, sizeof *p->position_m);
+    p->fixed_number = calloc(p->fixed + 1, sizeof *p->fixed_number);
+    p->least = calloc(types + 1, sizeof *p->least);
+    p->most = calloc(types + 1, sizeof *p->most);
+    return p->pose && p->class_of && p->site && p->cost && p->position_m &&
+           p->fixed_number && p->least && p->most;
+}
+
+murk_status murk_poses_create(murk_poses **out, const murk_scene *scene,
+                              const murk_domain *domain, const murk_vec3 *site,
+                              size_t n, murk_error *err)
+{
+    const murk_scene_sensors *wish = &scene->sensors;
+    murk_poses *p = calloc(1, sizeof *p);
+    murk_status status = MURK_OK;
+    double each = 0;
+    for (size_t k = 0; k < wish->types; ++k) {
+        each += (double)headings_of(&wish->type[k]) *
+                (double)tilts_of(&wish->type[k]);
+    }
+    if (p && each * (double)n + (double)wish->n_fixed > POSES_MOST) {
+        status = murk_fail(err, MURK_BAD_VALUE, wish->where,
+                           "%zu usable sites with %g types, headings and tilts "
+                           "each are %.4g candidates, must be at most 1e7",
+                           n, each, each * (double)n);
+        goto done;
+    }
+    if (p) {
+        p->fixed = wish->n_fixed;
+        p->count = (size_t)each * n + p->fixed;
+    }
+    if (!p || !set_aside(p, wish->types)) {
+        status = murk_fail(err, MURK_NO_MEMORY, wish->where,
+                           "no memory for the candidates");
+        goto done;
+    }
+    size_t at = 0;
+    for (size_t i = 0; i < n; ++i) {
+        at += fill_site(p, wish, site[i], (uint32_t)i, at);
+    }
+    assert(at + p->fixed == p->count);
+    status = place_fixed(p, wish, domain, (uint32_t)n, err);
+    if (!status) {
+        status = check_counts(p, wish, err);
+    }
+    if (status) {
+        goto done;
+    }
+    fill_rules(p, wish);
+    *out = p;
+    p = NULL;
+done:
+    murk_poses_destroy(p);
+    return status;
+}
+
+void murk_poses_destroy(murk_poses *p)
+{
+    if (p) {
+        free(p->pose);
+        free(p->class_of);
+        free(p->site);
+        free(p->least);
+        free(p->most);
+        free(p->fixed_number);
+        free(p->cost);
+        free(p->position_m);
+        free(p);
+    }
+}
+
+const murk_rules *murk_poses_rules(const murk_poses *poses)
+{
+    return poses->has_rules ? &poses->rules : NULL;
+}
