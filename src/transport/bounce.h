@@ -1,16 +1,10 @@
 /* What becomes of light that meets a surface: the roulette of trace.h, and at
- * the boundary of a solid Snell's law with Fresnel's exact reflectance for
- * unpolarised light (Born and Wolf, Principles of Optics, 7th ed., 1.5.2).
+ * the boundary of a solid Snell's law with Fresnel's reflectance.
  * Private to this room. */
 #ifndef MURK_TRANSPORT_BOUNCE_H
 #define MURK_TRANSPORT_BOUNCE_H
 
 #include "transport/trace.h"
-
-/* Reflectance from index n_from into n_to at the cosine of incidence 0..1.
- * Fills the cosine of refraction: 0 where all is reflected. */
-double murk_fresnel(double n_from, double n_to, double cosine,
-                    double *cosine_refracted);
 
 /* A direction by cosine law about unit n. */
 murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi);

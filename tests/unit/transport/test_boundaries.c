@@ -3,6 +3,7 @@
  * lie in a boundary, sides of the domain. What is checked holds for every
  * photon, whatever the roulette says. */
 #include "check.h"
+#include "medium/fresnel.h"
 #include "transport/bounce.h"
 #include "worlds.h"
 
