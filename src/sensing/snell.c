@@ -1,0 +1,84 @@
+/* Light crosses the plane where r = h_rare t + h_dense t / sqrt(m^2 + (m^2 - 1)
+ * t^2): r what the two points are apart along the plane, h their heights, m > 1
+ * the ratio of the indices, t the tangent of the angle on the rare side. The
+ * right side rises and is concave in t >= 0, so Newton's steps from 0 come up
+ * to the root from below and cannot overshoot; all else follows from t without
+ * taking near numbers from each other, however much the light grazes. */
+#include "sensing/snell.h"
+
+#include "medium/fresnel.h"
+
+/* Newton's steps double their digits once they are near; grazing takes some
+ * ten to come near. Beyond this rounding alone moves t. */
+#define STEPS_MAX 100
+
+static double tangent_of(double r, double h_rare, double h_dense, double m)
+{
+    const double excess = m * m - 1;
+    double t = 0;
+    for (int step = 0; step < STEPS_MAX; ++step) {
+        const double square = m * m + excess * t * t, root = sqrt(square);
+        const double left = r - t * (h_rare + h_dense / root);
+        const double slope = h_rare + h_dense * m * m / (square * root);
+        const double next = t + left / slope;
+        if (!(next > t)) {
+            break;
+        }
+        t = next;
+    }
+    return t;
+}
+
+bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
+                     const murk_plane *plane, const double n[2],
+                     murk_snell *path)
+{
+    const murk_vec3 way = murk_sub(photon, sensor);
+    const double up = murk_dot(murk_sub(sensor, plane->point), plane->normal);
+    const double down = murk_dot(murk_sub(plane->point, photon), plane->normal);
+    if (!(up * down > 0) || !isfinite(up + down) || !murk_is_finite(way)) {
+        return false;
+    }
+    const murk_vec3 along = murk_along(way, up + down, plane->normal);
+    const double r = murk_length(along), h[2] = {fabs(up), fabs(down)};
+    const int rare = n[0] < n[1] ? 0 : 1, dense = 1 - rare;
+    const double m = n[dense] / n[rare];
+    const double t = tangent_of(r, h[rare], h[dense], m);
+    const double secant = sqrt(1 + t * t);
+    const double root = sqrt(m * m + (m * m - 1) * t * t);
+    const double aside[2] = {h[rare] * t, h[dense] * t / root};
+    path->cosine[rare] = 1 / secant;
+    path->cosine[dense] = root / (m * secant);
+    path->leg_m[rare] = h[rare] * secant;
+    path->leg_m[dense] = h[dense] / path->cosine[dense];
+    const murk_vec3 foot = murk_along(sensor, -up, plane->normal);
+    path->crossing =
+        r > 0 ? murk_along(foot, aside[rare == 0 ? 0 : 1] / r, along) : foot;
+    double refracted;
+    path->transmittance =
+        1 - murk_fresnel(n[rare], n[dense], path->cosine[rare], &refracted);
+    const double *d = path->leg_m, *c = path->cosine, ratio = n[0] / n[1];
+    const double sagittal = d[0] + d[1] * ratio;
+    const double tangential = d[0] * c[1] / c[0] + d[1] * ratio * c[0] / c[1];
+    path->apparent_m = sqrt(sagittal * tangential);
+    return true;
+}
+
+/* With a = d1 and b = d2 n1/n2 the square of the apparent distance is (a + b)(a
+ * / k + b k), k = cos1/cos2. Into the denser side k <= 1: where a >= b the
+ * second factor is at least a + b, so the two are apart by at most range n2/n1;
+ * else at least 2 sqrt(a b), so range^4 >= 4 b^3 a, and a is the height or
+ * more. Into the rarer side the same holds with the ends of k exchanged; where
+ * b < a, k gives no bound, but Snell's law keeps d1 below the height over the
+ * cosine of the critical angle. */
+double murk_snell_reach(double range_m, double height_m, const double n[2])
+{
+    const double ratio = n[0] / n[1], apart = 1 + 1 / ratio;
+    if (ratio < 1) {
+        const double square = range_m * range_m;
+        return fmax(range_m / ratio,
+                    apart * cbrt(square * square / (4 * height_m)));
+    }
+    const double critical = sqrt(1 - 1 / (ratio * ratio));
+    return fmax(range_m, apart * height_m / critical);
+}
