@@ -140,6 +140,50 @@ static murk_vec3 facing(const meeting *met, bool is_inside, murk_vec3 direction,
     return flips ? murk_scale(-1, n) : n;
 }
 
+/* In the shell's frame the face is where row . p + shift = at. */
+static murk_flat flat_of(const murk_shell *shell, int axis, double at,
+                         bool is_upper)
+{
+    const murk_vec3 row = face_normal(shell, axis);
+    const murk_vec3 s = shell->to_local.shift;
+    const double shift = axis == 0 ? s.x : axis == 1 ? s.y : s.z;
+    return (murk_flat){.region = shell->region,
+                       .point =
+                           murk_scale((at - shift) / murk_dot(row, row), row),
+                       .normal = murk_scale(is_upper ? 1 : -1, murk_unit(row))};
+}
+
+size_t murk_media_flats(const murk_media *media, murk_flat flat[MURK_FLATS_MAX])
+{
+    size_t n = 0;
+    for (size_t i = 0; i < media->n_shells; ++i) {
+        const murk_shell *shell = &media->shells[i];
+        if (shell->shape != MURK_REGION_BOX &&
+            shell->shape != MURK_REGION_BELOW) {
+            continue;
+        }
+        const murk_vec3 a = shell->box.min, b = shell->box.max;
+        const double at[6] = {a.x, b.x, a.y, b.y, a.z, b.z};
+        for (int k = 0; k < 6; ++k) {
+            if (isfinite(at[k])) {
+                flat[n++] = flat_of(shell, k / 2, at[k], k % 2 == 1);
+            }
+        }
+    }
+    return n;
+}
+
+size_t murk_media_indices(const murk_media *media,
+                          double index[MURK_REGIONS_MAX + 1])
+{
+    size_t n = 0;
+    index[n++] = 1;
+    for (size_t i = 0; i < media->n_shells; ++i) {
+        index[n++] = media->shells[i].ior;
+    }
+    return n;
+}
+
 bool murk_media_bends(const murk_media *media)
 {
     return media->n_shells > 0;

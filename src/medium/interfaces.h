@@ -31,6 +31,24 @@ typedef struct murk_boundary {
     murk_vec3 normal; /* unit, that region's, faces where the ray came from */
 } murk_boundary;
 
+/* A flat boundary: a face of a box, or the level of a half space. It ends where
+ * the region does, which the plane alone does not say. */
+typedef struct murk_flat {
+    size_t region;
+    murk_vec3 point, normal; /* unit, out of the region */
+} murk_flat;
+
+#define MURK_FLATS_MAX (6 * (size_t)MURK_REGIONS_MAX)
+
+/* Writes all there are, in the order of regions; returns how many. */
+size_t murk_media_flats(const murk_media *media,
+                        murk_flat flat[MURK_FLATS_MAX]);
+
+/* Writes the indices that regions have, equal ones as often as there are, and 1
+ * for outside of them; returns how many. */
+size_t murk_media_indices(const murk_media *media,
+                          double index[MURK_REGIONS_MAX + 1]);
+
 /* Whether any region has an index of refraction. */
 bool murk_media_bends(const murk_media *media);
 

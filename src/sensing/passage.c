@@ -11,47 +11,52 @@ murk_passages murk_passages_from(const murk_media *media,
                                  const murk_hulls *hulls,
                                  const murk_domain *domain, murk_vec3 sensor)
 {
-    return (murk_passages){.media = media,
-                           .hulls = hulls,
-                           .domain = domain,
-                           .sensor = sensor,
-                           .around = hulls ? murk_hulls_at(hulls, sensor) : 0};
-}
-
-/* The pieces from the sensor on, in their order. */
-static int cut(const murk_passages *p, murk_vec3 photon, murk_segment *piece)
-{
-    return murk_segment_cut(p->domain, p->sensor,
-                            murk_nearest_image(p->domain, photon, p->sensor), 0,
-                            piece);
+    const murk_inside around = hulls ? murk_hulls_at(hulls, sensor) : 0;
+    return (murk_passages){
+        .media = media,
+        .hulls = hulls,
+        .domain = domain,
+        .sensor = sensor,
+        .around = around,
+        .index =
+            murk_media_index(media, around | murk_media_inside(media, sensor))};
 }
 
 /* A piece of the way. After the first it begins in a side of the domain, where
  * a mesh's face is no boundary and is looked past. */
-typedef struct leg {
-    murk_vec3 from, direction;
-    double length_m, look_from_m;
-    murk_inside inside; /* meshes */
-} leg;
-
-static leg leg_of(const murk_passages *p, int piece, const murk_segment *way)
+static murk_leg leg_of(const murk_passages *p, int piece,
+                       const murk_segment *way)
 {
     const murk_vec3 along = murk_sub(way->to, way->from);
     const double length = murk_length(along);
-    leg l = {.from = way->from, .length_m = length, .inside = p->around};
+    murk_leg l = {.from = way->from, .length_m = length, .inside = p->around};
     if (length > 0) {
         l.direction = murk_scale(1 / length, along);
     }
-    if (piece > 0) {
+    if (piece > 0 && p->hulls) {
         l.look_from_m = murk_hulls_tolerance_m(p->hulls);
         l.inside = murk_hulls_at(
             p->hulls, murk_along(l.from, 2 * l.look_from_m, l.direction));
     }
+    l.inside |= murk_media_inside(p->media, l.from);
     return l;
 }
 
+int murk_passage_legs(const murk_passages *p, murk_vec3 point,
+                      murk_leg leg[MURK_SEGMENT_PIECES])
+{
+    murk_segment piece[MURK_SEGMENT_PIECES];
+    const int n = murk_segment_cut(
+        p->domain, p->sensor, murk_nearest_image(p->domain, point, p->sensor),
+        0, piece);
+    for (int i = 0; i < n; ++i) {
+        leg[i] = leg_of(p, i, &piece[i]);
+    }
+    return n;
+}
+
 static double depth_through_meshes(const murk_passages *p, int band,
-                                   const leg *l)
+                                   const murk_leg *l)
 {
     const double tolerance = murk_hulls_tolerance_m(p->hulls);
     double depth = 0, from = 0, look_from = l->look_from_m;
@@ -89,23 +94,22 @@ double murk_passage_transmittance(const murk_passages *p, int band,
         }
         return through;
     }
-    const int n = cut(p, photon, piece);
+    murk_leg leg[MURK_SEGMENT_PIECES];
+    const int n = murk_passage_legs(p, photon, leg);
     for (int i = 0; i < n; ++i) {
-        const leg l = leg_of(p, i, &piece[i]);
-        if (l.length_m > 0) {
-            through *= exp(-depth_through_meshes(p, band, &l));
+        if (leg[i].length_m > 0) {
+            through *= exp(-depth_through_meshes(p, band, &leg[i]));
         }
     }
     return through;
 }
 
-/* Follows boundaries of both kinds, each as the set says; those of meshes and
- * others within the tolerance are passed at once. */
-static bool bends_through_meshes(const murk_passages *p, const leg *l)
+bool murk_passage_change(const murk_passages *p, const murk_leg *l,
+                         murk_change *change)
 {
-    const double tolerance = murk_hulls_tolerance_m(p->hulls);
-    double from = 0, look_from = l->look_from_m, ior = 0;
-    murk_inside inside = l->inside | murk_media_inside(p->media, l->from);
+    const double tolerance = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
+    double from = 0, look_from = l->look_from_m, before = 0;
+    murk_inside inside = l->inside;
     for (int step = 0; step < STEPS_MAX; ++step) {
         murk_boundary b;
         murk_crossing c;
@@ -114,11 +118,12 @@ static bool bends_through_meshes(const murk_passages *p, const leg *l)
             l->direction, l->length_m - from, &b);
         const double plain = any_plain ? from + b.distance_m : INFINITY;
         const double most = fmin(l->length_m - tolerance, plain + tolerance);
-        const bool any_mesh = murk_hulls_next(p->hulls, l->from, l->direction,
-                                              look_from, most, &inside, &c);
+        const bool any_mesh =
+            p->hulls && murk_hulls_next(p->hulls, l->from, l->direction,
+                                        look_from, most, &inside, &c);
         const double mesh = any_mesh ? c.distance_m : INFINITY;
         if (step == 0) {
-            ior = murk_media_index(p->media, inside);
+            before = murk_media_index(p->media, inside);
         }
         if (!any_plain && !any_mesh) {
             return false;
@@ -127,12 +132,21 @@ static bool bends_through_meshes(const murk_passages *p, const leg *l)
             inside ^= c.changed;
             from = mesh;
             look_from = mesh + tolerance;
+            change->normal = c.normal;
+            change->is_mesh = true;
         }
         if (plain <= mesh + tolerance) {
             inside ^= b.crossed;
             from = plain;
+            change->normal = b.normal;
+            change->is_mesh = false;
         }
-        if (murk_media_index(p->media, inside) != ior) {
+        const double beyond = murk_media_index(p->media, inside);
+        if (beyond != before) {
+            change->distance_m = from;
+            change->before = before;
+            change->beyond = beyond;
+            change->inside = inside;
             return true;
         }
     }
@@ -144,11 +158,11 @@ bool murk_passage_bends(const murk_passages *p, murk_vec3 photon)
     if (!p->hulls) {
         return murk_segment_bends(p->media, p->domain, photon, p->sensor);
     }
-    murk_segment piece[MURK_SEGMENT_PIECES];
-    const int n = cut(p, photon, piece);
+    murk_leg leg[MURK_SEGMENT_PIECES];
+    const int n = murk_passage_legs(p, photon, leg);
     for (int i = 0; i < n; ++i) {
-        const leg l = leg_of(p, i, &piece[i]);
-        if (l.length_m > 0 && bends_through_meshes(p, &l)) {
+        murk_change change;
+        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
             return true;
         }
     }

@@ -107,6 +107,22 @@ bool murk_segment_blocked(const murk_surfaces *surfaces,
     return false;
 }
 
+/* Pieces overlap a periodic side by a hair, so a sheet there counts once. */
+double murk_segment_sheets(const murk_surfaces *surfaces,
+                           const murk_domain *domain, murk_vec3 from,
+                           murk_vec3 to, int band)
+{
+    murk_segment piece[MURK_SEGMENT_PIECES];
+    const int n =
+        murk_segment_cut(domain, from, to, murk_hair(surfaces, domain), piece);
+    double through = 1;
+    for (int i = 0; i < n; ++i) {
+        through *= murk_surfaces_sheet_transmittance(surfaces, piece[i].from,
+                                                     piece[i].to, band);
+    }
+    return through;
+}
+
 bool murk_segment_bends(const murk_media *media, const murk_domain *domain,
                         murk_vec3 from, murk_vec3 to)
 {

@@ -43,6 +43,12 @@ bool murk_segment_blocked(const murk_surfaces *surfaces,
                           const murk_domain *domain, murk_vec3 from,
                           murk_vec3 to, bool through_sheets);
 
+/* Product of the transmittances of the thin sheets over all pieces, which
+ * overlap the sides as they do for surfaces. */
+double murk_segment_sheets(const murk_surfaces *surfaces,
+                           const murk_domain *domain, murk_vec3 from,
+                           murk_vec3 to, int band);
+
 /* Whether the index of refraction changes on the straight way to the nearest
  * image of `to`: light bends there, so what is seen beyond is elsewhere. */
 bool murk_segment_bends(const murk_media *media, const murk_domain *domain,

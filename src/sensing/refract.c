@@ -1,0 +1,278 @@
+/* Every face that lies between sensor and photon gives one way through its
+ * plane; it is a way of light when walking along it meets the index's one
+ * change there. The walk decides, so ends of faces, regions in regions and
+ * boundaries that lie in each other need no rules of their own. */
+#include "sensing/refract.h"
+
+#include <assert.h>
+
+/* Of what faces may be off and still be one: rounding of the crossing. */
+#define NEAR_TIMES 8
+
+void murk_interfaces_find(murk_interfaces *out, const murk_media *media,
+                          const murk_hulls *hulls, const murk_domain *domain)
+{
+    out->near_m = NEAR_TIMES * MURK_INTERFACE_NEAR * murk_domain_extent(domain);
+    out->n = murk_media_flats(media, out->flat);
+    out->indices = murk_media_indices(media, out->index);
+    out->any_mesh = false;
+    const murk_inside meshes = hulls ? murk_hulls_regions(hulls) : 0;
+    for (int i = 0; i < MURK_REGIONS_MAX; ++i) {
+        const murk_inside bit = (murk_inside)1 << i;
+        /* The index of a region alone: 1 where it has none, or bends not. */
+        if ((meshes & bit) && murk_media_index(media, bit) != 1) {
+            out->any_mesh = true;
+        }
+    }
+}
+
+/* ---- one way ---- */
+
+static murk_vec3 direction_of(murk_vec3 from, murk_vec3 to)
+{
+    return murk_unit(murk_sub(to, from));
+}
+
+static murk_vec3 inside_domain(const murk_passages *p, murk_vec3 point)
+{
+    const murk_box *box = &p->domain->box;
+    return murk_nearest_image(p->domain, point,
+                              murk_scale(0.5, murk_add(box->min, box->max)));
+}
+
+/* A tilted face may go on beyond the domain, where no light is. */
+static bool is_in_domain(const murk_interfaces *at, const murk_passages *p,
+                         murk_vec3 point)
+{
+    const murk_vec3 near = {at->near_m, at->near_m, at->near_m};
+    const murk_box box = {murk_sub(p->domain->box.min, near),
+                          murk_add(p->domain->box.max, near)};
+    return murk_box_contains(&box, inside_domain(p, point));
+}
+
+/* The first leg's change is the crossing: `inside` becomes the set beyond. */
+static bool reaches_crossing(const murk_interfaces *at, const murk_passages *p,
+                             const murk_snell *path, const double n[2],
+                             murk_inside *inside)
+{
+    const double tolerance = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
+    murk_leg leg[MURK_SEGMENT_PIECES];
+    murk_change change;
+    const int legs = murk_passage_legs(p, path->crossing, leg);
+    for (int i = 0; i + 1 < legs; ++i) {
+        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
+            return false;
+        }
+    }
+    murk_leg *last = &leg[legs - 1];
+    const double end = last->length_m;
+    if (!(end > 0)) {
+        return false;
+    }
+    last->length_m += at->near_m / path->cosine[0] + 3 * tolerance;
+    if (!murk_passage_change(p, last, &change) || change.before != n[0] ||
+        change.beyond != n[1]) {
+        return false;
+    }
+    const double off = fabs(change.distance_m - end);
+    *inside = change.inside;
+    return off * path->cosine[0] <= at->near_m || off <= 2 * tolerance;
+}
+
+/* The second leg, from the crossing on, in the regions `inside`. */
+static bool goes_on(const murk_passages *p, const murk_snell *path,
+                    murk_vec3 photon, murk_inside inside)
+{
+    murk_passages beyond = *p;
+    beyond.sensor = inside_domain(p, path->crossing);
+    const murk_vec3 to =
+        murk_add(photon, murk_sub(beyond.sensor, path->crossing));
+    murk_leg leg[MURK_SEGMENT_PIECES];
+    murk_change change;
+    const int legs = murk_passage_legs(&beyond, to, leg);
+    leg[0].inside = inside;
+    leg[0].look_from_m = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
+    for (int i = 0; i < legs; ++i) {
+        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Adds the way through a plane, if there is one that is not had already. */
+static size_t add_way(const murk_interfaces *at, const murk_passages *p,
+                      const murk_plane *plane, murk_vec3 photon,
+                      const double n[2], murk_way *way, size_t had)
+{
+    murk_snell path;
+    murk_inside inside;
+    if (had == MURK_WAYS_MAX ||
+        !murk_snell_path(p->sensor, photon, plane, n, &path)) {
+        return had;
+    }
+    for (size_t i = 0; i < had; ++i) {
+        const murk_vec3 apart = murk_sub(way[i].snell.crossing, path.crossing);
+        if (murk_length(apart) * path.cosine[0] <= at->near_m) {
+            return had;
+        }
+    }
+    if (!is_in_domain(at, p, path.crossing) ||
+        !reaches_crossing(at, p, &path, n, &inside) ||
+        !goes_on(p, &path, photon, inside)) {
+        return had;
+    }
+    way[had] = (murk_way){path, photon};
+    return had + 1;
+}
+
+/* ---- all ways ---- */
+
+/* Where the straight line first meets another index, if it does. */
+static bool first_change(const murk_passages *p, murk_vec3 photon,
+                         murk_change *change, murk_vec3 *place)
+{
+    murk_leg leg[MURK_SEGMENT_PIECES];
+    const int legs = murk_passage_legs(p, photon, leg);
+    double gone = 0;
+    for (int i = 0; i < legs; ++i) {
+        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], change)) {
+            *place = murk_along(p->sensor, gone + change->distance_m,
+                                direction_of(p->sensor, photon));
+            return true;
+        }
+        gone += leg[i].length_m;
+    }
+    return false;
+}
+
+static bool is_beyond_critical(const murk_change *change, murk_vec3 direction)
+{
+    const double ratio = fmax(change->before, change->beyond) /
+                         fmin(change->before, change->beyond);
+    const double sine = murk_length(murk_cross(change->normal, direction));
+    return sine * ratio >= 1;
+}
+
+size_t murk_ways_across(const murk_interfaces *at, const murk_passages *p,
+                        murk_vec3 photon, double photon_index,
+                        murk_way way[MURK_WAYS_MAX], bool *is_reflected)
+{
+    const murk_vec3 image = murk_nearest_image(p->domain, photon, p->sensor);
+    const murk_vec3 shift = murk_sub(image, photon);
+    const bool is_here = murk_dot(shift, shift) == 0;
+    const double n[2] = {p->index, photon_index};
+    assert(n[0] != n[1]);
+    size_t ways = 0;
+    for (size_t i = 0; i < at->n; ++i) {
+        /* A face that does not reach from side to side may be near the sensor,
+         * or near the photon in another period. */
+        murk_plane plane = {at->flat[i].point, at->flat[i].normal};
+        ways = add_way(at, p, &plane, image, n, way, ways);
+        if (!is_here) {
+            plane.point = murk_add(plane.point, shift);
+            ways = add_way(at, p, &plane, image, n, way, ways);
+        }
+    }
+    *is_reflected = false;
+    murk_change change;
+    murk_vec3 place;
+    if ((at->any_mesh || ways == 0) &&
+        first_change(p, image, &change, &place)) {
+        if (change.is_mesh) {
+            const murk_plane plane = {place, change.normal};
+            ways = add_way(at, p, &plane, image, n, way, ways);
+        }
+        *is_reflected =
+            ways == 0 &&
+            is_beyond_critical(&change, direction_of(p->sensor, image));
+    }
+    return ways;
+}
+
+double murk_ways_reach(const murk_interfaces *at, const murk_passages *p,
+                       double range_m)
+{
+    double reach = range_m;
+    if (at->any_mesh || p->domain->is_periodic) {
+        return INFINITY;
+    }
+    for (size_t i = 0; i < at->n; ++i) {
+        const murk_flat *flat = &at->flat[i];
+        const double height =
+            fabs(murk_dot(murk_sub(p->sensor, flat->point), flat->normal));
+        for (size_t k = 0; k < at->indices; ++k) {
+            const double n[2] = {p->index, at->index[k]};
+            if (n[0] != n[1]) {
+                reach = fmax(reach, murk_snell_reach(range_m, height, n));
+            }
+        }
+    }
+    return reach;
+}
+
+/* ---- along a way ---- */
+
+/* The crossing as seen from where the photon itself lies. */
+static murk_vec3 crossing_near(const murk_way *way, murk_vec3 photon)
+{
+    return murk_add(way->snell.crossing, murk_sub(photon, way->photon));
+}
+
+double murk_way_transmittance(const murk_way *way, const murk_passages *p,
+                              int band)
+{
+    const murk_vec3 photon = inside_domain(p, way->photon);
+    const murk_passages back =
+        murk_passages_from(p->media, p->hulls, p->domain, photon);
+    const murk_vec3 crossing = inside_domain(p, way->snell.crossing);
+    return murk_passage_transmittance(p, band, crossing) *
+           murk_passage_transmittance(&back, band, crossing);
+}
+
+/* The crossing moved along `direction`, at most to the end of the leg ahead. */
+static murk_vec3 beyond(murk_vec3 crossing, murk_vec3 direction, double hair_m,
+                        double leg_m)
+{
+    return murk_along(crossing, fmin(hair_m, leg_m), direction);
+}
+
+bool murk_way_blocked(const murk_way *way, const murk_passages *p,
+                      const murk_surfaces *surfaces, bool through_sheets)
+{
+    const murk_snell *s = &way->snell;
+    const double hair = murk_hair(surfaces, p->domain);
+    const murk_vec3 photon = inside_domain(p, way->photon);
+    const murk_vec3 crossing = crossing_near(way, photon);
+    /* Each leg goes on beyond the crossing, so that neither misses a surface
+     * that lies in the boundary. */
+    return murk_segment_blocked(surfaces, p->domain, p->sensor,
+                                beyond(s->crossing,
+                                       direction_of(p->sensor, s->crossing),
+                                       hair, s->leg_m[1]),
+                                through_sheets) ||
+           murk_segment_blocked(surfaces, p->domain, photon,
+                                beyond(crossing, direction_of(photon, crossing),
+                                       hair, s->leg_m[0]),
+                                through_sheets);
+}
+
+double murk_way_sheets(const murk_way *way, const murk_passages *p,
+                       const murk_surfaces *surfaces, int band)
+{
+    const murk_snell *s = &way->snell;
+    const double hair = murk_hair(surfaces, p->domain);
+    const murk_vec3 photon = inside_domain(p, way->photon);
+    const murk_vec3 crossing = crossing_near(way, photon);
+    double through = murk_segment_sheets(
+        surfaces, p->domain, p->sensor,
+        beyond(s->crossing, direction_of(p->sensor, s->crossing), hair,
+               s->leg_m[1]),
+        band);
+    if (s->leg_m[1] > hair) {
+        through *= murk_segment_sheets(
+            surfaces, p->domain, photon,
+            murk_along(crossing, hair, direction_of(crossing, photon)), band);
+    }
+    return through;
+}
