@@ -303,15 +303,22 @@ done:
     return status;
 }
 
+static void release_places(murk_media *media)
+{
+    for (size_t i = 0; media->places && i < media->n_places; ++i) {
+        murk_bricks_destroy(media->places[i].bricks);
+    }
+    free(media->places);
+    free(media->shells);
+}
+
 void murk_media_destroy(murk_media *media)
 {
     if (media) {
-        for (size_t i = 0; media->places && i < media->n_places; ++i) {
-            murk_bricks_destroy(media->places[i].bricks);
+        if (!media->borrows_places) {
+            release_places(media);
         }
         free(media->media);
-        free(media->places);
-        free(media->shells);
         free(media);
     }
 }

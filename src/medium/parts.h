@@ -16,6 +16,7 @@ struct murk_media {
     size_t n_places;
     murk_shell *shells; /* of the regions with an index, as listed */
     size_t n_shells;
+    bool borrows_places;          /* places and shells are another's */
     bool is_even;                 /* one region, everywhere, filled evenly */
     double near_m;                /* boundaries nearer than this are one */
     bool in_band[MURK_BANDS_MAX]; /* something extinguishes there */

@@ -124,6 +124,32 @@ double murk_phase_sample(const murk_phase *phase, double u)
     return murk_hg_sample(phase->g, u);
 }
 
+/* s is 1 - mu, root^2 is 1 + g^2 - 2 g mu: nothing cancels, for any g. */
+static double hg_share(double g, double s)
+{
+    const double root = sqrt((1 - g) * (1 - g) + 2 * g * s);
+    return (1 + g) * s / (root * (root + 1 - g));
+}
+
+double murk_phase_share_within(const murk_phase *phase, double angle_rad)
+{
+    assert(angle_rad >= 0 && angle_rad <= 3.1415926535897936);
+    const double half = sin(.5 * angle_rad);
+    const double s = 2 * half * half; /* 1 - cos(angle) */
+    switch (phase->kind) {
+    case MURK_PHASE_RAYLEIGH:
+        return .125 * s * (6 - s * (3 - s));
+    case MURK_PHASE_TWO_HG:
+        return phase->weight * hg_share(phase->g, s) +
+               (1 - phase->weight) * hg_share(phase->g2, s);
+    case MURK_PHASE_TABLE:
+        return murk_phase_table_share(phase->table, s);
+    case MURK_PHASE_HG:
+        break;
+    }
+    return hg_share(phase->g, s);
+}
+
 double murk_phase_mean_cosine(const murk_phase *phase)
 {
     switch (phase->kind) {

@@ -46,6 +46,10 @@ double murk_phase_density(const murk_phase *phase, double mu);
 /* A cosine distributed as the density: the inverse CDF at u in (0, 1). */
 double murk_phase_sample(const murk_phase *phase, double u);
 
+/* Share of the light that turns by less than an angle, 0..pi: 2 pi times the
+ * integral of density sin(angle). Exact, however small the angle. */
+double murk_phase_share_within(const murk_phase *phase, double angle_rad);
+
 double murk_phase_mean_cosine(const murk_phase *phase);
 
 /* Density [1/sr] at mu = cos(angle), for mean cosine g.

@@ -218,6 +218,16 @@ const murk_phase_facts *murk_phase_table_facts(const murk_phase_table *table)
     return &table->facts;
 }
 
+double murk_phase_table_share(const murk_phase_table *table, double s)
+{
+    assert(s >= 0 && s <= 2);
+    const murk_phase_node *first = table->node;
+    if (s < first->s) {
+        return first->below * pow(s / first->s, table->power + 1);
+    }
+    return share_below(table, s);
+}
+
 double murk_phase_table_density(const murk_phase_table *table, double mu)
 {
     assert(mu >= -1 && mu <= 1);

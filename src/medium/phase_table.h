@@ -52,6 +52,10 @@ void murk_phase_table_destroy(murk_phase_table *table); /* NULL is fine */
 double murk_phase_table_density(const murk_phase_table *table, double mu);
 double murk_phase_table_sample(const murk_phase_table *table, double u);
 
+/* Share of the light that turns by less than the angle of which s is 1 - cos,
+ * 0 <= s <= 2. */
+double murk_phase_table_share(const murk_phase_table *table, double s);
+
 typedef struct murk_phase_facts {
     double integral;                  /* over the sphere, before it became 1 */
     double mean_cosine;               /* to rounding */
