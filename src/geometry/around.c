@@ -1,4 +1,5 @@
 /* What lies around a point: the solid it is in, the nearest surface. */
+#include "geometry/mounting.h"
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 
@@ -69,6 +70,7 @@ typedef struct nearness {
     const murk_surfaces *s;
     murk_vec3 point;
     double radius_m;
+    const murk_mounting *mounting; /* NULL: every surface counts */
     bool is_near;
 } nearness;
 
@@ -81,11 +83,16 @@ static bool look_near(struct RTCPointQueryFunctionArguments *args)
     double distance;
     if (p.is_ball) {
         const murk_ball *b = &soup->ball[p.index];
-        distance =
-            fabs(murk_length(murk_sub(near->point, b->center)) - b->radius);
+        distance = near->mounting
+                       ? murk_mounting_from_ball(near->mounting, b, near->point)
+                       : fabs(murk_length(murk_sub(near->point, b->center)) -
+                              b->radius);
     } else {
         const murk_triangle t = murk_soup_triangle(soup, p.index);
-        distance = sqrt(murk_triangle_distance2(&t, near->point));
+        distance =
+            near->mounting
+                ? murk_mounting_from_face(near->mounting, &t, near->point)
+                : sqrt(murk_triangle_distance2(&t, near->point));
     }
     if (!near->is_near && distance < near->radius_m) {
         near->is_near = true;
@@ -95,16 +102,18 @@ static bool look_near(struct RTCPointQueryFunctionArguments *args)
     return false;
 }
 
-bool murk_surfaces_near(const murk_surfaces *s, murk_vec3 point,
-                        double radius_m)
+static bool any_near(const murk_surfaces *s, murk_vec3 point, double radius_m,
+                     const murk_mounting *mounting)
 {
     const double radius = fmin(radius_m, MURK_RAY_MAX_M);
     if (!s->scene || !(radius_m > 0) ||
         !murk_ray_is_sound(point, murk_vec(0, 0, 1))) {
         return false;
     }
-    nearness near = {
-        .s = s, .point = murk_sub(point, s->soup.anchor), .radius_m = radius_m};
+    nearness near = {.s = s,
+                     .point = murk_sub(point, s->soup.anchor),
+                     .radius_m = radius_m,
+                     .mounting = mounting};
     /* Float rounding of the query must not lose a surface at the rim. */
     const double size =
         fabs(near.point.x) + fabs(near.point.y) + fabs(near.point.z) + radius;
@@ -117,4 +126,22 @@ bool murk_surfaces_near(const murk_surfaces *s, murk_vec3 point,
     rtcInitPointQueryContext(&context);
     rtcPointQuery(s->scene, &query, &context, look_near, &near);
     return near.is_near;
+}
+
+bool murk_surfaces_near(const murk_surfaces *s, murk_vec3 point,
+                        double radius_m)
+{
+    return any_near(s, point, radius_m, NULL);
+}
+
+bool murk_surfaces_near_mount(const murk_surfaces *s, murk_vec3 point,
+                              double radius_m, const murk_foot *foot,
+                              double above_m)
+{
+    const murk_mounting mounting = {
+        .foot = murk_sub(foot->position, s->soup.anchor),
+        .normal = foot->normal,
+        .above_m = above_m,
+        .slack_m = 2 * s->leave_m};
+    return any_near(s, point, radius_m, &mounting);
 }

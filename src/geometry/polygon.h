@@ -1,0 +1,34 @@
+/* Convex polygons cut from triangles by a box. Internal to the room. */
+#ifndef MURK_GEOMETRY_POLYGON_H
+#define MURK_GEOMETRY_POLYGON_H
+
+#include "geometry/triangle.h"
+
+/* A triangle has three corners, and each of six planes adds one; rounding may
+ * add a few to slivers, of which the rest is left out. */
+#define MURK_POLYGON_MAX 16
+
+typedef struct murk_polygon {
+    size_t n; /* 0: nothing is left */
+    murk_vec3 corner[MURK_POLYGON_MAX];
+} murk_polygon;
+
+static inline double murk_component(murk_vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static inline void murk_component_set(murk_vec3 *v, int axis, double value)
+{
+    *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
+}
+
+/* The part of a triangle in a closed box. What lies in a face of the box is
+ * kept, so that a flat box leaves segments and points. */
+murk_polygon murk_triangle_in_box(const murk_triangle *t, const murk_box *box);
+
+/* The part of a triangle at `normal` . x >= height. */
+murk_polygon murk_triangle_above(const murk_triangle *t, murk_vec3 normal,
+                                 double height);
+
+#endif

@@ -1,0 +1,443 @@
+/* Feet are laid over surfaces as even as geometry/lay.h says: rows and columns
+ * on walls along the axes, however these are cut into triangles; elsewhere none
+ * nearer than 3/4 of the spacing and no place farther than 1.1 of it. And what
+ * stands near a mount is asked without the surface that it is mounted on.
+ * Places whose answers are known exactly, and random ones that must all hold;
+ * no false alarms. */
+#include "check.h"
+#include "closed_mesh.h"
+#include "geometry/lay.h"
+
+#define SEED 11
+
+static const murk_box EVERYWHERE = {{-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}};
+
+static murk_surfaces *create(const murk_surface_desc *desc, size_t n)
+{
+    const murk_material material[2] = {{.name = "default"}, {.name = "other"}};
+    murk_surfaces *surfaces = NULL;
+    murk_error err = {0};
+    CHECK(murk_surfaces_create(&surfaces, desc, n, material, 2, &err) ==
+          MURK_OK);
+    CHECK_TEXT(err.text, "");
+    return surfaces;
+}
+
+static murk_surface_desc box_of(murk_vec3 min, murk_vec3 max)
+{
+    return (murk_surface_desc){.shape = MURK_SHAPE_BOX,
+                               .box = {min, max},
+                               .to_world = murk_affine_identity()};
+}
+
+static murk_surface_desc sheet(murk_vec3 corner, murk_vec3 edge1,
+                               murk_vec3 edge2)
+{
+    return (murk_surface_desc){.shape = MURK_SHAPE_RECT,
+                               .corner = corner,
+                               .edge1 = edge1,
+                               .edge2 = edge2,
+                               .to_world = murk_affine_identity()};
+}
+
+static murk_lay lay_of(double spacing_m)
+{
+    return (murk_lay){.spacing_m = spacing_m,
+                      .within = EVERYWHERE,
+                      .most_rise = 1,
+                      .most = 1000000};
+}
+
+static murk_foot *feet_of(const murk_surfaces *s, const murk_lay *lay,
+                          size_t *n)
+{
+    murk_foot *foot = NULL;
+    murk_error err = {0};
+    *n = 0;
+    CHECK(murk_surfaces_lay(&foot, n, s, lay, "here", &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    return foot;
+}
+
+static bool has(const murk_foot *foot, size_t n, murk_vec3 p, double within)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (murk_length(murk_sub(foot[i].position, p)) <= within) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Smallest distance between any two. */
+static double least_gap(const murk_foot *foot, size_t n)
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t k = 0; k < i; ++k) {
+            least =
+                fmin(least,
+                     murk_length(murk_sub(foot[i].position, foot[k].position)));
+        }
+    }
+    return least;
+}
+
+/* A room of 4 x 3 x 2.5 m: rows and columns half a metre apart, a quarter from
+ * the edges, on six walls: 2 (8 x 6 + 8 x 5 + 6 x 5). */
+static void check_room(const murk_surfaces *s)
+{
+    const murk_lay lay = lay_of(.5);
+    size_t n;
+    murk_foot *foot = feet_of(s, &lay, &n);
+    CHECK(n == 236);
+    for (size_t i = 0; i < n; ++i) {
+        const double p[3] = {foot[i].position.x, foot[i].position.y,
+                             foot[i].position.z};
+        const double size[3] = {4, 3, 2.5};
+        const double normal[3] = {foot[i].normal.x, foot[i].normal.y,
+                                  foot[i].normal.z};
+        int walls = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool is_wall = p[axis] == 0 || p[axis] == size[axis];
+            walls += is_wall;
+            CHECK(is_wall || fabs(fmod(p[axis], .5) - .25) < 1e-12);
+            CHECK(fabs(normal[axis]) == (is_wall ? 1 : 0));
+        }
+        CHECK(walls == 1);
+    }
+    free(foot);
+}
+
+static void test_walls_get_rows_and_columns(void)
+{
+    const murk_surface_desc room =
+        box_of(murk_vec(0, 0, 0), murk_vec(4, 3, 2.5));
+    murk_surfaces *s = create(&room, 1);
+    check_room(s);
+    murk_surfaces_destroy(s);
+}
+
+/* One side of the room, as rows x rows x 2 triangles. */
+static void add_wall(murk_mesh *m, murk_vec3 corner, murk_vec3 edge1,
+                     murk_vec3 edge2, uint32_t rows)
+{
+    const uint32_t first = (uint32_t)m->vertices;
+    for (uint32_t i = 0; i <= rows; ++i) {
+        for (uint32_t k = 0; k <= rows; ++k) {
+            closed_mesh_vertex(
+                m, murk_along(murk_along(corner, (double)i / rows, edge1),
+                              (double)k / rows, edge2));
+        }
+    }
+    for (uint32_t i = 0; i < rows; ++i) {
+        for (uint32_t k = 0; k < rows; ++k) {
+            const uint32_t at = first + i * (rows + 1) + k;
+            closed_mesh_triangle(m, at, at + 1, at + rows + 1);
+            closed_mesh_triangle(m, at + 1, at + rows + 2, at + rows + 1);
+        }
+    }
+}
+
+static void test_how_walls_are_cut_changes_nothing(void)
+{
+    const uint32_t rows = 64;
+    const murk_vec3 o = {0, 0, 0}, x = {4, 0, 0}, y = {0, 3, 0},
+                    z = {0, 0, 2.5};
+    murk_mesh *m = closed_mesh_empty(6 * 65 * 65, 12 * rows * rows);
+    add_wall(m, o, x, y, rows);
+    add_wall(m, z, x, y, rows);
+    add_wall(m, o, x, z, rows);
+    add_wall(m, y, x, z, rows);
+    add_wall(m, o, y, z, rows);
+    add_wall(m, x, y, z, rows);
+    const murk_surface_desc desc = {.shape = MURK_SHAPE_MESH,
+                                    .mesh = m,
+                                    .to_world = murk_affine_identity()};
+    murk_surfaces *s = create(&desc, 1);
+    check_room(s);
+    murk_surfaces_destroy(s);
+    murk_mesh_destroy(m);
+}
+
+/* Packing and covering of one smooth surface, and so its number of feet: each
+ * stands for no more than a disc of 1.1 spacings, and discs of half of 3/4 do
+ * not overlap (at most .9069 of the area). */
+static void check_even(const murk_surfaces *s, double spacing_m, double area_m2,
+                       const murk_vec3 *place, size_t places)
+{
+    const murk_lay lay = lay_of(spacing_m);
+    size_t n;
+    murk_foot *foot = feet_of(s, &lay, &n);
+    CHECK(least_gap(foot, n) >= .75 * spacing_m);
+    for (size_t i = 0; i < places; ++i) {
+        CHECK(has(foot, n, place[i], 1.1 * spacing_m));
+    }
+    const double squares = area_m2 / (spacing_m * spacing_m);
+    CHECK((double)n >= squares / 3.8);
+    CHECK((double)n <= .9069 * squares / (MURK_PI * .375 * .375) * 1.05);
+    free(foot);
+}
+
+static void test_slanting_sheets_are_laid_evenly(void)
+{
+    static const murk_vec3 edge[3][2] = {{{8, 0, 6}, {0, 10, 0}},
+                                         {{7, 0, 7}, {0, 10, 0}},
+                                         {{6, -6, 0}, {4, 4, -8}}};
+    for (int k = 0; k < 3; ++k) {
+        const murk_surface_desc desc =
+            sheet(murk_vec(1, 2, 3), edge[k][0], edge[k][1]);
+        murk_surfaces *s = create(&desc, 1);
+        murk_vec3 place[300];
+        for (size_t i = 0; i < 300; ++i) {
+            const murk_random4 r = murk_random(SEED, MURK_TEST, i, 0, 0);
+            place[i] = murk_along(murk_along(desc.corner, r.u[0], edge[k][0]),
+                                  r.u[1], edge[k][1]);
+        }
+        check_even(s, .6, murk_length(murk_cross(edge[k][0], edge[k][1])),
+                   place, 300);
+        murk_surfaces_destroy(s);
+    }
+}
+
+/* A ball of radius 2 m, once as a sphere and once as thousands of triangles
+ * much smaller than the spacing. */
+static void test_round_surfaces_are_laid_evenly(void)
+{
+    murk_mesh *m = closed_star(murk_vec(1, 1, 1), 2, 0, 24, SEED);
+    const murk_surface_desc desc[2] = {{.shape = MURK_SHAPE_MESH,
+                                        .mesh = m,
+                                        .to_world = murk_affine_identity()},
+                                       {.shape = MURK_SHAPE_SPHERE,
+                                        .center = {1, 1, 1},
+                                        .radius_m = 2,
+                                        .to_world = murk_affine_identity()}};
+    murk_vec3 place[300];
+    for (size_t i = 0; i < 300; ++i) {
+        const murk_random4 r = murk_random(SEED, MURK_TEST, i, 1, 0);
+        place[i] = murk_along(
+            murk_vec(1, 1, 1), 2,
+            murk_about(murk_vec(0, 0, 1), 2 * r.u[0] - 1, 6.28 * r.u[1]));
+    }
+    for (int k = 0; k < 2; ++k) {
+        murk_surfaces *s = create(&desc[k], 1);
+        check_even(s, .5, 16 * MURK_PI, place, 300);
+        murk_surfaces_destroy(s);
+    }
+    murk_mesh_destroy(m);
+}
+
+/* Two faces 5 cm apart, and shelves 20 cm apart, each get their own feet
+ * though the spacing is a metre; a beam of 10 cm gets feet along it. */
+static void test_neighbours_and_small_parts_get_feet(void)
+{
+    const murk_vec3 x = {4, 0, 0}, z = {0, 0, 4}, y = {0, 4, 0};
+    const murk_surface_desc desc[4] = {
+        sheet(murk_vec(0, 0, 0), x, z), sheet(murk_vec(0, .05, 0), x, z),
+        sheet(murk_vec(0, 1, 9), x, y), sheet(murk_vec(0, 1, 9.2), x, y)};
+    murk_surfaces *s = create(desc, 4);
+    const murk_lay lay = lay_of(1);
+    size_t n;
+    murk_foot *foot = feet_of(s, &lay, &n);
+    size_t on[4] = {0};
+    for (size_t i = 0; i < n; ++i) {
+        on[0] += foot[i].position.y == 0;
+        on[1] += fabs(foot[i].position.y - .05) < 1e-7;
+        on[2] += foot[i].position.z == 9;
+        on[3] += fabs(foot[i].position.z - 9.2) < 1e-6;
+    }
+    for (int k = 0; k < 4; ++k) {
+        CHECK(on[k] >= 16 && on[k] <= 25);
+    }
+    CHECK(on[0] + on[1] + on[2] + on[3] == n);
+    free(foot);
+    murk_surfaces_destroy(s);
+
+    const murk_surface_desc beam =
+        box_of(murk_vec(.31, .31, 3), murk_vec(8, .41, 3.1));
+    s = create(&beam, 1);
+    foot = feet_of(s, &lay, &n);
+    size_t under = 0;
+    for (size_t i = 0; i < n; ++i) {
+        under += foot[i].position.z == 3;
+    }
+    CHECK(under >= 6 && under <= 11);
+    free(foot);
+    murk_surfaces_destroy(s);
+}
+
+static void test_what_is_not_wanted_gets_none(void)
+{
+    murk_surface_desc desc[2] = {
+        box_of(murk_vec(0, 0, 0), murk_vec(4, 3, 2.5)),
+        sheet(murk_vec(1, 1, 1), murk_vec(1, 0, 0), murk_vec(0, 1, 0))};
+    desc[1].material = 1;
+    murk_surfaces *s = create(desc, 2);
+    const bool other[2] = {false, true};
+    murk_lay lay = lay_of(.5);
+    size_t n;
+    lay.materials = other;
+    free(feet_of(s, &lay, &n));
+    CHECK(n == 4);
+    lay = lay_of(.5);
+    lay.least_rise = .8; /* floor, ceiling and sheet */
+    free(feet_of(s, &lay, &n));
+    CHECK(n == 2 * 48 + 4);
+    lay = lay_of(.5);
+    lay.most_rise = .6; /* walls, from 2 m on: one row */
+    lay.within.min.z = 2;
+    free(feet_of(s, &lay, &n));
+    CHECK(n == 2 * (8 + 6));
+    lay.within.min.z = lay.within.max.z = 1.5; /* a height */
+    murk_foot *foot = feet_of(s, &lay, &n);
+    CHECK(n == 2 * (8 + 6));
+    for (size_t i = 0; i < n; ++i) {
+        CHECK(foot[i].position.z == 1.5);
+    }
+    free(foot);
+    lay = lay_of(.5);
+    lay.within.min.z = 7;
+    foot = feet_of(s, &lay, &n);
+    CHECK(n == 0 && foot == NULL);
+    murk_surfaces_destroy(s);
+}
+
+/* Ground of a ten thousand square kilometres, of which a hundred metres squared
+ * are asked; and too many feet. */
+static void test_great_surfaces_are_cut_off(void)
+{
+    const murk_surface_desc desc[2] = {sheet(murk_vec(-5e4, -5e4, 0),
+                                             murk_vec(1e5, 0, 0),
+                                             murk_vec(0, 1e5, 0)),
+                                       {.shape = MURK_SHAPE_SPHERE,
+                                        .center = {0, 0, -9e4},
+                                        .radius_m = 9e4 + 20,
+                                        .to_world = murk_affine_identity()}};
+    murk_surfaces *s = create(desc, 2);
+    murk_lay lay = lay_of(2);
+    lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
+    size_t n;
+    free(feet_of(s, &lay, &n));
+    CHECK(n == 25);
+    lay.within = (murk_box){{-5, -5, 19}, {5, 5, 21}};
+    free(feet_of(s, &lay, &n));
+    CHECK(n >= 9 && n <= 49);
+    murk_foot *foot = NULL;
+    murk_error err = {0};
+    lay.within = EVERYWHERE;
+    CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", &err) ==
+          MURK_BAD_VALUE);
+    CHECK(foot == NULL);
+    CHECK_TEXT(err.where, "here");
+    CHECK_MENTIONS(err.text, "spacing_m is 2 m");
+    lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
+    lay.most = 24;
+    CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", &err) ==
+          MURK_BAD_VALUE);
+    murk_surfaces_destroy(s);
+}
+
+/* ---- near a mount ---- */
+
+static bool is_near(const murk_surfaces *s, murk_vec3 at, murk_vec3 normal,
+                    double radius_m)
+{
+    const murk_foot foot = {at, normal};
+    return murk_surfaces_near_mount(s, murk_along(at, .05, normal), radius_m,
+                                    &foot, .025);
+}
+
+static void test_own_wall_does_not_count(void)
+{
+    const murk_surface_desc desc[3] = {
+        box_of(murk_vec(0, 0, 0), murk_vec(4, 3, 2.5)),
+        box_of(murk_vec(3, 1, 0), murk_vec(3.5, 2, .02)), /* a sill */
+        sheet(murk_vec(.3, .7, .7), murk_vec(0, .6, 0), murk_vec(0, 0, .6))};
+    murk_surfaces *s = create(desc, 3);
+    const murk_vec3 up = {0, 0, 1};
+    CHECK(!is_near(s, murk_vec(2, 1.5, 0), up, 1));
+    CHECK(is_near(s, murk_vec(.2, 1.5, 0), up, .2 + 1e-5));
+    CHECK(!is_near(s, murk_vec(.2, 1.5, 0), up, .2 - 1e-5));
+    CHECK(!is_near(s, murk_vec(3.25, .9, 0), up, .5));
+    /* before the wall x = 0 stands a sheet at .3 */
+    CHECK(is_near(s, murk_vec(0, 1, 1), murk_vec(1, 0, 0), .25 + 1e-5));
+    CHECK(!is_near(s, murk_vec(0, 1, 1), murk_vec(1, 0, 0), .25 - 1e-5));
+    CHECK(murk_surfaces_near(s, murk_vec(2, 1.5, .05), .05 + 1e-5));
+    murk_surfaces_destroy(s);
+}
+
+/* A tunnel of 24 sides: on its inside only what is not the tunnel counts, on
+ * the outside nothing; a ramp of 60 degrees counts. */
+static void test_own_curved_wall_does_not_count(void)
+{
+    enum { SIDES = 24 };
+    murk_mesh *m = closed_mesh_empty(2 * SIDES, 2 * SIDES);
+    for (uint32_t i = 0; i < 2 * SIDES; ++i) {
+        const double turn = 2 * MURK_PI * (i % SIDES) / SIDES;
+        closed_mesh_vertex(m,
+                           murk_vec(cos(turn), i < SIDES ? -9 : 9, sin(turn)));
+    }
+    for (uint32_t i = 0; i < SIDES; ++i) {
+        const uint32_t next = (i + 1) % SIDES;
+        closed_mesh_triangle(m, i, next, SIDES + i);
+        closed_mesh_triangle(m, next, SIDES + next, SIDES + i);
+    }
+    const murk_surface_desc desc[2] = {{.shape = MURK_SHAPE_MESH,
+                                        .mesh = m,
+                                        .to_world = murk_affine_identity()},
+                                       sheet(murk_vec(-2, 4, -.8),
+                                             murk_vec(4, 0, 0),
+                                             murk_vec(0, 1, sqrt(3)))};
+    murk_surfaces *s = create(desc, 2);
+    const double low = -cos(MURK_PI / SIDES); /* of the facet below */
+    for (int i = -4; i <= 4; ++i) {
+        const double turn = 2 * MURK_PI * (.5 + i) / SIDES;
+        const murk_vec3 out = {sin(turn), 0, -cos(turn)};
+        const murk_vec3 foot = murk_scale(-low, out);
+        CHECK(!is_near(s, foot, murk_scale(-1, out), .6));
+        CHECK(!is_near(s, foot, out, .6));
+    }
+    const double turn = MURK_PI / SIDES;
+    const murk_vec3 out = {sin(turn), 0, -cos(turn)};
+    const murk_vec3 foot = murk_add(murk_scale(-low, out), murk_vec(0, 3.6, 0));
+    CHECK(is_near(s, foot, murk_scale(-1, out), .6));
+    murk_surfaces_destroy(s);
+    murk_mesh_destroy(m);
+}
+
+static void test_own_sphere_does_not_count(void)
+{
+    const murk_surface_desc desc[2] = {{.shape = MURK_SHAPE_SPHERE,
+                                        .center = {0, 0, 0},
+                                        .radius_m = 2,
+                                        .to_world = murk_affine_identity()},
+                                       {.shape = MURK_SHAPE_SPHERE,
+                                        .center = {0, 1, -1},
+                                        .radius_m = .5,
+                                        .to_world = murk_affine_identity()}};
+    murk_surfaces *s = create(desc, 2);
+    const murk_vec3 foot = {0, 0, -2}, up = {0, 0, 1}, down = {0, 0, -1};
+    CHECK(!is_near(s, foot, down, 9));
+    /* from (0, 0, -1.95) to the other's center less its radius */
+    const double gap = hypot(1, .95) - .5;
+    CHECK(!is_near(s, foot, up, gap - 1e-5));
+    CHECK(is_near(s, foot, up, gap + 1e-5));
+    /* on the small one, to its side: of the great one what is beyond counts */
+    CHECK(is_near(s, murk_vec(0, 1.5, -1), murk_vec(0, 1, 0), .5));
+    murk_surfaces_destroy(s);
+}
+
+int main(void)
+{
+    test_walls_get_rows_and_columns();
+    test_how_walls_are_cut_changes_nothing();
+    test_slanting_sheets_are_laid_evenly();
+    test_round_surfaces_are_laid_evenly();
+    test_neighbours_and_small_parts_get_feet();
+    test_what_is_not_wanted_gets_none();
+    test_great_surfaces_are_cut_off();
+    test_own_wall_does_not_count();
+    test_own_curved_wall_does_not_count();
+    test_own_sphere_does_not_count();
+    return check_done();
+}
