@@ -138,7 +138,8 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
                (double)place->cost * MURK_COST_UNIT,
                session->scene->sensors.budget);
     }
-    murk_print_bound(place, "sample of photons");
+    murk_print_bound(place, session->scene->sensors.budget > 0,
+                     "sample of photons");
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
            "place %.2f; memory %.3g GB\n",

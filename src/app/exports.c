@@ -90,11 +90,11 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
                    ? MURK_OK
                    : status;
     }
-    murk_lp_goal goal = {.count = plan->place.count};
+    murk_lp_goal goal = {.count = (size_t)wish->count,
+                         .rules = murk_poses_rules(plan->poses)};
     if (wish->target > 0) {
         const murk_problem problem = murk_sparse_matrix_problem(matrix, 1);
-        goal = (murk_lp_goal){.target =
-                                  murk_plan_value_of(wish->target, &problem)};
+        goal.target = murk_plan_value_of(wish->target, &problem);
     }
     const unsigned exports = session->options->exports;
     murk_exports_add(&session->results, exports, matrix, &goal, late);

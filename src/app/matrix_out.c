@@ -2,6 +2,7 @@
 #include "app/plan_out.h"
 
 #include "study/machine.h"
+#include "study/poses.h"
 
 #include <math.h>
 
@@ -102,6 +103,11 @@ static void add_placement(cJSON *root, const murk_matrix_plan *p)
         cJSON_AddNullToObject(object, "confirmed");
         cJSON_AddNullToObject(object, "confirmed_standard_error");
     }
+    if (p->budget > 0) {
+        cJSON *object = cJSON_AddObjectToObject(root, "budget");
+        murk_json_number(object, "asked", p->budget);
+        murk_json_number(object, "spent", (double)place->cost * MURK_COST_UNIT);
+    }
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
     cJSON_AddStringToObject(object, "method",
                             murk_method_names[p->desc.method]);
@@ -170,7 +176,11 @@ void murk_matrix_plan_print(const murk_matrix_plan *p)
         printf("target      %.4f takes %zu columns, and no fewer than %zu\n",
                p->target, place->count, place->fewest);
     }
-    murk_print_bound(place, "matrix");
+    if (p->budget > 0) {
+        printf("budget      %.10g of %.10g spent\n",
+               (double)place->cost * MURK_COST_UNIT, p->budget);
+    }
+    murk_print_bound(place, p->budget > 0, "matrix");
     printf("time        %.2f s: load %.2f, matrix %.2f, place %.2f; memory "
            "%.3g GB\n",
            p->session.run.total_s, p->session.run.load_s,

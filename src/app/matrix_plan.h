@@ -18,7 +18,9 @@ typedef struct murk_matrix_plan {
     murk_session session; /* without scene, stage and light */
     murk_sparse_matrix *matrix;
     murk_place_desc desc;
-    double target; /* 0: a count is asked for */
+    double target, budget; /* 0: not asked for */
+    murk_rules rules;      /* with a budget */
+    int64_t *cost;         /* [matrix->columns] of the rules */
     murk_place_result place;
     murk_covering covers;
 } murk_matrix_plan;

@@ -28,7 +28,7 @@ const murk_option murk_option_table[] = {
      "plan.json"},
     {MURK_OPTION_MATRIX, "--matrix", NULL, "FILE", "place",
      "choose columns of this coverage matrix, CSV or OR-Library text, in place "
-     "of a scene; with --count or --target"},
+     "of a scene; with --count, --target or --budget"},
     {MURK_OPTION_EXPORT, "--export", NULL, "LIST", "place",
      "write these into DIR, too, with commas between: matrix (matrix.csv, the "
      "coverage matrix, which --matrix reads, and candidates.csv), or-library "

@@ -7,7 +7,9 @@
 #include "base/log.h"
 #include "scene/number.h"
 #include "study/machine.h"
+#include "study/poses.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +17,8 @@
 #define RESTARTS_MOST 1000000
 #define NODES_MOST    UINT64_C(1000000000000000)
 #define COUNT_MOST    1000000
+#define BUDGET_MOST   1e12
+#define COST_MOST     1e6
 
 /* ---- the wish ---- */
 
@@ -58,6 +62,11 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
             !(p->target > 0 && p->target <= 1)) {
             return bad_key(name, value, "more than 0 and at most 1", err);
         }
+    } else if (strcmp(key, "sensors.budget") == 0) {
+        if (!murk_number_parse(value, &p->budget) ||
+            !(p->budget > 0 && p->budget <= BUDGET_MOST)) {
+            return bad_key(name, value, "more than 0 and at most 1e12", err);
+        }
     } else if (strcmp(key, "seed") == 0) {
         if (!count_in(value, 0, UINT32_MAX, &n)) {
             return bad_key(name, value, "a whole number 0..4294967295", err);
@@ -77,7 +86,8 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
     } else {
         return murk_fail(err, MURK_BAD_VALUE, name,
                          "with --matrix there is no such key; there are seed, "
-                         "sensors.count, sensors.target, placement.method, "
+                         "sensors.count, sensors.target, sensors.budget, "
+                         "placement.method, "
                          "placement.restarts, placement.nodes");
     }
     return MURK_OK;
@@ -104,11 +114,37 @@ static murk_status read_wish(murk_matrix_plan *p, murk_error *err)
             return status;
         }
     }
-    if ((p->desc.count > 0) == (p->target > 0)) {
+    const int wishes = (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);
+    if (wishes != 1) {
         return murk_fail(err, MURK_BAD_VALUE, "--matrix",
-                         "needs one of --count N and --target C, %s given",
-                         p->target > 0 ? "both are" : "neither is");
+                         "needs one of --count N, --target C and --budget B, "
+                         "%d are given",
+                         wishes);
     }
+    return MURK_OK;
+}
+
+/* What the file says a column costs, or 1. */
+static murk_status price(murk_matrix_plan *p, murk_error *err)
+{
+    const murk_sparse_matrix *m = p->matrix;
+    p->cost = calloc(m->columns + 1, sizeof *p->cost);
+    if (!p->cost) {
+        return murk_fail(err, MURK_NO_MEMORY, p->session.options->matrix,
+                         "no memory for the costs");
+    }
+    for (size_t j = 0; j < m->columns; ++j) {
+        const double cost = m->cost ? m->cost[j] : 1;
+        if (!(cost >= 0 && cost <= COST_MOST)) {
+            return murk_fail(err, MURK_BAD_VALUE, p->session.options->matrix,
+                             "column %zu costs %g, must be 0..1e6", j + 1,
+                             cost);
+        }
+        p->cost[j] = llround(cost / MURK_COST_UNIT);
+    }
+    p->rules = (murk_rules){.cost = p->cost,
+                            .budget = llround(p->budget / MURK_COST_UNIT)};
+    p->desc.rules = &p->rules;
     return MURK_OK;
 }
 
@@ -119,6 +155,8 @@ static murk_status fit_wish(murk_matrix_plan *p, const murk_problem *problem,
     if (p->target > 0) {
         p->desc.target = murk_plan_value_of(p->target, problem);
         p->desc.count = problem->candidates;
+    } else if (p->budget > 0) {
+        return price(p, err);
     } else if (p->desc.count > problem->candidates) {
         return murk_fail(err, MURK_BAD_VALUE, "--count",
                          "%zu, but %s has %zu columns", p->desc.count,
@@ -243,7 +281,7 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     murk_error late = {0};
     if (!status && options->exports) {
         const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,
-                                   p.desc.target};
+                                   p.desc.target, p.desc.rules};
         murk_exports_add(&p.session.results, options->exports, p.matrix, &goal,
                          &late);
     }
@@ -263,5 +301,6 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     free(p.covers.alone);
     free(p.covers.only);
     free(p.covers.seen_by);
+    free(p.cost);
     return status;
 }

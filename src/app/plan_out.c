@@ -48,13 +48,14 @@ void murk_json_cut(cJSON *object, const murk_place_result *place)
     }
 }
 
-void murk_print_bound(const murk_place_result *place, const char *sample)
+void murk_print_bound(const murk_place_result *place, bool has_budget,
+                      const char *sample)
 {
     if (place->proven_optimal) {
         printf("bound       proven optimal for this %s\n", sample);
     } else {
         char what[40] = "no plan within the budget covers";
-        if (place->cost == 0) {
+        if (!has_budget) {
             snprintf(what, sizeof what, "no %zu candidates cover",
                      place->count);
         }

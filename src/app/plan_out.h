@@ -19,6 +19,7 @@ void murk_json_bound(cJSON *root, const murk_place_result *place);
 void murk_json_cut(cJSON *object, const murk_place_result *place);
 
 /* The summary's line "bound". */
-void murk_print_bound(const murk_place_result *place, const char *sample);
+void murk_print_bound(const murk_place_result *place, bool has_budget,
+                      const char *sample);
 
 #endif

@@ -211,12 +211,16 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
                        const murk_lp_goal *goal)
 {
     terms aim = {to, 0}, limit = {to, 0};
-    if (goal->count > 0) {
+    if (goal->count > 0 && goal->target == 0) {
         fputs("Maximize\n covered:", to);
         print_value(&aim, m, k);
         fputs("\nSubject To\n count:", to);
         print_columns(&limit, m);
         fprintf(to, " = %zu\n", goal->count);
+    } else if (goal->target == 0) {
+        fputs("Maximize\n covered:", to);
+        print_value(&aim, m, k);
+        fputs("\nSubject To\n", to);
     } else {
         /* values are whole in weight * clarity: half a unit below asks the
          * same, and leaves a solver its tolerance */
@@ -228,6 +232,153 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
         print_value(&limit, m, k);
         fprintf(to, " >= %.15g\n", least);
     }
+}
+
+/* ---- rules ---- */
+
+/* "+ 3 x7", or "+ x7" where `times` is 1. */
+static void print_member(terms *t, int64_t times, size_t column)
+{
+    begin_term(t);
+    fputs(t->n > 1 ? "+ " : "", t->to);
+    if (times != 1) {
+        fprintf(t->to, "%lld ", (long long)times);
+    }
+    fprintf(t->to, "x%zu", column + 1);
+}
+
+static void print_budget(FILE *to, const murk_rules *rules, size_t columns)
+{
+    terms t = {to, 0};
+    fputs(" budget:", to);
+    for (size_t j = 0; j < columns; ++j) {
+        if (rules->cost[j] > 0) {
+            print_member(&t, rules->cost[j], j);
+        }
+    }
+    if (t.n == 0) { /* all for nothing */
+        print_member(&t, 0, 0);
+    }
+    fprintf(to, " <= %lld\n", (long long)rules->budget);
+}
+
+static void print_class(FILE *to, const murk_rulebook *book, uint32_t number,
+                        bool is_least)
+{
+    terms t = {to, 0};
+    fprintf(to, " class%u_%s:", number + 1, is_least ? "least" : "most");
+    for (size_t j = 0; j < book->candidates; ++j) {
+        if (book->class_of[j] == number) {
+            print_member(&t, 1, j);
+        }
+    }
+    fprintf(to, " %s %zu\n", is_least ? ">=" : "<=",
+            is_least ? book->least[number] : book->most[number]);
+}
+
+/* Sites by the numbers of their columns: sorted by site, then column. */
+static int by_site(const void *a, const void *b)
+{
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+static bool print_sites(FILE *to, const murk_rulebook *book)
+{
+    const size_t n = book->candidates;
+    uint64_t *order = malloc((n + 1) * sizeof *order);
+    for (size_t j = 0; order && j < n; ++j) {
+        order[j] = (uint64_t)book->site[j] << 32 | j;
+    }
+    if (!order) {
+        return false;
+    }
+    qsort(order, n, sizeof *order, by_site);
+    for (size_t k = 0; k < n;) {
+        size_t end = k + 1;
+        while (end < n && order[end] >> 32 == order[k] >> 32) {
+            ++end;
+        }
+        if (end - k > 1) {
+            terms t = {to, 0};
+            fprintf(to, " site%zu:", (size_t)(order[k] >> 32) + 1);
+            for (size_t i = k; i < end; ++i) {
+                print_member(&t, 1, (size_t)(order[i] & UINT32_MAX));
+            }
+            fputs(" <= 1\n", to);
+        }
+        k = end;
+    }
+    free(order);
+    return true;
+}
+
+static bool is_of_one_site(const murk_rulebook *book, uint32_t a, uint32_t b)
+{
+    return book->site && book->site[a] == book->site[b];
+}
+
+/* Pairs apart from those of one site; false beyond the most. */
+static bool print_pairs(FILE *to, const murk_rulebook *book)
+{
+    size_t pairs = 0;
+    for (uint32_t a = 0; a < book->candidates; ++a) {
+        for (uint32_t b = a + 1; b < book->candidates; ++b) {
+            if (!murk_rulebook_excludes(book, a, b) ||
+                is_of_one_site(book, a, b)) {
+                continue;
+            }
+            if (++pairs > ENTRIES_MOST) {
+                return false;
+            }
+            fprintf(to, " apart%zu: x%zu + x%zu <= 1\n", pairs, (size_t)a + 1,
+                    (size_t)b + 1);
+        }
+    }
+    return true;
+}
+
+static murk_status print_rules(FILE *to, const murk_sparse_matrix *m,
+                               const murk_lp_goal *goal, const char *path,
+                               murk_error *err)
+{
+    const murk_rules *rules = goal->rules;
+    if (!rules) {
+        return MURK_OK;
+    }
+    murk_rulebook book;
+    const size_t count = goal->count ? goal->count : m->columns;
+    murk_status status =
+        murk_rulebook_init(&book, rules, m->columns, count,
+                           goal->count == 0 || goal->target > 0, err);
+    if (status) {
+        return status;
+    }
+    if (book.has_budget) {
+        print_budget(to, rules, m->columns);
+    }
+    for (uint32_t c = 0; c < rules->classes; ++c) {
+        if (book.least[c] > 0) {
+            print_class(to, &book, c, true);
+        }
+        if (book.has_caps) {
+            print_class(to, &book, c, false);
+        }
+    }
+    for (size_t k = 0; k < rules->fixed_count; ++k) {
+        fprintf(to, " fixed%zu: x%zu = 1\n", k + 1, rules->fixed[k] + 1);
+    }
+    if (book.site && !print_sites(to, &book)) {
+        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    }
+    if (!status && book.has_conflicts && !print_pairs(to, &book)) {
+        status = murk_fail(err, MURK_RUN_FAILED, path,
+                           "more than %d pairs of candidates exclude each "
+                           "other, an LP file may have so many",
+                           ENTRIES_MOST);
+    }
+    murk_rulebook_release(&book);
+    return status;
 }
 
 static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k)
@@ -278,9 +429,14 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
                 "y: row covered\n",
                 m->rows, whole / m->unit, m->columns);
         print_goal(to, m, &k, goal);
+        status = print_rules(to, m, goal, path, err);
         print_rows(to, m, &k);
         print_bounds(to, m, &k);
-        status = murk_file_commit(&file, err);
+        if (status) {
+            murk_file_discard(file);
+        } else {
+            status = murk_file_commit(&file, err);
+        }
     }
     release(&k);
     return status;

@@ -8,6 +8,7 @@
 #define MURK_STUDY_SPARSE_MATRIX_H
 
 #include "placement/problem.h"
+#include "placement/rules.h"
 
 typedef enum murk_matrix_format {
     MURK_MATRIX_DENSE_CSV,  /* a line a row, a cell a column */
@@ -68,8 +69,9 @@ murk_sparse_matrix_write_or_library(const murk_sparse_matrix *matrix,
 
 /* What a solver of integer programs is asked. */
 typedef struct murk_lp_goal {
-    size_t count;    /* of so many columns the best, or, when 0: */
-    uint64_t target; /* the fewest worth so much, in weight * clarity */
+    size_t count;    /* of so many columns the best; 0: as many as pay */
+    uint64_t target; /* not 0: the fewest worth so much, in weight * clarity */
+    const murk_rules *rules; /* NULL: none */
 } murk_lp_goal;
 
 /* The problem as an LP file (CPLEX's format). Rows that are covered alike are
@@ -79,10 +81,12 @@ typedef struct murk_lp_goal {
  *     maximise sum w_i y_i, y_i <= sum_j x_j        where all are clear, else
  *     maximise sum w_i p_ij y_ij, y_ij <= x_j, sum_j y_ij <= 1
  *
- * with sum x_j = count; or the least sum x_j that reaches the target. The
- * objective is in weights as given. Fails with MURK_RUN_FAILED beyond 1e7
- * entries. Source: Church, ReVelle, Pap. Reg. Sci.
- * 32 (1974) 101, doi:10.1007/BF01942293; Cornuejols, Fisher, Nemhauser,
+ * with sum x_j = count; or the least sum x_j that reaches the target. Rules
+ * are further rows: the budget in the rules' whole units, counts by class, x =
+ * 1 for fixed ones, at most one of a site and of a pair that excludes each
+ * other. The objective is in weights as given. Fails with MURK_RUN_FAILED
+ * beyond 1e7 entries or excluding pairs. Source: Church, ReVelle, Pap. Reg.
+ * Sci. 32 (1974) 101, doi:10.1007/BF01942293; Cornuejols, Fisher, Nemhauser,
  * Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789. */
 murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *matrix,
                                         const murk_lp_goal *goal,

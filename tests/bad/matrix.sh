@@ -111,12 +111,14 @@ refused 'matrix.txt:2:1: the cost of column 1 of 2: nan' "2 2\nnan 1\n1 1\n1 2\n
 printf '1,0,1\n0,1,0\n0,0,0\n' >"$file"
 expect 2 "--count: 4, but $file has 3 columns" --count 4
 expect 2 "--count: 0" --count 0
-expect 2 "neither is given" --seed 3
-expect 2 "both are given" --count 2 --target 0.5
+expect 2 "0 are given" --seed 3
+expect 2 "2 are given" --count 2 --target 0.5
+expect 2 "2 are given" --count 2 --budget 5
 expect 2 "--target: 1.5, must be more than 0 and at most 1" --target 1.5
 expect 2 "--target: nan" --target nan
 expect 2 "cannot be reached: all 3" --target 0.9
-expect 2 "--budget: with --matrix there is no such key" --budget 5
+expect 2 "--budget: 0, must be more than 0 and at most 1e12" --budget 0
+expect 2 "--budget: inf" --budget inf
 expect 2 "a matrix has no light" --light light.murk --count 1
 expect 2 "--set photons.emit: with --matrix there is no such key" --set photons.emit=5 --count 1
 expect 2 "--emit: with --matrix there is no such key" --emit 5 --count 1

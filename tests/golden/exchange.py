@@ -233,6 +233,56 @@ def test_cbc_agrees(murk):
             check(round(solve(murk.path("target", "problem.lp"))) == count, "cbc takes another count")
 
 
+TYPES = ("sensors.types=[{name: node, range_m: 2, cost: 1, max_count: 2}, "
+         "{name: cam, range_m: 5, cost: 2.5, view: {cone_deg: 100}, headings: 4, "
+         "least_count: 1}]")
+
+
+def whole_weight(path):
+    """That of all rows, from the file's first line."""
+    with open(path) as file:
+        return float(re.search(r"rows of weight (\S+),", file.readline()).group(1))
+
+
+def test_cbc_agrees_under_rules(murk):
+    rules = {
+        "budget": ["--budget", "3.5"],
+        "counts": ["--count", "5"],
+        "one a site": ["--count", "5", "--set", "sensors.one_per_site=true"],
+        "spacing": ["--count", "4", "--set", "sensors.candidates.spacing_m=3.1"],
+        "fixed": ["--budget", "5", "--set", "sensors.fixed=[{type: node, position_m: [1, 1, 1]}]"],
+    }
+    seen = set()
+    for name, asked in rules.items():
+        plan, _ = murk.place("rules", murk.scene(0.4), "--store", "80", "--set", TYPES, "--set",
+                             "sensors.candidates.grid.size=[4, 3, 1]", *asked, "--export", "lp")
+        check(plan["bound"]["proven_optimal"], name, "not proven", plan["bound"])
+        problem = murk.path("rules", "problem.lp")
+        best = solve(problem) / whole_weight(problem)
+        check(is_near(best, plan["coverage"]["in_sample"], 1e-6), name, "cbc covers", best,
+              "murk", plan["coverage"])
+        seen.add(round(best, 9))
+        if "budget" in plan:
+            check(plan["budget"]["spent"] <= plan["budget"]["asked"], plan["budget"])
+    check(len(seen) == len(rules), "rules that change nothing:", seen)
+
+
+def test_cbc_agrees_on_costs(murk):
+    """OR-Library's costs as a budget."""
+    path = murk.path("costs.txt")
+    columns = [(3, (1, 2, 3, 4)), (1, (1, 2)), (1, (3, 5)), (2, (4, 5, 6)), (1.5, (6, 7))]
+    with open(path, "w") as file:
+        file.write("7 5\n%s\n" % " ".join(str(cost) for cost, _ in columns))
+        for row in range(1, 8):
+            by = [j + 1 for j, (_, rows) in enumerate(columns) if row in rows]
+            file.write("%d\n%s\n" % (len(by), " ".join(map(str, by))))
+    for budget, covered in (("1", 2), ("2", 4), ("3.5", 6), ("5", 6), ("5.5", 7)):
+        plan, _ = murk.place("costs", "--matrix", path, "--budget", budget, "--export", "lp")
+        check(plan["matrix"]["covered"] == covered, budget, plan["matrix"])
+        check(plan["budget"]["spent"] <= float(budget), plan["budget"])
+        check(is_near(solve(murk.path("costs", "problem.lp")), covered, 1e-9), budget)
+
+
 def main():
     what, program = sys.argv[1:3]
     if what == "cbc" and not shutil.which("cbc"):
@@ -241,7 +291,8 @@ def main():
     tests = {"files": (test_the_matrix_gives_the_same_plan,
                        test_what_cannot_be_written_costs_no_plan,
                        test_the_plan_as_points),
-             "cbc": (test_cbc_agrees,)}[what]
+             "cbc": (test_cbc_agrees, test_cbc_agrees_under_rules,
+                     test_cbc_agrees_on_costs)}[what]
     for test in tests:
         with tempfile.TemporaryDirectory() as folder:
             try:
