@@ -11,15 +11,21 @@ murk_passages murk_passages_from(const murk_media *media,
                                  const murk_hulls *hulls,
                                  const murk_domain *domain, murk_vec3 sensor)
 {
-    const murk_inside around = hulls ? murk_hulls_at(hulls, sensor) : 0;
-    return (murk_passages){
-        .media = media,
-        .hulls = hulls,
-        .domain = domain,
-        .sensor = sensor,
-        .around = around,
-        .index =
-            murk_media_index(media, around | murk_media_inside(media, sensor))};
+    murk_passages p = {.media = media,
+                       .hulls = hulls,
+                       .domain = domain,
+                       .sensor = sensor,
+                       .around = hulls ? murk_hulls_at(hulls, sensor) : 0};
+    p.index =
+        murk_media_index(media, p.around | murk_media_inside(media, sensor));
+    return p;
+}
+
+double murk_passage_index(const murk_passages *p, murk_vec3 place)
+{
+    const murk_inside meshes = p->hulls ? murk_hulls_at(p->hulls, place) : 0;
+    return murk_media_index(p->media,
+                            meshes | murk_media_inside(p->media, place));
 }
 
 /* A piece of the way. After the first it begins in a side of the domain, where

@@ -22,6 +22,9 @@ murk_passages murk_passages_from(const murk_media *media,
                                  const murk_hulls *hulls,
                                  const murk_domain *domain, murk_vec3 sensor);
 
+/* The index of refraction at a place. */
+double murk_passage_index(const murk_passages *passages, murk_vec3 place);
+
 /* A straight piece of a way. */
 typedef struct murk_leg {
     murk_vec3 from, direction; /* unit */

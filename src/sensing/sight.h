@@ -56,6 +56,8 @@ typedef struct murk_sight_desc {
     murk_vec3 north; /* level, of length 1; zero: +y */
     murk_visibility visibility;
     bool through_sheets; /* through: thin; false: block */
+    bool refracts; /* through: refract, with MURK_VISIBILITY_RAY: sightlines
+                      bend at one flat boundary */
     murk_map_weights weights;
     const murk_interest *interest; /* NULL: no regions of interest */
     unsigned threads;
@@ -108,6 +110,12 @@ const murk_sight_desc *murk_sight_described(const murk_sight *sight);
  * against surfaces. */
 uint64_t murk_sight_queries(const murk_sight *sight);
 uint64_t murk_sight_shadow_rays(const murk_sight *sight);
+
+/* Sightlines lost to boundaries where the index changes: those that no surface
+ * blocks but a boundary does, and where sightlines bend those that have no way
+ * across one flat boundary; those of them that are totally reflected apart. */
+uint64_t murk_sight_blocked_by_interfaces(const murk_sight *sight);
+uint64_t murk_sight_totally_reflected(const murk_sight *sight);
 
 /* How much of a region of interest is in view: what the total would be if
  * nothing else were there and every region weighed 1. NaN where no photon with

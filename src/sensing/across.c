@@ -1,0 +1,71 @@
+#include "sensing/across.h"
+
+/* Photons that a straight line would see, if nothing bent, and that have no way
+ * at all. */
+static void count_lost(const murk_across *a, const murk_side *facing,
+                       murk_vec3 from, bool is_reflected)
+{
+    const murk_passages *p = a->passages;
+    const murk_vec3 image = murk_nearest_image(p->domain, from, p->sensor);
+    const murk_vec3 way = murk_sub(image, p->sensor);
+    if (murk_dot(way, way) <= a->range_m * a->range_m &&
+        murk_field_contains(a->field, way) &&
+        (!facing ||
+         murk_side_faces(facing, image, p->sensor, a->position_error_m))) {
+        murk_tally_add(is_reflected ? a->reflected : a->blocked, 1);
+    }
+}
+
+static bool is_open(const murk_across *a, const murk_photon *photon,
+                    const murk_side *facing, const murk_way *way,
+                    murk_vec3 apparent)
+{
+    const murk_snell *s = &way->snell;
+    if (!(s->apparent_m <= a->range_m) ||
+        !murk_field_contains(a->field, apparent) ||
+        (facing && !murk_side_faces(facing, way->photon, s->crossing,
+                                    a->position_error_m))) {
+        return false;
+    }
+    if (a->field->toward &&
+        !murk_field_takes(a->field, murk_sub(way->photon, s->crossing),
+                          murk_direction_unpack(photon->direction))) {
+        return false;
+    }
+    murk_tally_add(a->shadow_rays, 1);
+    return !murk_way_blocked(way, a->passages, a->surfaces, a->through_sheets);
+}
+
+size_t murk_across_look(const murk_across *a, const murk_photon *photon,
+                        const murk_side *facing, murk_vec3 from, double index,
+                        murk_sightline line[MURK_WAYS_MAX])
+{
+    const murk_passages *p = a->passages;
+    murk_way way[MURK_WAYS_MAX];
+    bool is_reflected;
+    const size_t ways =
+        murk_ways_across(a->interfaces, p, from, index, way, &is_reflected);
+    if (ways == 0) {
+        count_lost(a, facing, from, is_reflected);
+    }
+    size_t lines = 0;
+    for (size_t i = 0; i < ways; ++i) {
+        const murk_snell *s = &way[i].snell;
+        const murk_vec3 to = murk_sub(s->crossing, p->sensor);
+        const murk_vec3 apparent =
+            murk_scale(s->apparent_m / murk_length(to), to);
+        if (!is_open(a, photon, facing, &way[i], apparent)) {
+            continue;
+        }
+        const double ratio = p->index / index;
+        line[lines++] = (murk_sightline){
+            .transmittance =
+                s->transmittance *
+                murk_way_sheets(&way[i], p, a->surfaces, photon->band) *
+                murk_way_transmittance(&way[i], p, photon->band),
+            .way = apparent,
+            .leaving = murk_unit(murk_sub(s->crossing, way[i].photon)),
+            .gain = ratio * ratio};
+    }
+    return lines;
+}

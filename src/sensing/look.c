@@ -1,0 +1,258 @@
+/* One look: which photons are near, face the sensor, and are seen through what
+ * lies between. */
+#include "sensing/across.h"
+#include "sensing/nearby.h"
+#include "sensing/sight_parts.h"
+
+#include <assert.h>
+
+/* Sightlines tested together: neighbours of one map that share the sensor. */
+#define BLOCK 2048
+
+/* One look under way. */
+typedef struct look {
+    murk_sight *sight;
+    murk_vec3 sensor;
+    double range_m, reach_m; /* of the type; of what may appear in it */
+    murk_field field;
+    bool is_picky;  /* something but the range limits the view */
+    uint32_t bands; /* seen, by bits */
+    murk_passages passages;
+    murk_across across; /* where there are interfaces to see through */
+    uint32_t *photon;
+    uint16_t *clarity;
+    size_t seen;
+    bool all_clear;
+} look;
+
+static murk_vec3 position_of(const murk_photon *photon)
+{
+    return murk_vec((double)photon->position_m[0],
+                    (double)photon->position_m[1],
+                    (double)photon->position_m[2]);
+}
+
+static void test_surfaces(const look *l, const murk_vec3 *from, size_t n,
+                          bool *blocked)
+{
+    const murk_sight_desc *desc = &l->sight->desc;
+    if (desc->visibility == MURK_VISIBILITY_NORMAL) {
+        for (size_t i = 0; i < n; ++i) {
+            blocked[i] = false;
+        }
+        return;
+    }
+    murk_tally_add(&l->sight->shadow_rays, (int64_t)n);
+    if (!desc->domain.is_periodic) {
+        murk_surfaces_blocked_many(desc->surfaces, from, n, l->sensor,
+                                   desc->through_sheets, blocked);
+        return;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const murk_vec3 to =
+            murk_nearest_image(&desc->domain, l->sensor, from[i]);
+        blocked[i] = murk_segment_blocked(desc->surfaces, &desc->domain,
+                                          from[i], to, desc->through_sheets);
+    }
+}
+
+static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
+                            bool *blocked)
+{
+    test_surfaces(l, from, n, blocked);
+    const murk_sight_desc *desc = &l->sight->desc;
+    const bool may_bend =
+        l->sight->has_interfaces && desc->visibility == MURK_VISIBILITY_RAY;
+    for (size_t i = 0; may_bend && i < n; ++i) {
+        if (!blocked[i] && murk_passage_bends(&l->passages, from[i])) {
+            blocked[i] = true;
+            murk_tally_add(&l->sight->blocked_by_interfaces, 1);
+        }
+    }
+}
+
+static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
+{
+    const murk_sight *sight = l->sight;
+    const murk_vec3 to =
+        murk_nearest_image(&sight->desc.domain, l->sensor, from);
+    double through =
+        sight->has_sheets
+            ? murk_segment_sheets(sight->desc.surfaces, &sight->desc.domain,
+                                  from, to, band)
+            : 1;
+    if (sight->has_media && through > 0) {
+        through *= murk_passage_transmittance(&l->passages, band, from);
+    }
+    return (uint16_t)floor(through * MURK_CLEAR + 0.5);
+}
+
+/* Takes up n photons (numbers within their map, sightlines from `from`) in
+ * place: what is written never passes what is read. */
+static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
+                      const uint32_t *number, const murk_vec3 *from, size_t n)
+{
+    bool blocked[BLOCK];
+    test_sightlines(l, from, n, blocked);
+    for (size_t i = 0; i < n; ++i) {
+        if (blocked[i]) {
+            continue;
+        }
+        if (l->clarity) {
+            const uint16_t clarity =
+                clarity_of(l, from[i], photon[number[i]].band);
+            if (clarity == 0) {
+                continue;
+            }
+            l->clarity[l->seen] = clarity;
+            l->all_clear = l->all_clear && clarity == MURK_CLEAR;
+        }
+        l->photon[l->seen++] = first + number[i];
+    }
+}
+
+/* Whether the photon is such, and lies where, the sensor takes it up. `sensor`
+ * is the sensor's image nearest to it. */
+static bool is_taken(const look *l, const murk_photon *photon, murk_vec3 at,
+                     murk_vec3 sensor)
+{
+    const murk_vec3 way = murk_sub(at, sensor);
+    return (l->bands >> photon->band & 1) &&
+           murk_field_contains(&l->field, way) &&
+           (!l->field.toward ||
+            murk_field_takes(&l->field, way,
+                             murk_direction_unpack(photon->direction)));
+}
+
+/* The query reaches farther than the range where things may appear nearer. */
+static bool is_beyond(const look *l, murk_vec3 at, murk_vec3 sensor)
+{
+    const murk_vec3 way = murk_sub(at, sensor);
+    return !(murk_dot(way, way) <= l->range_m * l->range_m);
+}
+
+/* Takes up a photon that lies in another index than the sensor, if it is seen.
+ * `from` is its place, off its surface. */
+static void keep_across(look *l, const murk_photon *p, const murk_side *facing,
+                        murk_vec3 from, double index, uint32_t number)
+{
+    murk_sightline line[MURK_WAYS_MAX];
+    const size_t lines =
+        l->bands >> p->band & 1
+            ? murk_across_look(&l->across, p, facing, from, index, line)
+            : 0;
+    double through = 0;
+    for (size_t i = 0; i < lines; ++i) {
+        through = fmax(through, line[i].transmittance);
+    }
+    const uint16_t clarity = (uint16_t)floor(through * MURK_CLEAR + 0.5);
+    if (clarity > 0) {
+        l->clarity[l->seen] = clarity;
+        l->all_clear = l->all_clear && clarity == MURK_CLEAR;
+        l->photon[l->seen++] = number;
+    }
+}
+
+static void look_at(look *l, const murk_photon_map *map, uint32_t first)
+{
+    const murk_sight_desc *desc = &l->sight->desc;
+    const murk_photon *photon = murk_photon_map_photons(map);
+    uint32_t *found = l->photon + l->seen;
+    const size_t n =
+        murk_photons_nearby(map, &desc->domain, l->sensor, l->reach_m, found);
+    const bool is_periodic = desc->domain.is_periodic;
+    murk_vec3 from[BLOCK];
+    uint32_t number[BLOCK];
+    murk_side sides[MURK_SIDES] = {{0}};
+    size_t filled = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon *p = &photon[found[i]];
+        murk_vec3 at = position_of(p);
+        const murk_vec3 sensor =
+            is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
+                        : l->sensor;
+        if (l->across.interfaces) {
+            const murk_side *facing =
+                murk_photon_is_volume(p)
+                    ? NULL
+                    : murk_side_recall(sides, desc->surfaces, p->normal);
+            const murk_vec3 start = facing ? murk_add(at, facing->off) : at;
+            const double index = murk_passage_index(&l->passages, start);
+            if (index != l->passages.index) {
+                keep_seen(l, photon, first, number, from, filled);
+                filled = 0;
+                keep_across(l, p, facing, start, index, first + found[i]);
+                continue;
+            }
+            if (is_beyond(l, at, sensor)) {
+                continue;
+            }
+        }
+        if (l->is_picky && !is_taken(l, p, at, sensor)) {
+            continue;
+        }
+        if (!murk_photon_is_volume(p)) {
+            const murk_side *facing =
+                murk_side_recall(sides, desc->surfaces, p->normal);
+            if (!murk_side_faces(facing, at, sensor,
+                                 l->sight->position_error_m)) {
+                continue;
+            }
+            at = murk_add(at, facing->off);
+        }
+        from[filled] = at;
+        number[filled++] = found[i];
+        if (filled == BLOCK) {
+            keep_seen(l, photon, first, number, from, filled);
+            filled = 0;
+        }
+    }
+    keep_seen(l, photon, first, number, from, filled);
+}
+
+static void see_across(look *l)
+{
+    murk_sight *sight = l->sight;
+    l->across = (murk_across){.interfaces = sight->interfaces,
+                              .passages = &l->passages,
+                              .surfaces = sight->desc.surfaces,
+                              .field = &l->field,
+                              .through_sheets = sight->desc.through_sheets,
+                              .range_m = l->range_m,
+                              .position_error_m = sight->position_error_m,
+                              .shadow_rays = &sight->shadow_rays,
+                              .blocked = &sight->blocked_by_interfaces,
+                              .reflected = &sight->totally_reflected};
+    l->reach_m = fmin(sight->most_m, murk_ways_reach(sight->interfaces,
+                                                     &l->passages, l->range_m));
+}
+
+void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
+                     murk_look *out)
+{
+    assert(worker < sight->desc.threads && pose->type < sight->desc.types);
+    const murk_sight_desc *desc = &sight->desc;
+    const murk_sensor_type *type = &sight->type[pose->type];
+    const murk_scratch *s = &sight->worker[worker];
+    look l = {.sight = sight,
+              .sensor = pose->position,
+              .range_m = type->range_m,
+              .reach_m = type->range_m,
+              .field = murk_field_of(type, pose, desc->north),
+              .is_picky = type->view != MURK_VIEW_SPHERE || type->bands ||
+                          type->toward || type->least_range_m > 0,
+              .bands = type->bands ? type->bands : UINT32_MAX,
+              .passages = murk_passages_from(desc->media, desc->hulls,
+                                             &desc->domain, pose->position),
+              .photon = s->photon,
+              .clarity = s->clarity,
+              .all_clear = true};
+    if (sight->interfaces) {
+        see_across(&l);
+    }
+    murk_tally_add(&sight->queries, 1);
+    look_at(&l, desc->surface_map, 0);
+    look_at(&l, desc->volume_map,
+            (uint32_t)murk_photon_map_count(desc->surface_map));
+    *out = (murk_look){l.seen, l.photon, l.all_clear ? NULL : l.clarity};
+}

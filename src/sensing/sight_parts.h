@@ -1,0 +1,30 @@
+/* What a murk_sight is made of; inside this room only. */
+#ifndef MURK_SENSING_SIGHT_PARTS_H
+#define MURK_SENSING_SIGHT_PARTS_H
+
+#include "sensing/refract.h"
+#include "sensing/sight.h"
+
+/* A worker's room for what it sees. */
+typedef struct murk_scratch {
+    uint32_t *photon;  /* numbers of photons */
+    uint16_t *clarity; /* NULL where all is clear */
+} murk_scratch;
+
+struct murk_sight {
+    murk_sight_desc desc;
+    murk_sensor_type *type; /* [desc.types], their ranges finite */
+    double most_m;          /* nothing is farther from anything */
+    double position_error_m;
+    bool has_media;
+    bool has_sheets;             /* that let light through */
+    bool has_interfaces;         /* where the index changes */
+    murk_interfaces *interfaces; /* to see through; NULL: not wanted, or none */
+    uint32_t *weight;
+    uint64_t *regions; /* of interest, [photons]; NULL: none */
+    size_t photons;
+    murk_scratch *worker; /* [threads] */
+    murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
+};
+
+#endif
