@@ -68,13 +68,17 @@ static void add_budget(cJSON *root, const murk_plan *plan,
 static void add_placement(cJSON *root, const murk_plan *plan,
                           const murk_scene *scene)
 {
+    static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
+                                                [MURK_SCENE_BLOCK] = "block",
+                                                [MURK_SCENE_REFRACT] =
+                                                    "refract"};
     const murk_scene_placement *wish = &scene->placement;
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
     cJSON_AddStringToObject(object, "method", murk_method_names[wish->method]);
     cJSON_AddStringToObject(object, "detection", "weighted");
     cJSON_AddStringToObject(object, "visibility",
                             wish->by_normal ? "normal" : "ray");
-    cJSON_AddStringToObject(object, "through", wish->block ? "block" : "thin");
+    cJSON_AddStringToObject(object, "through", through_names[wish->through]);
     cJSON_AddStringToObject(object, "knowledge",
                             wish->unknown ? "unknown" : "known");
     cJSON_AddNumberToObject(object, "restarts", (double)wish->restarts);
@@ -83,6 +87,10 @@ static void add_placement(cJSON *root, const murk_plan *plan,
                             (double)plan->place.evaluations);
     cJSON_AddNumberToObject(object, "queries", (double)plan->queries);
     cJSON_AddNumberToObject(object, "shadow_rays", (double)plan->shadow_rays);
+    cJSON_AddNumberToObject(object, "sightlines_blocked_by_interfaces",
+                            (double)plan->blocked_by_interfaces);
+    cJSON_AddNumberToObject(object, "sightlines_totally_reflected",
+                            (double)plan->totally_reflected);
     cJSON_AddNumberToObject(object, "nodes", (double)plan->place.nodes);
     murk_json_cut(object, &plan->place);
 }

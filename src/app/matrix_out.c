@@ -120,6 +120,8 @@ static void add_placement(cJSON *root, const murk_matrix_plan *p)
     cJSON_AddNumberToObject(object, "evaluations", (double)place->evaluations);
     cJSON_AddNullToObject(object, "queries");
     cJSON_AddNullToObject(object, "shadow_rays");
+    cJSON_AddNullToObject(object, "sightlines_blocked_by_interfaces");
+    cJSON_AddNullToObject(object, "sightlines_totally_reflected");
     cJSON_AddNumberToObject(object, "nodes", (double)place->nodes);
     murk_json_cut(object, place);
 }

@@ -50,9 +50,9 @@ static const murk_word VISIBILITY_WORDS[] = {
 };
 
 static const murk_word THROUGH_WORDS[] = {
-    {"thin", 0, false},
-    {"block", 1, false},
-    {"refract", 0, true},
+    {"thin", MURK_SCENE_THIN, false},
+    {"block", MURK_SCENE_BLOCK, false},
+    {"refract", MURK_SCENE_REFRACT, false},
     WORDS_END,
 };
 
@@ -82,7 +82,7 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
         AT(murk_scene, placement.by_normal)),
     ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
-        AT(murk_scene, placement.block)),
+        AT(murk_scene, placement.through)),
     ROW("knowledge", WORD, .preset = "known", .words = KNOWLEDGE_WORDS,
         AT(murk_scene, placement.unknown)),
     ROW("restarts", COUNT, .least = 1, .most = 1e6, .preset = "200",

@@ -264,12 +264,18 @@ typedef enum murk_scene_over {
     MURK_SCENE_OVER_WORST
 } murk_scene_over;
 
+typedef enum murk_scene_through {
+    MURK_SCENE_THIN, /* sheets dim; boundaries that bend block */
+    MURK_SCENE_BLOCK,
+    MURK_SCENE_REFRACT /* as thin, and one flat boundary is seen through */
+} murk_scene_through;
+
 typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
     bool by_normal; /* visibility: normal; false: ray */
-    bool block;     /* through: block; false: thin */
-    bool unknown;   /* knowledge: unknown; false: known */
+    murk_scene_through through;
+    bool unknown; /* knowledge: unknown; false: known */
     uint64_t restarts, nodes;
     bool balanced; /* weights */
     double weight_surface, weight_volume;

@@ -16,6 +16,8 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             murk_error *err)
 {
     const murk_scene_placement *wish = &stage->scene->placement;
+    const bool blocks = wish->through == MURK_SCENE_BLOCK;
+    const bool refracts = wish->through == MURK_SCENE_REFRACT;
     murk_sensor_type *types = murk_poses_types(stage->scene);
     if (!types) {
         return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
@@ -34,7 +36,8 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .visibility = wish->by_normal
                                                     ? MURK_VISIBILITY_NORMAL
                                                     : MURK_VISIBILITY_RAY,
-                                  .through_sheets = !wish->block,
+                                  .through_sheets = !blocks,
+                                  .refracts = refracts,
                                   .weights = {.balanced = wish->balanced,
                                               .surface = wish->weight_surface,
                                               .volume = wish->weight_volume},
@@ -211,6 +214,8 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     }
     plan->queries = murk_sight_queries(sight);
     plan->shadow_rays = murk_sight_shadow_rays(sight);
+    plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
+    plan->totally_reflected = murk_sight_totally_reflected(sight);
     plan->sensor = calloc(plan->place.count, sizeof *plan->sensor);
     if (!plan->sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,

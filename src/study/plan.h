@@ -30,6 +30,7 @@ typedef struct murk_plan {
                                               NULL: none held out */
     murk_estimate confirmed;               /* with a target: on a third map */
     uint64_t queries, shadow_rays;         /* spent on choosing */
+    uint64_t blocked_by_interfaces, totally_reflected; /* then, sightlines */
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;
 

@@ -155,7 +155,8 @@ static void test_the_rest(const murk_scene *scene)
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
-    CHECK(placement->by_normal && placement->block && placement->unknown);
+    CHECK(placement->by_normal && placement->unknown);
+    CHECK(placement->through == MURK_SCENE_BLOCK);
     CHECK(!placement->balanced && !placement->hold_out);
     CHECK(placement->weight_surface == 1 && placement->weight_volume == 2);
 }
@@ -178,7 +179,8 @@ static void test_defaults(void)
     CHECK_TEXT(scene->photons.where, "fog.yaml: photons");
     CHECK(scene->placement.method == MURK_SCENE_BEST);
     CHECK(scene->placement.balanced && scene->placement.hold_out);
-    CHECK(scene->placement.restarts == 200 && !scene->placement.block);
+    CHECK(scene->placement.restarts == 200);
+    CHECK(scene->placement.through == MURK_SCENE_THIN);
     CHECK(scene->sensors.count == 0 && !scene->sensors.candidates.has_grid);
     murk_scene_destroy(scene);
 }
