@@ -2,6 +2,8 @@
 
 #include "placement/problem.h"
 
+#include <stdbool.h>
+
 #if defined(__x86_64__)
 #define HAS_WIDE 1
 #include <immintrin.h>
@@ -339,18 +341,41 @@ const murk_kernels *murk_kernels_plain(void)
     return &plain;
 }
 
-const murk_kernels *murk_kernels_fastest(void)
-{
 #ifdef HAS_WIDE
-    if (__builtin_cpu_supports("avx512f") &&
-        __builtin_cpu_supports("avx512bw") &&
-        __builtin_cpu_supports("avx512vbmi2") &&
-        __builtin_cpu_supports("avx512vpopcntdq")) {
-        return &wide;
+static bool has_avx2(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+}
+
+static bool has_wide(void)
+{
+    return __builtin_cpu_supports("avx512f") &&
+           __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512vbmi2") &&
+           __builtin_cpu_supports("avx512vpopcntdq");
+}
+#endif
+
+const murk_kernels *murk_kernels_number(size_t k)
+{
+    const murk_kernels *runs[3] = {&plain};
+    size_t n = 1;
+#ifdef HAS_WIDE
+    if (has_avx2()) {
+        runs[n++] = &avx2;
     }
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt")) {
-        return &avx2;
+    if (has_wide()) {
+        runs[n++] = &wide;
     }
 #endif
-    return &plain;
+    return k < n ? runs[k] : NULL;
+}
+
+const murk_kernels *murk_kernels_fastest(void)
+{
+    size_t k = 0;
+    while (murk_kernels_number(k + 1)) {
+        ++k;
+    }
+    return murk_kernels_number(k);
 }

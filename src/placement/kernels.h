@@ -37,7 +37,10 @@ typedef struct murk_kernels {
 
 const murk_kernels *murk_kernels_plain(void);
 
-/* The fastest that this processor runs. */
+/* Those that this processor runs, from the plain one on; NULL beyond. */
+const murk_kernels *murk_kernels_number(size_t k);
+
+/* The last of them. */
 const murk_kernels *murk_kernels_fastest(void);
 
 #endif
