@@ -25,30 +25,23 @@ murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
                         .threshold = calloc(slots, sizeof *out->threshold),
                         .lowest = calloc(slots, sizeof *out->lowest),
                         .direction = calloc(slots, sizeof *out->direction),
-                        .count = calloc(slots, sizeof *out->count),
+                        .down = calloc(slots, sizeof *out->down),
                         .gain = calloc(n, sizeof *out->gain),
                         .live = calloc(n, sizeof *out->live),
                         .top = calloc(n, sizeof *out->top)};
-    if (!out->threshold || !out->lowest || !out->direction || !out->count ||
-        !out->gain || !out->live || !out->top ||
-        !murk_cover_init(&out->rounded, oracle->layout, false)) {
-        murk_bound_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to bound plans for %zu photons",
-                         oracle->layout->photons);
-    }
-    if (!oracle->book) {
-        return MURK_OK;
-    }
-    murk_status status = murk_relaxed_init(&out->relaxed, oracle->book, err);
-    if (!status) {
-        status = murk_standing_init(&out->fixed, oracle->book, err);
-    }
-    out->fixed_best = calloc(slots, sizeof *out->fixed_best);
-    if (!status && !out->fixed_best) {
+    murk_status status = murk_thresholds_init(&out->thresholds, oracle, err);
+    if (!status && (!out->threshold || !out->lowest || !out->direction ||
+                    !out->down || !out->gain || !out->live || !out->top ||
+                    !murk_cover_init(&out->cover, oracle->layout, false))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to bound plans for %zu photons",
                            oracle->layout->photons);
+    }
+    if (!status && oracle->book) {
+        status = murk_relaxed_init(&out->relaxed, oracle->book, err);
+    }
+    if (!status && oracle->book) {
+        status = murk_standing_init(&out->fixed, oracle->book, err);
     }
     if (status) {
         murk_bound_release(out);
@@ -61,41 +54,35 @@ void murk_bound_release(murk_bound *bound)
     free(bound->threshold);
     free(bound->lowest);
     free(bound->direction);
-    free(bound->count);
+    free(bound->down);
     free(bound->gain);
     free(bound->live);
     free(bound->top);
-    murk_cover_release(&bound->rounded);
+    murk_thresholds_release(&bound->thresholds);
+    murk_cover_release(&bound->cover);
     murk_relaxed_release(&bound->relaxed);
     murk_standing_release(&bound->fixed);
-    free(bound->fixed_best);
     *bound = (murk_bound){0};
+}
+
+/* What plan[n] sees, in b->cover. */
+static void cover_plan(murk_bound *b, const uint32_t *plan, size_t n)
+{
+    const murk_layout *layout = b->oracle->layout;
+    murk_cover_clear(&b->cover, layout);
+    for (size_t k = 0; k < n; ++k) {
+        const murk_row row = murk_oracle_row(b->oracle, 0, plan[k]);
+        b->looks += b->oracle->matrix ? 0 : 1;
+        murk_cover_add(&b->cover, layout, &row);
+    }
 }
 
 static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
 {
-    const murk_layout *layout = b->oracle->layout;
-    murk_cover_clear(&b->rounded, layout);
-    for (size_t k = 0; k < n; ++k) {
-        const murk_row row = murk_oracle_row(b->oracle, 0, plan[k]);
-        b->looks += b->oracle->matrix ? 0 : 1;
-        murk_cover_add(&b->rounded, layout, &row);
+    cover_plan(b, plan, n);
+    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
+        b->threshold[i] = b->cover.best[i];
     }
-    for (size_t i = 0; i < layout->slots; ++i) {
-        b->threshold[i] = b->rounded.best[i];
-    }
-}
-
-/* Rounds the thresholds; returns sum w t. */
-static uint64_t round_thresholds(murk_bound *b)
-{
-    const murk_layout *layout = b->oracle->layout;
-    uint64_t sum = 0;
-    for (size_t i = 0; i < layout->slots; ++i) {
-        b->rounded.best[i] = (uint16_t)(b->threshold[i] + 0.5F);
-        sum += (uint64_t)b->rounded.best[i] * layout->weight[i];
-    }
-    return sum;
 }
 
 /* The n live candidates with most above the thresholds, lowest number on ties,
@@ -160,29 +147,17 @@ static void leave_out_by_rules(murk_bound *b, uint64_t base, uint64_t lower)
     b->live_count = kept;
 }
 
-static inline uint16_t floor_at(const murk_bound *b, size_t slot)
-{
-    return b->floor ? b->floor[slot] : 0;
-}
-
-/* One projected step down the subgradient w (1 - count), in the metric of the
+/* One projected step down the subgradient w * down, in the metric of the
  * weights, so that merging equal photons would change nothing. */
 static void step_down(murk_bound *b, size_t chosen, double excess, double step,
                       bool is_first)
 {
     const murk_layout *layout = b->oracle->layout;
-    memset(b->count, 0, layout->slots * sizeof *b->count);
-    for (size_t k = 0; k < chosen; ++k) {
-        const murk_row row = murk_oracle_row(b->oracle, 0, b->top[k].candidate);
-        b->looks += b->oracle->matrix ? 0 : 1;
-        murk_row_count_above(layout, &row, b->rounded.best, b->count);
-    }
+    b->looks += b->oracle->matrix ? 0 : chosen;
+    murk_thresholds_slopes(&b->thresholds, b->top, chosen, b->down);
     double norm = 0;
     for (size_t i = 0; i < layout->slots; ++i) {
-        float down = 1 - (float)b->count[i];
-        if (down > 0 && b->rounded.best[i] == floor_at(b, i)) {
-            down = 0; /* at the floor already */
-        }
+        float down = b->down[i];
         if (!is_first) {
             down += MEMORY * (b->direction[i] - down);
         }
@@ -195,7 +170,7 @@ static void step_down(murk_bound *b, size_t chosen, double excess, double step,
     const float length = (float)(step * excess / norm);
     for (size_t i = 0; i < layout->slots; ++i) {
         const float to = b->threshold[i] - length * b->direction[i];
-        const float least = floor_at(b, i);
+        const float least = b->thresholds.floor[i];
         b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR
                           : to > least    ? to
                                           : least;
@@ -232,9 +207,8 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (murk_interrupted() || step < LEAST_STEP) {
             break;
         }
-        b->base = round_thresholds(b);
-        murk_oracle_gains(o, &b->rounded, b->live, b->live_count,
-                          o->problem->threads, 0, b->gain);
+        b->base = murk_thresholds_take(&b->thresholds, b->threshold);
+        murk_thresholds_gains(&b->thresholds, b->live, b->live_count, b->gain);
         b->evaluations += b->live_count;
         b->looks += o->matrix ? 0 : b->live_count;
         size_t chosen = 0;
@@ -252,7 +226,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (upper <= lower) {
             break;
         }
-        if (round + 1 == rounds && !b->floor) {
+        if (round + 1 == rounds && !b->thresholds.stand) {
             break;
         }
         if (b->standing) {
@@ -273,11 +247,11 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
     return upper > lower ? upper : lower;
 }
 
-static void raise_to(murk_bound *b, const uint16_t *floor)
+static void raise_to(murk_bound *b, const murk_cover *stand)
 {
-    b->floor = floor;
-    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
-        const float least = floor[i];
+    murk_thresholds_stand(&b->thresholds, stand);
+    for (size_t i = 0; stand && i < b->oracle->layout->slots; ++i) {
+        const float least = b->thresholds.floor[i];
         b->threshold[i] = b->threshold[i] > least ? b->threshold[i] : least;
     }
 }
@@ -288,24 +262,23 @@ static uint64_t tighten_by_rules(murk_bound *b, size_t n, uint64_t lower,
 {
     const murk_oracle *o = b->oracle;
     const murk_rules *rules = o->book->rules;
-    murk_cover cover = {.best = b->fixed_best};
-    memset(b->fixed_best, 0, o->layout->slots * sizeof *b->fixed_best);
+    murk_cover_clear(&b->cover, o->layout);
     murk_standing_clear(&b->fixed, n);
     for (size_t k = 0; k < rules->fixed_count; ++k) {
         const uint32_t j = (uint32_t)rules->fixed[k];
         const murk_row row = murk_oracle_row(o, 0, j);
         b->looks += o->matrix ? 0 : 1;
-        murk_cover_add(&cover, o->layout, &row);
+        murk_cover_add(&b->cover, o->layout, &row);
         murk_standing_add(&b->fixed, j);
     }
     b->standing = &b->fixed;
     b->live_count = 0;
-    for (size_t k = 0; k < o->undominated; ++k) {
-        if (murk_standing_admits(&b->fixed, o->ranked[k].candidate, false)) {
-            b->live[b->live_count++] = o->ranked[k].candidate;
+    for (size_t k = 0; k < o->needed_count; ++k) {
+        if (murk_standing_admits(&b->fixed, o->needed[k].candidate, false)) {
+            b->live[b->live_count++] = o->needed[k].candidate;
         }
     }
-    raise_to(b, b->fixed_best);
+    raise_to(b, &b->cover);
     return descend(b, n - b->fixed.size, lower, rounds);
 }
 
@@ -317,21 +290,21 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
     if (plan) {
         start_at_plan(b, plan, plan_count);
     }
-    b->floor = NULL;
     b->standing = NULL;
     if (o->book) {
         return tighten_by_rules(b, n, lower, rounds);
     }
-    b->live_count = o->undominated;
-    for (size_t k = 0; k < o->undominated; ++k) {
-        b->live[k] = o->ranked[k].candidate;
+    raise_to(b, NULL);
+    b->live_count = o->needed_count;
+    for (size_t k = 0; k < o->needed_count; ++k) {
+        b->live[k] = o->needed[k].candidate;
     }
     return descend(b, n, lower, rounds);
 }
 
 uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
-                                   const uint16_t *floor, size_t rounds)
+                                   const murk_cover *stand, size_t rounds)
 {
-    raise_to(b, floor);
+    raise_to(b, stand);
     return descend(b, n, lower, rounds);
 }

@@ -7,10 +7,12 @@
  * is at least the value of every plan of n (a plan's value is at most
  * sum w t + the sum over its members of what lies above t). It is the
  * Lagrangian bound of facility location, with u_i = w_i t_i; for 0/1 rows it
- * is sum (w - u) + top-n sum b u with u = w (1 - t). Thresholds are whole
- * numbers, so the bound is an exact integer and holds in spite of rounding.
- * Subgradient steps lower it; candidates that provably are in no plan better
- * than the best known are left out on the way.
+ * is sum (w - u) + top-n sum b u with u = w (1 - t). Where more than the
+ * clearest view counts, or views are independent chances, both sums are others
+ * (placement/thresholds.h). Thresholds are whole numbers, so the bound is an
+ * exact integer and holds in spite of rounding. Subgradient steps lower it;
+ * candidates that provably are in no plan better than the best known are left
+ * out on the way.
  *
  * Under rules the top n become the best that the rules allow, or a little more
  * (placement/relaxed.h); fixed sensors are in every set, by thresholds that do
@@ -23,26 +25,26 @@
 #define MURK_PLACEMENT_BOUND_H
 
 #include "placement/relaxed.h"
+#include "placement/thresholds.h"
 
 typedef struct murk_bound {
     const murk_oracle *oracle;
-    float *threshold;   /* [slots] where the last call stopped */
-    float *lowest;      /* [slots] where its bound was lowest */
-    float *direction;   /* [slots] */
-    uint16_t *count;    /* [slots] chosen candidates that see it clearer */
-    murk_cover rounded; /* threshold in whole units */
-    uint64_t *gain;     /* [candidates] above the thresholds */
-    uint32_t *live;     /* [candidates] not yet left out */
+    float *threshold; /* [slots] where the last call stopped */
+    float *lowest;    /* [slots] where its bound was lowest */
+    float *direction; /* [slots] */
+    float *down;      /* [slots] slopes */
+    murk_thresholds thresholds;
+    murk_cover cover; /* of the plan it starts from, or of the fixed */
+    uint64_t *gain;   /* [candidates] above the thresholds */
+    uint32_t *live;   /* [candidates] not yet left out */
     size_t live_count;
-    const uint16_t *floor; /* [slots] thresholds do not go below; NULL: 0 */
-    uint64_t base;         /* sum w t of the last evaluation */
-    murk_ranked *top;      /* [candidates] */
-    uint64_t evaluations;  /* candidates weighed */
+    uint64_t base;        /* the first sum of the last evaluation */
+    murk_ranked *top;     /* [candidates] */
+    uint64_t evaluations; /* candidates weighed */
     uint64_t looks;
     murk_relaxed relaxed;          /* with rules: instead of the top n */
     const murk_standing *standing; /* what the n join; NULL: no rules */
     murk_standing fixed;           /* with rules: the fixed sensors */
-    uint16_t *fixed_best;          /* [slots] and their cover */
 } murk_bound;
 
 murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
@@ -58,11 +60,11 @@ uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             size_t rounds);
 
 /* The same for plans that hold a given set and n more, all of them among
- * bound->live, which the caller fills: `floor` [slots] is the set's cover, and
- * with rules bound->standing the set itself.
- * Goes on from the present thresholds, raised to the floor. Afterwards live
+ * bound->live, which the caller fills: `stand` is the set's cover, of clarities
+ * or doses, and with rules bound->standing the set itself.
+ * Goes on from the present thresholds, raised to what stands. Afterwards live
  * and gain are those that can still be in a plan worth more than `lower`. */
 uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,
-                                   const uint16_t *floor, size_t rounds);
+                                   const murk_cover *stand, size_t rounds);
 
 #endif

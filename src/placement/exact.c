@@ -10,13 +10,15 @@
 #define ROUNDS_AT_ROOT 60
 #define ROUNDS_BELOW   60
 
-/* Rows of clarities take so many times as long as rows of bits. */
+/* Rows of clarities, and of chances, take so many times as long as rows of
+ * bits. */
 #define WORK_OF_CLARITIES 4
+#define WORK_OF_CHANCES   64
 
 /* A node whose `k` first are chosen. */
 typedef struct level {
     murk_cover cover;  /* of the chosen; bits where all is clear */
-    uint16_t *best;    /* [slots] the same as clarities */
+    murk_cover graded; /* then, the same as clarities */
     float *threshold;  /* [slots] where its bound was lowest */
     murk_ranked *live; /* [candidates] that may join, by falling gain */
     size_t live_count;
@@ -44,7 +46,9 @@ typedef struct exact {
 static void count_work(exact *e, uint64_t candidates)
 {
     e->weighings += candidates * e->oracle->layout->slots *
-                    (e->oracle->all_clear ? 1 : WORK_OF_CLARITIES);
+                    (e->oracle->all_clear       ? 1
+                     : e->oracle->layout->doses ? WORK_OF_CHANCES
+                                                : WORK_OF_CLARITIES);
     e->is_cut |= e->weighings > e->weighings_most || murk_interrupted();
 }
 
@@ -68,6 +72,11 @@ static bool is_plan(const exact *e)
 {
     return !e->oracle->book->has_conflicts ||
            murk_standing_is_plan(&e->standing);
+}
+
+static murk_cover *graded(const exact *e, level *l)
+{
+    return e->oracle->all_clear ? &l->graded : &l->cover;
 }
 
 /* One sensor is left to choose: weighs all that may join. */
@@ -102,7 +111,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
     b->standing = e->oracle->book ? &e->standing : NULL;
     b->evaluations = 0;
     const uint64_t upper =
-        murk_bound_tighten_within(b, left, e->value, l->best, rounds);
+        murk_bound_tighten_within(b, left, e->value, graded(e, l), rounds);
     count_work(e, b->evaluations);
     memcpy(l->threshold, b->threshold, slots * sizeof *l->threshold);
     for (size_t k = 0; k < b->live_count; ++k) {
@@ -136,21 +145,20 @@ static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
 static bool level_init(level *l, const murk_oracle *oracle)
 {
     const size_t slots = oracle->layout->slots + 1;
-    if (!murk_cover_init(&l->cover, oracle->layout, oracle->all_clear)) {
+    if (!murk_cover_init(&l->cover, oracle->layout, oracle->all_clear) ||
+        (oracle->all_clear &&
+         !murk_cover_init(&l->graded, oracle->layout, false))) {
         return false;
     }
-    l->best = l->cover.best ? l->cover.best : calloc(slots, sizeof *l->best);
     l->threshold = calloc(slots, sizeof *l->threshold);
     l->live = calloc(oracle->candidates + 1, sizeof *l->live);
-    return l->best && l->threshold && l->live;
+    return l->threshold && l->live;
 }
 
 static void level_release(level *l)
 {
-    if (l->best != l->cover.best) {
-        free(l->best);
-    }
     murk_cover_release(&l->cover);
+    murk_cover_release(&l->graded);
     free(l->threshold);
     free(l->live);
     *l = (level){0};
@@ -175,16 +183,14 @@ static void join(const exact *e, level *to, const level *from,
     const murk_row row = murk_oracle_row(e->oracle, 0, candidate);
     to->value = from->value + murk_row_gain(layout, &row, &from->cover);
     if (to != from) {
-        murk_cover_clear(&to->cover, layout);
-        murk_cover_join(&to->cover, layout, &from->cover);
+        murk_cover_copy(&to->cover, layout, &from->cover);
     }
     murk_cover_add(&to->cover, layout, &row);
-    if (to->cover.best != to->best) {
-        murk_cover as_clarities = {.best = to->best};
+    if (e->oracle->all_clear) {
         if (to != from) {
-            memcpy(to->best, from->best, layout->slots * sizeof *to->best);
+            murk_cover_copy(&to->graded, layout, &from->graded);
         }
-        murk_cover_add(&as_clarities, layout, &row);
+        murk_cover_add(&to->graded, layout, &row);
     }
 }
 
@@ -329,8 +335,10 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         goto done;
     }
     level *root = &e.level[0];
-    root->live_count = oracle->undominated;
-    memcpy(root->live, oracle->ranked, root->live_count * sizeof *root->live);
+    /* where they are too few for a plan, anyone may fill it */
+    root->live_count =
+        oracle->needed_count < n ? oracle->candidates : oracle->needed_count;
+    memcpy(root->live, oracle->needed, root->live_count * sizeof *root->live);
     if (oracle->book) {
         stand_fixed(&e);
     }

@@ -16,6 +16,7 @@
 #define ROUNDS_MOST        400
 #define ROUNDS_LEAST       40
 #define PAIRS_WEIGHED_MOST 20000000000.0
+#define PAIRS_OF_A_CHANCE  16 /* it takes so many times as long */
 
 /* A curve point gets one round for each of so many of the plan's own. */
 #define ROUNDS_PER_CURVE_ROUND 3
@@ -241,7 +242,10 @@ static size_t rounds_for(const murk_oracle *oracle)
         return 1;
     }
     const double pairs = (double)murk_matrix_pairs(oracle->matrix);
-    const double rounds = PAIRS_WEIGHED_MOST / (pairs > 1 ? pairs : 1);
+    const double most = oracle->layout->doses
+                            ? PAIRS_WEIGHED_MOST / PAIRS_OF_A_CHANCE
+                            : PAIRS_WEIGHED_MOST;
+    const double rounds = most / (pairs > 1 ? pairs : 1);
     return rounds > ROUNDS_MOST    ? ROUNDS_MOST
            : rounds < ROUNDS_LEAST ? ROUNDS_LEAST
                                    : (size_t)rounds;

@@ -115,6 +115,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
     const size_t photons = problem->photons;
     murk_layout l = {.photons = photons,
                      .slots = (photons + 63) / 64 * 64,
+                     .layers = murk_problem_layers(problem),
                      .kernels = murk_kernels_fastest()};
     uint32_t *distinct = NULL;
     size_t *next = NULL;
@@ -135,6 +136,13 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
             deal_slots(&l, problem->weight, distinct, n, next);
         }
     }
+    if (problem->combining == MURK_COMBINE_INDEPENDENT) {
+        l.doses = malloc(sizeof *l.doses);
+        if (!l.doses) {
+            goto no_memory;
+        }
+        murk_doses_fill(l.doses);
+    }
     l.words = l.slots / 64;
     l.weight = murk_aligned_zeros(l.slots * sizeof *l.weight);
     l.segment = malloc((l.words + 1) * sizeof *l.segment);
@@ -143,7 +151,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
     }
     for (size_t i = 0; i < photons; ++i) {
         l.weight[murk_layout_slot(&l, (uint32_t)i)] = problem->weight[i];
-        l.whole += (uint64_t)problem->weight[i] * MURK_CLEAR;
+        l.whole += (uint64_t)problem->weight[i] * MURK_CLEAR * l.layers;
     }
     l.common = common_divisor(problem->weight, photons);
     cut_segments(&l);
@@ -165,5 +173,6 @@ void murk_layout_release(murk_layout *layout)
     free(layout->slot);
     free(layout->weight);
     free(layout->segment);
+    free(layout->doses);
     *layout = (murk_layout){0};
 }

@@ -7,6 +7,7 @@
 #ifndef MURK_PLACEMENT_LAYOUT_H
 #define MURK_PLACEMENT_LAYOUT_H
 
+#include "placement/dose.h"
 #include "placement/kernels.h"
 #include "placement/problem.h"
 
@@ -21,9 +22,11 @@ typedef struct murk_layout {
     size_t photons, slots, words; /* slots = 64 * words, padding included */
     uint32_t *slot;               /* [photons]; NULL: photon i has slot i */
     uint32_t *weight;             /* [slots], 0 in the padding */
-    uint64_t whole;               /* sum of weights times MURK_CLEAR */
-    uint32_t common;              /* greatest common divisor of the weights */
-    murk_segment *segment;        /* [segments] */
+    size_t layers;         /* views of a photon that count: the redundancy */
+    murk_doses *doses;     /* where chances are independent, else NULL */
+    uint64_t whole;        /* sum of weights times MURK_CLEAR, times layers */
+    uint32_t common;       /* greatest common divisor of the weights */
+    murk_segment *segment; /* [segments] */
     size_t segments;
     const murk_kernels *kernels;
 } murk_layout;

@@ -116,6 +116,10 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
             matrix->all_clear &&
             (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST);
     }
+    if (matrix->all_clear) { /* what is certain, is so in one view */
+        free(matrix->layout.doses);
+        matrix->layout.doses = NULL;
+    }
     return MURK_OK;
 }
 

@@ -6,6 +6,7 @@
 #include "placement/presolve.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Starting threads costs some 50 us: a scan is spread only where it goes
  * through so many bytes, some 200 us and more. */
@@ -21,6 +22,7 @@ typedef struct weighing {
     const uint32_t *candidate; /* NULL: candidate k is k */
     uint64_t *gain;
     murk_cover *seen; /* [threads] joined with every row, or NULL */
+    uint64_t *slack;  /* with it, or NULL */
     size_t n, at_once;
 } weighing;
 
@@ -44,6 +46,9 @@ static void weigh(const weighing *w, unsigned worker, size_t batch)
     w->gain[batch] = murk_row_gain(layout, &row, w->cover);
     if (w->seen) {
         murk_cover_add(&w->seen[worker], layout, &row);
+        if (w->slack) {
+            w->slack[batch] = MURK_WORTH_SLACK * murk_row_weight(layout, &row);
+        }
         murk_progress_add(1);
     }
 }
@@ -75,7 +80,11 @@ void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
                        const uint32_t *candidate, size_t n, unsigned threads,
                        unsigned worker, uint64_t *gain)
 {
-    weighing w = {oracle, cover, candidate, gain, NULL, n, 1};
+    weighing w = {.oracle = oracle,
+                  .cover = cover,
+                  .candidate = candidate,
+                  .gain = gain,
+                  .n = n};
     if (threads > 1 && murk_oracle_threads(oracle, n) > 1) {
         weigh_all(&w, threads);
         return;
@@ -116,7 +125,12 @@ static murk_status weigh_alone(murk_oracle *o, murk_error *err)
                            o->layout->photons);
         goto done;
     }
-    weighing w = {o, &empty, NULL, o->alone, seen, o->candidates, 1};
+    weighing w = {.oracle = o,
+                  .cover = &empty,
+                  .gain = o->alone,
+                  .seen = seen,
+                  .slack = o->slack,
+                  .n = o->candidates};
     murk_progress_begin(o->matrix ? "weigh" : "look", o->candidates,
                         "candidates");
     weigh_all(&w, threads);
@@ -151,23 +165,53 @@ static void put_cheaper_first(const murk_oracle *o, uint32_t *order)
     }
 }
 
+/* How many must dominate a candidate that no plan needs. It may take the place
+ * of one that does not stand; where all stand, so many see each photon as
+ * clearly: of the clearest views its own is none, but chances add up. */
+static size_t dominators_needed(const murk_oracle *o, size_t most)
+{
+    return o->layout->doses ? most : o->layout->layers;
+}
+
+/* Puts those that are dropped behind the others. Returns how many these are. */
+static size_t drop(const murk_oracle *o, murk_ranked *ranked,
+                   const uint32_t *order, const bool *is_dropped)
+{
+    size_t at = 0, kept = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+        for (size_t k = 0; k < o->candidates; ++k) {
+            const uint32_t j = order[k];
+            if (is_dropped[j] == (pass == 1)) {
+                ranked[at++] = (murk_ranked){murk_oracle_most(o, j), j};
+            }
+        }
+        kept = pass == 0 ? at : kept;
+    }
+    return kept;
+}
+
 /* Ranks the candidates and moves the dominated ones behind the others. */
-static murk_status rank(murk_oracle *o, bool keep_dominated, murk_error *err)
+static murk_status rank(murk_oracle *o, size_t most, bool keep_dominated,
+                        murk_error *err)
 {
     const size_t n = o->candidates;
-    for (size_t j = 0; j < n; ++j) {
-        o->ranked[j] = (murk_ranked){o->alone[j], (uint32_t)j};
-        o->dominator[j] = (uint32_t)j;
+    for (uint32_t j = 0; j < n; ++j) {
+        o->ranked[j] = (murk_ranked){murk_oracle_most(o, j), j};
+        o->dominator[j] = j;
     }
     murk_ranked_sort(o->ranked, n);
-    o->undominated = n;
+    memcpy(o->needed, o->ranked, n * sizeof *o->needed);
+    o->undominated = o->needed_count = n;
     if (!o->matrix || keep_dominated) {
         return MURK_OK;
     }
     uint32_t *order = malloc((n + 1) * sizeof *order);
-    if (!order) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to rank %zu candidates", n);
+    bool *is_dropped = calloc(n + 1, sizeof *is_dropped);
+    murk_status status = MURK_OK;
+    if (!order || !is_dropped) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to rank %zu candidates", n);
+        goto done;
     }
     for (size_t k = 0; k < n; ++k) {
         order[k] = o->ranked[k].candidate;
@@ -175,26 +219,30 @@ static murk_status rank(murk_oracle *o, bool keep_dominated, murk_error *err)
     if (o->book) {
         put_cheaper_first(o, order);
     }
-    const murk_status status = murk_presolve(o->dominator, o->matrix, o->book,
-                                             order, o->problem->threads, err);
-    size_t kept = 0;
-    for (size_t pass = 0; pass < 2; ++pass) {
-        for (size_t k = 0; k < n; ++k) {
-            const uint32_t j = order[k];
-            if ((o->dominator[j] == j) == (pass == 0)) {
-                o->ranked[kept++] = (murk_ranked){o->alone[j], j};
-            }
-        }
-        o->undominated = pass == 0 ? kept : o->undominated;
+    const size_t needed = dominators_needed(o, most);
+    if (needed > 1) {
+        status = murk_presolve_many(is_dropped, o->matrix, o->book, order,
+                                    needed, err);
+        o->needed_count = drop(o, o->needed, order, is_dropped);
+        goto done;
     }
+    status = murk_presolve(o->dominator, o->matrix, o->book, order,
+                           o->problem->threads, err);
+    for (uint32_t j = 0; j < n; ++j) {
+        is_dropped[j] = o->dominator[j] != j;
+    }
+    o->undominated = drop(o, o->ranked, order, is_dropped);
+    o->needed_count = drop(o, o->needed, order, is_dropped);
+done:
     free(order);
+    free(is_dropped);
     return status;
 }
 
 murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
                              const murk_matrix *matrix,
-                             const murk_rulebook *book, bool keep_dominated,
-                             murk_error *err)
+                             const murk_rulebook *book, size_t most,
+                             bool keep_dominated, murk_error *err)
 {
     const size_t n = problem->candidates;
     *out = (murk_oracle){.problem = problem,
@@ -218,7 +266,13 @@ murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
     out->alone = calloc(n + 1, sizeof *out->alone);
     out->dominator = calloc(n + 1, sizeof *out->dominator);
     out->ranked = calloc(n + 1, sizeof *out->ranked);
-    murk_status status = out->alone && out->dominator && out->ranked
+    out->needed = calloc(n + 1, sizeof *out->needed);
+    if (out->layout->doses) {
+        out->slack = calloc(n + 1, sizeof *out->slack);
+    }
+    murk_status status = out->alone && out->dominator && out->ranked &&
+                                 out->needed &&
+                                 (out->slack || !out->layout->doses)
                              ? weigh_alone(out, err)
                              : murk_fail(err, MURK_NO_MEMORY, "",
                                          "no memory for %zu candidates", n);
@@ -226,7 +280,7 @@ murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status) {
-        status = rank(out, keep_dominated, err);
+        status = rank(out, most, keep_dominated, err);
     }
     if (status) {
         murk_oracle_release(out);
@@ -240,5 +294,7 @@ void murk_oracle_release(murk_oracle *oracle)
     free(oracle->alone);
     free(oracle->dominator);
     free(oracle->ranked);
+    free(oracle->needed);
+    free(oracle->slack);
     *oracle = (murk_oracle){0};
 }

@@ -3,6 +3,7 @@
 #ifndef MURK_PLACEMENT_ORACLE_H
 #define MURK_PLACEMENT_ORACLE_H
 
+#include "placement/gain.h"
 #include "placement/matrix.h"
 #include "placement/rules.h"
 
@@ -19,25 +20,41 @@ typedef struct murk_oracle {
     const murk_layout *layout;
     murk_layout own_layout; /* unknown environment */
     size_t candidates;
-    bool all_clear;      /* covers may be bits */
-    size_t row_bytes;    /* of the matrix, in the mean */
-    uint64_t *alone;     /* [candidates] value of each by itself */
+    bool all_clear;   /* covers may be bits */
+    size_t row_bytes; /* of the matrix, in the mean */
+    uint64_t *alone;  /* [candidates] value of each by itself */
+    uint64_t *slack;  /* [candidates] by which a gain may have grown, by
+                         rounding; NULL: none may */
+    /* Where the clearest view alone counts, one that is dominated can add the
+     * most only where its dominator does. Else nobody counts as dominated in
+     * `ranked`, only in `needed`. */
     uint32_t *dominator; /* [candidates] an undominated candidate that
                             sees all it sees as clearly; or itself */
-    murk_ranked *ranked; /* [candidates] undominated ones first, by
-                            falling alone, then number */
+    murk_ranked *ranked; /* [candidates] undominated ones first, by falling
+                            alone (and slack), then number */
     size_t undominated;
+    murk_ranked *needed; /* [needed_count] the best plan is found among these
+                            by the same order */
+    size_t needed_count;
     uint64_t ceiling, grain; /* every plan's value is a multiple of grain */
     uint64_t looks;          /* made at creation */
 } murk_oracle;
 
-/* Matrix NULL: unknown environment. Looks once at every candidate. With
- * keep_dominated nobody is taken for dominated. */
+/* Matrix NULL: unknown environment. Looks once at every candidate. Plans have
+ * at most `most` sensors. With keep_dominated nobody is taken for dominated. */
 murk_status murk_oracle_init(murk_oracle *out, const murk_problem *problem,
                              const murk_matrix *matrix,
-                             const murk_rulebook *book, bool keep_dominated,
-                             murk_error *err);
+                             const murk_rulebook *book, size_t most,
+                             bool keep_dominated, murk_error *err);
 void murk_oracle_release(murk_oracle *oracle);
+
+/* The most that the candidate can add to any cover. */
+static inline uint64_t murk_oracle_most(const murk_oracle *oracle,
+                                        uint32_t candidate)
+{
+    return oracle->alone[candidate] +
+           (oracle->slack ? oracle->slack[candidate] : 0);
+}
 
 /* Valid until the worker's next call. */
 murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,

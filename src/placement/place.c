@@ -70,15 +70,16 @@ static uint64_t lesser(uint64_t a, uint64_t b)
 }
 
 /* Bounds of one count bound the others, too. By submodularity the best k + 1
- * see at most (k + 1) / k of the best k, where any of them may go; and fewer
- * sensors see no more, where all can be filled up. */
+ * see at most (k + 1) / k of the best k, where any of them may go, and where
+ * `rounding` is what all of it may hide; and fewer sensors see no more, where
+ * all can be filled up. */
 static void join_bounds(murk_curve_point *curve, size_t n,
-                        const murk_rulebook *book)
+                        const murk_rulebook *book, uint64_t rounding)
 {
     const bool may_go =
         !book || (!book->has_least && book->rules->fixed_count == 0);
     for (size_t k = 1; k < n && may_go; ++k) {
-        const uint64_t before = curve[k - 1].upper;
+        const uint64_t before = curve[k - 1].upper + rounding;
         curve[k].upper =
             lesser(curve[k].upper, before + before / curve[k - 1].count);
     }
@@ -91,6 +92,23 @@ static int by_number(const void *a, const void *b)
 {
     const size_t x = *(const size_t *)a, y = *(const size_t *)b;
     return (x > y) - (x < y);
+}
+
+static murk_status check_views(const murk_problem *problem, murk_error *err)
+{
+    const size_t layers = murk_problem_layers(problem);
+    if (layers > MURK_REDUNDANCY_MOST) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "redundancy is %zu, must be 1..%d", layers,
+                         MURK_REDUNDANCY_MOST);
+    }
+    if (problem->combining == MURK_COMBINE_INDEPENDENT && layers > 1) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "redundancy is %zu, must be 1 where views are "
+                         "independent chances: all of them count",
+                         layers);
+    }
+    return MURK_OK;
 }
 
 static murk_status check(const murk_problem *problem, bool known,
@@ -120,7 +138,7 @@ static murk_status check(const murk_problem *problem, bool known,
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "restarts is 0, must be 1 or more");
     }
-    return MURK_OK;
+    return check_views(problem, err);
 }
 
 static const char *guarantee_of(const murk_finding *p)
@@ -175,6 +193,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     }
     if (!status) {
         status = murk_oracle_init(&oracle, problem, matrix, book,
+                                  book ? book->most_sensors : desc->count,
                                   desc->keep_dominated, err);
     }
     if (!status) {
@@ -209,7 +228,10 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     }
     qsort(result.sensor, result.count, sizeof *result.sensor, by_number);
     if (result.curve) {
-        join_bounds(result.curve, result.curve_points, book);
+        join_bounds(result.curve, result.curve_points, book,
+                    oracle.layout->doses
+                        ? MURK_WORTH_SLACK * (oracle.layout->whole / MURK_CLEAR)
+                        : 0);
         result.upper = result.curve[result.curve_points - 1].upper;
     }
     result.proven_optimal = result.value == result.upper;

@@ -65,14 +65,15 @@ typedef struct murk_curve_point {
 typedef struct murk_place_result {
     size_t count;
     size_t *sensor;        /* [count] candidates, increasing */
-    uint64_t value;        /* sum_i weight_i max_j clarity_ij */
+    uint64_t value;        /* sum_i weight_i f_i (placement/problem.h) */
     uint64_t upper;        /* >= value of every plan of that count */
     bool proven_optimal;   /* value == upper, or the plan is otherwise proven */
     const char *guarantee; /* static text */
     uint64_t cost;         /* of the sensors, by the rules */
     size_t fewest;         /* no fewer sensors reach the target; 0 without */
     uint64_t ceiling;      /* all candidates chosen */
-    uint64_t whole;        /* sum_i weight_i * MURK_CLEAR: everything */
+    uint64_t whole;        /* everything: sum_i weight_i * MURK_CLEAR, times
+                              the redundancy */
     size_t after_presolve; /* candidates left after dominance */
     size_t restarts;       /* SPOQ starts made */
     uint64_t nodes;        /* of branch and bound */

@@ -1,6 +1,8 @@
 #include "placement/presolve.h"
 
 #include "base/crew.h"
+#include "base/interrupt.h"
+#include "placement/gain.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -70,8 +72,8 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                     .cover = calloc(threads, sizeof *p.cover)};
     bool has_memory = p.first && p.cover;
     for (unsigned k = 0; has_memory && k < threads; ++k) {
-        has_memory =
-            murk_cover_init(&p.cover[k], &matrix->layout, matrix->all_clear);
+        has_memory = murk_cover_init_single(&p.cover[k], &matrix->layout,
+                                            matrix->all_clear);
     }
     if (!has_memory) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
@@ -92,4 +94,51 @@ done:
     free(p.cover);
     free(p.first);
     return status;
+}
+
+/* One after the other: whether a candidate is kept must be known before it
+ * counts for others. */
+static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
+                      const murk_matrix *matrix, const murk_rulebook *book,
+                      const uint32_t *order, size_t needed)
+{
+    const murk_layout *layout = &matrix->layout;
+    for (size_t k = 0; k < matrix->candidates && !murk_interrupted(); ++k) {
+        const uint32_t a = order[k];
+        if (is_dropped[a]) {
+            continue;
+        }
+        murk_cover_clear(cover, layout);
+        murk_cover_add(cover, layout, &matrix->row[a]);
+        for (size_t i = k + 1; i < matrix->candidates; ++i) {
+            const uint32_t b = order[i];
+            if (!is_dropped[b] &&
+                murk_row_within(layout, &matrix->row[b], cover) &&
+                (!book || murk_rulebook_may_drop(book, a, b))) {
+                is_dropped[b] = ++dominators[b] >= needed;
+            }
+        }
+    }
+}
+
+murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
+                               const murk_rulebook *book, const uint32_t *order,
+                               size_t needed, murk_error *err)
+{
+    const size_t n = matrix->candidates;
+    if (n > CANDIDATES_MOST || needed >= n) {
+        return MURK_OK;
+    }
+    murk_cover cover = {0};
+    size_t *dominators = calloc(n + 1, sizeof *dominators);
+    if (!dominators ||
+        !murk_cover_init_single(&cover, &matrix->layout, matrix->all_clear)) {
+        free(dominators);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to compare %zu candidates", n);
+    }
+    drop_many(is_dropped, dominators, &cover, matrix, book, order, needed);
+    murk_cover_release(&cover);
+    free(dominators);
+    return MURK_OK;
 }

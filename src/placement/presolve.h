@@ -17,4 +17,13 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                           const murk_rulebook *book, const uint32_t *order,
                           unsigned threads, murk_error *err);
 
+/* The same where it takes more than one: marks whom at least `needed` of those
+ * kept before it dominate. In a plan with such a one a dominator that does not
+ * stand may take its place; with `needed` the plan's greatest count there
+ * always is one, and where the `needed` clearest views count, it adds nothing
+ * where they all stand. */
+murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
+                               const murk_rulebook *book, const uint32_t *order,
+                               size_t needed, murk_error *err);
+
 #endif

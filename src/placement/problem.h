@@ -3,7 +3,9 @@
  *
  * Weights and clarities are whole numbers, so every coverage is an exact
  * integer sum, ties are true ties, and nothing depends on the order of adding.
- * A plan is worth sum_i weight_i max_j clarity_ij (facility location). */
+ * A plan is worth sum_i weight_i f_i, f_i what its sensors see of photon i
+ * together: by default the clearest view, max_j clarity_ij (facility location).
+ */
 #ifndef MURK_PLACEMENT_PROBLEM_H
 #define MURK_PLACEMENT_PROBLEM_H
 
@@ -25,16 +27,37 @@ typedef struct murk_look {
     const uint16_t *clarity;
 } murk_look;
 
+/* How the views of one photon by several sensors combine. */
+typedef enum murk_combining {
+    MURK_COMBINE_CLEAREST,   /* the sum of the `redundancy` clearest: for 0/1
+                                views min(redundancy, sensors that see it) */
+    MURK_COMBINE_INDEPENDENT /* clarities are chances: 1 - prod_j (1 - p_ij),
+                                p = clarity / MURK_CLEAR, rounded down to a
+                                clarity; one view is worth just itself */
+} murk_combining;
+
+#define MURK_REDUNDANCY_MOST 16
+
 typedef struct murk_problem {
     size_t photons, candidates;
-    const uint32_t *weight; /* [photons]; their sum is below 2^47 */
+    const uint32_t *weight; /* [photons]; their sum, times the redundancy, is
+                               below 2^47 */
     /* Fills *look, valid until the same worker's next call. Pure: the same
      * answer each time. Called from any thread, worker in [0, threads). */
     void (*look)(void *context, unsigned worker, size_t candidate,
                  murk_look *look);
     void *context;
     unsigned threads;
+    murk_combining combining;
+    unsigned redundancy; /* views of a photon that count, 0 or 1: one, up to
+                            MURK_REDUNDANCY_MOST; with INDEPENDENT all do, and
+                            it is 0 or 1 */
 } murk_problem;
+
+static inline size_t murk_problem_layers(const murk_problem *problem)
+{
+    return problem->redundancy > 1 ? problem->redundancy : 1;
+}
 
 /* Every look of a problem, made once and kept: the known environment. Bits
  * where more than 1/32 of the photons are seen and all clearly, lists

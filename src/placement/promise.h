@@ -4,6 +4,9 @@
  * counts, caps and least counts together (a matroid), 1 more for one sensor a
  * site, 12 more for a spacing (at most 12 sensors that keep it lie closer than
  * that to one place: the kissing number); a plain count is in these already.
+ * All of it needs that a plan's worth is submodular, as every way of combining
+ * views is; where they are independent chances, up to rounding: 2 / 65535 of
+ * what is seen.
  *
  * Source: Nemhauser, Wolsey, Fisher, Math. Program. 14 (1978) 265,
  * doi:10.1007/BF01588971 (count); Calinescu, Chekuri, Pal, Vondrak, SIAM J.

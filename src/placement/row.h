@@ -1,5 +1,4 @@
-/* One candidate's view as stored, and covers: how well each photon is seen by
- * a set of candidates. */
+/* One candidate's view as stored. */
 #ifndef MURK_PLACEMENT_ROW_H
 #define MURK_PLACEMENT_ROW_H
 
@@ -33,36 +32,55 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
 /* The bytes that murk_row_store() would take. */
 size_t murk_row_bytes(const murk_layout *layout, const murk_look *look);
 
-/* Either bits (full: seen clearly; all rows must be BITS or CLEAR_LIST) or the
- * best clarity of each slot. */
-typedef struct murk_cover {
-    uint64_t *full; /* [words], or NULL */
-    uint16_t *best; /* [slots], or NULL */
-} murk_cover;
+/* A walk over what a row sees, slot by slot. */
+typedef struct murk_row_walk {
+    const murk_row *row;
+    size_t at;               /* word of BITS and PACKED, else entry */
+    size_t words;            /* of BITS and PACKED */
+    size_t end;              /* of the others */
+    uint64_t left;           /* bits of the word not yet met */
+    const uint16_t *clarity; /* PACKED: the next one's */
+} murk_row_walk;
 
-bool murk_cover_init(murk_cover *out, const murk_layout *layout,
-                     bool all_clear);
-void murk_cover_release(murk_cover *cover);
-void murk_cover_clear(murk_cover *cover, const murk_layout *layout);
-void murk_cover_add(murk_cover *cover, const murk_layout *layout,
-                    const murk_row *row);
+static inline murk_row_walk murk_row_begin(const murk_layout *layout,
+                                           const murk_row *row)
+{
+    const bool has_bits =
+        row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED;
+    return (murk_row_walk){
+        .row = row,
+        .words = layout->words,
+        .end = row->kind == MURK_ROW_DENSE ? layout->slots : row->seen,
+        .left = has_bits && layout->words > 0 ? row->bits[0] : 0,
+        .clarity = row->clarity};
+}
 
-/* What the cover is worth: sum weight * best. */
-uint64_t murk_cover_value(const murk_cover *cover, const murk_layout *layout);
-/* Raises cover to other, photon by photon; both of one form. */
-void murk_cover_join(murk_cover *cover, const murk_layout *layout,
-                     const murk_cover *other);
-
-/* What the row would add to the cover: sum weight * max(0, clarity - best). */
-uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
-                       const murk_cover *cover);
-
-/* Adds 1 to count[slot] where the row is clearer than best. */
-void murk_row_count_above(const murk_layout *layout, const murk_row *row,
-                          const uint16_t *best, uint16_t *count);
-
-/* Whether every photon has a clarity of at most `best` in the row. */
-bool murk_row_within(const murk_layout *layout, const murk_row *row,
-                     const murk_cover *cover);
+/* The next slot with its clarity; false at the end. Of a DENSE row those not
+ * seen come, too, with clarity 0. */
+static inline bool murk_row_next(murk_row_walk *walk, size_t *slot,
+                                 uint16_t *clarity)
+{
+    const murk_row *row = walk->row;
+    if (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED) {
+        while (walk->left == 0) {
+            if (walk->at + 1 >= walk->words) {
+                return false;
+            }
+            walk->left = row->bits[++walk->at];
+        }
+        *slot = 64 * walk->at + (size_t)__builtin_ctzll(walk->left);
+        walk->left &= walk->left - 1;
+        *clarity = row->kind == MURK_ROW_PACKED ? *walk->clarity++ : MURK_CLEAR;
+        return true;
+    }
+    if (walk->at >= walk->end) {
+        return false;
+    }
+    *slot = row->kind == MURK_ROW_DENSE ? walk->at : row->slot[walk->at];
+    *clarity =
+        row->kind == MURK_ROW_CLEAR_LIST ? MURK_CLEAR : row->clarity[walk->at];
+    ++walk->at;
+    return true;
+}
 
 #endif

@@ -1,4 +1,4 @@
-#include "placement/search.h"
+#include "placement/scan.h"
 
 #include "base/interrupt.h"
 #include "base/rng.h"
@@ -9,14 +9,14 @@
 
 #define CHUNK MURK_SEARCH_CHUNK
 
-#define NOT_WEIGHED UINT64_MAX
-
 murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                              unsigned worker, unsigned threads, murk_error *err)
 {
     const size_t n = oracle->candidates + 1;
     const bool has_budget = oracle->book && oracle->book->has_budget;
     *out = (murk_search){.oracle = oracle,
+                         .has_many_views = oracle->layout->layers > 1 ||
+                                           oracle->layout->doses,
                          .worker = worker,
                          .threads = threads,
                          .gain = malloc(n * sizeof *out->gain),
@@ -24,12 +24,14 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                          .shuffle = malloc(n * sizeof *out->shuffle),
                          .ranking = malloc(n * sizeof *out->ranking),
                          .chunk_gain = calloc(CHUNK, sizeof *out->chunk_gain),
-                         .chunk = malloc(CHUNK * sizeof *out->chunk)};
+                         .chunk = malloc(CHUNK * sizeof *out->chunk),
+                         .is_standing = calloc(n, sizeof *out->is_standing)};
     if (has_budget) {
         out->priced = malloc(n * sizeof *out->priced);
     }
     if (!out->gain || !out->tie || (has_budget && !out->priced) ||
         !out->shuffle || !out->ranking || !out->chunk_gain || !out->chunk ||
+        !out->is_standing ||
         !murk_cover_init(&out->cover, oracle->layout, oracle->all_clear)) {
         murk_search_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
@@ -57,156 +59,14 @@ void murk_search_release(murk_search *search)
     free(search->ranking);
     free(search->chunk_gain);
     free(search->chunk);
+    free(search->is_standing);
     *search = (murk_search){0};
 }
 
-/* Adds a candidate to what stands and returns what it brought. */
-static uint64_t stand(murk_search *s, uint32_t candidate)
-{
-    const murk_layout *layout = s->oracle->layout;
-    const murk_row row = murk_oracle_row(s->oracle, s->worker, candidate);
-    s->looks += s->oracle->matrix ? 0 : 1;
-    const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
-    murk_cover_add(&s->cover, layout, &row);
-    if (s->oracle->book) {
-        murk_standing_add(&s->standing, candidate);
-    }
-    return gain;
-}
-
-/* All of the plan but its entry `but` (n: all). Returns their value. */
-static uint64_t stand_others(murk_search *s, const uint32_t *plan, size_t n,
-                             size_t but)
-{
-    murk_cover_clear(&s->cover, s->oracle->layout);
-    if (s->oracle->book) {
-        murk_standing_clear(&s->standing, s->standing.wanted);
-    }
-    uint64_t value = 0;
-    for (size_t k = 0; k < n; ++k) {
-        if (k != but) {
-            value += stand(s, plan[k]);
-        }
-    }
-    return value;
-}
-
-/* Whether the rules let the candidate join what stands. */
-static inline bool is_open(const murk_search *s, uint32_t candidate)
-{
-    return !s->oracle->book ||
-           murk_standing_admits(&s->standing, candidate, s->is_move);
-}
-
-/* Weighs the n candidates gathered in the chunk; returns the best so far. */
-static uint64_t weigh_chunk(murk_search *s, size_t n, uint64_t best)
-{
-    murk_oracle_gains(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
-                      s->chunk_gain);
-    s->evaluations += n;
-    s->looks += s->oracle->matrix ? 0 : n;
-    for (size_t k = 0; k < n; ++k) {
-        s->gain[s->chunk[k]] = s->chunk_gain[k];
-        best = s->chunk_gain[k] > best ? s->chunk_gain[k] : best;
-    }
-    return best;
-}
-
-/* The undominated, from the most promising on, until the rest cannot reach
- * the best. */
-static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
-{
-    const size_t n = s->oracle->undominated;
-    uint64_t best = 0;
-    for (size_t k = 0; k < n && ranking[k].bound >= best;) {
-        if (murk_interrupted()) {
-            return 0;
-        }
-        size_t gathered = 0;
-        for (; k < n && gathered < CHUNK && ranking[k].bound >= best; ++k) {
-            if (is_open(s, ranking[k].candidate)) {
-                s->chunk[gathered++] = ranking[k].candidate;
-            }
-        }
-        best = weigh_chunk(s, gathered, best);
-    }
-    return best;
-}
-
-/* The dominated whose dominator has the best gain: they may tie. */
-static void weigh_dominated(murk_search *s, uint64_t best)
-{
-    const murk_oracle *o = s->oracle;
-    size_t gathered = 0;
-    for (size_t k = o->undominated; k < o->candidates; ++k) {
-        const uint32_t j = o->ranked[k].candidate;
-        if (s->gain[o->dominator[j]] == best && o->alone[j] >= best &&
-            is_open(s, j)) {
-            s->chunk[gathered++] = j;
-        }
-        if (gathered == CHUNK) {
-            weigh_chunk(s, gathered, best);
-            gathered = 0;
-        }
-    }
-    weigh_chunk(s, gathered, best);
-}
-
-static bool holds(const uint32_t *plan, size_t n, size_t but,
-                  uint32_t candidate)
-{
-    for (size_t k = 0; k < n; ++k) {
-        if (k != but && plan[k] == candidate) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Fills tie with all candidates that add most to what stands (the plan less
- * its entry `but`, worth `value`) and returns how much. */
-static uint64_t scan(murk_search *s, const murk_ranked *ranking,
-                     const uint32_t *plan, size_t n, size_t but, uint64_t value)
-{
-    const murk_oracle *o = s->oracle;
-    memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
-    uint64_t best = 0;
-    if (value < o->ceiling) {
-        best = weigh_undominated(s, ranking);
-    }
-    s->ties = 0;
-    if (best == 0) { /* all that are free add the same: nothing */
-        for (uint32_t j = 0; j < o->candidates; ++j) {
-            if (!holds(plan, n, but, j) && is_open(s, j)) {
-                s->tie[s->ties++] = j;
-            }
-        }
-        return 0;
-    }
-    weigh_dominated(s, best);
-    for (uint32_t j = 0; j < o->candidates; ++j) {
-        if (s->gain[j] == best) {
-            s->tie[s->ties++] = j;
-        }
-    }
-    return best;
-}
-
-/* After a scan of a growing cover: what was weighed can only fall. */
-static void sharpen_ranking(murk_search *s)
-{
-    const size_t n = s->oracle->undominated;
-    for (size_t k = 0; k < n; ++k) {
-        const uint64_t gain = s->gain[s->ranking[k].candidate];
-        if (gain != NOT_WEIGHED) {
-            s->ranking[k].bound = gain;
-        }
-    }
-    murk_ranked_sort(s->ranking, n);
-}
-
 /* What any candidate adds to what stands, worth `value`, is at most its
- * ranking's bound, and k more add at most the sum of the k largest. */
+ * ranking's bound, and k more add at most the sum of the k largest. (Rounding
+ * of chances: k that see a photon together exceed their sum by less than 1.02
+ * (k + 1), and each bound has 2 of slack.) */
 static void note_reach(murk_search *s, uint64_t value)
 {
     const size_t n = s->oracle->undominated;
@@ -257,21 +117,21 @@ uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
     const murk_oracle *o = s->oracle;
     memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
     given = begin(s, plan, given, n);
-    uint64_t value = stand_others(s, plan, given, given);
+    uint64_t value = murk_scan_stand_others(s, plan, given, given);
     if (value_after && given > 0) {
         value_after[given - 1] = value;
     }
     s->size = given;
     for (size_t k = given; k < n && value < enough && !murk_interrupted();
          ++k) {
-        const uint64_t gain = scan(s, s->ranking, plan, k, k, value);
+        const uint64_t gain = murk_scan(s, s->ranking, plan, k, k, value);
         if (s->ties == 0 || is_enough(s, gain)) {
             break;
         }
         s->size = k + 1;
         plan[k] = s->tie[0];
-        stand(s, plan[k]);
-        sharpen_ranking(s);
+        murk_scan_stand(s, plan[k]);
+        murk_scan_sharpen(s);
         note_reach(s, value);
         value += gain;
         if (value_after) {
@@ -294,7 +154,7 @@ static murk_priced find_densest(murk_search *s)
             if (best.gain > 0 && murk_by_density(&s->priced[k], &best) > 0) {
                 break;
             }
-            if (is_open(s, s->priced[k].candidate)) {
+            if (murk_scan_is_open(s, s->priced[k].candidate)) {
                 place[gathered] = k;
                 s->chunk[gathered++] = s->priced[k].candidate;
             }
@@ -302,13 +162,15 @@ static murk_priced find_densest(murk_search *s)
         if (gathered == 0) {
             break;
         }
-        weigh_chunk(s, gathered, 0);
+        murk_scan_weigh(s, gathered, 0);
         for (size_t i = 0; i < gathered; ++i) {
-            murk_priced *now = &s->priced[place[i]];
-            now->gain = s->chunk_gain[i];
-            if (now->gain > 0 &&
-                (best.gain == 0 || murk_by_density(now, &best) < 0)) {
-                best = *now;
+            murk_priced *later = &s->priced[place[i]];
+            murk_priced now = *later;
+            now.gain = s->chunk_gain[i];
+            later->gain = now.gain + murk_scan_slack(s, now.candidate);
+            if (now.gain > 0 &&
+                (best.gain == 0 || murk_by_density(&now, &best) < 0)) {
+                best = now;
             }
         }
     }
@@ -324,7 +186,7 @@ static bool find_asked(const murk_search *s, uint32_t *candidate)
              k < book->class_first[c + 1] &&
              s->standing.have[c] < book->least[c];
              ++k) {
-            if (is_open(s, book->by_cost[k])) {
+            if (murk_scan_is_open(s, book->by_cost[k])) {
                 *candidate = book->by_cost[k];
                 return true;
             }
@@ -337,10 +199,10 @@ uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given)
 {
     const murk_oracle *o = s->oracle;
     size_t n = begin(s, plan, given, o->book->most_sensors);
-    uint64_t value = stand_others(s, plan, n, n);
+    uint64_t value = murk_scan_stand_others(s, plan, n, n);
     for (uint32_t j = 0; j < o->candidates; ++j) {
-        s->priced[j] =
-            (murk_priced){o->alone[j], murk_rulebook_cost(o->book, j), j};
+        s->priced[j] = (murk_priced){murk_oracle_most(o, j),
+                                     murk_rulebook_cost(o->book, j), j};
     }
     while (n < o->book->most_sensors && !murk_interrupted()) {
         const murk_priced best = find_densest(s);
@@ -349,7 +211,7 @@ uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given)
             break;
         }
         value += best.gain;
-        stand(s, plan[n++]);
+        murk_scan_stand(s, plan[n++]);
     }
     s->size = n;
     return value;
@@ -379,7 +241,7 @@ static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
     for (uint32_t k = 0; k < m && s->standing.size < s->standing.wanted; ++k) {
         const uint32_t candidate =
             murk_draw_next(s->shuffle, m, k, seed, restart);
-        if (is_open(s, candidate)) {
+        if (murk_scan_is_open(s, candidate)) {
             plan[s->standing.size] = candidate;
             murk_standing_add(&s->standing, candidate);
         }
@@ -400,7 +262,7 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
         draw_start(s, plan, n, seed, restart);
     }
     const size_t fixed = fixed_count(s);
-    uint64_t value = stand_others(s, plan, n, n);
+    uint64_t value = murk_scan_stand_others(s, plan, n, n);
     uint64_t before;
     uint32_t sweep = 0, step = 0;
     do {
@@ -409,8 +271,9 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
         for (size_t k = 0; k < n - fixed && !murk_interrupted(); ++k) {
             const size_t mover = fixed + s->shuffle[k];
             s->is_move = true;
-            const uint64_t others = stand_others(s, plan, n, mover);
-            value = others + scan(s, s->oracle->ranked, plan, n, mover, others);
+            const uint64_t others = murk_scan_stand_others(s, plan, n, mover);
+            value = others +
+                    murk_scan(s, s->oracle->ranked, plan, n, mover, others);
             uint32_t word[4];
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
@@ -426,7 +289,7 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
 
 uint64_t murk_search_value(murk_search *s, const uint32_t *plan, size_t n)
 {
-    return stand_others(s, plan, n, n);
+    return murk_scan_stand_others(s, plan, n, n);
 }
 
 /* Moves single sensors until none gains; returns the value. */
@@ -434,7 +297,7 @@ static uint64_t settle(murk_search *s, uint32_t *plan, size_t n)
 {
     const size_t fixed = fixed_count(s), movers = n - fixed;
     if (movers == 0) {
-        return stand_others(s, plan, n, n);
+        return murk_scan_stand_others(s, plan, n, n);
     }
     uint64_t value = 0;
     size_t still = 0; /* sensors in a row that did not move */
@@ -442,8 +305,9 @@ static uint64_t settle(murk_search *s, uint32_t *plan, size_t n)
     for (size_t at = 0; still < movers && !murk_interrupted();
          at = (at + 1) % movers) {
         const size_t k = fixed + at;
-        const uint64_t others = stand_others(s, plan, n, k);
-        const uint64_t best = scan(s, s->oracle->ranked, plan, n, k, others);
+        const uint64_t others = murk_scan_stand_others(s, plan, n, k);
+        const uint64_t best =
+            murk_scan(s, s->oracle->ranked, plan, n, k, others);
         value = others + best;
         if (best > 0 && s->gain[plan[k]] != best) {
             plan[k] = s->tie[0];

@@ -2,8 +2,9 @@
  * question, "which candidates add most to what stands, and which tie?"
  *
  * The answer is exact and complete, though most candidates need no weighing:
- * one adds at most what it is worth alone, and a dominated one at most what
- * its dominator adds. */
+ * one adds at most what it is worth alone, but for what rounding may add to
+ * that where chances are independent; and where the clearest view alone counts,
+ * a dominated one adds at most what its dominator does. */
 #ifndef MURK_PLACEMENT_SEARCH_H
 #define MURK_PLACEMENT_SEARCH_H
 
@@ -16,11 +17,13 @@
 /* One worker's desk; carries nothing from one plan to the next. */
 typedef struct murk_search {
     const murk_oracle *oracle;
-    unsigned worker;  /* who looks when threads is 1 */
-    unsigned threads; /* spread over each scan */
-    murk_cover cover; /* of what stands */
-    uint64_t *gain;   /* [candidates] of this scan, or NOT_WEIGHED */
-    uint32_t *tie;    /* [ties] the candidates that add most, rising */
+    unsigned worker;     /* who looks when threads is 1 */
+    unsigned threads;    /* spread over each scan */
+    murk_cover cover;    /* of what stands */
+    bool has_many_views; /* more than the clearest of a photon count */
+    bool *is_standing;   /* [candidates] */
+    uint64_t *gain;      /* [candidates] of this scan, or NOT_WEIGHED */
+    uint32_t *tie;       /* [ties] the candidates that add most, rising */
     size_t ties;
     uint32_t *shuffle;    /* [candidates] */
     murk_ranked *ranking; /* [candidates] greedy's own */

@@ -79,7 +79,12 @@ int main(void)
     for (size_t i = 0; i < c.rows; ++i) {
         weight[i] = 1;
     }
-    const murk_problem problem = {c.rows, c.columns, weight, look, &c, 2};
+    const murk_problem problem = {.photons = c.rows,
+                                  .candidates = c.columns,
+                                  .weight = weight,
+                                  .look = look,
+                                  .context = &c,
+                                  .threads = 2};
     murk_matrix *matrix = NULL;
     murk_error err = {0};
     CHECK(murk_matrix_create(&matrix, &problem, 1 << 30, &err) == MURK_OK);

@@ -3,6 +3,7 @@
 #define MURK_TESTS_MADE_UP_H
 
 #include "base/rng.h"
+#include "placement/dose.h"
 #include "placement/place.h"
 
 #include <stdlib.h>
@@ -78,18 +79,62 @@ static void made_up_destroy(made_up *m)
     free(m);
 }
 
+/* The k largest of clarity[n] added up, which it sorts. */
+static uint64_t made_up_largest(uint16_t *clarity, size_t n, size_t k)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < k && i < n; ++i) {
+        size_t at = i;
+        for (size_t j = i + 1; j < n; ++j) {
+            at = clarity[j] > clarity[at] ? j : at;
+        }
+        sum += clarity[at];
+        clarity[at] = clarity[i];
+    }
+    return sum;
+}
+
+static const murk_doses *made_up_doses(void)
+{
+    static murk_doses doses;
+    if (doses.of[MURK_CLEAR] == 0) {
+        murk_doses_fill(&doses);
+    }
+    return &doses;
+}
+
+#define MADE_UP_SENSORS 64
+
 static uint64_t made_up_value(const made_up *m, const size_t *plan, size_t n)
+{
+    const murk_doses *doses = made_up_doses();
+    const bool is_chance = m->problem.combining == MURK_COMBINE_INDEPENDENT;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < m->problem.photons; ++i) {
+        uint16_t clarity[MADE_UP_SENSORS];
+        uint32_t dose = 0;
+        for (size_t k = 0; k < n; ++k) {
+            clarity[k] = m->clarity[plan[k] * m->problem.photons + i];
+            dose = murk_dose_add(dose, doses->of[clarity[k]]);
+        }
+        sum += m->weight[i] *
+               (is_chance ? murk_dose_worth(doses, dose)
+                          : made_up_largest(clarity, n,
+                                            murk_problem_layers(&m->problem)));
+    }
+    return sum;
+}
+
+/* What rounding may take from a promise. */
+static inline uint64_t made_up_rounding(const made_up *m)
 {
     uint64_t sum = 0;
     for (size_t i = 0; i < m->problem.photons; ++i) {
-        uint16_t best = 0;
-        for (size_t k = 0; k < n; ++k) {
-            const uint16_t p = m->clarity[plan[k] * m->problem.photons + i];
-            best = p > best ? p : best;
-        }
-        sum += (uint64_t)best * m->weight[i];
+        sum += m->weight[i];
     }
-    return sum;
+    return m->problem.combining == MURK_COMBINE_INDEPENDENT
+               ? MURK_WORTH_SLACK * sum
+               : 0;
 }
 
 /* The best of all plans of n, by trying each. */

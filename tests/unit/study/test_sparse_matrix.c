@@ -174,7 +174,11 @@ static void test_what_is_written_reads_back(void)
     for (uint32_t i = 0; i < MURK_CLEAR; ++i) {
         weight[i] = 6 * (1 + i % 5);
     }
-    const murk_problem problem = {MURK_CLEAR, 2, weight, look, NULL, 1};
+    const murk_problem problem = {.photons = MURK_CLEAR,
+                                  .candidates = 2,
+                                  .weight = weight,
+                                  .look = look,
+                                  .threads = 1};
     CHECK(murk_sparse_matrix_collect(&m, &problem, MURK_CLEAR, &err) ==
           MURK_OK);
     CHECK(m->weight[0] == 1 && m->weight[4] == 5 && !m->is_clear);

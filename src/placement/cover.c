@@ -1,0 +1,242 @@
+#include "placement/cover.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool init(murk_cover *out, const murk_layout *layout, bool all_clear,
+                 size_t layers, bool has_doses)
+{
+    *out = (murk_cover){.layers = layers};
+    if (all_clear) {
+        out->full =
+            murk_aligned_zeros(layers * layout->words * sizeof *out->full);
+        return out->full;
+    }
+    out->best = murk_aligned_zeros(layers * layout->slots * sizeof *out->best);
+    if (has_doses) {
+        out->dose = murk_aligned_zeros(layout->slots * sizeof *out->dose);
+    }
+    if (!out->best || (has_doses && !out->dose)) {
+        murk_cover_release(out);
+        return false;
+    }
+    return true;
+}
+
+bool murk_cover_init(murk_cover *out, const murk_layout *layout, bool all_clear)
+{
+    return init(out, layout, all_clear, layout->layers, layout->doses);
+}
+
+bool murk_cover_init_single(murk_cover *out, const murk_layout *layout,
+                            bool all_clear)
+{
+    return init(out, layout, all_clear, 1, false);
+}
+
+void murk_cover_release(murk_cover *cover)
+{
+    free(cover->full);
+    free(cover->best);
+    free(cover->dose);
+    *cover = (murk_cover){0};
+}
+
+void murk_cover_clear(murk_cover *cover, const murk_layout *layout)
+{
+    const size_t layers = cover->layers;
+    if (cover->full) {
+        memset(cover->full, 0, layers * layout->words * sizeof *cover->full);
+        return;
+    }
+    memset(cover->best, 0, layers * layout->slots * sizeof *cover->best);
+    if (cover->dose) {
+        memset(cover->dose, 0, layout->slots * sizeof *cover->dose);
+    }
+}
+
+void murk_cover_copy(murk_cover *to, const murk_layout *layout,
+                     const murk_cover *from)
+{
+    const size_t layers = to->layers;
+    assert(layers == from->layers && !to->full == !from->full &&
+           !to->dose == !from->dose);
+    if (to->full) {
+        memcpy(to->full, from->full, layers * layout->words * sizeof *to->full);
+        return;
+    }
+    memcpy(to->best, from->best, layers * layout->slots * sizeof *to->best);
+    if (to->dose) {
+        memcpy(to->dose, from->dose, layout->slots * sizeof *to->dose);
+    }
+}
+
+static void add_to_full(uint64_t *full, const murk_layout *layout,
+                        const murk_row *row)
+{
+    if (row->kind == MURK_ROW_BITS) {
+        for (size_t k = 0; k < layout->words; ++k) {
+            full[k] |= row->bits[k];
+        }
+        return;
+    }
+    assert(row->kind == MURK_ROW_CLEAR_LIST);
+    for (size_t k = 0; k < row->seen; ++k) {
+        full[row->slot[k] / 64] |= UINT64_C(1) << (row->slot[k] % 64);
+    }
+}
+
+static void add_to_best(uint16_t *best, const murk_layout *layout,
+                        const murk_row *row)
+{
+    switch (row->kind) {
+    case MURK_ROW_BITS:
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1) {
+                best[64 * k + (size_t)__builtin_ctzll(left)] = MURK_CLEAR;
+            }
+        }
+        break;
+    case MURK_ROW_PACKED: {
+        const uint16_t *p = row->clarity;
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
+                uint16_t *at = &best[64 * k + (size_t)__builtin_ctzll(left)];
+                *at = *p > *at ? *p : *at;
+            }
+        }
+        break;
+    }
+    case MURK_ROW_DENSE:
+        for (size_t i = 0; i < layout->slots; ++i) {
+            best[i] = row->clarity[i] > best[i] ? row->clarity[i] : best[i];
+        }
+        break;
+    case MURK_ROW_LIST:
+        for (size_t k = 0; k < row->seen; ++k) {
+            uint16_t *at = &best[row->slot[k]];
+            *at = row->clarity[k] > *at ? row->clarity[k] : *at;
+        }
+        break;
+    case MURK_ROW_CLEAR_LIST:
+        for (size_t k = 0; k < row->seen; ++k) {
+            best[row->slot[k]] = MURK_CLEAR;
+        }
+        break;
+    }
+}
+
+/* Each layer keeps what it has and hands down what it need not. */
+static void sink_bits(const murk_cover *cover, const murk_layout *layout,
+                      size_t word, uint64_t bits)
+{
+    for (size_t k = cover->layers; k-- > 0 && bits;) {
+        uint64_t *at = &cover->full[k * layout->words + word];
+        const uint64_t both = *at & bits;
+        *at |= bits;
+        bits = both;
+    }
+}
+
+static void sink_clarity(const murk_cover *cover, const murk_layout *layout,
+                         size_t slot, uint16_t clarity)
+{
+    for (size_t k = cover->layers; k-- > 0;) {
+        uint16_t *at = &cover->best[k * layout->slots + slot];
+        if (clarity > *at) {
+            const uint16_t below = *at;
+            *at = clarity;
+            clarity = below;
+        }
+    }
+}
+
+static void add_to_layers(murk_cover *cover, const murk_layout *layout,
+                          const murk_row *row)
+{
+    if (row->kind == MURK_ROW_BITS && cover->full) {
+        for (size_t k = 0; k < layout->words; ++k) {
+            sink_bits(cover, layout, k, row->bits[k]);
+        }
+        return;
+    }
+    size_t slot;
+    uint16_t clarity;
+    for (murk_row_walk walk = murk_row_begin(layout, row);
+         murk_row_next(&walk, &slot, &clarity);) {
+        if (cover->full) {
+            sink_bits(cover, layout, slot / 64, UINT64_C(1) << (slot % 64));
+        } else {
+            sink_clarity(cover, layout, slot, clarity);
+        }
+    }
+}
+
+static void add_dose(const murk_cover *cover, const murk_layout *layout,
+                     size_t slot, uint32_t dose)
+{
+    cover->dose[slot] = murk_dose_add(cover->dose[slot], dose);
+    cover->best[slot] = murk_dose_worth(layout->doses, cover->dose[slot]);
+}
+
+void murk_cover_add(murk_cover *cover, const murk_layout *layout,
+                    const murk_row *row)
+{
+    if (cover->dose) {
+        size_t slot;
+        uint16_t clarity;
+        for (murk_row_walk walk = murk_row_begin(layout, row);
+             murk_row_next(&walk, &slot, &clarity);) {
+            add_dose(cover, layout, slot, layout->doses->of[clarity]);
+        }
+    } else if (cover->layers > 1) {
+        add_to_layers(cover, layout, row);
+    } else if (cover->full) {
+        add_to_full(cover->full, layout, row);
+    } else {
+        add_to_best(cover->best, layout, row);
+    }
+}
+
+void murk_cover_join(murk_cover *cover, const murk_layout *layout,
+                     const murk_cover *other)
+{
+    for (size_t i = 0; cover->dose && i < layout->slots; ++i) {
+        add_dose(cover, layout, i, other->dose[i]);
+    }
+    for (size_t k = 0; !cover->dose && k < other->layers; ++k) {
+        for (size_t i = 0; cover->full && i < layout->words; ++i) {
+            sink_bits(cover, layout, i, other->full[k * layout->words + i]);
+        }
+        for (size_t i = 0; cover->best && i < layout->slots; ++i) {
+            sink_clarity(cover, layout, i, other->best[k * layout->slots + i]);
+        }
+    }
+}
+
+static uint64_t weigh_bits(uint64_t bits, const uint32_t *weight)
+{
+    uint64_t sum = 0;
+    for (; bits; bits &= bits - 1) {
+        sum += weight[__builtin_ctzll(bits)];
+    }
+    return sum;
+}
+
+uint64_t murk_cover_value(const murk_cover *cover, const murk_layout *layout)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < cover->layers; ++k) {
+        for (size_t i = 0; cover->full && i < layout->words; ++i) {
+            sum += weigh_bits(cover->full[k * layout->words + i],
+                              layout->weight + 64 * i) *
+                   MURK_CLEAR;
+        }
+        for (size_t i = 0; cover->best && i < layout->slots; ++i) {
+            sum += (uint64_t)cover->best[k * layout->slots + i] *
+                   layout->weight[i];
+        }
+    }
+    return sum;
+}

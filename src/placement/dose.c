@@ -1,0 +1,38 @@
+#include "placement/dose.h"
+
+#include <math.h>
+
+/* Taken off before rounding down, in units of the result: far more than the
+ * last digits of expm1() and log1p(), and far less than a unit. */
+#define ROOM 0x1p-10
+
+static uint32_t floor_of(double value)
+{
+    return value > ROOM ? (uint32_t)floor(value - ROOM) : 0;
+}
+
+/* The first steps are the steepest: 65535 * 64 units, times 1023. */
+_Static_assert((uint64_t)MURK_CLEAR * 65536 * MURK_DOSE_STEP / MURK_DOSE_ONE *
+                       (MURK_DOSE_STEP - 1) <
+                   UINT32_MAX,
+               "the rise between nodes fits 32 bits");
+
+void murk_doses_fill(murk_doses *out)
+{
+    for (uint32_t k = 0; k < MURK_DOSE_NODES; ++k) {
+        const double dose = (double)k * MURK_DOSE_STEP / MURK_DOSE_ONE;
+        out->node[k] = floor_of(-expm1(-dose) * MURK_CLEAR * 65536);
+    }
+    /* A worth climbs by at most 1/16 a unit of dose, so none is left out. */
+    uint32_t dose = 0;
+    for (uint32_t p = 0; p < MURK_CLEAR; ++p) {
+        out->below[p] =
+            floor_of(-log1p(-(double)p / MURK_CLEAR) * MURK_DOSE_ONE);
+        dose = out->below[p] > dose ? out->below[p] : dose;
+        while (murk_dose_worth(out, dose) < p) {
+            ++dose;
+        }
+        out->of[p] = dose;
+    }
+    out->of[MURK_CLEAR] = out->below[MURK_CLEAR] = MURK_DOSE_FULL;
+}

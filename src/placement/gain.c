@@ -1,0 +1,252 @@
+#include "placement/gain.h"
+
+static bool has_bit(const uint64_t *bits, size_t i)
+{
+    return (bits[i / 64] >> (i % 64)) & 1;
+}
+
+/* Weight of the row's new photons in words of mixed weights. */
+static uint64_t weigh_new(const uint64_t *row, const uint64_t *full,
+                          const uint32_t *weight, size_t words)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < words; ++k) {
+        for (uint64_t left = row[k] & ~full[k]; left; left &= left - 1) {
+            sum += weight[64 * k + (size_t)__builtin_ctzll(left)];
+        }
+    }
+    return sum;
+}
+
+static uint64_t gain_of_bits(const murk_layout *layout, const uint64_t *bits,
+                             const murk_cover *cover)
+{
+    const murk_kernels *kernels = layout->kernels;
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const murk_segment *at = &layout->segment[s];
+        const uint64_t *row = bits + at->first_word;
+        const uint32_t *weight = layout->weight + 64 * at->first_word;
+        if (cover->full) {
+            const uint64_t *full = cover->full + at->first_word;
+            sum += MURK_CLEAR *
+                   (at->is_mixed ? weigh_new(row, full, weight, at->words)
+                                 : at->weight * kernels->count_new(row, full,
+                                                                   at->words));
+        } else {
+            const uint16_t *best = cover->best + 64 * at->first_word;
+            sum +=
+                at->is_mixed
+                    ? kernels->weigh_missing(row, best, weight, at->words)
+                    : at->weight * kernels->sum_missing(row, best, at->words);
+        }
+    }
+    return sum;
+}
+
+static uint64_t gain_of_dense(const murk_layout *layout,
+                              const uint16_t *clarity, const uint16_t *best)
+{
+    const murk_kernels *kernels = layout->kernels;
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const murk_segment *at = &layout->segment[s];
+        const size_t first = 64 * at->first_word;
+        sum +=
+            at->is_mixed
+                ? kernels->weigh_above(clarity + first, best + first,
+                                       layout->weight + first, 64 * at->words)
+                : at->weight * kernels->sum_above(clarity + first, best + first,
+                                                  64 * at->words);
+    }
+    return sum;
+}
+
+static uint64_t gain_of_packed(const murk_layout *layout, const murk_row *row,
+                               const uint16_t *best)
+{
+    const murk_kernels *kernels = layout->kernels;
+    const uint16_t *clarity = row->clarity;
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const murk_segment *at = &layout->segment[s];
+        const uint64_t *bits = row->bits + at->first_word;
+        const size_t first = 64 * at->first_word;
+        size_t used = 0;
+        sum +=
+            at->is_mixed
+                ? kernels->weigh_packed(bits, clarity, best + first,
+                                        layout->weight + first, at->words,
+                                        &used)
+                : at->weight * kernels->sum_packed(bits, clarity, best + first,
+                                                   at->words, &used);
+        clarity += used;
+    }
+    return sum;
+}
+
+static uint64_t gain_of_list(const murk_layout *layout, const murk_row *row,
+                             const uint16_t *best)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < row->seen; ++k) {
+        const uint32_t i = row->slot[k];
+        const uint16_t p = row->clarity[k];
+        sum += p > best[i] ? (uint64_t)(p - best[i]) * layout->weight[i] : 0;
+    }
+    return sum;
+}
+
+static uint64_t gain_of_clear_list(const murk_layout *layout,
+                                   const murk_row *row, const murk_cover *cover)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < row->seen; ++k) {
+        const uint32_t i = row->slot[k];
+        const uint64_t missing =
+            cover->full ? (has_bit(cover->full, i) ? 0 : MURK_CLEAR)
+                        : MURK_CLEAR - (uint64_t)cover->best[i];
+        sum += missing * layout->weight[i];
+    }
+    return sum;
+}
+
+/* Of doses. */
+static uint64_t gain_of_chances(const murk_layout *layout, const murk_row *row,
+                                const murk_cover *cover)
+{
+    const murk_doses *doses = layout->doses;
+    uint64_t sum = 0;
+    size_t i;
+    uint16_t p;
+    for (murk_row_walk walk = murk_row_begin(layout, row);
+         murk_row_next(&walk, &i, &p);) {
+        const uint32_t with = murk_dose_add(cover->dose[i], doses->of[p]);
+        sum += (uint64_t)(murk_dose_worth(doses, with) - cover->best[i]) *
+               layout->weight[i];
+    }
+    return sum;
+}
+
+uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
+                       const murk_cover *cover)
+{
+    if (cover->dose) {
+        return gain_of_chances(layout, row, cover);
+    }
+    switch (row->kind) {
+    case MURK_ROW_BITS:
+        return gain_of_bits(layout, row->bits, cover);
+    case MURK_ROW_PACKED:
+        return gain_of_packed(layout, row, cover->best);
+    case MURK_ROW_DENSE:
+        return gain_of_dense(layout, row->clarity, cover->best);
+    case MURK_ROW_LIST:
+        return gain_of_list(layout, row, cover->best);
+    case MURK_ROW_CLEAR_LIST:
+        break;
+    }
+    return gain_of_clear_list(layout, row, cover);
+}
+
+uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row)
+{
+    uint64_t sum = 0;
+    size_t i;
+    uint16_t p;
+    for (murk_row_walk walk = murk_row_begin(layout, row);
+         murk_row_next(&walk, &i, &p);) {
+        sum += p > 0 ? layout->weight[i] : 0;
+    }
+    return sum;
+}
+
+void murk_row_count_above(const murk_layout *layout, const murk_row *row,
+                          const uint16_t *best, uint16_t *count)
+{
+    switch (row->kind) {
+    case MURK_ROW_BITS:
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1) {
+                const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+                count[i] = (uint16_t)(count[i] + (best[i] < MURK_CLEAR));
+            }
+        }
+        break;
+    case MURK_ROW_PACKED: {
+        const uint16_t *p = row->clarity;
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
+                const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+                count[i] = (uint16_t)(count[i] + (*p > best[i]));
+            }
+        }
+        break;
+    }
+    case MURK_ROW_DENSE:
+        for (size_t i = 0; i < layout->slots; ++i) {
+            count[i] = (uint16_t)(count[i] + (row->clarity[i] > best[i]));
+        }
+        break;
+    case MURK_ROW_LIST:
+    case MURK_ROW_CLEAR_LIST:
+        for (size_t k = 0; k < row->seen; ++k) {
+            const uint32_t i = row->slot[k];
+            const uint16_t p = row->clarity ? row->clarity[k] : MURK_CLEAR;
+            count[i] = (uint16_t)(count[i] + (p > best[i]));
+        }
+        break;
+    }
+}
+
+bool murk_row_within(const murk_layout *layout, const murk_row *row,
+                     const murk_cover *cover)
+{
+    switch (row->kind) {
+    case MURK_ROW_BITS:
+        for (size_t k = 0; k < layout->words; ++k) {
+            if (cover->full) {
+                if (row->bits[k] & ~cover->full[k]) {
+                    return false;
+                }
+                continue;
+            }
+            for (uint64_t left = row->bits[k]; left; left &= left - 1) {
+                if (cover->best[64 * k + (size_t)__builtin_ctzll(left)] <
+                    MURK_CLEAR) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    case MURK_ROW_PACKED: {
+        const uint16_t *p = row->clarity;
+        for (size_t k = 0; k < layout->words; ++k) {
+            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
+                if (*p > cover->best[64 * k + (size_t)__builtin_ctzll(left)]) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+    case MURK_ROW_DENSE:
+        for (size_t i = 0; i < layout->slots; ++i) {
+            if (row->clarity[i] > cover->best[i]) {
+                return false;
+            }
+        }
+        return true;
+    case MURK_ROW_LIST:
+    case MURK_ROW_CLEAR_LIST:
+        break;
+    }
+    for (size_t k = 0; k < row->seen; ++k) {
+        const uint32_t i = row->slot[k];
+        const uint16_t p = row->clarity ? row->clarity[k] : MURK_CLEAR;
+        if (cover->full ? !has_bit(cover->full, i) : p > cover->best[i]) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,145 @@
+#include "placement/scan.h"
+
+#include "base/interrupt.h"
+
+#include <string.h>
+
+#define NOT_WEIGHED UINT64_MAX
+
+uint64_t murk_scan_stand(murk_search *s, uint32_t candidate)
+{
+    const murk_layout *layout = s->oracle->layout;
+    const murk_row row = murk_oracle_row(s->oracle, s->worker, candidate);
+    s->looks += s->oracle->matrix ? 0 : 1;
+    const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
+    murk_cover_add(&s->cover, layout, &row);
+    s->is_standing[candidate] = true;
+    if (s->oracle->book) {
+        murk_standing_add(&s->standing, candidate);
+    }
+    return gain;
+}
+
+uint64_t murk_scan_stand_others(murk_search *s, const uint32_t *plan, size_t n,
+                                size_t but)
+{
+    murk_cover_clear(&s->cover, s->oracle->layout);
+    memset(s->is_standing, 0, s->oracle->candidates * sizeof *s->is_standing);
+    if (s->oracle->book) {
+        murk_standing_clear(&s->standing, s->standing.wanted);
+    }
+    uint64_t value = 0;
+    for (size_t k = 0; k < n; ++k) {
+        if (k != but) {
+            value += murk_scan_stand(s, plan[k]);
+        }
+    }
+    return value;
+}
+
+uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
+{
+    murk_oracle_gains(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
+                      s->chunk_gain);
+    s->evaluations += n;
+    s->looks += s->oracle->matrix ? 0 : n;
+    for (size_t k = 0; k < n; ++k) {
+        s->gain[s->chunk[k]] = s->chunk_gain[k];
+        best = s->chunk_gain[k] > best ? s->chunk_gain[k] : best;
+    }
+    return best;
+}
+
+/* The undominated, from the most promising on, until the rest cannot reach
+ * the best. */
+static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
+{
+    const size_t n = s->oracle->undominated;
+    uint64_t best = 0;
+    for (size_t k = 0; k < n && ranking[k].bound >= best;) {
+        if (murk_interrupted()) {
+            return 0;
+        }
+        size_t gathered = 0;
+        for (;
+             k < n && gathered < MURK_SEARCH_CHUNK && ranking[k].bound >= best;
+             ++k) {
+            if (murk_scan_is_open(s, ranking[k].candidate)) {
+                s->chunk[gathered++] = ranking[k].candidate;
+            }
+        }
+        best = murk_scan_weigh(s, gathered, best);
+    }
+    return best;
+}
+
+/* The dominated whose dominator has the best gain: they may tie. */
+static void weigh_dominated(murk_search *s, uint64_t best)
+{
+    const murk_oracle *o = s->oracle;
+    size_t gathered = 0;
+    for (size_t k = o->undominated; k < o->candidates; ++k) {
+        const uint32_t j = o->ranked[k].candidate;
+        if (s->gain[o->dominator[j]] == best && o->alone[j] >= best &&
+            murk_scan_is_open(s, j)) {
+            s->chunk[gathered++] = j;
+        }
+        if (gathered == MURK_SEARCH_CHUNK) {
+            murk_scan_weigh(s, gathered, best);
+            gathered = 0;
+        }
+    }
+    murk_scan_weigh(s, gathered, best);
+}
+
+static bool holds(const uint32_t *plan, size_t n, size_t but,
+                  uint32_t candidate)
+{
+    for (size_t k = 0; k < n; ++k) {
+        if (k != but && plan[k] == candidate) {
+            return true;
+        }
+    }
+    return false;
+}
+
+uint64_t murk_scan(murk_search *s, const murk_ranked *ranking,
+                   const uint32_t *plan, size_t n, size_t but, uint64_t value)
+{
+    const murk_oracle *o = s->oracle;
+    memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
+    uint64_t best = 0;
+    if (value < o->ceiling) {
+        best = weigh_undominated(s, ranking);
+    }
+    s->ties = 0;
+    if (best == 0) { /* all that are free add the same: nothing */
+        for (uint32_t j = 0; j < o->candidates; ++j) {
+            if (!holds(plan, n, but, j) && murk_scan_is_open(s, j)) {
+                s->tie[s->ties++] = j;
+            }
+        }
+        return 0;
+    }
+    weigh_dominated(s, best);
+    for (uint32_t j = 0; j < o->candidates; ++j) {
+        if (s->gain[j] == best) {
+            s->tie[s->ties++] = j;
+        }
+    }
+    return best;
+}
+
+void murk_scan_sharpen(murk_search *s)
+{
+    /* what was weighed can only fall, but for rounding */
+    const size_t n = s->oracle->undominated;
+    for (size_t k = 0; k < n; ++k) {
+        const uint64_t gain = s->gain[s->ranking[k].candidate];
+        if (gain != NOT_WEIGHED) {
+            s->ranking[k].bound =
+                gain + murk_scan_slack(s, s->ranking[k].candidate);
+        }
+    }
+    murk_ranked_sort(s->ranking, n);
+}
