@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,6 +56,41 @@ static bool is_listed(const murk_rules *rules, uint32_t a, uint32_t b)
         }
     }
     return false;
+}
+
+/* ---- for messages ---- */
+
+typedef struct name {
+    char text[80];
+} name;
+
+static const char *class_name(const murk_rules *rules, size_t class,
+                              char out[sizeof(name)])
+{
+    if (rules->class_name) {
+        snprintf(out, sizeof(name), "type %s", rules->class_name[class]);
+    } else {
+        snprintf(out, sizeof(name), "class %zu", class);
+    }
+    return out;
+}
+
+static double as_told(const murk_rulebook *book, uint64_t cost)
+{
+    const double unit = book->rules->cost_unit;
+    return (double)cost * (unit > 0 ? unit : 1);
+}
+
+/* Of two fixed sensors, by number, that do. */
+static const char *why_excluded(const murk_rulebook *book, size_t i, size_t k)
+{
+    const uint32_t a = (uint32_t)book->rules->fixed[i],
+                   b = (uint32_t)book->rules->fixed[k];
+    return book->site && book->site[a] == book->site[b]
+               ? "one sensor may stand at a site"
+           : is_near(book->rules, a, b)
+               ? "they stand closer than the least spacing"
+               : "they are given as a conflict";
 }
 
 bool murk_rulebook_excludes(const murk_rulebook *book, uint32_t a, uint32_t b)
@@ -232,15 +268,17 @@ static murk_status index_counts(murk_rulebook *book, murk_error *err)
         const size_t most = is_given && rules->most ? rules->most[c] : size;
         if (least > size) {
             return murk_fail(err, MURK_BAD_VALUE, "",
-                             "class %zu must have at least %zu sensors, but "
-                             "has only %zu usable candidates",
-                             c, least, size);
+                             "%s must have at least %zu sensors, but has "
+                             "only %zu usable candidates",
+                             class_name(book->rules, c, (name){{0}}.text),
+                             least, size);
         }
         if (least > most) {
             return murk_fail(err, MURK_BAD_VALUE, "",
-                             "class %zu must have at least %zu sensors, but "
-                             "at most %zu",
-                             c, least, most);
+                             "%s must have at least %zu sensors, but at most "
+                             "%zu",
+                             class_name(book->rules, c, (name){{0}}.text),
+                             least, most);
         }
         book->least[c] = least;
         book->most[c] = most < size ? most : size;
@@ -268,10 +306,11 @@ static murk_status index_fixed(murk_rulebook *book, murk_error *err)
         for (size_t i = 0; i < k; ++i) {
             if (murk_rulebook_excludes(book, (uint32_t)rules->fixed[i],
                                        (uint32_t)j)) {
-                return murk_fail(err, MURK_BAD_VALUE, "",
-                                 "fixed sensors at candidates %zu and %zu "
-                                 "exclude each other",
-                                 rules->fixed[i], j);
+                return murk_fail(
+                    err, MURK_BAD_VALUE, "",
+                    "fixed sensors %zu and %zu exclude each other: "
+                    "%s",
+                    i, k, why_excluded(book, i, k));
             }
         }
         book->is_fixed[j] = true;
@@ -316,10 +355,9 @@ static murk_status check_budget(const murk_rulebook *book, murk_error *err)
     const uint64_t needed = least_cost(book);
     if (needed > book->budget) {
         return murk_fail(err, MURK_BAD_VALUE, "",
-                         "budget is %llu, but fixed sensors and least counts "
-                         "cost %llu at least",
-                         (unsigned long long)book->budget,
-                         (unsigned long long)needed);
+                         "budget is %.10g, but fixed sensors and least counts "
+                         "cost %.10g at least",
+                         as_told(book, book->budget), as_told(book, needed));
     }
     uint64_t cheapest = UINT64_MAX;
     for (uint32_t j = 0; j < book->candidates; ++j) {
@@ -328,10 +366,9 @@ static murk_status check_budget(const murk_rulebook *book, murk_error *err)
     }
     if (book->rules->fixed_count == 0 && cheapest > book->budget) {
         return murk_fail(err, MURK_BAD_VALUE, "",
-                         "budget is %llu, but the cheapest candidate costs "
-                         "%llu",
-                         (unsigned long long)book->budget,
-                         (unsigned long long)cheapest);
+                         "budget is %.10g, but the cheapest candidate costs "
+                         "%.10g",
+                         as_told(book, book->budget), as_told(book, cheapest));
     }
     return MURK_OK;
 }
@@ -345,9 +382,10 @@ static murk_status check_count(murk_rulebook *book, size_t count, bool is_most,
         const size_t fixed = fixed_of_class(book, c);
         if (fixed > book->most[c]) {
             return murk_fail(err, MURK_BAD_VALUE, "",
-                             "class %zu may have at most %zu sensors, but %zu "
-                             "are fixed",
-                             c, book->most[c], fixed);
+                             "%s may have at most %zu sensors, but %zu are "
+                             "fixed",
+                             class_name(book->rules, c, (name){{0}}.text),
+                             book->most[c], fixed);
         }
         needed += fixed > book->least[c] ? fixed : book->least[c];
         allowed += book->most[c];

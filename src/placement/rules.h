@@ -32,6 +32,9 @@ typedef struct murk_rules {
      * rising, and is excluded by each of them. NULL: none. */
     const size_t *conflict_first; /* [candidates + 1] */
     const uint32_t *conflict;
+    /* For messages. */
+    const char *const *class_name; /* [classes]; NULL: by number */
+    double cost_unit;              /* of costs and budget as told; 0: 1 */
 } murk_rules;
 
 /* Rules, checked and indexed. Immutable while plans are searched. */

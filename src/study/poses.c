@@ -118,35 +118,34 @@ static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
 
 /* ---- rules ---- */
 
-/* How many sensors of each type there can be at all. */
-static murk_status check_counts(const murk_poses *p,
-                                const murk_scene_sensors *wish, murk_error *err)
+static murk_status check_count(const murk_poses *p,
+                               const murk_scene_sensors *wish, murk_error *err)
 {
-    for (size_t k = 0; k < wish->types; ++k) {
-        const murk_scene_sensor_type *type = &wish->type[k];
-        size_t have = 0;
-        for (size_t j = 0; j < p->count; ++j) {
-            have += p->pose[j].type == k;
-        }
-        if (type->least_count > have) {
-            return murk_fail(err, MURK_BAD_VALUE, type->where,
-                             "least_count: %llu sensors of type %s, but only "
-                             "%zu candidates",
-                             (unsigned long long)type->least_count, type->name,
-                             have);
-        }
-    }
     if (wish->count > p->count) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "count: %llu sensors, but only %zu candidates",
                          (unsigned long long)wish->count, p->count);
     }
-    if (wish->count > 0 && p->fixed > wish->count) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "count: %llu sensors, but %zu are fixed, which count "
-                         "too",
-                         (unsigned long long)wish->count, p->fixed);
+    return MURK_OK;
+}
+
+/* Contradictions come to light before any light is traced. */
+static murk_status check_rules(const murk_poses *p,
+                               const murk_scene_sensors *wish, murk_error *err)
+{
+    murk_rulebook book;
+    if (!p->has_rules) {
+        return MURK_OK;
     }
+    murk_error told = {0};
+    const murk_status status =
+        murk_rulebook_init(&book, &p->rules, p->count,
+                           wish->count > 0 ? (size_t)wish->count : p->count,
+                           wish->count == 0, &told);
+    if (status) {
+        return murk_fail(err, status, wish->where, "%s", told.text);
+    }
+    murk_rulebook_release(&book);
     return MURK_OK;
 }
 
@@ -155,6 +154,7 @@ static void fill_rules(murk_poses *p, const murk_scene_sensors *wish)
     bool has_classes = false, has_costs = wish->budget > 0;
     for (size_t k = 0; k < wish->types; ++k) {
         const murk_scene_sensor_type *type = &wish->type[k];
+        p->class_name[k] = type->name;
         p->least[k] = (size_t)type->least_count;
         p->most[k] =
             type->max_count < ANY_COUNT ? (size_t)type->max_count : p->count;
@@ -184,7 +184,9 @@ static void fill_rules(murk_poses *p, const murk_scene_sensors *wish)
         .fixed_count = p->fixed,
         .site = wish->one_per_site ? p->site : NULL,
         .position_m = (const double(*)[3])p->position_m,
-        .spacing_m = wish->spacing_m};
+        .spacing_m = wish->spacing_m,
+        .class_name = p->class_name,
+        .cost_unit = MURK_COST_UNIT};
     p->has_rules = has_classes || has_costs || p->fixed > 0 ||
                    wish->one_per_site || wish->spacing_m > 0;
 }
@@ -202,8 +204,9 @@ static bool set_aside(murk_poses *p, size_t types)
     p->fixed_number = calloc(p->fixed + 1, sizeof *p->fixed_number);
     p->least = calloc(types + 1, sizeof *p->least);
     p->most = calloc(types + 1, sizeof *p->most);
+    p->class_name = calloc(types + 1, sizeof *p->class_name);
     return p->pose && p->class_of && p->site && p->cost && p->position_m &&
-           p->fixed_number && p->least && p->most;
+           p->fixed_number && p->least && p->most && p->class_name;
 }
 
 murk_status murk_poses_create(murk_poses **out, const murk_scene *scene,
@@ -241,12 +244,16 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene *scene,
     assert(at + p->fixed == p->count);
     status = place_fixed(p, wish, domain, (uint32_t)n, err);
     if (!status) {
-        status = check_counts(p, wish, err);
+        status = check_count(p, wish, err);
     }
     if (status) {
         goto done;
     }
     fill_rules(p, wish);
+    status = check_rules(p, wish, err);
+    if (status) {
+        goto done;
+    }
     *out = p;
     p = NULL;
 done:
@@ -262,6 +269,7 @@ void murk_poses_destroy(murk_poses *p)
         free(p->site);
         free(p->least);
         free(p->most);
+        free(p->class_name);
         free(p->fixed_number);
         free(p->cost);
         free(p->position_m);

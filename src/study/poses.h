@@ -21,11 +21,13 @@ typedef struct murk_poses {
     size_t *least, *most, *fixed_number;
     int64_t *cost;
     double (*position_m)[3];
+    const char **class_name; /* [types], the scene's */
 } murk_poses;
 
 /* Sites as they are usable, [n]; *out is the caller's. Fails at the scene's own
- * places: more than 1e7 poses, a fixed sensor outside the domain, a count or
- * least counts that the candidates cannot meet. */
+ * places: more than 1e7 poses, a fixed sensor outside the domain, a count that
+ * the candidates cannot meet, rules that contradict each other. The scene must
+ * outlive them. */
 murk_status murk_poses_create(murk_poses **out, const murk_scene *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);

@@ -157,14 +157,16 @@ static void test_contradictions_are_refused(void)
         {{.fixed = fixed, .fixed_count = 2, .site = site},
          2,
          0,
-         "fixed sensors at candidates 0 and 1 exclude each other"},
+         "fixed sensors 0 and 1 exclude each other: one sensor may stand at a "
+         "site"},
         {{.fixed = fixed,
           .fixed_count = 2,
           .position_m = place,
           .spacing_m = .6},
          2,
          0,
-         "fixed sensors at candidates 0 and 1 exclude each other"},
+         "fixed sensors 0 and 1 exclude each other: they stand closer than the "
+         "least spacing"},
         {{.cost = negative, .budget = 9},
          0,
          0,

@@ -117,13 +117,15 @@ static void test_what_cannot_be_is_refused(void)
     check_refused("  types: [{name: a, range_m: 1}]\n  count: 4\n", "sensors",
                   "count: 4 sensors, but only 3 candidates");
     check_refused("  types: [{name: a, range_m: 1, least_count: 4}]\n",
-                  "sensors.types.0",
-                  "least_count: 4 sensors of type a, but only 3 candidates");
+                  "sensors",
+                  "type a must have at least 4 sensors, but has only 3 usable "
+                  "candidates");
     check_refused("  types: [{name: a, range_m: 1}]\n  count: 1\n"
                   "  fixed: [{position_m: [1, 2, 2]}, {position_m: [1, 2, "
                   "1]}]\n",
                   "sensors",
-                  "count: 1 sensors, but 2 are fixed, which count too");
+                  "1 sensors asked for, but fixed sensors and least counts "
+                  "need 2");
     check_refused("  types: [{name: a, range_m: 1}]\n"
                   "  fixed: [{position_m: [1, 2, 3.5]}]\n",
                   "sensors.fixed.0",
