@@ -1,3 +1,4 @@
+#include "app/check_sensors.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -12,6 +13,7 @@ typedef struct findings {
     murk_surfaces_facts surfaces;
     murk_forecast forecast;
     murk_candidates *candidates; /* NULL without sensors */
+    murk_poses *poses;           /* likewise */
 } findings;
 
 /* Most that the known environment's matrix can take: a bit a photon and
@@ -19,7 +21,7 @@ typedef struct findings {
 static double matrix_bytes(const findings *f)
 {
     const double records = f->forecast.surface + f->forecast.volume;
-    const double usable = f->candidates ? (double)f->candidates->usable : 0;
+    const double usable = f->poses ? (double)f->poses->count : 0;
     const bool dims = murk_media_any(f->session->stage->media);
     return records * usable * (dims ? 2 : 0.125);
 }
@@ -236,6 +238,7 @@ static cJSON *check_json(const findings *f)
     } else {
         cJSON_AddNullToObject(root, "candidates");
     }
+    murk_json_sensor_types(root, f->session->scene, f->poses);
     murk_json_tallies(root, f->session);
     cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
     cJSON_AddNumberToObject(forecast, "pilot_photons",
@@ -390,6 +393,7 @@ static void print_findings(const findings *f)
         printf("candidates  %zu asked, %zu usable: %zu not reached from a "
                "light, %zu too close, %zu doubtful\n",
                c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
+        murk_print_sensor_types(f->session->scene, f->poses);
     } else {
         printf("candidates  none: the scene has no sensors\n");
     }
@@ -420,11 +424,17 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         status = murk_sites_find(&f.candidates, session.stage, options->threads,
                                  err);
     }
+    if (!status && f.candidates) {
+        status = murk_poses_create(
+            &f.poses, session.scene, &session.stage->world.domain,
+            f.candidates->position, f.candidates->usable, err);
+    }
     if (!status && options->json) {
         status = murk_session_finish(&session, NULL, check_json(&f), err);
     } else if (!status && murk_session_speaks(&session)) {
         print_findings(&f);
     }
+    murk_poses_destroy(f.poses);
     murk_candidates_destroy(f.candidates);
     murk_session_end(&session);
     return status;

@@ -1,0 +1,90 @@
+#include "app/check_sensors.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define DEG_PER_RAD  (180 / MURK_PI)
+#define NO_MAX_COUNT 1000000 /* what `max_count` is where none is given */
+
+static const char *const VIEW_NAME[] = {[MURK_SCENE_VIEW_SPHERE] = "sphere",
+                                        [MURK_SCENE_VIEW_CONE] = "cone",
+                                        [MURK_SCENE_VIEW_FRUSTUM] = "frustum"};
+
+static size_t poses_of(const murk_poses *poses, size_t type)
+{
+    size_t n = 0;
+    for (size_t j = 0; j < poses->count - poses->fixed; ++j) {
+        n += poses->pose[j].type == type;
+    }
+    return n;
+}
+
+static size_t headings_of(const murk_scene_sensor_type *type)
+{
+    return type->headings_deg.n ? type->headings_deg.n : (size_t)type->headings;
+}
+
+void murk_json_sensor_types(cJSON *root, const murk_scene *scene,
+                            const murk_poses *poses)
+{
+    if (!poses) {
+        cJSON_AddNullToObject(root, "sensors");
+        return;
+    }
+    cJSON *list = cJSON_AddArrayToObject(root, "sensors");
+    for (size_t k = 0; k < scene->sensors.types; ++k) {
+        const murk_scene_sensor_type *type = &scene->sensors.type[k];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "type", type->name);
+        cJSON_AddStringToObject(item, "view", VIEW_NAME[type->view]);
+        murk_json_number(item, "least_range_m", type->least_range_m);
+        murk_json_number(item, "range_m", type->range_m);
+        murk_json_number(item, "cost", type->cost);
+        cJSON_AddNumberToObject(item, "candidates", (double)poses_of(poses, k));
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
+static void print_view(const murk_scene_sensor_type *type)
+{
+    if (type->view == MURK_SCENE_VIEW_SPHERE) {
+        printf("all round");
+        return;
+    }
+    if (type->view == MURK_SCENE_VIEW_CONE) {
+        printf("cone of %.4g degrees", type->cone_rad * DEG_PER_RAD);
+    } else {
+        printf("%.4g x %.4g degrees", type->hfov_rad * DEG_PER_RAD,
+               type->vfov_rad * DEG_PER_RAD);
+    }
+    printf(", %zu headings, %zu tilts", headings_of(type), type->tilts_deg.n);
+}
+
+void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses)
+{
+    const murk_scene_sensors *wish = &scene->sensors;
+    for (size_t k = 0; k < wish->types; ++k) {
+        const murk_scene_sensor_type *type = &wish->type[k];
+        printf("sensor      %-12s ", type->name);
+        print_view(type);
+        printf(", %.4g to %.4g m", type->least_range_m, type->range_m);
+        if (type->toward) {
+            printf(", light that travels toward it");
+        }
+        if (type->bands_nm.n) {
+            printf(", %zu of %d bands", type->bands_nm.n, scene->bands);
+        }
+        printf("; cost %.10g", type->cost);
+        if (type->least_count > 0) {
+            printf(", at least %llu", (unsigned long long)type->least_count);
+        }
+        if (type->max_count < NO_MAX_COUNT) {
+            printf(", at most %llu", (unsigned long long)type->max_count);
+        }
+        printf("; %zu candidates\n", poses_of(poses, k));
+    }
+    if (poses->fixed > 0) {
+        printf("fixed       %zu sensors stand already\n", poses->fixed);
+    }
+}
