@@ -12,7 +12,8 @@ double murk_medium_accepted(const murk_medium *medium, int band,
     return murk_phase_share_within(&medium->phase[band], acceptance_rad);
 }
 
-static murk_status check(const murk_media *media, murk_error *err)
+murk_status murk_media_check_acceptance(const murk_media *media,
+                                        murk_error *err)
 {
     for (size_t i = 0; i < media->n_places; ++i) {
         const murk_medium *medium = &media->media[media->places[i].medium];
@@ -30,7 +31,7 @@ murk_status murk_media_accepting(murk_media **out, const murk_media *media,
                                  double acceptance_rad, murk_error *err)
 {
     assert(acceptance_rad >= 0);
-    murk_status status = check(media, err);
+    const murk_status status = murk_media_check_acceptance(media, err);
     if (status) {
         return status;
     }

@@ -17,11 +17,16 @@
 double murk_medium_accepted(const murk_medium *medium, int band,
                             double acceptance_rad);
 
+/* Whether that can be told of all media in use: fails with MURK_BAD_VALUE at
+ * one whose albedo is a grid, so that its share of scattering is not one
+ * number. */
+murk_status murk_media_check_acceptance(const murk_media *media,
+                                        murk_error *err);
+
 /* The same regions with those extinctions, for optical depths; grids are not
  * copied, and `media` must outlive it. acceptance_rad: 0..pi. Scattering and
  * collisions are not for this: albedo and phase function are still those of all
- * light. Fails with MURK_BAD_VALUE at a medium in use that has an albedo by
- * place (its share of scattering is not one number), or MURK_NO_MEMORY. *out is
+ * light. Fails as murk_media_check_acceptance() or with MURK_NO_MEMORY. *out is
  * the caller's: murk_media_destroy(). */
 murk_status murk_media_accepting(murk_media **out, const murk_media *media,
                                  double acceptance_rad, murk_error *err);

@@ -149,6 +149,8 @@ static const murk_key TYPE_ROWS[] = {
         .preset = "[0]", HAS_VIEW, AT(murk_scene_sensor_type, tilts_deg)),
     ROW("arrival", WORD, .words = ARRIVAL_WORDS, .preset = "any",
         AT(murk_scene_sensor_type, toward)),
+    ROW("acceptance_deg", NUMBER, .most = 180, .unit = "degrees", .preset = "0",
+        .factor = MURK_PI / 180, AT(murk_scene_sensor_type, acceptance_rad)),
     ROW("bands", NUMBER_LIST, .above = true, .most = 1e9, .unit = "nm",
         .words = BANDS_WORDS, .preset = "all",
         AT(murk_scene_sensor_type, bands_nm)),

@@ -198,6 +198,7 @@ typedef struct murk_scene_sensor_type {
     double cone_rad, hfov_rad, vfov_rad; /* whole angles */
     uint64_t headings; /* evenly round from north; 0: those of the list */
     murk_scene_numbers headings_deg, tilts_deg; /* n 0: sees all round */
+    double acceptance_rad;                      /* half angle; 0: none */
     bool toward;                                /* arrival: toward */
     murk_scene_numbers bands_nm;                /* n 0: all */
     uint32_t bands;                             /* the same by bits; 0: all */

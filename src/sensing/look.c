@@ -210,7 +210,9 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
     keep_seen(l, photon, first, number, from, filled);
 }
 
-static void see_across(look *l)
+/* Grazing, things may appear farther than anything is: range_m may be infinite
+ * here. */
+static void see_across(look *l, double range_m)
 {
     murk_sight *sight = l->sight;
     l->across = (murk_across){.interfaces = sight->interfaces,
@@ -218,13 +220,13 @@ static void see_across(look *l)
                               .surfaces = sight->desc.surfaces,
                               .field = &l->field,
                               .through_sheets = sight->desc.through_sheets,
-                              .range_m = l->range_m,
+                              .range_m = range_m,
                               .position_error_m = sight->position_error_m,
                               .shadow_rays = &sight->shadow_rays,
                               .blocked = &sight->blocked_by_interfaces,
                               .reflected = &sight->totally_reflected};
     l->reach_m = fmin(sight->most_m, murk_ways_reach(sight->interfaces,
-                                                     &l->passages, l->range_m));
+                                                     &l->passages, range_m));
 }
 
 void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
@@ -233,22 +235,25 @@ void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
     assert(worker < sight->desc.threads && pose->type < sight->desc.types);
     const murk_sight_desc *desc = &sight->desc;
     const murk_sensor_type *type = &sight->type[pose->type];
+    const double range_m = fmin(type->range_m, sight->most_m);
     const murk_scratch *s = &sight->worker[worker];
+    const murk_media *accepting = sight->accepting[pose->type];
     look l = {.sight = sight,
               .sensor = pose->position,
-              .range_m = type->range_m,
-              .reach_m = type->range_m,
+              .range_m = range_m,
+              .reach_m = range_m,
               .field = murk_field_of(type, pose, desc->north),
               .is_picky = type->view != MURK_VIEW_SPHERE || type->bands ||
                           type->toward || type->least_range_m > 0,
               .bands = type->bands ? type->bands : UINT32_MAX,
-              .passages = murk_passages_from(desc->media, desc->hulls,
-                                             &desc->domain, pose->position),
+              .passages = murk_passages_from(
+                  accepting ? accepting : desc->media, desc->hulls,
+                  &desc->domain, pose->position),
               .photon = s->photon,
               .clarity = s->clarity,
               .all_clear = true};
     if (sight->interfaces) {
-        see_across(&l);
+        see_across(&l, type->range_m);
     }
     murk_tally_add(&sight->queries, 1);
     look_at(&l, desc->surface_map, 0);

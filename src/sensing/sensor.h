@@ -23,6 +23,8 @@ typedef struct murk_sensor_type {
     murk_view view;
     double cone_rad;           /* whole angle, above 0 and at most 2 pi */
     double hfov_rad, vfov_rad; /* frustum: whole angles, above 0, below pi */
+    double acceptance_rad; /* light scattered forward by less still counts as
+                              not scattered (medium/acceptance.h), 0..pi */
     bool toward;    /* sees only light that travels toward it: against the axis,
                        for a sphere toward its place */
     uint32_t bands; /* bit b: sees band b; 0: all bands */

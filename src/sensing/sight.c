@@ -1,12 +1,14 @@
 #include "sensing/sight.h"
 
 #include "base/bands.h"
+#include "medium/acceptance.h"
 #include "medium/interfaces.h"
 #include "sensing/sight_parts.h"
 #include "sensing/weights.h"
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* How far a stored position may be off its surface, as a share of the domain's
  * largest coordinate: rounding of vertices and of storing it, with room. */
@@ -46,6 +48,11 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
                              "range_m is %g m, must be above 0 and above "
                              "least_range_m, %g m, which must be 0 or more",
                              type->range_m, type->least_range_m);
+        }
+        if (!(type->acceptance_rad >= 0 && type->acceptance_rad <= MURK_PI)) {
+            return murk_fail(err, MURK_BAD_VALUE, "sensors.types",
+                             "acceptance is %g rad, must be 0..pi",
+                             type->acceptance_rad);
         }
     }
     const double photons = (double)murk_photon_map_count(desc->surface_map) +
@@ -107,6 +114,23 @@ static void find_regions(murk_sight *sight)
     }
 }
 
+static murk_status see_media(murk_sight *sight, murk_error *err)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    sight->accepting = calloc(desc->types + 1, sizeof *sight->accepting);
+    if (!sight->accepting) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
+    }
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < desc->types && !status; ++k) {
+        if (desc->type[k].acceptance_rad > 0) {
+            status = murk_media_accepting(&sight->accepting[k], desc->media,
+                                          desc->type[k].acceptance_rad, err);
+        }
+    }
+    return status;
+}
+
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err)
 {
@@ -133,11 +157,12 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     }
     /* Twice the diagonal holds every image, and its square is finite. */
     sight->most_m = 2 * murk_length(murk_sub(box->max, box->min));
-    for (size_t k = 0; k < desc->types; ++k) {
-        sight->type[k] = desc->type[k];
-        sight->type[k].range_m = fmin(desc->type[k].range_m, sight->most_m);
-    }
+    memcpy(sight->type, desc->type, desc->types * sizeof *sight->type);
     sight->desc.type = sight->type;
+    status = see_media(sight, err);
+    if (status) {
+        goto done;
+    }
     sight->position_error_m =
         POSITION_ERROR * murk_domain_extent(&desc->domain);
     sight->has_media = murk_media_any(desc->media);
@@ -190,6 +215,10 @@ void murk_sight_destroy(murk_sight *sight)
     free(sight->interfaces);
     free(sight->regions);
     free(sight->weight);
+    for (size_t k = 0; sight->accepting && k < sight->desc.types; ++k) {
+        murk_media_destroy(sight->accepting[k]);
+    }
+    free(sight->accepting);
     free(sight->type);
     free(sight);
 }

@@ -13,7 +13,9 @@ typedef struct murk_scratch {
 
 struct murk_sight {
     murk_sight_desc desc;
-    murk_sensor_type *type; /* [desc.types], their ranges finite */
+    murk_sensor_type *type; /* [desc.types] */
+    murk_media **accepting; /* [desc.types] the media as the type sees them;
+                               NULL: as they are */
     double most_m;          /* nothing is farther from anything */
     double position_error_m;
     bool has_media;

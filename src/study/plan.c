@@ -1,6 +1,7 @@
 #include "study/plan.h"
 
 #include "base/progress.h"
+#include "medium/acceptance.h"
 #include "study/machine.h"
 
 #include <stdio.h>
@@ -91,6 +92,15 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
                          "count: not given; give sensors.count or --count N, "
                          "or sensors.target or --target C, or sensors.budget "
                          "or --budget B");
+    }
+    for (size_t k = 0; k < wish->types; ++k) {
+        if (wish->type[k].acceptance_rad > 0) {
+            const murk_status status =
+                murk_media_check_acceptance(stage->media, err);
+            if (status) {
+                return status;
+            }
+        }
     }
     if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,

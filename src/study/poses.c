@@ -31,6 +31,7 @@ murk_sensor_type *murk_poses_types(const murk_scene *scene)
                                     .cone_rad = type->cone_rad,
                                     .hfov_rad = type->hfov_rad,
                                     .vfov_rad = type->vfov_rad,
+                                    .acceptance_rad = type->acceptance_rad,
                                     .toward = type->toward,
                                     .bands = type->bands};
     }

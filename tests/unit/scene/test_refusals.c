@@ -316,7 +316,8 @@ static const refusal REFUSALS[] = {
     {"sensors: {types: [{name: a, range_m: 1, headings: 4}]}\n", VALUE,
      "fog.yaml:2:41: sensors.types.0.headings",
      "not a key of a sensor type (all round), must be one of name, range_m, "
-     "least_range_m, view, arrival, bands, cost, least_count, max_count"},
+     "least_range_m, view, arrival, acceptance_deg, bands, cost, least_count, "
+     "max_count"},
     {"sensors: {types: [{name: a, range_m: 1}], count: 1, candidates: "
      "{spacing_m: -1}}\n",
      VALUE, "fog.yaml:2:77: sensors.candidates.spacing_m",
