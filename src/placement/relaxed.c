@@ -48,8 +48,13 @@ murk_status murk_relaxed_init(murk_relaxed *out, const murk_rulebook *book,
                           .have = calloc(book->classes, sizeof *out->have),
                           .is_used =
                               calloc(book->sites + 1, sizeof *out->is_used)};
-    if (!out->order || !out->picked || !out->priced || !out->value ||
-        !out->cost || !out->have || !out->is_used) {
+    const bool has_tolls = book->has_budget && book->has_caps;
+    if (has_tolls) {
+        out->toll = calloc(book->classes, sizeof *out->toll);
+    }
+    if (!out->order || (has_tolls && !out->toll) || !out->picked ||
+        !out->priced || !out->value || !out->cost || !out->have ||
+        !out->is_used) {
         murk_relaxed_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to bound plans under rules");
@@ -66,6 +71,7 @@ void murk_relaxed_release(murk_relaxed *relaxed)
     free(relaxed->cost);
     free(relaxed->have);
     free(relaxed->is_used);
+    free(relaxed->toll);
     *relaxed = (murk_relaxed){0};
 }
 
@@ -119,13 +125,31 @@ static uint64_t part_of(uint64_t gain, uint64_t part, uint64_t whole)
     return (uint64_t)((wide)gain * part / whole);
 }
 
-/* Sorts by density and adds up. */
-static void price(murk_relaxed *r, size_t n)
+static uint64_t product_saturated(uint64_t a, uint64_t b)
 {
+    const wide product = (wide)a * b;
+    return product > UINT64_MAX ? UINT64_MAX : (uint64_t)product;
+}
+
+/* Sorts by density and adds up; with tolls, what is left of gains after them,
+ * and the fees for what a standing plan leaves of the caps. */
+static void price(murk_relaxed *r, size_t n, const murk_standing *s)
+{
+    const murk_rulebook *book = r->book;
+    murk_toll *toll = s ? r->toll : NULL;
+    r->fees = 0;
+    for (size_t c = 0; toll && c < book->classes; ++c) {
+        toll[c].charged = toll[c].toll;
+        r->fees = murk_sum_saturated(
+            r->fees,
+            product_saturated(toll[c].toll, book->most[c] - s->have[c]));
+    }
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = r->order[k].candidate;
-        r->priced[k] =
-            (murk_priced){r->order[k].bound, murk_rulebook_cost(r->book, j), j};
+        const uint64_t gain = r->order[k].bound;
+        const uint64_t charged = toll ? toll[book->class_of[j]].toll : 0;
+        r->priced[k] = (murk_priced){gain > charged ? gain - charged : 0,
+                                     murk_rulebook_cost(book, j), j};
     }
     qsort(r->priced, n, sizeof *r->priced, murk_by_density);
     for (size_t k = 0; k < n; ++k) {
@@ -180,6 +204,43 @@ static void pick_by_cost(murk_relaxed *r, uint64_t budget, size_t *chosen)
     }
 }
 
+/* A class that fills more than its cap allows is charged more, one that leaves
+ * places less: by steps that grow while they go on and halve where they turn
+ * (Riedmiller, Braun, Proc. IEEE ICNN (1993) 586,
+ * doi:10.1109/ICNN.1993.298623). `picked` is what the tolls of now let in. */
+static void learn_tolls(murk_relaxed *r, const murk_standing *s, size_t picked)
+{
+    const murk_rulebook *book = r->book;
+    memset(r->have, 0, book->classes * sizeof *r->have);
+    for (size_t k = 0; k < picked; ++k) {
+        r->have[book->class_of[r->picked[k].candidate]] +=
+            r->picked[k].bound > 0;
+    }
+    /* more than the greatest gain keeps nobody else out */
+    const uint64_t most = r->live ? r->order[0].bound : 0;
+    for (size_t c = 0; c < book->classes; ++c) {
+        murk_toll *t = &r->toll[c];
+        const size_t places = book->most[c] - s->have[c];
+        const int way = r->have[c] > places ? 1 : r->have[c] < places ? -1 : 0;
+        if (t->step == 0) { /* a first guess: what an average sensor brings */
+            t->step = picked ? r->value[picked < r->live ? picked : r->live] /
+                                   (2 * picked)
+                             : 0;
+        } else if (way * t->way < 0) {
+            t->step -= t->step / 2;
+        } else if (way * t->way > 0) {
+            t->step = murk_sum_saturated(t->step, t->step / 4);
+        }
+        if (way > 0) {
+            t->toll = murk_sum_saturated(t->toll, t->step);
+            t->toll = t->toll < most ? t->toll : most;
+        } else if (way < 0) {
+            t->toll -= t->step < t->toll ? t->step : t->toll;
+        }
+        t->way = way ? way : t->way;
+    }
+}
+
 uint64_t murk_relaxed_top(murk_relaxed *r, const murk_standing *s,
                           const uint32_t *live, const uint64_t *gain, size_t n,
                           murk_ranked *top, size_t *chosen)
@@ -207,12 +268,17 @@ uint64_t murk_relaxed_top(murk_relaxed *r, const murk_standing *s,
     }
     if (book->has_budget) {
         const uint64_t budget = book->budget - s->cost;
-        price(r, n);
-        const uint64_t now = knapsack(r, budget);
+        price(r, n, s);
+        const uint64_t now = murk_sum_saturated(r->fees, knapsack(r, budget));
+        size_t paid = 0;
+        pick_by_cost(r, budget, &paid);
         if (now < best) {
             best = now;
-            pick_by_cost(r, budget, chosen);
-            memcpy(top, r->picked, *chosen * sizeof *top);
+            *chosen = paid;
+            memcpy(top, r->picked, paid * sizeof *top);
+        }
+        if (r->toll) {
+            learn_tolls(r, s, paid);
         }
     }
     return best;
@@ -226,7 +292,14 @@ uint64_t murk_relaxed_others(const murk_relaxed *r, const murk_standing *s,
     }
     const uint64_t left = r->book->budget - s->cost;
     const uint64_t cost = murk_rulebook_cost(r->book, candidate);
-    const uint64_t paid = knapsack(r, left > cost ? left - cost : 0);
+    /* its own place is taken, and free of charge to the others */
+    const uint64_t own =
+        r->toll ? r->toll[r->book->class_of[candidate]].charged : 0;
+    const uint64_t fees = r->fees == UINT64_MAX
+                              ? r->fees
+                              : r->fees - (own < r->fees ? own : r->fees);
+    const uint64_t paid =
+        murk_sum_saturated(fees, knapsack(r, left > cost ? left - cost : 0));
     return paid < r->others ? paid : r->others;
 }
 
@@ -237,7 +310,7 @@ void murk_relaxed_sort(murk_relaxed *r, murk_ranked *ranked, size_t n)
         return;
     }
     memcpy(r->order, ranked, n * sizeof *ranked);
-    price(r, n);
+    price(r, n, NULL);
     for (size_t k = 0; k < n; ++k) {
         ranked[k] = (murk_ranked){r->priced[k].gain, r->priced[k].candidate};
     }

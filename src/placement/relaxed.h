@@ -4,7 +4,8 @@
  * Caps and least counts are kept to exactly (they form a matroid, where taking
  * the greatest that still fits is best); of several kinds of rules the least
  * of what each allows alone counts: at most one a site, and of a budget the
- * fractional knapsack. Spacing and lists of conflicts are left out.
+ * fractional knapsack, with caps by Lagrangian tolls on places. Spacing and
+ * lists of conflicts are left out.
  *
  * Source: Edmonds, Math. Program. 1 (1971) 127, doi:10.1007/BF01584082
  * (matroids); Dantzig, Oper. Res. 5 (1957) 266, doi:10.1287/opre.5.2.266
@@ -20,6 +21,14 @@ typedef struct murk_priced {
     uint32_t candidate;
 } murk_priced;
 
+/* What each sensor of a class is charged for its place, so that classes keep
+ * their caps; it is learnt from call to call, and any is valid. */
+typedef struct murk_toll {
+    uint64_t toll, step;
+    uint64_t charged; /* when last priced */
+    int way;          /* of the last step: -1, 0, 1 */
+} murk_toll;
+
 typedef struct murk_relaxed {
     const murk_rulebook *book;
     murk_ranked *order;     /* [candidates] by falling gain */
@@ -30,6 +39,8 @@ typedef struct murk_relaxed {
     size_t *have;    /* [classes] */
     bool *is_used;   /* [sites] */
     uint64_t others; /* that one fewer can bring, without a budget */
+    murk_toll *toll; /* [classes] with a budget and caps; NULL: none */
+    uint64_t fees;   /* of all places that the caps leave, last priced */
     double carry;    /* of fractions of candidates not yet picked */
 } murk_relaxed;
 
