@@ -1,3 +1,4 @@
+#include "app/candidates_out.h"
 #include "app/check_sensors.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
@@ -225,16 +226,7 @@ static cJSON *check_json(const findings *f)
     cJSON_AddNumberToObject(lights, "power_w",
                             murk_lights_power_w(stage->lights));
     if (f->candidates) {
-        cJSON *object = cJSON_AddObjectToObject(root, "candidates");
-        cJSON_AddNumberToObject(object, "asked", (double)f->candidates->asked);
-        cJSON_AddNumberToObject(object, "usable",
-                                (double)f->candidates->usable);
-        cJSON_AddNumberToObject(object, "unreached",
-                                (double)f->candidates->unreached);
-        cJSON_AddNumberToObject(object, "too_close",
-                                (double)f->candidates->too_close);
-        cJSON_AddNumberToObject(object, "doubtful",
-                                (double)f->candidates->doubtful);
+        murk_json_candidates(root, f->candidates);
     } else {
         cJSON_AddNullToObject(root, "candidates");
     }
@@ -389,10 +381,7 @@ static void print_findings(const findings *f)
            murk_lights_count(stage->lights),
            murk_lights_power_w(stage->lights));
     if (f->candidates) {
-        const murk_candidates *c = f->candidates;
-        printf("candidates  %zu asked, %zu usable: %zu not reached from a "
-               "light, %zu too close, %zu doubtful\n",
-               c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
+        murk_print_candidates(f->candidates);
         murk_print_sensor_types(f->session->scene, f->poses);
     } else {
         printf("candidates  none: the scene has no sensors\n");

@@ -1,3 +1,4 @@
+#include "app/candidates_out.h"
 #include "app/coverage_out.h"
 #include "app/exports.h"
 #include "app/place_matrix.h"
@@ -10,15 +11,7 @@
 
 static void add_candidates(cJSON *root, const murk_plan *plan)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "candidates");
-    cJSON_AddNumberToObject(object, "asked", (double)plan->candidates->asked);
-    cJSON_AddNumberToObject(object, "usable", (double)plan->candidates->usable);
-    cJSON_AddNumberToObject(object, "doubtful",
-                            (double)plan->candidates->doubtful);
-    cJSON_AddNumberToObject(object, "unreached",
-                            (double)plan->candidates->unreached);
-    cJSON_AddNumberToObject(object, "too_close",
-                            (double)plan->candidates->too_close);
+    cJSON *object = murk_json_candidates(root, plan->candidates);
     cJSON_AddNumberToObject(object, "after_presolve",
                             (double)plan->place.after_presolve);
 }
@@ -116,12 +109,9 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
 static void print_plan(const murk_session *session, const murk_plan *plan)
 {
     const murk_place_result *place = &plan->place;
-    const murk_candidates *c = plan->candidates;
     murk_print_light(session);
     murk_print_tallies(session);
-    printf("candidates  %zu asked, %zu usable: %zu not reached from a light, "
-           "%zu too close, %zu doubtful\n",
-           c->asked, c->usable, c->unreached, c->too_close, c->doubtful);
+    murk_print_candidates(plan->candidates);
     murk_print_sensors(session->scene, plan->sensor, place->count,
                        &plan->in_sample);
     printf("coverage    %.4f in sample (", plan->in_sample.total.value);

@@ -32,7 +32,8 @@ typedef enum murk_key_kind {
                           of structs in the same struct */
     MURK_KEY_LIST,     /* maps: an array of structs, or (item_size 0) at most
                           one map into the same struct */
-    MURK_KEY_NAMED     /* maps by name: an array of structs */
+    MURK_KEY_NAMED,    /* maps by name: an array of structs */
+    MURK_KEY_OWN       /* what its own `read` reads */
 } murk_key_kind;
 
 typedef struct murk_word {
@@ -63,6 +64,9 @@ typedef struct murk_key {
     bool has_flag;
     size_t flag_at; /* a bool that says whether the key is there */
     bool lights;    /* top level: the traced light depends on it */
+    murk_status (*read)(murk_walk *walk, const struct murk_key *key,
+                        murk_yaml *node, void *item);
+    const char *allowed; /* of its own: "free or a list" */
 } murk_key;
 
 struct murk_keys {

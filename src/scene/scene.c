@@ -252,6 +252,27 @@ done:
     return status;
 }
 
+static void release_candidates(murk_scene_candidates *candidates)
+{
+    for (size_t i = 0; i < candidates->points.files; ++i) {
+        free(candidates->points.file[i]);
+    }
+    for (size_t i = 0; i < candidates->mounts; ++i) {
+        free(candidates->mount[i].material);
+    }
+    for (size_t i = 0; i < candidates->avoids; ++i) {
+        free(candidates->avoid[i].mesh);
+    }
+    for (size_t i = 0; i < candidates->withins; ++i) {
+        free(candidates->within[i].mesh);
+    }
+    free(candidates->points.file);
+    free(candidates->points.position);
+    free(candidates->mount);
+    free(candidates->avoid);
+    free(candidates->within);
+}
+
 void murk_scene_destroy(murk_scene *scene)
 {
     if (!scene) {
@@ -275,6 +296,7 @@ void murk_scene_destroy(murk_scene *scene)
     for (size_t i = 0; i < scene->n_regions; ++i) {
         free(scene->regions[i].mesh);
     }
+    release_candidates(&scene->sensors.candidates);
     for (size_t i = 0; i < scene->n_conditions; ++i) {
         murk_scene_destroy(scene->conditions[i].scene);
     }

@@ -175,13 +175,64 @@ typedef struct murk_scene_tally {
     bool hemispheres;
 } murk_scene_tally;
 
+typedef enum murk_scene_zone {
+    MURK_SCENE_NO_SHAPE,
+    MURK_SCENE_ZONE_BOX,
+    MURK_SCENE_ZONE_SPHERE,
+    MURK_SCENE_ZONE_MESH
+} murk_scene_zone;
+
+typedef struct murk_scene_site_zone { /* where sensors may or may not stand */
+    murk_scene_where where;
+    murk_scene_zone shape;
+    murk_box box;
+    murk_vec3 center;
+    double radius_m;
+    char *mesh;    /* file as it is to be opened; NULL for the other shapes */
+    double unit_m; /* mesh: as of geometry */
+    char up;
+    murk_vec3 rotate_deg, translate_m;
+    double scale;
+} murk_scene_site_zone;
+
+typedef struct murk_scene_points {
+    murk_scene_where where;
+    bool given;
+    char **file; /* [files] CSV, as they are to be opened */
+    size_t files;
+    murk_vec3 *position; /* [positions] listed in the scene; after the files */
+    size_t positions;
+} murk_scene_points;
+
+typedef enum murk_scene_facing {
+    MURK_SCENE_FACING_ANY,
+    MURK_SCENE_FACING_UP,
+    MURK_SCENE_FACING_DOWN,
+    MURK_SCENE_FACING_SIDE
+} murk_scene_facing;
+
+typedef struct murk_scene_mount {
+    murk_scene_where where;
+    size_t *material; /* [materials] indices; NULL: all surfaces */
+    size_t materials;
+    double offset_m, spacing_m;
+    bool has_band; /* of heights: band_m[0] to band_m[1] */
+    double band_m[2];
+    murk_scene_facing facing;
+} murk_scene_mount;
+
 typedef struct murk_scene_candidates {
     murk_scene_where where; /* of `sensors.candidates` */
     bool has_grid;
     murk_scene_where grid_where; /* of `sensors.candidates.grid` */
     murk_vec3 grid_min, grid_max;
     size_t grid_size[3];
+    murk_scene_points points;
+    murk_scene_mount *mount; /* [mounts]; 0: none */
+    size_t mounts;
     double clearance_m;
+    murk_scene_site_zone *avoid, *within;
+    size_t avoids, withins;
 } murk_scene_candidates;
 
 typedef enum murk_scene_view {
@@ -228,13 +279,6 @@ typedef struct murk_scene_sensors {
     double target;    /* coverage 0..1; 0: not given */
     double budget;    /* in the types' costs; 0: not given */
 } murk_scene_sensors;
-
-typedef enum murk_scene_zone {
-    MURK_SCENE_NO_SHAPE,
-    MURK_SCENE_ZONE_BOX,
-    MURK_SCENE_ZONE_SPHERE,
-    MURK_SCENE_ZONE_MESH
-} murk_scene_zone;
 
 typedef struct murk_scene_interest { /* a region of interest */
     murk_scene_name name;

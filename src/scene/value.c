@@ -523,6 +523,8 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
         return read_spectrum(walk, key, node, member);
     case MURK_KEY_ONLY:
         return read_only(walk, key, node);
+    case MURK_KEY_OWN:
+        return key->read(walk, key, node, item);
     case MURK_KEY_LATER:
     case MURK_KEY_MAP:
     case MURK_KEY_PER_BAND:

@@ -187,6 +187,9 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
     case MURK_KEY_NAMED:
         snprintf(out, size, "a map of names");
         break;
+    case MURK_KEY_OWN:
+        snprintf(out, size, "%s", key->allowed);
+        break;
     case MURK_KEY_LATER:
     case MURK_KEY_ONLY:
         snprintf(out, size, "%s", key->preset ? key->preset : "left out");

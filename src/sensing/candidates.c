@@ -1,11 +1,17 @@
 #include "sensing/candidates.h"
 
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "sensing/listed.h"
 #include "sensing/reach.h"
+#include "sensing/segment.h"
 
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 
-#define POINTS_MAX 1e8
+#define POINTS_MAX   ((double)MURK_CANDIDATES_MAX)
+#define BATCH_POINTS 4096
 
 static double coordinate(double min, double max, size_t i, size_t n)
 {
@@ -82,82 +88,228 @@ static murk_status check_place(const murk_candidate_grid *grid,
     return MURK_OK;
 }
 
-static murk_status check(const murk_candidate_grid *grid,
+static murk_status check_listed(const murk_candidate_desc *desc,
+                                const murk_surfaces *surfaces,
+                                const murk_domain *domain, const char *where,
+                                murk_error *err)
+{
+    for (size_t i = 0; i < desc->points; ++i) {
+        const murk_vec3 p = desc->point[i];
+        if (!murk_box_contains(&domain->box, p)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "point %zu, [%g, %g, %g] m, is outside the domain",
+                             i, p.x, p.y, p.z);
+        }
+    }
+    const double least_m = 2 * murk_hair(surfaces, domain);
+    for (size_t i = 0; i < desc->mounts; ++i) {
+        if (!(desc->mount[i].offset_m > least_m)) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "offset_m is %g m, must be more than %.3g m: less "
+                             "is lost in rounding",
+                             desc->mount[i].offset_m, least_m);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status check(const murk_candidate_desc *desc,
+                         const murk_surfaces *surfaces,
                          const murk_domain *domain, const char *where,
                          murk_error *err)
 {
+    const murk_candidate_grid *grid = &desc->grid;
     if (!(grid->clearance_m >= 0 && isfinite(grid->clearance_m))) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "clearance_m is %g m, must be 0 or more",
                          grid->clearance_m);
     }
-    const murk_status status = check_size(grid, where, err);
-    return status ? status : check_place(grid, domain, where, err);
+    murk_status status = check_size(grid, where, err);
+    if (!status) {
+        status = check_place(grid, domain, where, err);
+    }
+    return status ? status : check_listed(desc, surfaces, domain, where, err);
 }
 
-static bool is_usable(const murk_free_space *space, size_t i)
+/* ---- verdicts ---- */
+
+/* All that is asked, with a verdict on each: first the grid, unless it is
+ * laid, then what is listed. */
+typedef struct asking {
+    const murk_candidate_desc *desc;
+    murk_free_space space;
+    size_t grid; /* points of it that are candidates */
+    murk_listed *listed;
+    size_t n_listed;
+    uint8_t *verdict; /* [grid + n_listed] murk_verdict */
+} asking;
+
+static murk_verdict judge(const asking *a, size_t i)
 {
-    return space->is_reached[i] && space->closeness[i] < MURK_TOO_CLOSE;
+    const murk_free_space *space = &a->space;
+    const murk_closeness closeness = (murk_closeness)space->closeness[i];
+    if (murk_site_is_forbidden(a->desc,
+                               murk_candidate_grid_point(&a->desc->grid, i))) {
+        return MURK_SITE_FORBIDDEN;
+    }
+    if (closeness == MURK_ON_SURFACE ||
+        (space->is_reached[i] && closeness == MURK_TOO_CLOSE)) {
+        return MURK_SITE_TOO_CLOSE;
+    }
+    if (!space->is_reached[i]) {
+        return space->is_doubtful[i] ? MURK_SITE_BARELY_UNREACHED
+                                     : MURK_SITE_UNREACHED;
+    }
+    return closeness == MURK_BARELY_CLEAR ? MURK_SITE_DOUBTFUL
+                                          : MURK_SITE_USABLE;
 }
 
-static void count(murk_candidates *c, const murk_free_space *space)
+static void judge_grid(void *context, uint64_t batch)
 {
-    c->doubtful = space->doubtful;
-    for (size_t i = 0; i < c->asked; ++i) {
-        if (is_usable(space, i)) {
-            ++c->usable;
-            c->doubtful += space->closeness[i] == MURK_BARELY_CLEAR;
-        } else if (space->is_reached[i] ||
-                   space->closeness[i] == MURK_ON_SURFACE) {
-            ++c->too_close;
-        } else {
-            ++c->unreached;
-        }
+    asking *a = context;
+    const size_t begin = (size_t)batch * BATCH_POINTS;
+    for (size_t i = begin; i < a->grid && i < begin + BATCH_POINTS; ++i) {
+        a->verdict[i] = (uint8_t)judge(a, i);
     }
 }
 
-static murk_status keep_usable(murk_candidates *c,
-                               const murk_candidate_grid *grid,
-                               const murk_free_space *space, const char *where,
-                               murk_error *err)
+static murk_status ask(asking *a, const murk_surfaces *surfaces,
+                       const murk_reach *reach, unsigned threads,
+                       const char *where, murk_error *err)
+{
+    const size_t *n = a->desc->grid.size;
+    murk_status status =
+        murk_listed_all(&a->listed, &a->n_listed, a->desc, where, err);
+    if (status) {
+        return status;
+    }
+    a->grid = a->desc->is_laid ? 0 : n[0] * n[1] * n[2];
+    const size_t all = a->grid + a->n_listed;
+    if (all < 1 || all > MURK_CANDIDATES_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%zu candidates are asked for, must be 1..%d", all,
+                         MURK_CANDIDATES_MAX);
+    }
+    a->verdict = malloc(all);
+    if (!a->verdict) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for %zu candidates", all);
+    }
+    status = murk_free_space_find(&a->space, &a->desc->grid, surfaces, reach,
+                                  threads, where, err);
+    if (status) {
+        return status;
+    }
+    murk_crew_run(threads, (a->grid + BATCH_POINTS - 1) / BATCH_POINTS,
+                  judge_grid, a);
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    return a->n_listed == 0
+               ? MURK_OK
+               : murk_listed_judge(a->verdict + a->grid, a->listed, a->n_listed,
+                                   a->desc, &a->space, surfaces, reach, threads,
+                                   where, err);
+}
+
+static void release(asking *a)
+{
+    murk_free_space_release(&a->space);
+    free(a->listed);
+    free(a->verdict);
+}
+
+/* ---- what remains ---- */
+
+static bool is_usable(murk_verdict verdict)
+{
+    return verdict == MURK_SITE_USABLE || verdict == MURK_SITE_DOUBTFUL;
+}
+
+static void count(murk_candidates *c, const asking *a)
+{
+    c->asked = a->grid + a->n_listed;
+    for (size_t i = 0; i < c->asked; ++i) {
+        const murk_verdict verdict = (murk_verdict)a->verdict[i];
+        c->usable += is_usable(verdict);
+        c->doubtful += verdict == MURK_SITE_DOUBTFUL ||
+                       verdict == MURK_SITE_BARELY_UNREACHED;
+        c->duplicates += verdict == MURK_SITE_DUPLICATE;
+        c->forbidden += verdict == MURK_SITE_FORBIDDEN;
+        c->too_close += verdict == MURK_SITE_TOO_CLOSE;
+        c->unreached += verdict == MURK_SITE_UNREACHED ||
+                        verdict == MURK_SITE_BARELY_UNREACHED;
+    }
+}
+
+static murk_status refuse_none(const murk_candidates *c, double clearance_m,
+                               const char *where, murk_error *err)
+{
+    char more[96] = "";
+    if (c->forbidden + c->duplicates > 0) {
+        snprintf(more, sizeof more, ", %zu forbidden by zones, %zu duplicates",
+                 c->forbidden, c->duplicates);
+    }
+    return murk_fail(err, MURK_BAD_VALUE, where,
+                     "none of the %zu candidates is usable: %zu out of reach "
+                     "of any light, %zu on a surface or nearer to one than %g "
+                     "m%s",
+                     c->asked, c->unreached, c->too_close, clearance_m, more);
+}
+
+static void keep_one(murk_candidates *c, size_t to, const asking *a, size_t i)
+{
+    if (i < a->grid) {
+        c->position[to] = murk_candidate_grid_point(&a->desc->grid, i);
+        c->kind[to] = MURK_CANDIDATE_GRID;
+        return;
+    }
+    const murk_listed *site = &a->listed[i - a->grid];
+    c->position[to] = site->position;
+    c->kind[to] =
+        site->offset_m > 0 ? MURK_CANDIDATE_MOUNT : MURK_CANDIDATE_POINT;
+    if (c->normal) {
+        c->normal[to] = site->normal;
+    }
+}
+
+static murk_status keep_usable(murk_candidates *c, const asking *a,
+                               const char *where, murk_error *err)
 {
     if (c->usable == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "none of the %zu candidates is usable: %zu out of "
-                         "reach of any light, %zu on a surface or nearer to "
-                         "one than %g m",
-                         c->asked, c->unreached, c->too_close,
-                         grid->clearance_m);
+        return refuse_none(c, a->desc->grid.clearance_m, where, err);
     }
+    const bool has_normals = a->desc->mounts > 0;
     c->position = malloc(c->usable * sizeof *c->position);
-    if (!c->position) {
+    c->kind = malloc(c->usable);
+    c->normal = has_normals ? calloc(c->usable, sizeof *c->normal) : NULL;
+    if (!c->position || !c->kind || (has_normals && !c->normal)) {
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for %zu candidates", c->usable);
     }
     size_t kept = 0;
     for (size_t i = 0; i < c->asked; ++i) {
-        if (is_usable(space, i)) {
-            c->position[kept++] = murk_candidate_grid_point(grid, i);
+        if (is_usable((murk_verdict)a->verdict[i])) {
+            keep_one(c, kept++, a, i);
         }
     }
     return MURK_OK;
 }
 
 murk_status murk_candidates_create(murk_candidates **out,
-                                   const murk_candidate_grid *grid,
+                                   const murk_candidate_desc *desc,
                                    const murk_surfaces *surfaces,
                                    const murk_reach *reach, unsigned threads,
                                    const char *where, murk_error *err)
 {
-    assert(out && grid && surfaces && reach && threads >= 1 && where);
+    assert(out && desc && surfaces && reach && threads >= 1 && where);
     murk_candidates *candidates = NULL;
-    murk_free_space space = {0};
-    murk_status status = check(grid, &reach->domain, where, err);
+    asking a = {.desc = desc};
+    murk_status status = check(desc, surfaces, &reach->domain, where, err);
     if (status) {
         goto done;
     }
-    status = murk_free_space_find(&space, grid, surfaces, reach, threads, where,
-                                  err);
+    status = ask(&a, surfaces, reach, threads, where, err);
     if (status) {
         goto done;
     }
@@ -167,9 +319,8 @@ murk_status murk_candidates_create(murk_candidates **out,
             murk_fail(err, MURK_NO_MEMORY, where, "no memory for candidates");
         goto done;
     }
-    candidates->asked = grid->size[0] * grid->size[1] * grid->size[2];
-    count(candidates, &space);
-    status = keep_usable(candidates, grid, &space, where, err);
+    count(candidates, &a);
+    status = keep_usable(candidates, &a, where, err);
     if (status) {
         goto done;
     }
@@ -177,7 +328,7 @@ murk_status murk_candidates_create(murk_candidates **out,
     candidates = NULL;
 done:
     murk_candidates_destroy(candidates);
-    murk_free_space_release(&space);
+    release(&a);
     return status;
 }
 
@@ -185,6 +336,8 @@ void murk_candidates_destroy(murk_candidates *candidates)
 {
     if (candidates) {
         free(candidates->position);
+        free(candidates->normal);
+        free(candidates->kind);
         free(candidates);
     }
 }

@@ -1,13 +1,21 @@
-/* Where sensors may stand: a grid of points, less those out of free space.
+/* Where sensors may stand: points of a grid, points listed, and places mounted
+ * on surfaces, less those out of free space or in forbidden zones.
  *
- * A point is usable when it is reached and at least clearance_m from any
- * surface. Reached is what has an unblocked straight way to a lamp's place (for
- * distant light, along an axis to an open side of the domain: all six, of a
- * periodic domain top and bottom), and what unblocked steps between the grid's
- * neighbours along the axes then lead to, through points too close as well. In
- * a periodic domain ways go to the nearest image, and the grid's ends along x
- * and y are neighbours through the side. Transmitting sheets block nothing. So
- * the inside of a crate is dropped, also in open and badly wound meshes.
+ * A point of the grid is usable when it is reached and at least clearance_m
+ * from any surface. Reached is what has an unblocked straight way to a lamp's
+ * place (for distant light, along an axis to an open side of the domain: all
+ * six, of a periodic domain top and bottom), and what unblocked steps between
+ * the grid's neighbours along the axes then lead to, through points too close
+ * as well. In a periodic domain ways go to the nearest image, and the grid's
+ * ends along x and y are neighbours through the side. Transmitting sheets block
+ * nothing. So the inside of a crate is dropped, also in open and badly wound
+ * meshes.
+ *
+ * Listed points and mounts are reached when one unblocked straight way joins
+ * them to a reached point of the grid (the nearest 1000 are tried, among the
+ * 32768 points of the grid that are nearest), or to what reaches the grid. A
+ * mount's way from its foot must be open, too, and the surface that it is on
+ * does not count for clearance (geometry/lay.h).
  *
  * Solids block ways as they block sightlines, but not out of a lamp: one that
  * stands in a solid of transmitting material, or in its hollow, counts from
@@ -21,9 +29,12 @@
 
 #include "base/status.h"
 #include "base/vector.h"
+#include "geometry/lay.h"
 #include "geometry/surfaces.h"
+#include "geometry/zones.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 typedef struct murk_candidate_grid {
     murk_vec3 min, max; /* first and last point along each axis */
@@ -46,21 +57,59 @@ typedef struct murk_reach {
     murk_domain domain;
 } murk_reach;
 
+/* Feet with a sensor on either side of each, as far as its normal allows. */
+typedef struct murk_candidate_mount {
+    const murk_foot *foot; /* [feet] */
+    size_t feet;
+    double offset_m;          /* along the normal, > 0 */
+    double least_up, most_up; /* of normal.z: -1 and 1 take all */
+} murk_candidate_mount;
+
+/* What is asked for. */
+typedef struct murk_candidate_desc {
+    murk_candidate_grid grid; /* its clearance_m is everyone's */
+    bool is_laid;             /* the grid carries reach only: no candidates */
+    const murk_vec3 *point;   /* [points] in the domain */
+    size_t points;
+    const murk_candidate_mount *mount; /* [mounts] */
+    size_t mounts;
+    const murk_zones *avoid;  /* in none of these; NULL: no such zones */
+    const murk_zones *within; /* in one of these; NULL: anywhere */
+} murk_candidate_desc;
+
+#define MURK_CANDIDATES_MAX 10000000
+
+typedef enum murk_candidate_kind {
+    MURK_CANDIDATE_GRID,
+    MURK_CANDIDATE_POINT,
+    MURK_CANDIDATE_MOUNT
+} murk_candidate_kind;
+
+/* Order: the grid (x fastest, then y, z), points, mounts; of a foot first the
+ * side that its normal names. Each is counted once in `asked`, and once in
+ * `usable` or by the first cause that dropped it: duplicates, forbidden,
+ * too_close or unreached. */
 typedef struct murk_candidates {
     size_t asked;
     size_t usable;
     size_t doubtful; /* dropped, though a diagonal step would have reached them,
                         or kept, though within rounding of a surface */
+    size_t duplicates;   /* within rounding of one asked before */
+    size_t forbidden;    /* by zones */
     size_t too_close;    /* dropped for clearance */
     size_t unreached;    /* dropped for reach */
-    murk_vec3 *position; /* [usable], in grid order: x fastest, then y, z */
+    murk_vec3 *position; /* [usable] */
+    murk_vec3 *normal;   /* [usable] of mounts, unit, out of the wall; zero for
+                            what stands free; NULL: no mounts were asked */
+    uint8_t *kind;       /* [usable] murk_candidate_kind */
 } murk_candidates;
 
 /* *out is the caller's: murk_candidates_destroy(). Fails with MURK_BAD_VALUE
- * at `where`: no or over 1e8 points, a point outside the domain, a negative
- * clearance, or no point usable (the message counts why). */
+ * at `where`: no or over MURK_CANDIDATES_MAX points, a point outside the
+ * domain, a negative clearance, an offset lost in rounding, or no point usable
+ * (the message counts why). */
 murk_status murk_candidates_create(murk_candidates **out,
-                                   const murk_candidate_grid *grid,
+                                   const murk_candidate_desc *desc,
                                    const murk_surfaces *surfaces,
                                    const murk_reach *reach, unsigned threads,
                                    const char *where, murk_error *err);

@@ -3,9 +3,9 @@
 #include "base/crew.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "base/tally.h"
 #include "sensing/lamp.h"
 #include "sensing/segment.h"
+#include "sensing/ways.h"
 
 #include <stdlib.h>
 
@@ -24,49 +24,13 @@ typedef struct search {
     unsigned threads;
     size_t points;
     size_t stride[3];
-    double hair_m;
-    murk_vec3 aside[2]; /* half a hair */
+    murk_ways ways;
     uint8_t *closeness;
     uint8_t *open; /* bit `axis`: the step onward along the axis is open */
     uint8_t *reached;
     uint32_t *stack;
     murk_vec3 light; /* the place that points are asked to see */
-    murk_tally doubtful;
 } search;
-
-static bool is_open(const search *s, murk_vec3 from, murk_vec3 to)
-{
-    const murk_domain *domain = &s->reach->domain;
-    if (murk_segment_blocked(s->surfaces, domain, from, to, true)) {
-        return false;
-    }
-    for (int i = 0; i < 2; ++i) {
-        if (murk_segment_blocked(s->surfaces, domain, from,
-                                 murk_add(to, s->aside[i]), true)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* ---- closeness ---- */
-
-static murk_closeness closeness_of(const search *s, murk_vec3 point)
-{
-    const double hair = s->hair_m, clearance = s->grid->clearance_m;
-    if (murk_surfaces_near(s->surfaces, point, hair)) {
-        return MURK_ON_SURFACE;
-    }
-    /* A point that stands at the clearance itself is not dropped by rounding.
-     */
-    if (clearance > 2 * hair &&
-        murk_surfaces_near(s->surfaces, point, clearance - hair)) {
-        return MURK_TOO_CLOSE;
-    }
-    return murk_surfaces_near(s->surfaces, point, 2 * hair)
-               ? MURK_BARELY_CLEAR
-               : MURK_CLEAR_OF_SURFACES;
-}
 
 static size_t batch_end(const search *s, uint64_t batch)
 {
@@ -80,8 +44,9 @@ static void measure_closeness(void *context, uint64_t batch)
     const size_t begin = (size_t)batch * BATCH_POINTS;
     const size_t end = batch_end(s, batch);
     for (size_t i = begin; i < end; ++i) {
-        s->closeness[i] =
-            (uint8_t)closeness_of(s, murk_candidate_grid_point(s->grid, i));
+        s->closeness[i] = (uint8_t)murk_ways_closeness(
+            &s->ways, murk_candidate_grid_point(s->grid, i),
+            s->grid->clearance_m, NULL);
     }
     murk_progress_add(end - begin);
 }
@@ -140,7 +105,7 @@ static bool step_is_open(const search *s, size_t point, int axis)
         to.x += axis == 0 ? box->max.x - box->min.x : 0;
         to.y += axis == 1 ? box->max.y - box->min.y : 0;
     }
-    return is_open(s, from, to);
+    return murk_way_is_open(&s->ways, from, to);
 }
 
 static void open_steps(void *context, uint64_t batch)
@@ -204,36 +169,10 @@ static void ask_light(void *context, uint64_t batch)
         const murk_vec3 point = murk_candidate_grid_point(s->grid, i);
         const murk_vec3 to =
             murk_nearest_image(&s->reach->domain, point, s->light);
-        if (is_open(s, s->light, to)) {
+        if (murk_way_is_open(&s->ways, s->light, to)) {
             s->reached[i] = SEEN_BY_LIGHT;
         }
     }
-}
-
-/* Beyond the side by two hairs: a wall in the side's plane closes it. */
-static bool sees_open_side(const search *s, murk_vec3 point)
-{
-    const murk_domain *domain = &s->reach->domain;
-    const double beyond = 2 * s->hair_m;
-    const double x[2] = {domain->box.min.x - beyond,
-                         domain->box.max.x + beyond};
-    const double y[2] = {domain->box.min.y - beyond,
-                         domain->box.max.y + beyond};
-    const double z[2] = {domain->box.min.z - beyond,
-                         domain->box.max.z + beyond};
-    for (int i = 0; i < 2; ++i) {
-        if (is_open(s, murk_vec(point.x, point.y, z[i]), point)) {
-            return true;
-        }
-        if (domain->is_periodic) {
-            continue;
-        }
-        if (is_open(s, murk_vec(x[i], point.y, point.z), point) ||
-            is_open(s, murk_vec(point.x, y[i], point.z), point)) {
-            return true;
-        }
-    }
-    return false;
 }
 
 static void ask_sides(void *context, uint64_t batch)
@@ -242,7 +181,8 @@ static void ask_sides(void *context, uint64_t batch)
     const size_t end = batch_end(s, batch);
     for (size_t i = (size_t)batch * BATCH_POINTS; i < end; ++i) {
         if (!s->reached[i] && s->closeness[i] != MURK_ON_SURFACE &&
-            sees_open_side(s, murk_candidate_grid_point(s->grid, i))) {
+            murk_way_leads_out(&s->ways,
+                               murk_candidate_grid_point(s->grid, i))) {
             s->reached[i] = SEEN_BY_LIGHT;
         }
     }
@@ -273,8 +213,8 @@ static bool diagonal_is_open(const search *s, size_t point, const int step[3])
         other += (size_t)step[axis] * s->stride[axis]; /* modular: may be < 0 */
     }
     return s->reached[other] &&
-           is_open(s, murk_candidate_grid_point(s->grid, other),
-                   murk_candidate_grid_point(s->grid, point));
+           murk_way_is_open(&s->ways, murk_candidate_grid_point(s->grid, other),
+                            murk_candidate_grid_point(s->grid, point));
 }
 
 static bool is_doubtful(const search *s, size_t point)
@@ -289,17 +229,15 @@ static bool is_doubtful(const search *s, size_t point)
     return false;
 }
 
-static void count_doubtful(void *context, uint64_t batch)
+static void find_doubtful(void *context, uint64_t batch)
 {
     search *s = context;
     const size_t begin = (size_t)batch * BATCH_POINTS;
     const size_t end = batch_end(s, batch);
-    int64_t doubtful = 0;
     for (size_t i = begin; i < end; ++i) {
-        doubtful += !s->reached[i] && s->closeness[i] != MURK_ON_SURFACE &&
-                    is_doubtful(s, i);
+        s->open[i] = !s->reached[i] && s->closeness[i] != MURK_ON_SURFACE &&
+                     is_doubtful(s, i);
     }
-    murk_tally_add(&s->doubtful, doubtful);
     murk_progress_add(end - begin);
 }
 
@@ -321,7 +259,7 @@ static void explore(search *s)
     if (s->reach->from_sides) {
         enter_by(s, ask_sides);
     }
-    murk_crew_run(s->threads, batches, count_doubtful, s);
+    murk_crew_run(s->threads, batches, find_doubtful, s);
     murk_progress_end();
 }
 
@@ -338,14 +276,7 @@ murk_status murk_free_space_find(murk_free_space *out,
                 .threads = threads,
                 .points = n[0] * n[1] * n[2],
                 .stride = {1, n[0], n[0] * n[1]},
-                .hair_m = murk_hair(surfaces, &reach->domain)};
-    /* At right angles, so that no seam runs along both; tilted, so that no way
-     * along an axis does. */
-    murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
-    aside[0] = murk_unit(aside[0]);
-    murk_frame(aside[0], &aside[1], &aside[2]);
-    s.aside[0] = murk_scale(0.5 * s.hair_m, aside[0]);
-    s.aside[1] = murk_scale(0.5 * s.hair_m, aside[1]);
+                .ways = murk_ways_of(surfaces, &reach->domain)};
     s.closeness = malloc(s.points);
     s.open = malloc(s.points);
     s.reached = calloc(s.points, 1);
@@ -361,9 +292,8 @@ murk_status murk_free_space_find(murk_free_space *out,
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         goto done;
     }
-    *out = (murk_free_space){s.closeness, s.reached,
-                             (size_t)murk_tally_read(&s.doubtful)};
-    s.closeness = s.reached = NULL;
+    *out = (murk_free_space){s.closeness, s.reached, s.open};
+    s.closeness = s.reached = s.open = NULL;
 done:
     free(s.closeness);
     free(s.open);
@@ -376,5 +306,6 @@ void murk_free_space_release(murk_free_space *space)
 {
     free(space->closeness);
     free(space->is_reached);
+    free(space->is_doubtful);
     *space = (murk_free_space){0};
 }

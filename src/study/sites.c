@@ -1,5 +1,8 @@
 #include "study/sites.h"
 
+#include "study/site_points.h"
+#include "study/site_zones.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -33,28 +36,157 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
         .clearance_m = wish->clearance_m};
 }
 
+/* ---- mounts ---- */
+
+#define LEVEL_COSINE                                        \
+    0.70710678118654752 /* cos 45 degrees: up, down or side \
+                         */
+
+static void face(const murk_scene_mount *wish, murk_lay *lay,
+                 murk_candidate_mount *mount)
+{
+    mount->least_up = -1;
+    mount->most_up = 1;
+    lay->most_rise = 1;
+    switch (wish->facing) {
+    case MURK_SCENE_FACING_ANY:
+        break;
+    case MURK_SCENE_FACING_UP:
+        lay->least_rise = mount->least_up = LEVEL_COSINE;
+        break;
+    case MURK_SCENE_FACING_DOWN:
+        lay->least_rise = LEVEL_COSINE;
+        mount->most_up = -LEVEL_COSINE;
+        break;
+    case MURK_SCENE_FACING_SIDE:
+        lay->most_rise = mount->most_up = LEVEL_COSINE;
+        mount->least_up = -LEVEL_COSINE;
+        break;
+    }
+}
+
+/* All of one mount but its feet, which are *foot, the caller's to free. */
+static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
+                             const murk_scene_mount *wish,
+                             const murk_stage *stage, murk_error *err)
+{
+    const double least_m = murk_lay_least_m(stage->surfaces);
+    bool material[MURK_MATERIALS_MAX] = {false};
+    for (size_t i = 0; i < wish->materials; ++i) {
+        material[wish->material[i]] = true;
+    }
+    murk_lay lay = {.spacing_m = wish->spacing_m,
+                    .within = stage->world.domain.box,
+                    .materials = wish->material ? material : NULL,
+                    .most = MURK_CANDIDATES_MAX / 2};
+    if (wish->has_band) {
+        lay.within.min.z = fmax(lay.within.min.z, wish->band_m[0]);
+        lay.within.max.z = fmin(lay.within.max.z, wish->band_m[1]);
+    }
+    if (!(wish->spacing_m > least_m)) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "spacing_m is %g m, must be more than %.3g m: less is "
+                         "lost in rounding",
+                         wish->spacing_m, least_m);
+    }
+    mount->offset_m = wish->offset_m;
+    face(wish, &lay, mount);
+    const murk_status status = murk_surfaces_lay(
+        foot, &mount->feet, stage->surfaces, &lay, wish->where, err);
+    if (!status && mount->feet == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "nothing to mount on: in the domain no surface of "
+                         "these materials, heights and ways of facing");
+    }
+    return status;
+}
+
+/* ---- all of them ---- */
+
+/* What is asked for, owned. */
+typedef struct asking {
+    murk_candidate_desc desc;
+    murk_vec3 *point;
+    murk_foot **foot; /* [mounts] */
+    murk_candidate_mount *mount;
+    murk_zones *avoid, *within;
+    murk_vec3 *lamp;
+} asking;
+
+static void release(asking *a)
+{
+    for (size_t i = 0; a->foot && i < a->desc.mounts; ++i) {
+        free(a->foot[i]);
+    }
+    free(a->foot);
+    free(a->mount);
+    free(a->point);
+    free(a->lamp);
+    murk_zones_destroy(a->avoid);
+    murk_zones_destroy(a->within);
+}
+
+static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
+    a->desc.grid = grid_of(stage);
+    a->desc.is_laid =
+        !wish->has_grid && (wish->points.given || wish->mounts > 0);
+    murk_status status =
+        murk_site_points_read(&a->point, &a->desc.points, &wish->points,
+                              &stage->world.domain, MURK_CANDIDATES_MAX, err);
+    if (status) {
+        return status;
+    }
+    a->desc.point = a->point;
+    a->mount = calloc(wish->mounts + 1, sizeof *a->mount);
+    a->foot = calloc(wish->mounts + 1, sizeof *a->foot);
+    if (!a->mount || !a->foot) {
+        return murk_fail(err, MURK_NO_MEMORY, wish->where,
+                         "no memory for its mounts");
+    }
+    a->desc.mount = a->mount;
+    for (size_t i = 0; i < wish->mounts && !status; ++i) {
+        ++a->desc.mounts;
+        status =
+            lay_mount(&a->mount[i], &a->foot[i], &wish->mount[i], stage, err);
+        a->mount[i].foot = a->foot[i];
+    }
+    if (!status) {
+        status = murk_site_zones_create(&a->avoid, &a->within, stage->scene,
+                                        stage->site_meshes, err);
+    }
+    a->desc.avoid = a->avoid;
+    a->desc.within = a->within;
+    return status;
+}
+
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err)
 {
     const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
+    const bool is_grid_alone =
+        wish->has_grid && !wish->points.given && wish->mounts == 0;
     const size_t n = murk_lights_count(stage->lights);
-    murk_vec3 *lamp = calloc(n + 1, sizeof *lamp);
-    if (!lamp) {
+    asking a = {.lamp = calloc(n + 1, sizeof *a.lamp)};
+    if (!a.lamp) {
         return murk_fail(err, MURK_NO_MEMORY, wish->where,
                          "no memory for the lamps' places");
     }
-    murk_reach reach = {.lamps = lamp, .domain = stage->world.domain};
+    murk_reach reach = {.lamps = a.lamp, .domain = stage->world.domain};
     for (size_t i = 0; i < n; ++i) {
-        if (murk_lights_place(stage->lights, i, &lamp[reach.n_lamps])) {
+        if (murk_lights_place(stage->lights, i, &a.lamp[reach.n_lamps])) {
             ++reach.n_lamps;
         } else {
             reach.from_sides = true;
         }
     }
-    const murk_candidate_grid grid = grid_of(stage);
-    const murk_status status = murk_candidates_create(
-        out, &grid, stage->surfaces, &reach, threads,
-        wish->has_grid ? wish->grid_where : wish->where, err);
-    free(lamp);
+    murk_status status = ask(&a, stage, err);
+    if (!status) {
+        status = murk_candidates_create(
+            out, &a.desc, stage->surfaces, &reach, threads,
+            is_grid_alone ? wish->grid_where : wish->where, err);
+    }
+    release(&a);
     return status;
 }

@@ -79,6 +79,9 @@ static murk_status import_files(murk_stage *stage, murk_error *err)
         status = murk_goals_import(&stage->goals, scene, err);
     }
     if (!status) {
+        status = murk_site_meshes_read(&stage->site_meshes, scene, err);
+    }
+    if (!status) {
         stage->grid = stage->fillings->grid;
     }
     return status;
@@ -408,6 +411,7 @@ void murk_stage_destroy(murk_stage *stage)
         return;
     }
     murk_goals_destroy(stage->goals);
+    murk_site_meshes_destroy(stage->site_meshes);
     murk_lights_destroy(stage->lights);
     murk_media_destroy(stage->media);
     murk_phases_destroy(stage->phases);

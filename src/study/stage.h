@@ -11,6 +11,7 @@
 #include "study/fillings.h"
 #include "study/goals.h"
 #include "study/phases.h"
+#include "study/site_zones.h"
 #include "transport/trace.h"
 
 typedef struct murk_stage {
@@ -19,7 +20,8 @@ typedef struct murk_stage {
     murk_fillings *fillings; /* of media */
     murk_grid **grid;        /* fillings->grid: NULL for media without one */
     murk_mesh **mesh; /* [scene->geometries]; NULL for the other shapes */
-    murk_mesh **region_mesh; /* [scene->n_regions]; likewise */
+    murk_mesh **region_mesh;       /* [scene->n_regions]; likewise */
+    murk_site_meshes *site_meshes; /* of zones of candidates */
     murk_phases *phases;
     murk_surfaces *surfaces;
     murk_media *media;

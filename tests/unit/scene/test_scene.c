@@ -152,6 +152,22 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->spacing_m == 0.5);
     CHECK_TEXT(sensors->candidates.grid_where,
                "fog.yaml:60:5: sensors.candidates.grid");
+    const murk_scene_candidates *wish = &sensors->candidates;
+    CHECK(wish->points.given && wish->points.positions == 1 &&
+          wish->points.position[0].z == 3);
+    CHECK(wish->points.files == 1);
+    CHECK_TEXT(wish->points.file[0], "points.csv");
+    CHECK(wish->mounts == 1 && wish->mount[0].materials == 1 &&
+          wish->mount[0].material[0] == 0 && wish->mount[0].offset_m == .1 &&
+          wish->mount[0].spacing_m == 1 && wish->mount[0].has_band &&
+          wish->mount[0].band_m[1] == 2 &&
+          wish->mount[0].facing == MURK_SCENE_FACING_UP);
+    CHECK(wish->avoids == 2 && wish->withins == 0);
+    CHECK(wish->avoid[0].shape == MURK_SCENE_ZONE_MESH &&
+          wish->avoid[0].up == 'y' && wish->avoid[0].scale == 1);
+    CHECK_TEXT(wish->avoid[0].mesh, "crate.obj");
+    CHECK(wish->avoid[1].shape == MURK_SCENE_ZONE_SPHERE &&
+          wish->avoid[1].radius_m == 2);
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);

@@ -35,7 +35,8 @@ static murk_candidates *candidates_of(const murk_surface_desc *desc, size_t n,
     murk_surfaces *surfaces = surfaces_of(desc, n);
     murk_candidates *out = NULL;
     murk_error err = {0};
-    CHECK(murk_candidates_create(&out, grid, surfaces, reach, threads, "here",
+    const murk_candidate_desc all = {.grid = *grid};
+    CHECK(murk_candidates_create(&out, &all, surfaces, reach, threads, "here",
                                  &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     if (out) {
@@ -218,7 +219,8 @@ static void check_seam(uint32_t number)
     murk_surfaces *surfaces = surfaces_of(d, 3);
     murk_candidates *c = NULL;
     murk_error err = {0};
-    CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
+    CHECK(murk_candidates_create(&c, &(murk_candidate_desc){.grid = grid},
+                                 surfaces, &reach, 1, "here",
                                  &err) == MURK_BAD_VALUE);
     CHECK_MENTIONS(err.text, "64 out of reach");
     murk_candidates_destroy(c);
@@ -391,7 +393,8 @@ static long usable_in_glass(const murk_surface_desc *more, size_t n_more,
     const murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp_at(&place);
     const murk_status status =
-        murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here", &err);
+        murk_candidates_create(&c, &(murk_candidate_desc){.grid = grid},
+                               surfaces, &reach, 1, "here", &err);
     CHECK(status == MURK_OK || status == MURK_BAD_VALUE);
     const long usable = c ? (long)c->usable : -1;
     murk_candidates_destroy(c);
@@ -500,7 +503,8 @@ static void test_distant_light_enters_by_open_sides(void)
     murk_surfaces *surfaces = surfaces_of(d, n);
     murk_error err = {0};
     c = NULL;
-    CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
+    CHECK(murk_candidates_create(&c, &(murk_candidate_desc){.grid = grid},
+                                 surfaces, &reach, 1, "here",
                                  &err) == MURK_BAD_VALUE);
     CHECK_MENTIONS(err.text, "none of the 2527 candidates");
     murk_surfaces_destroy(surfaces);
@@ -581,7 +585,8 @@ static void check_refused(murk_candidate_grid grid, const char *why)
     const murk_reach reach = by_lamp();
     murk_candidates *c = NULL;
     murk_error err = {0};
-    CHECK(murk_candidates_create(&c, &grid, surfaces, &reach, 1, "here",
+    CHECK(murk_candidates_create(&c, &(murk_candidate_desc){.grid = grid},
+                                 surfaces, &reach, 1, "here",
                                  &err) == MURK_BAD_VALUE);
     CHECK(c == NULL);
     CHECK_TEXT(err.where, "here");
@@ -599,7 +604,7 @@ static void test_bad_grids_are_refused(void)
     check_refused(grid, "size is [19, 0, 7]");
     grid = half_metres();
     grid.size[0] = grid.size[1] = grid.size[2] = SIZE_MAX;
-    check_refused(grid, "must be 1e+08 at most");
+    check_refused(grid, "must be 1e+07 at most");
     grid = half_metres();
     grid.min.z = 3.6;
     check_refused(grid, "z runs from 3.6 to 3.5 m");

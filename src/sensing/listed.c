@@ -1,0 +1,359 @@
+#include "sensing/listed.h"
+
+#include "base/cells.h"
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "sensing/lamp.h"
+#include "sensing/segment.h"
+
+#include <stdlib.h>
+
+#define BATCH_SITES 256
+/* A way is sought to so many reached points of the grid, among so many. */
+#define NEAREST_MAX   1000
+#define LOOKED_AT_MAX 32768
+
+bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point)
+{
+    return (desc->avoid && murk_zones_contain(desc->avoid, point)) ||
+           (desc->within && !murk_zones_contain(desc->within, point));
+}
+
+/* ---- listing ---- */
+
+static bool faces_so(const murk_candidate_mount *m, double up)
+{
+    return up >= m->least_up && up <= m->most_up;
+}
+
+static size_t count_all(const murk_candidate_desc *desc)
+{
+    size_t n = desc->points;
+    for (size_t i = 0; i < desc->mounts; ++i) {
+        const murk_candidate_mount *m = &desc->mount[i];
+        for (size_t k = 0; k < m->feet; ++k) {
+            const double up = m->foot[k].normal.z;
+            n += (size_t)faces_so(m, up) + (size_t)faces_so(m, -up);
+        }
+    }
+    return n;
+}
+
+static size_t list_mount(murk_listed *site, const murk_candidate_mount *m)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < m->feet; ++k) {
+        for (int side = 1; side >= -1; side -= 2) {
+            const murk_vec3 normal = murk_scale(side, m->foot[k].normal);
+            if (faces_so(m, normal.z)) {
+                site[n++] = (murk_listed){
+                    murk_along(m->foot[k].position, m->offset_m, normal),
+                    normal, m->offset_m};
+            }
+        }
+    }
+    return n;
+}
+
+murk_status murk_listed_all(murk_listed **out, size_t *n,
+                            const murk_candidate_desc *desc, const char *where,
+                            murk_error *err)
+{
+    const size_t all = count_all(desc);
+    murk_listed *site = malloc((all + 1) * sizeof *site);
+    if (!site) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for %zu candidates", all);
+    }
+    for (size_t i = 0; i < desc->points; ++i) {
+        site[i] = (murk_listed){.position = desc->point[i]};
+    }
+    *n = desc->points;
+    for (size_t i = 0; i < desc->mounts; ++i) {
+        *n += list_mount(site + *n, &desc->mount[i]);
+    }
+    *out = site;
+    return MURK_OK;
+}
+
+/* ---- duplicates ---- */
+
+typedef struct comparison {
+    const murk_listed *site;
+    murk_vec3 point;
+    double hair_m;
+} comparison;
+
+static bool is_same(void *context, size_t number)
+{
+    const comparison *c = context;
+    return murk_length(murk_sub(c->site[number].position, c->point)) <=
+           c->hair_m;
+}
+
+/* The index along an axis of the grid's point nearest to x. */
+static size_t nearest_index(double min, double max, size_t n, double x)
+{
+    const double step = n > 1 ? (max - min) / (double)(n - 1) : 1;
+    const double at = n > 1 ? round((x - min) / step) : 0;
+    return (size_t)fmin(fmax(at, 0), (double)(n - 1));
+}
+
+static void nearest_of_grid(const murk_candidate_grid *g, murk_vec3 p,
+                            size_t at[3])
+{
+    at[0] = nearest_index(g->min.x, g->max.x, g->size[0], p.x);
+    at[1] = nearest_index(g->min.y, g->max.y, g->size[1], p.y);
+    at[2] = nearest_index(g->min.z, g->max.z, g->size[2], p.z);
+}
+
+static bool is_of_grid(const murk_candidate_grid *g, murk_vec3 p, double hair_m)
+{
+    size_t at[3];
+    nearest_of_grid(g, p, at);
+    const size_t index = at[0] + g->size[0] * (at[1] + g->size[1] * at[2]);
+    return murk_length(murk_sub(murk_candidate_grid_point(g, index), p)) <=
+           hair_m;
+}
+
+/* A site within a hair of one before it, which may be a duplicate itself. */
+static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
+                                   size_t n, const murk_candidate_desc *desc,
+                                   double hair_m, murk_error *err)
+{
+    murk_cells *cells = NULL;
+    murk_status status = murk_cells_create(&cells, 2 * hair_m, err);
+    for (size_t i = 0; i < n && !status; ++i) {
+        comparison c = {site, site[i].position, hair_m};
+        const bool is_one =
+            (!desc->is_laid && is_of_grid(&desc->grid, c.point, hair_m)) ||
+            murk_cells_search(cells, c.point, hair_m, is_same, &c);
+        verdict[i] = is_one ? MURK_SITE_DUPLICATE : MURK_SITE_USABLE;
+        status = murk_cells_add(cells, c.point, err);
+    }
+    murk_cells_destroy(cells);
+    return status;
+}
+
+/* ---- ways ---- */
+
+typedef struct judging {
+    const murk_candidate_desc *desc;
+    const murk_free_space *space;
+    const murk_reach *reach;
+    murk_ways ways;
+    const murk_listed *site;
+    size_t n;
+    uint8_t *verdict;
+    murk_vec3 *lamp; /* [lamps] places that light sets out from */
+    size_t lamps;
+} judging;
+
+/* Reached points of the grid, as they are found around a site. */
+typedef struct neighbours {
+    size_t looked_at, tried, n;
+    murk_vec3 point[NEAREST_MAX];
+} neighbours;
+
+static void look_at(const judging *j, neighbours *near, size_t index)
+{
+    ++near->looked_at;
+    if (j->space->is_reached[index] && near->tried + near->n < NEAREST_MAX) {
+        near->point[near->n++] =
+            murk_candidate_grid_point(&j->desc->grid, index);
+    }
+}
+
+static size_t least_of(size_t at, size_t r)
+{
+    return at > r ? at - r : 0;
+}
+
+static size_t most_of(size_t at, size_t r, size_t n)
+{
+    return n - 1 - at > r ? at + r : n - 1;
+}
+
+/* The points r steps away along one axis or more. */
+static void look_at_shell(const judging *j, neighbours *near,
+                          const size_t at[3], size_t r)
+{
+    const size_t *n = j->desc->grid.size;
+    for (size_t z = least_of(at[2], r); z <= most_of(at[2], r, n[2]); ++z) {
+        for (size_t y = least_of(at[1], r); y <= most_of(at[1], r, n[1]); ++y) {
+            const size_t row = n[0] * (y + n[1] * z);
+            if (z + r == at[2] || z == at[2] + r || y + r == at[1] ||
+                y == at[1] + r) {
+                for (size_t x = least_of(at[0], r);
+                     x <= most_of(at[0], r, n[0]); ++x) {
+                    look_at(j, near, row + x);
+                }
+                continue;
+            }
+            if (at[0] >= r) {
+                look_at(j, near, row + at[0] - r);
+            }
+            if (r > 0 && at[0] + r < n[0]) {
+                look_at(j, near, row + at[0] + r);
+            }
+        }
+    }
+}
+
+static bool any_way(const judging *j, neighbours *near, murk_vec3 point)
+{
+    bool blocked[NEAREST_MAX] = {false};
+    const bool is_periodic = j->reach->domain.is_periodic;
+    if (!is_periodic) {
+        murk_surfaces_blocked_many(j->ways.surfaces, near->point, near->n,
+                                   point, true, blocked);
+    }
+    bool is_open = false;
+    for (size_t i = 0; i < near->n && !is_open; ++i) {
+        const murk_vec3 to =
+            murk_nearest_image(&j->reach->domain, point, near->point[i]);
+        is_open = !blocked[i] && murk_way_is_open(&j->ways, near->point[i], to);
+    }
+    near->tried += near->n;
+    near->n = 0;
+    return is_open;
+}
+
+static bool joins_grid(const judging *j, murk_vec3 point)
+{
+    const size_t *n = j->desc->grid.size;
+    size_t at[3];
+    nearest_of_grid(&j->desc->grid, point, at);
+    const size_t last = (n[0] > n[1] ? n[0] : n[1]) + n[2];
+    neighbours near;
+    near.looked_at = near.tried = near.n = 0;
+    for (size_t r = 0;
+         r < last && near.tried < NEAREST_MAX && near.looked_at < LOOKED_AT_MAX;
+         ++r) {
+        look_at_shell(j, &near, at, r);
+        if (near.n > 0 && any_way(j, &near, point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_joined(const judging *j, murk_vec3 point)
+{
+    if (joins_grid(j, point)) {
+        return true;
+    }
+    for (size_t i = 0; i < j->lamps; ++i) {
+        const murk_vec3 to =
+            murk_nearest_image(&j->reach->domain, point, j->lamp[i]);
+        if (murk_way_is_open(&j->ways, j->lamp[i], to)) {
+            return true;
+        }
+    }
+    return j->reach->from_sides && murk_way_leads_out(&j->ways, point);
+}
+
+/* ---- verdicts ---- */
+
+static bool is_mounted(const murk_listed *site)
+{
+    return site->offset_m > 0;
+}
+
+/* Something else is between a mount and its foot. */
+static bool is_cut_off(const judging *j, const murk_listed *site,
+                       const murk_foot *foot)
+{
+    const murk_surfaces *s = j->ways.surfaces;
+    return murk_surfaces_blocked(
+        s, murk_surfaces_leave(s, foot->position, foot->normal), site->position,
+        true);
+}
+
+static murk_verdict judge(const judging *j, const murk_listed *site)
+{
+    const murk_foot foot = {
+        murk_along(site->position, -site->offset_m, site->normal),
+        site->normal};
+    const murk_foot *mounted_on = is_mounted(site) ? &foot : NULL;
+    if (!murk_box_contains(&j->reach->domain.box, site->position)) {
+        return MURK_SITE_UNREACHED;
+    }
+    if (murk_site_is_forbidden(j->desc, site->position)) {
+        return MURK_SITE_FORBIDDEN;
+    }
+    const murk_closeness closeness = murk_ways_closeness(
+        &j->ways, site->position, j->desc->grid.clearance_m, mounted_on);
+    if (closeness == MURK_ON_SURFACE) {
+        return MURK_SITE_TOO_CLOSE;
+    }
+    if ((mounted_on && is_cut_off(j, site, mounted_on)) ||
+        !is_joined(j, site->position)) {
+        return MURK_SITE_UNREACHED;
+    }
+    return closeness == MURK_TOO_CLOSE      ? MURK_SITE_TOO_CLOSE
+           : closeness == MURK_BARELY_CLEAR ? MURK_SITE_DOUBTFUL
+                                            : MURK_SITE_USABLE;
+}
+
+static void judge_batch(void *context, uint64_t batch)
+{
+    judging *j = context;
+    const size_t begin = (size_t)batch * BATCH_SITES;
+    const size_t end = begin + BATCH_SITES < j->n ? begin + BATCH_SITES : j->n;
+    for (size_t i = begin; i < end; ++i) {
+        if (j->verdict[i] != MURK_SITE_DUPLICATE) {
+            j->verdict[i] = (uint8_t)judge(j, &j->site[i]);
+        }
+    }
+    murk_progress_add(end - begin);
+}
+
+static murk_status place_lamps(judging *j, const char *where, murk_error *err)
+{
+    const murk_reach *reach = j->reach;
+    j->lamp =
+        malloc((reach->n_lamps * MURK_LAMP_PLACES_MAX + 1) * sizeof *j->lamp);
+    if (!j->lamp) {
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for %zu lamps",
+                         reach->n_lamps);
+    }
+    for (size_t i = 0; i < reach->n_lamps; ++i) {
+        j->lamps += murk_lamp_places(j->ways.surfaces, &reach->domain,
+                                     reach->lamps[i], j->lamp + j->lamps);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
+                              size_t n, const murk_candidate_desc *desc,
+                              const murk_free_space *space,
+                              const murk_surfaces *surfaces,
+                              const murk_reach *reach, unsigned threads,
+                              const char *where, murk_error *err)
+{
+    judging j = {.desc = desc,
+                 .space = space,
+                 .reach = reach,
+                 .ways = murk_ways_of(surfaces, &reach->domain),
+                 .site = sites,
+                 .n = n,
+                 .verdict = verdict};
+    murk_status status =
+        find_duplicates(verdict, sites, n, desc, j.ways.hair_m, err);
+    if (!status) {
+        status = place_lamps(&j, where, err);
+    }
+    if (!status) {
+        murk_progress_begin("sites", n, "sites");
+        murk_crew_run(threads, (n + BATCH_SITES - 1) / BATCH_SITES, judge_batch,
+                      &j);
+        murk_progress_end();
+        if (murk_interrupted()) {
+            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        }
+    }
+    free(j.lamp);
+    return status;
+}

@@ -1,0 +1,40 @@
+/* Sites that are listed, free or mounted, beside those of a grid: which of them
+ * are usable. Internal to the room. */
+#ifndef MURK_SENSING_LISTED_H
+#define MURK_SENSING_LISTED_H
+
+#include "sensing/reach.h"
+
+typedef enum murk_verdict {
+    MURK_SITE_USABLE,
+    MURK_SITE_DOUBTFUL, /* usable, but within rounding of a surface */
+    MURK_SITE_DUPLICATE,
+    MURK_SITE_FORBIDDEN,
+    MURK_SITE_TOO_CLOSE,
+    MURK_SITE_UNREACHED,
+    MURK_SITE_BARELY_UNREACHED /* but for a diagonal step */
+} murk_verdict;
+
+typedef struct murk_listed {
+    murk_vec3 position;
+    murk_vec3 normal; /* out of the wall; zero: stands free */
+    double offset_m;  /* from its foot */
+} murk_listed;
+
+/* In the order that candidates.h states; (*out)[*n] is the caller's: free(). */
+murk_status murk_listed_all(murk_listed **out, size_t *n,
+                            const murk_candidate_desc *desc, const char *where,
+                            murk_error *err);
+
+/* verdict[n] for sites[n], after the grid of `desc` whose free space is known.
+ * Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
+                              size_t n, const murk_candidate_desc *desc,
+                              const murk_free_space *space,
+                              const murk_surfaces *surfaces,
+                              const murk_reach *reach, unsigned threads,
+                              const char *where, murk_error *err);
+
+bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point);
+
+#endif
