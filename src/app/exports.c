@@ -91,12 +91,21 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
                    : status;
     }
     murk_lp_goal goal = {.count = (size_t)wish->count,
-                         .rules = murk_poses_rules(plan->poses)};
+                         .rules = murk_poses_rules(plan->poses),
+                         .redundancy = seen.problem.redundancy};
     if (wish->target > 0) {
-        const murk_problem problem = murk_sparse_matrix_problem(matrix, 1);
+        murk_problem problem = murk_sparse_matrix_problem(matrix, 1);
+        problem.redundancy = seen.problem.redundancy;
         goal.target = murk_plan_value_of(wish->target, &problem);
     }
-    const unsigned exports = session->options->exports;
+    unsigned exports = session->options->exports;
+    if (seen.problem.combining == MURK_COMBINE_INDEPENDENT &&
+        exports & MURK_EXPORT_LP) {
+        exports &= ~(unsigned)MURK_EXPORT_LP;
+        (void)murk_fail(late, MURK_UNSUPPORTED, "problem.lp",
+                        "independent chances make no linear problem, "
+                        "detection must be weighted or threshold");
+    }
     murk_exports_add(&session->results, exports, matrix, &goal, late);
     if (exports & MURK_EXPORT_MATRIX) {
         const candidate_list list = {plan->poses, session->scene};

@@ -281,7 +281,7 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     murk_error late = {0};
     if (!status && options->exports) {
         const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,
-                                   p.desc.target, p.desc.rules};
+                                   p.desc.target, p.desc.rules, 1};
         murk_exports_add(&p.session.results, options->exports, p.matrix, &goal,
                          &late);
     }

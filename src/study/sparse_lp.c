@@ -150,10 +150,11 @@ static void print_columns(terms *t, const murk_sparse_matrix *m)
 }
 
 /* What the rows covered are worth, in weights as given. */
-static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k)
+static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
+                        unsigned views)
 {
     for (size_t i = 0; i < m->rows; ++i) {
-        const double weight = (double)k->weight[i] / m->unit;
+        const double weight = (double)k->weight[i] / m->unit / views;
         if (m->is_clear && k->is_first[i]) {
             begin_term(t);
             fprintf(t->to, "%s%.15g y%zu", t->n > 1 ? "+ " : "", weight, i + 1);
@@ -182,7 +183,7 @@ static void print_clear_row(FILE *to, const kinds *k, size_t i)
     fputs(" <= 0\n", to);
 }
 
-static void print_dimmed_row(FILE *to, const kinds *k, size_t i)
+static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned views)
 {
     terms t = {to, 0};
     fprintf(to, " r%zu:", i + 1);
@@ -191,20 +192,28 @@ static void print_dimmed_row(FILE *to, const kinds *k, size_t i)
         fprintf(to, "%sy%zu_%zu", e > k->begin[i] ? "+ " : "", i + 1,
                 (size_t)k->column[e] + 1);
     }
-    fputs(" <= 1\n", to);
+    fprintf(to, " <= %u\n", views);
     for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
         const size_t j = (size_t)k->column[e] + 1;
         fprintf(to, " r%zu_%zu: y%zu_%zu - x%zu <= 0\n", i + 1, j, i + 1, j, j);
     }
 }
 
-static void print_rows(FILE *to, const murk_sparse_matrix *m, const kinds *k)
+static void print_rows(FILE *to, const murk_sparse_matrix *m, const kinds *k,
+                       unsigned views)
 {
     for (size_t i = 0; i < m->rows; ++i) {
-        if (k->is_first[i]) {
-            (m->is_clear ? print_clear_row : print_dimmed_row)(to, k, i);
+        if (k->is_first[i] && m->is_clear) {
+            print_clear_row(to, k, i);
+        } else if (k->is_first[i]) {
+            print_dimmed_row(to, k, i, views);
         }
     }
+}
+
+static unsigned views_of(const murk_lp_goal *goal)
+{
+    return goal->redundancy > 1 ? goal->redundancy : 1;
 }
 
 static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
@@ -213,23 +222,23 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
     terms aim = {to, 0}, limit = {to, 0};
     if (goal->count > 0 && goal->target == 0) {
         fputs("Maximize\n covered:", to);
-        print_value(&aim, m, k);
+        print_value(&aim, m, k, views_of(goal));
         fputs("\nSubject To\n count:", to);
         print_columns(&limit, m);
         fprintf(to, " = %zu\n", goal->count);
     } else if (goal->target == 0) {
         fputs("Maximize\n covered:", to);
-        print_value(&aim, m, k);
+        print_value(&aim, m, k, views_of(goal));
         fputs("\nSubject To\n", to);
     } else {
         /* values are whole in weight * clarity: half a unit below asks the
          * same, and leaves a solver its tolerance */
-        const double least =
-            ((double)goal->target - 0.5) / MURK_CLEAR / m->unit;
+        const double least = ((double)goal->target - 0.5) / views_of(goal) /
+                             MURK_CLEAR / m->unit;
         fputs("Minimize\n columns:", to);
         print_columns(&aim, m);
         fputs("\nSubject To\n target:", to);
-        print_value(&limit, m, k);
+        print_value(&limit, m, k, views_of(goal));
         fprintf(to, " >= %.15g\n", least);
     }
 }
@@ -381,13 +390,14 @@ static murk_status print_rules(FILE *to, const murk_sparse_matrix *m,
     return status;
 }
 
-static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k)
+static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k,
+                         unsigned views)
 {
     if (m->is_clear) { /* else the rows bound them */
         fputs("Bounds\n", to);
         for (size_t i = 0; i < m->rows; ++i) {
             if (k->is_first[i]) {
-                fprintf(to, " y%zu <= 1\n", i + 1);
+                fprintf(to, " y%zu <= %u\n", i + 1, views);
             }
         }
     }
@@ -430,8 +440,8 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
                 m->rows, whole / m->unit, m->columns);
         print_goal(to, m, &k, goal);
         status = print_rules(to, m, goal, path, err);
-        print_rows(to, m, &k);
-        print_bounds(to, m, &k);
+        print_rows(to, m, &k, views_of(goal));
+        print_bounds(to, m, &k, views_of(goal));
         if (status) {
             murk_file_discard(file);
         } else {

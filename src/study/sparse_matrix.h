@@ -72,6 +72,8 @@ typedef struct murk_lp_goal {
     size_t count;    /* of so many columns the best; 0: as many as pay */
     uint64_t target; /* not 0: the fewest worth so much, in weight * clarity */
     const murk_rules *rules; /* NULL: none */
+    unsigned redundancy;     /* views of a row that count, 0 or 1: one; the
+                                target is then in weight * clarity * views */
 } murk_lp_goal;
 
 /* The problem as an LP file (CPLEX's format). Rows that are covered alike are
@@ -81,7 +83,8 @@ typedef struct murk_lp_goal {
  *     maximise sum w_i y_i, y_i <= sum_j x_j        where all are clear, else
  *     maximise sum w_i p_ij y_ij, y_ij <= x_j, sum_j y_ij <= 1
  *
- * with sum x_j = count; or the least sum x_j that reaches the target. Rules
+ * (k views count: y_i <= k, sum_j y_ij <= k, and the objective over k), with
+ * sum x_j = count; or the least sum x_j that reaches the target. Rules
  * are further rows: the budget in the rules' whole units, counts by class, x =
  * 1 for fixed ones, at most one of a site and of a pair that excludes each
  * other. The objective is in weights as given. Fails with MURK_RUN_FAILED
