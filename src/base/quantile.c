@@ -1,0 +1,72 @@
+#include "base/quantile.h"
+
+#include <assert.h>
+#include <math.h>
+
+#define HALF_PI 1.5707963267948966
+
+/* P(|T| <= t). With tan(angle) = t / sqrt(degrees): sums of powers of the
+ * cosine, each term the one before times cos^2 and a ratio of whole numbers. */
+static double within(double t, size_t degrees)
+{
+    const double angle = atan(t / sqrt((double)degrees));
+    const double cos2 = cos(angle) * cos(angle);
+    const size_t odd = degrees % 2;
+    double term = odd ? cos(angle) : 1, sum = 0;
+    for (size_t k = 2 + odd; k <= degrees; k += 2) {
+        sum += term;
+        term *= cos2 * ((double)k - 1) / (double)k;
+    }
+    return odd ? (angle + sin(angle) * sum) / HALF_PI : sin(angle) * sum;
+}
+
+/* Bisection, never in a hot loop. */
+double murk_student_upper(double p, size_t degrees)
+{
+    assert(p > 0 && p < 1 && degrees >= 1);
+    if (p > 0.5) {
+        return -murk_student_upper(1 - p, degrees);
+    }
+    double low = 0, high = 1;
+    while (1 - within(high, degrees) > 2 * p && high < 1e300) {
+        high *= 2;
+    }
+    for (int i = 0; i < 100; ++i) {
+        const double middle = (low + high) / 2;
+        if (1 - within(middle, degrees) > 2 * p) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return (low + high) / 2;
+}
+
+/* P(K = k), K binomial. */
+static double chance(size_t n, double q, size_t k)
+{
+    const double all = (double)n, in = (double)k;
+    return exp(lgamma(all + 1) - lgamma(in + 1) - lgamma(all - in + 1) +
+               in * log(q) + (all - in) * log1p(-q));
+}
+
+murk_ranks murk_quantile_ranks(size_t n, double q, double miss)
+{
+    assert(n >= 1 && q > 0 && q < 1 && miss > 0);
+    const double middle = ceil(q * (double)n * (1 - 0x1p-51));
+    murk_ranks ranks = {.value = middle < 1 ? 1 : (size_t)middle};
+    /* Rank r is above the quantile where fewer than r numbers lie below it,
+     * under it where at least r do. */
+    double below = 0; /* P(K < k) */
+    for (size_t k = 0; k <= n; ++k) {
+        if (below <= miss) {
+            ranks.lower = k; /* P(K < k): rank k is above */
+        }
+        if (1 - below <= miss) {
+            ranks.upper = k; /* P(K >= k): rank k is under */
+            break;
+        }
+        below += chance(n, q, k);
+    }
+    return ranks;
+}
