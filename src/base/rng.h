@@ -22,6 +22,7 @@ typedef enum murk_purpose {
     MURK_SPOQ_START = 16, /* photon: restart; event: draw */
     MURK_SPOQ_ORDER,      /* photon: restart; event: sweep; slot: position */
     MURK_SPOQ_TIE,        /* photon: restart; event: step */
+    MURK_JITTER = 24,     /* photon: draw; event: sensor */
     MURK_TEST = 31        /* for tests */
 } murk_purpose;
 

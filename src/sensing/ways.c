@@ -23,12 +23,12 @@ murk_ways murk_ways_of(const murk_surfaces *surfaces, const murk_domain *domain)
 
 bool murk_way_is_open(const murk_ways *w, murk_vec3 from, murk_vec3 to)
 {
-    if (murk_segment_blocked(w->surfaces, w->domain, from, to, true)) {
+    if (murk_segment_blocked(w->surfaces, w->domain, from, to, !w->by_sheets)) {
         return false;
     }
     for (int i = 0; i < 2; ++i) {
         if (murk_segment_blocked(w->surfaces, w->domain, from,
-                                 murk_add(to, w->aside[i]), true)) {
+                                 murk_add(to, w->aside[i]), !w->by_sheets)) {
             return false;
         }
     }

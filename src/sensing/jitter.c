@@ -1,0 +1,95 @@
+#include "sensing/jitter.h"
+
+#include "base/rng.h"
+#include "sensing/ways.h"
+
+/* Of the ball, what can be reached may be a sliver; less than a hundredth is
+ * as good as nothing. */
+#define TRIES 100
+
+/* Slots of a sensor's random numbers: its turn, then a step each. */
+#define TURN_SLOT       0
+#define FIRST_STEP_SLOT 1
+
+static murk_vec3 step_of(const murk_random4 *r, double step_m)
+{
+    const murk_vec3 up = {0, 0, 1};
+    return murk_scale(step_m * cbrt(r->u[0]),
+                      murk_about(up, 2 * r->u[1] - 1, 2 * MURK_PI * r->u[2]));
+}
+
+/* Into the first image. */
+static double wrap(double x, double min, double max)
+{
+    const double period = max - min;
+    const double in = x - period * floor((x - min) / period);
+    return in < min || in > max ? min : in; /* rounding */
+}
+
+static bool set_down(murk_vec3 *place, const murk_jitter *j,
+                     const murk_ways *ways, const murk_address *address)
+{
+    const murk_box *box = &j->domain->box;
+    for (uint32_t k = 0; k < TRIES; ++k) {
+        const murk_random4 r = murk_random_at(address, FIRST_STEP_SLOT + k);
+        const murk_vec3 step = step_of(&r, j->step_m);
+        const murk_vec3 to = murk_add(*place, step);
+        murk_vec3 at = to;
+        if (j->domain->is_periodic) {
+            if (!(fabs(step.x) < box->max.x - box->min.x &&
+                  fabs(step.y) < box->max.y - box->min.y)) {
+                continue; /* ways are within one period */
+            }
+            at.x = wrap(to.x, box->min.x, box->max.x);
+            at.y = wrap(to.y, box->min.y, box->max.y);
+        }
+        if (murk_box_contains(box, at) &&
+            !murk_surfaces_near(j->surfaces, at, ways->hair_m) &&
+            murk_way_is_open(ways, *place, to)) {
+            *place = at;
+            return true;
+        }
+    }
+    return false;
+}
+
+static void turn(murk_pose *pose, const murk_jitter *j,
+                 const murk_address *address)
+{
+    const murk_random4 r = murk_random_at(address, TURN_SLOT);
+    const double half = sin(j->turn_rad / 2);
+    const double mu = 1 - 2 * half * half * r.u[0]; /* even over the cap */
+    const murk_vec3 axis = murk_about(murk_pose_frame(pose, j->north).axis, mu,
+                                      2 * MURK_PI * r.u[1]);
+    const murk_vec3 up = {0, 0, 1}, east = murk_cross(j->north, up);
+    const double to_east = murk_dot(axis, east),
+                 to_north = murk_dot(axis, j->north);
+    pose->tilt_rad = atan2(axis.z, hypot(to_east, to_north));
+    pose->heading_rad = atan2(to_east, to_north);
+    if (pose->heading_rad < 0) {
+        pose->heading_rad += 2 * MURK_PI;
+    }
+}
+
+size_t murk_jitter_draw(murk_pose *out, const murk_pose *pose, size_t n,
+                        const murk_sensor_type *type, const murk_jitter *jitter,
+                        uint64_t draw)
+{
+    murk_ways ways = murk_ways_of(jitter->surfaces, jitter->domain);
+    ways.by_sheets = true;
+    size_t unmoved = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_address address = {jitter->seed, MURK_JITTER, draw,
+                                      (uint32_t)i};
+        out[i] = pose[i];
+        if (jitter->step_m > 0 &&
+            !set_down(&out[i].position, jitter, &ways, &address)) {
+            ++unmoved;
+        }
+        if (jitter->turn_rad > 0 &&
+            type[pose[i].type].view != MURK_VIEW_SPHERE) {
+            turn(&out[i], jitter, &address);
+        }
+    }
+    return unmoved;
+}
