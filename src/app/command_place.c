@@ -4,6 +4,7 @@
 #include "app/place_matrix.h"
 #include "app/plan_out.h"
 #include "app/regions_out.h"
+#include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -99,6 +100,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
     murk_json_seen(root, &plan->in_sample, plan->place.count);
     murk_json_regions(root, session->scene, plan->in_sample.region,
                       plan->held_out_region);
+    murk_json_robust(root, session->scene, &plan->robust);
     murk_json_bound(root, &plan->place);
     add_target(root, plan, session->scene);
     add_budget(root, plan, session->scene);
@@ -131,6 +133,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
     }
     murk_print_regions(session->scene, plan->in_sample.region,
                        plan->held_out_region);
+    murk_print_robust(session->scene, &plan->robust);
     if (session->scene->sensors.budget > 0) {
         printf("budget      %.10g of %.10g spent\n",
                (double)place->cost * MURK_COST_UNIT,

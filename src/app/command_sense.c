@@ -1,6 +1,7 @@
 #include "app/coverage_out.h"
 #include "app/placement_in.h"
 #include "app/regions_out.h"
+#include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -8,7 +9,8 @@
 
 static cJSON *coverage_json(const murk_session *session,
                             const murk_pose *sensor, size_t n,
-                            const murk_coverage *coverage)
+                            const murk_coverage *coverage,
+                            const murk_robust *robust)
 {
     cJSON *root = murk_json_begin(session->scene);
     murk_json_photons(root, session->traced);
@@ -28,13 +30,14 @@ static cJSON *coverage_json(const murk_session *session,
     murk_json_number(object, "sum_of_views", coverage->sum_of_views);
     murk_json_seen(root, coverage, n);
     murk_json_regions(root, session->scene, coverage->region, NULL);
+    murk_json_robust(root, session->scene, robust);
     return root;
 }
 
 static murk_status write_coverage(murk_session *session,
                                   const murk_pose *sensor, size_t n,
                                   const murk_coverage *coverage,
-                                  murk_error *err)
+                                  const murk_robust *robust, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -50,13 +53,14 @@ static murk_status write_coverage(murk_session *session,
     if (!status) {
         status = murk_session_finish(
             session, "coverage.json",
-            coverage_json(session, sensor, n, coverage), err);
+            coverage_json(session, sensor, n, coverage, robust), err);
     }
     return status;
 }
 
 static void print_coverage(const murk_session *session, const murk_pose *sensor,
-                           size_t n, const murk_coverage *coverage)
+                           size_t n, const murk_coverage *coverage,
+                           const murk_robust *robust)
 {
     murk_print_light(session);
     murk_print_tallies(session);
@@ -66,6 +70,7 @@ static void print_coverage(const murk_session *session, const murk_pose *sensor,
     murk_print_maps(coverage);
     printf(")\n");
     murk_print_regions(session->scene, coverage->region, NULL);
+    murk_print_robust(session->scene, robust);
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense "
            "%.2f\n",
            session->run.total_s, session->run.load_s, session->run.trace_s,
@@ -78,6 +83,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     murk_session session;
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
+    murk_robust robust = {0};
     murk_pose *sensor = NULL;
     size_t n = 0;
     if (!options->sensors) {
@@ -106,13 +112,22 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_coverage_measure(&coverage, sight, sensor, n, err);
     }
+    if (!status) {
+        status = murk_robust_begin(&robust, session.stage, sensor, n, &coverage,
+                                   err);
+    }
+    if (!status) {
+        status = murk_robust_jitter(&robust, session.stage, sight, sensor,
+                                    &coverage, false, err);
+    }
     session.run.sense_s = murk_clock_s() - begun_s;
     if (!status) {
-        status = write_coverage(&session, sensor, n, &coverage, err);
+        status = write_coverage(&session, sensor, n, &coverage, &robust, err);
     }
     if (!status && murk_session_speaks(&session)) {
-        print_coverage(&session, sensor, n, &coverage);
+        print_coverage(&session, sensor, n, &coverage, &robust);
     }
+    murk_robust_release(&robust);
     murk_coverage_release(&coverage);
     murk_sight_destroy(sight);
     free(sensor);

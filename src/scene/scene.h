@@ -328,6 +328,9 @@ typedef struct murk_scene_placement {
     size_t n_interests;
     double elsewhere; /* weight of what lies in none of them */
     bool hold_out;
+    double jitter_m, jitter_rad; /* how far sensors may be off; both 0: not
+                                    asked */
+    uint64_t jitter_draws;
     murk_scene_over over;
 } murk_scene_placement;
 

@@ -191,6 +191,13 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
         status = murk_coverage_measure(&coverage, sight, plan->sensor,
                                        plan->place.count, err);
     }
+    if (!status && stream == HELD_OUT_STREAM) {
+        status = murk_robust_hold_out(&plan->robust, &coverage, err);
+    }
+    if (!status && stream == HELD_OUT_STREAM) {
+        status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
+                                    &coverage, true, err);
+    }
     if (!status) {
         *out = coverage.total;
         if (regions) {
@@ -237,6 +244,14 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     }
     status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
                                    plan->place.count, err);
+    if (!status) {
+        status = murk_robust_begin(&plan->robust, stage, plan->sensor,
+                                   plan->place.count, &plan->in_sample, err);
+    }
+    if (!status && !stage->scene->placement.hold_out) {
+        status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
+                                    &plan->in_sample, false, err);
+    }
     if (!status && stage->scene->placement.hold_out) {
         status = measure_on(plan, HELD_OUT_STREAM, &plan->held_out,
                             &plan->held_out_region, stage, threads, err);
@@ -257,6 +272,7 @@ void murk_plan_release(murk_plan *plan)
     murk_poses_destroy(plan->poses);
     murk_place_release(&plan->place);
     murk_coverage_release(&plan->in_sample);
+    murk_robust_release(&plan->robust);
     free(plan->held_out_region);
     free(plan->sensor);
     *plan = (murk_plan){0};

@@ -7,6 +7,7 @@
 #include "sensing/sight.h"
 #include "study/light.h"
 #include "study/poses.h"
+#include "study/robust.h"
 #include "study/sites.h"
 
 /* Sight through a stage onto traced light. Borrows both. */
@@ -29,7 +30,8 @@ typedef struct murk_plan {
     murk_region_coverage *held_out_region; /* [regions of interest] likewise;
                                               NULL: none held out */
     murk_estimate confirmed;               /* with a target: on a third map */
-    uint64_t queries, shadow_rays;         /* spent on choosing */
+    murk_robust robust;
+    uint64_t queries, shadow_rays;                     /* spent on choosing */
     uint64_t blocked_by_interfaces, totally_reflected; /* then, sightlines */
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;

@@ -89,7 +89,21 @@ SENSORS = {
                                  "stored_photons": count, "coverage": fraction,
                                  "standard_error": fraction,
                                  "held_out": either(null, fraction)})}
-PLAN = HEAD | LIGHT | SENSORS | {
+HELD = either(null, fraction)
+ROBUST = {
+    "robustness": {"drop_one": {"worst_sensor": whole(1), "worst_loss": fraction,
+                                "mean_loss": fraction,
+                                "without": many({"sensor": whole(1), "in_sample": fraction,
+                                                 "held_out": HELD})},
+                   "jitter": either(null, lambda v: not list(complaints(v, JITTER, ""))),
+                   "link_range_m": either(null, number(0)), "plain_link_range_m": number(0),
+                   "link_groups": whole(1),
+                   "links": many({"from": whole(1), "to": whole(1), "length_m": number(0)})}}
+JITTER = {"jitter_m": number(0), "jitter_deg": number(0, 180), "draws": whole(2),
+          "measured": one_of("held_out", "in_sample"), "as_planned": fraction,
+          "mean": fraction, "mean_standard_error": fraction, "quantile_5": fraction,
+          "quantile_5_lower": HELD, "quantile_5_upper": HELD, "unmoved": count}
+PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
     "candidates": {"asked": count, "usable": count, "doubtful": count,
                    "after_presolve": count},
     "coverage": {"in_sample": fraction, "held_out": fraction,
@@ -103,7 +117,7 @@ PLAN = HEAD | LIGHT | SENSORS | {
                   "knowledge": one_of("known"), "restarts": count,
                   "evaluations": whole(1), "queries": whole(1),
                   "shadow_rays": whole(1), "cut_by": null}}
-COVERAGE = HEAD | LIGHT | SENSORS | {
+COVERAGE = HEAD | LIGHT | SENSORS | ROBUST | {
     "coverage": {"in_sample": fraction, "standard_error": number(1e-9, 1),
                  "held_out": null, "held_out_standard_error": null,
                  "surface": fraction, "volume": fraction,

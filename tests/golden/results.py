@@ -168,6 +168,60 @@ def check_plan(plan, where):
           where, candidates)
 
 
+def check_robust(result, where):
+    """Loss of each sensor; the links against every pair, in a world whose only
+    surface between sensors is a pane."""
+    robust, sensors = result["robustness"], result["sensors"]
+    drop, total = robust["drop_one"], result["coverage"]["in_sample"]
+    for i, (without, sensor) in enumerate(zip(drop["without"], sensors)):
+        check(without["sensor"] == i + 1, where, without)
+        near(without["in_sample"], total - sensor["only_it_covers"], 1e-12, where,
+             "without sensor", i + 1)
+    held = result["coverage"]["held_out"] is not None
+    kept = [w["held_out" if held else "in_sample"] for w in drop["without"]]
+    have = result["coverage"]["held_out"] if held else total
+    near(drop["worst_loss"], have - min(kept), 1e-12, where, "worst loss")
+    near(drop["mean_loss"], have - sum(kept) / len(kept), 1e-12, where, "mean loss")
+    check(kept[drop["worst_sensor"] - 1] == min(kept), where, drop)
+
+    places = [s["position_m"] for s in sensors]
+    joined, longest = {0}, 0
+    while len(joined) < len(places):
+        length, new = min((math.dist(places[i], places[j]), j) for i in joined
+                          for j in range(len(places)) if j not in joined)
+        joined.add(new)
+        longest = max(longest, length)
+    near(robust["link_range_m"], longest, 1e-12, where, "link range")
+    near(robust["plain_link_range_m"], longest, 1e-12, where, "plain link range")
+    near(max(link["length_m"] for link in robust["links"]), longest, 1e-12, where)
+    check(robust["link_groups"] == 1 and len(robust["links"]) == len(places) - 1,
+          where, robust["links"])
+
+
+def test_jitter(murk):
+    """A plan shaken a little does a little worse; not at all, just as well; the
+    plan is the same."""
+    scene = murk.write("open.yaml", OPEN)
+    plan = murk.run("place", scene)
+    check(plan["robustness"]["jitter"] is None, plan["robustness"]["jitter"])
+    shaken = murk.run("place", scene, "--set", "placement.jitter_m=0.4",
+                      "--set", "placement.jitter_draws=80")
+    check(shaken["sensors"] == plan["sensors"], "jitter changes the plan")
+    jitter = shaken["robustness"]["jitter"]
+    check(jitter["draws"] == 80 and jitter["measured"] == "held_out", jitter)
+    check(jitter["as_planned"] == plan["coverage"]["held_out"], jitter)
+    check(0 < jitter["quantile_5_lower"] <= jitter["quantile_5"] <=
+          jitter["quantile_5_upper"] < jitter["as_planned"], jitter)
+    check(jitter["quantile_5"] < jitter["mean"] < jitter["as_planned"], jitter)
+    check(jitter["mean_standard_error"] >= 0.5 * plan["coverage"]["held_out_standard_error"],
+          jitter)
+    shaken = murk.run("place", scene, "--set", "placement.jitter_deg=10",
+                      "--set", "placement.hold_out=false")
+    jitter = shaken["robustness"]["jitter"]  # turned, but seeing all round
+    check(jitter["measured"] == "in_sample" and jitter["draws"] == 100, jitter)
+    near(jitter["mean"], plan["coverage"]["in_sample"], 1e-12, "turned all round")
+
+
 def check_ledger(ledger, power_w, where):
     emitted = ledger["emitted_w"]
     for name in ("emitted_w",) + kinds.COLUMNS:
@@ -219,6 +273,7 @@ def test_files(murk):
     check(plan["seed"] == 3 and plan["photons"]["emitted"] == 4000, plan["photons"])
     check_sensors(plan, "plan.json")
     check_plan(plan, "plan.json")
+    check_robust(plan, "plan.json")
     check_sensors_csv(murk, "plan", plan["sensors"])
     check_coverage_csv(murk, "plan", plan["sensors"])
 
@@ -244,6 +299,7 @@ def test_files(murk):
     check(result == murk.read("sense", "coverage.json"),
           "coverage.json is not what was printed")
     check_sensors(result, "coverage.json")
+    check_robust(result, "coverage.json")
     check(result["sensors"] == plan["sensors"], "sense sees other sensors")
     check(result["seen_by_at_least"] == plan["seen_by_at_least"], "sense sees else")
     check_coverage_csv(murk, "sense", plan["sensors"])
@@ -503,6 +559,7 @@ def main():
         test_coverage(murk)
         test_replay(murk)
         test_phases(murk)
+        test_jitter(murk)
     print("all results are as described" if not failures else f"{failures} failed")
     return failures != 0
 

@@ -175,6 +175,8 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(placement->through == MURK_SCENE_BLOCK);
     CHECK(!placement->balanced && !placement->hold_out);
     CHECK(placement->weight_surface == 1 && placement->weight_volume == 2);
+    CHECK(placement->jitter_m == 0.2 && placement->jitter_draws == 100);
+    CHECK_NEAR(placement->jitter_rad, 1.5707963267948966, 1e-15);
 }
 
 static void test_defaults(void)

@@ -1,0 +1,14 @@
+/* "robustness" of plan.json and coverage.json, and its lines. */
+#ifndef MURK_APP_ROBUST_OUT_H
+#define MURK_APP_ROBUST_OUT_H
+
+#include "scene/scene.h"
+#include "study/robust.h"
+
+#include <cjson/cJSON.h>
+
+void murk_json_robust(cJSON *root, const murk_scene *scene,
+                      const murk_robust *robust);
+void murk_print_robust(const murk_scene *scene, const murk_robust *robust);
+
+#endif

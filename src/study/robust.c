@@ -1,0 +1,149 @@
+#include "study/robust.h"
+
+#include "base/progress.h"
+#include "base/quantile.h"
+#include "sensing/jitter.h"
+
+#include <stdlib.h>
+
+#define QUANTILE 0.05
+#define MISS     0.025 /* of either limit: 95 % between them */
+
+static murk_status no_memory(size_t n, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "",
+                     "no memory for how robust %zu sensors are", n);
+}
+
+/* ---- each sensor ---- */
+
+/* [n] total less what only it covers; NULL when out of memory. */
+static double *without_each(const murk_coverage *coverage, size_t n)
+{
+    double *out = malloc(n * sizeof *out + 1);
+    for (size_t i = 0; out && i < n; ++i) {
+        out[i] = coverage->total.value - coverage->only_it_covers[i];
+    }
+    return out;
+}
+
+murk_status murk_robust_begin(murk_robust *robust, const murk_stage *stage,
+                              const murk_pose *pose, size_t n,
+                              const murk_coverage *coverage, murk_error *err)
+{
+    *robust = (murk_robust){.sensors = n,
+                            .without = without_each(coverage, n),
+                            .total = coverage->total.value,
+                            .total_held_out = NAN};
+    return robust->without
+               ? murk_links_find(
+                     &robust->links, pose, n, stage->surfaces,
+                     &stage->world.domain,
+                     stage->scene->placement.through != MURK_SCENE_BLOCK, err)
+               : no_memory(n, err);
+}
+
+murk_status murk_robust_hold_out(murk_robust *robust,
+                                 const murk_coverage *coverage, murk_error *err)
+{
+    robust->without_held_out = without_each(coverage, robust->sensors);
+    robust->total_held_out = coverage->total.value;
+    return robust->without_held_out ? MURK_OK : no_memory(robust->sensors, err);
+}
+
+murk_drop_one murk_robust_drop_one(const murk_robust *robust)
+{
+    const bool held_out = robust->without_held_out != NULL;
+    const double *without =
+        held_out ? robust->without_held_out : robust->without;
+    const double total = held_out ? robust->total_held_out : robust->total;
+    murk_drop_one out = {.worst_loss = NAN, .mean_loss = NAN};
+    double sum = 0;
+    for (size_t i = 0; i < robust->sensors; ++i) {
+        const double loss = total - without[i];
+        sum += loss;
+        if (i == 0 || loss > out.worst_loss) {
+            out.worst = i;
+            out.worst_loss = loss;
+        }
+    }
+    if (robust->sensors > 0) {
+        out.mean_loss = sum / (double)robust->sensors;
+    }
+    return out;
+}
+
+/* ---- jitter ---- */
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Of coverage[draws], which it sorts; photons_error is the mean of the draws'
+ * own errors. The mean's error by photons is no more than that (Minkowski's
+ * inequality: all draws look at the same photons). */
+static void sum_up(murk_jittered *out, double *coverage, double photons_error)
+{
+    const size_t n = out->draws;
+    const murk_ranks rank = murk_quantile_ranks(n, QUANTILE, MISS);
+    out->mean = murk_mean_estimate(coverage, n);
+    out->mean.standard_error = hypot(out->mean.standard_error, photons_error);
+    qsort(coverage, n, sizeof *coverage, by_value);
+    out->quantile = coverage[rank.value - 1];
+    out->quantile_lower = rank.lower ? coverage[rank.lower - 1] : NAN;
+    out->quantile_upper = rank.upper ? coverage[rank.upper - 1] : NAN;
+}
+
+murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
+                               murk_sight *sight, const murk_pose *pose,
+                               const murk_coverage *coverage, bool on_held_out,
+                               murk_error *err)
+{
+    const murk_scene_placement *wish = &stage->scene->placement;
+    const size_t n = robust->sensors, draws = (size_t)wish->jitter_draws;
+    if ((wish->jitter_m == 0 && wish->jitter_rad == 0) || n == 0) {
+        return MURK_OK;
+    }
+    const murk_jitter jitter = {.step_m = wish->jitter_m,
+                                .turn_rad = wish->jitter_rad,
+                                .seed = stage->scene->seed,
+                                .surfaces = stage->surfaces,
+                                .domain = &stage->world.domain,
+                                .north = stage->scene->north};
+    const murk_sensor_type *type = murk_sight_described(sight)->type;
+    murk_jittered out = {.draws = draws,
+                         .on_held_out = on_held_out,
+                         .as_planned = coverage->total.value};
+    murk_pose *moved = malloc(n * sizeof *moved);
+    double *covered = malloc(draws * sizeof *covered);
+    double errors = 0;
+    murk_status status = moved && covered ? MURK_OK : no_memory(n, err);
+    murk_progress_begin("jitter", draws, "draws");
+    for (size_t d = 0; d < draws && !status; ++d) {
+        murk_coverage c = {0};
+        out.unmoved += murk_jitter_draw(moved, pose, n, type, &jitter, d);
+        status = murk_coverage_measure(&c, sight, moved, n, err);
+        covered[d] = c.total.value;
+        errors += c.total.standard_error;
+        murk_coverage_release(&c);
+        murk_progress_add(1);
+    }
+    murk_progress_end();
+    if (!status) {
+        sum_up(&out, covered, errors / (double)draws);
+        robust->jittered = out;
+    }
+    free(moved);
+    free(covered);
+    return status;
+}
+
+void murk_robust_release(murk_robust *robust)
+{
+    free(robust->without);
+    free(robust->without_held_out);
+    murk_links_release(&robust->links);
+    *robust = (murk_robust){0};
+}
