@@ -72,12 +72,11 @@ void murk_cover_copy(murk_cover *to, const murk_layout *layout,
     }
 }
 
-static void add_to_full(uint64_t *full, const murk_layout *layout,
-                        const murk_row *row)
+static void add_to_full(uint64_t *full, const murk_row *row)
 {
     if (row->kind == MURK_ROW_BITS) {
-        for (size_t k = 0; k < layout->words; ++k) {
-            full[k] |= row->bits[k];
+        for (size_t k = 0; k < row->words; ++k) {
+            full[murk_row_word(row, k)] |= row->bits[k];
         }
         return;
     }
@@ -92,17 +91,19 @@ static void add_to_best(uint16_t *best, const murk_layout *layout,
 {
     switch (row->kind) {
     case MURK_ROW_BITS:
-        for (size_t k = 0; k < layout->words; ++k) {
+        for (size_t k = 0; k < row->words; ++k) {
+            uint16_t *at = best + 64 * murk_row_word(row, k);
             for (uint64_t left = row->bits[k]; left; left &= left - 1) {
-                best[64 * k + (size_t)__builtin_ctzll(left)] = MURK_CLEAR;
+                at[__builtin_ctzll(left)] = MURK_CLEAR;
             }
         }
         break;
     case MURK_ROW_PACKED: {
         const uint16_t *p = row->clarity;
-        for (size_t k = 0; k < layout->words; ++k) {
+        for (size_t k = 0; k < row->words; ++k) {
+            uint16_t *word = best + 64 * murk_row_word(row, k);
             for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
-                uint16_t *at = &best[64 * k + (size_t)__builtin_ctzll(left)];
+                uint16_t *at = &word[__builtin_ctzll(left)];
                 *at = *p > *at ? *p : *at;
             }
         }
@@ -156,8 +157,8 @@ static void add_to_layers(murk_cover *cover, const murk_layout *layout,
                           const murk_row *row)
 {
     if (row->kind == MURK_ROW_BITS && cover->full) {
-        for (size_t k = 0; k < layout->words; ++k) {
-            sink_bits(cover, layout, k, row->bits[k]);
+        for (size_t k = 0; k < row->words; ++k) {
+            sink_bits(cover, layout, murk_row_word(row, k), row->bits[k]);
         }
         return;
     }
@@ -193,7 +194,7 @@ void murk_cover_add(murk_cover *cover, const murk_layout *layout,
     } else if (cover->layers > 1) {
         add_to_layers(cover, layout, row);
     } else if (cover->full) {
-        add_to_full(cover->full, layout, row);
+        add_to_full(cover->full, row);
     } else {
         add_to_best(cover->best, layout, row);
     }

@@ -5,40 +5,64 @@ static bool has_bit(const uint64_t *bits, size_t i)
     return (bits[i / 64] >> (i % 64)) & 1;
 }
 
+/* A row's words of one segment, and the cover's and weights' words that its
+ * `at` counts from. */
+typedef struct part {
+    const uint64_t *bits;
+    const uint32_t *at;
+    size_t words;
+    size_t from; /* word */
+} part;
+
+static part part_of(const murk_row *row, const murk_layout *layout,
+                    size_t segment)
+{
+    if (row->at) {
+        const size_t first = row->cut[segment];
+        return (part){row->bits + first, row->at + first,
+                      row->cut[segment + 1] - first, 0};
+    }
+    const murk_segment *s = &layout->segment[segment];
+    return (part){row->bits + s->first_word, NULL, s->words, s->first_word};
+}
+
 /* Weight of the row's new photons in words of mixed weights. */
-static uint64_t weigh_new(const uint64_t *row, const uint64_t *full,
-                          const uint32_t *weight, size_t words)
+static uint64_t weigh_new(const part *p, const uint64_t *full,
+                          const uint32_t *weight)
 {
     uint64_t sum = 0;
-    for (size_t k = 0; k < words; ++k) {
-        for (uint64_t left = row[k] & ~full[k]; left; left &= left - 1) {
-            sum += weight[64 * k + (size_t)__builtin_ctzll(left)];
+    for (size_t k = 0; k < p->words; ++k) {
+        const size_t at = p->at ? p->at[k] : k;
+        for (uint64_t left = p->bits[k] & ~full[at]; left; left &= left - 1) {
+            sum += weight[64 * at + (size_t)__builtin_ctzll(left)];
         }
     }
     return sum;
 }
 
-static uint64_t gain_of_bits(const murk_layout *layout, const uint64_t *bits,
+static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover)
 {
     const murk_kernels *kernels = layout->kernels;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *at = &layout->segment[s];
-        const uint64_t *row = bits + at->first_word;
-        const uint32_t *weight = layout->weight + 64 * at->first_word;
+        const murk_segment *segment = &layout->segment[s];
+        const part p = part_of(row, layout, s);
+        const uint32_t *weight = layout->weight + 64 * p.from;
         if (cover->full) {
-            const uint64_t *full = cover->full + at->first_word;
+            const uint64_t *full = cover->full + p.from;
             sum += MURK_CLEAR *
-                   (at->is_mixed ? weigh_new(row, full, weight, at->words)
-                                 : at->weight * kernels->count_new(row, full,
-                                                                   at->words));
+                   (segment->is_mixed
+                        ? weigh_new(&p, full, weight)
+                        : segment->weight *
+                              kernels->count_new(p.bits, p.at, full, p.words));
         } else {
-            const uint16_t *best = cover->best + 64 * at->first_word;
-            sum +=
-                at->is_mixed
-                    ? kernels->weigh_missing(row, best, weight, at->words)
-                    : at->weight * kernels->sum_missing(row, best, at->words);
+            const uint16_t *best = cover->best + 64 * p.from;
+            sum += segment->is_mixed
+                       ? kernels->weigh_missing(p.bits, p.at, best, weight,
+                                                p.words)
+                       : segment->weight *
+                             kernels->sum_missing(p.bits, p.at, best, p.words);
         }
     }
     return sum;
@@ -63,23 +87,23 @@ static uint64_t gain_of_dense(const murk_layout *layout,
 }
 
 static uint64_t gain_of_packed(const murk_layout *layout, const murk_row *row,
-                               const uint16_t *best)
+                               const uint16_t *lowest)
 {
     const murk_kernels *kernels = layout->kernels;
     const uint16_t *clarity = row->clarity;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *at = &layout->segment[s];
-        const uint64_t *bits = row->bits + at->first_word;
-        const size_t first = 64 * at->first_word;
+        const murk_segment *segment = &layout->segment[s];
+        const part p = part_of(row, layout, s);
+        const uint16_t *best = lowest + 64 * p.from;
         size_t used = 0;
         sum +=
-            at->is_mixed
-                ? kernels->weigh_packed(bits, clarity, best + first,
-                                        layout->weight + first, at->words,
+            segment->is_mixed
+                ? kernels->weigh_packed(p.bits, p.at, clarity, best,
+                                        layout->weight + 64 * p.from, p.words,
                                         &used)
-                : at->weight * kernels->sum_packed(bits, clarity, best + first,
-                                                   at->words, &used);
+                : segment->weight * kernels->sum_packed(p.bits, p.at, clarity,
+                                                        best, p.words, &used);
         clarity += used;
     }
     return sum;
@@ -136,7 +160,7 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
     }
     switch (row->kind) {
     case MURK_ROW_BITS:
-        return gain_of_bits(layout, row->bits, cover);
+        return gain_of_bits(layout, row, cover);
     case MURK_ROW_PACKED:
         return gain_of_packed(layout, row, cover->best);
     case MURK_ROW_DENSE:
@@ -166,18 +190,20 @@ void murk_row_count_above(const murk_layout *layout, const murk_row *row,
 {
     switch (row->kind) {
     case MURK_ROW_BITS:
-        for (size_t k = 0; k < layout->words; ++k) {
+        for (size_t k = 0; k < row->words; ++k) {
+            const size_t first = 64 * murk_row_word(row, k);
             for (uint64_t left = row->bits[k]; left; left &= left - 1) {
-                const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+                const size_t i = first + (size_t)__builtin_ctzll(left);
                 count[i] = (uint16_t)(count[i] + (best[i] < MURK_CLEAR));
             }
         }
         break;
     case MURK_ROW_PACKED: {
         const uint16_t *p = row->clarity;
-        for (size_t k = 0; k < layout->words; ++k) {
+        for (size_t k = 0; k < row->words; ++k) {
+            const size_t first = 64 * murk_row_word(row, k);
             for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
-                const size_t i = 64 * k + (size_t)__builtin_ctzll(left);
+                const size_t i = first + (size_t)__builtin_ctzll(left);
                 count[i] = (uint16_t)(count[i] + (*p > best[i]));
             }
         }
@@ -204,15 +230,16 @@ bool murk_row_within(const murk_layout *layout, const murk_row *row,
 {
     switch (row->kind) {
     case MURK_ROW_BITS:
-        for (size_t k = 0; k < layout->words; ++k) {
+        for (size_t k = 0; k < row->words; ++k) {
+            const size_t at = murk_row_word(row, k);
             if (cover->full) {
-                if (row->bits[k] & ~cover->full[k]) {
+                if (row->bits[k] & ~cover->full[at]) {
                     return false;
                 }
                 continue;
             }
             for (uint64_t left = row->bits[k]; left; left &= left - 1) {
-                if (cover->best[64 * k + (size_t)__builtin_ctzll(left)] <
+                if (cover->best[64 * at + (size_t)__builtin_ctzll(left)] <
                     MURK_CLEAR) {
                     return false;
                 }
@@ -221,9 +248,10 @@ bool murk_row_within(const murk_layout *layout, const murk_row *row,
         return true;
     case MURK_ROW_PACKED: {
         const uint16_t *p = row->clarity;
-        for (size_t k = 0; k < layout->words; ++k) {
+        for (size_t k = 0; k < row->words; ++k) {
+            const uint16_t *lowest = cover->best + 64 * murk_row_word(row, k);
             for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
-                if (*p > cover->best[64 * k + (size_t)__builtin_ctzll(left)]) {
+                if (*p > lowest[__builtin_ctzll(left)]) {
                     return false;
                 }
             }

@@ -37,11 +37,15 @@ murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
     return murk_row_borrow(&look);
 }
 
+static uint32_t candidate_of(const weighing *w, size_t k)
+{
+    return w->candidate ? w->candidate[k] : (uint32_t)k;
+}
+
 static void weigh(const weighing *w, unsigned worker, size_t batch)
 {
     const murk_layout *layout = w->oracle->layout;
-    const uint32_t candidate =
-        w->candidate ? w->candidate[batch] : (uint32_t)batch;
+    const uint32_t candidate = candidate_of(w, batch);
     const murk_row row = murk_oracle_row(w->oracle, worker, candidate);
     w->gain[batch] = murk_row_gain(layout, &row, w->cover);
     if (w->seen) {
@@ -53,13 +57,33 @@ static void weigh(const weighing *w, unsigned worker, size_t batch)
     }
 }
 
+/* Rows lie where they were stored: the next one comes while one is weighed. */
+static void fetch(const weighing *w, size_t k, size_t end)
+{
+    if (w->oracle->matrix && k + 1 < end) {
+        const murk_row *row = w->oracle->matrix->row;
+        const char *next = row[candidate_of(w, k + 1)].memory;
+        __builtin_prefetch(next);
+        __builtin_prefetch(next + 64);
+        __builtin_prefetch(&row[candidate_of(w, k + 2 < end ? k + 2 : k + 1)]);
+    }
+}
+
+static void weigh_some(const weighing *w, unsigned worker, size_t begin,
+                       size_t end)
+{
+    for (size_t k = begin; k < end; ++k) {
+        fetch(w, k, end);
+        weigh(w, worker, k);
+    }
+}
+
 static void weigh_batch(void *context, unsigned worker, uint64_t batch)
 {
     const weighing *w = context;
-    const size_t end = ((size_t)batch + 1) * w->at_once;
-    for (size_t k = (size_t)batch * w->at_once; k < end && k < w->n; ++k) {
-        weigh(w, worker, k);
-    }
+    const size_t past = ((size_t)batch + 1) * w->at_once;
+    weigh_some(w, worker, (size_t)batch * w->at_once,
+               past < w->n ? past : w->n);
 }
 
 static void weigh_all(weighing *w, unsigned threads)
@@ -89,9 +113,7 @@ void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
         weigh_all(&w, threads);
         return;
     }
-    for (size_t k = 0; k < n; ++k) {
-        weigh(&w, worker, k);
-    }
+    weigh_some(&w, worker, 0, n);
 }
 
 static int by_rank(const void *a, const void *b)

@@ -59,9 +59,9 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
     return problem->redundancy > 1 ? problem->redundancy : 1;
 }
 
-/* Every look of a problem, made once and kept: the known environment. Bits
- * where more than 1/32 of the photons are seen and all clearly, lists
- * elsewhere. */
+/* Every look of a problem, made once and kept: the known environment. Words of
+ * 64 photons, a bit each, those without any left out, or lists where that is
+ * less; behind it the clarities where not all are clear. */
 typedef struct murk_matrix murk_matrix;
 
 /* Fails with MURK_RUN_FAILED, naming the figures, when it would take more than

@@ -20,38 +20,50 @@ static bool is_all_clear(const murk_look *look)
 /* The wide loops may read this far behind packed clarities. */
 #define PACKED_PADDING 64
 
-/* Bits cost slots / 8 bytes, a clear list 4 a photon seen: even at 1/32 seen.
- * Packed costs slots / 8 and 2 a photon, a list 6: even at 1/32, too. Dense
- * costs 2 a slot, hardly more than packed where most is seen, and is quicker.
- */
-static murk_row_kind kind_for(const murk_layout *layout, const murk_look *look)
+/* Words of bits are kept apart where at most one in so many has any: else the
+ * loops over neighbours are quicker. */
+#define WORDS_PER_WORD_APART 3
+
+/* How a look is stored. */
+typedef struct shape {
+    murk_row_kind kind;
+    bool is_apart; /* of the words of bits only those that have any */
+    size_t words, bytes;
+} shape;
+
+static size_t bytes_of_bits(const shape *s, const murk_layout *layout)
 {
-    const bool is_sparse = look->seen <= layout->slots / 32;
-    if (is_all_clear(look)) {
-        return is_sparse ? MURK_ROW_CLEAR_LIST : MURK_ROW_BITS;
-    }
-    return is_sparse                        ? MURK_ROW_LIST
-           : look->seen > layout->slots / 2 ? MURK_ROW_DENSE
-                                            : MURK_ROW_PACKED;
+    const size_t marks = s->is_apart ? s->words + layout->segments + 1 : 0;
+    return s->words * sizeof(uint64_t) + marks * sizeof(uint32_t);
 }
 
-static size_t bytes_for(murk_row_kind kind, const murk_layout *layout,
-                        size_t seen)
+/* Of words that lie apart a photon shares its 8 bytes, and 4 that say where,
+ * with its neighbours; a list takes 4. Clarities are 2 more. Dense costs 2 a
+ * slot, hardly more than packed where most is seen, and is quicker. */
+static shape shape_of(const murk_layout *layout, const murk_look *look,
+                      size_t words_used)
 {
-    const size_t bits = layout->words * sizeof(uint64_t);
-    switch (kind) {
-    case MURK_ROW_BITS:
-        return bits;
-    case MURK_ROW_PACKED:
-        return bits + seen * sizeof(uint16_t) + PACKED_PADDING;
-    case MURK_ROW_DENSE:
-        return layout->slots * sizeof(uint16_t);
-    case MURK_ROW_LIST:
-        return seen * (sizeof(uint32_t) + sizeof(uint16_t));
-    case MURK_ROW_CLEAR_LIST:
-        break;
+    const size_t seen = look->seen;
+    const bool is_clear = is_all_clear(look);
+    shape s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
+               .words = layout->words};
+    s.is_apart = words_used <= layout->words / WORDS_PER_WORD_APART;
+    if (s.is_apart) {
+        s.words = words_used;
     }
-    return seen * sizeof(uint32_t);
+    s.bytes = bytes_of_bits(&s, layout);
+    const size_t clarities = is_clear ? 0 : seen * sizeof(uint16_t);
+    const size_t list = seen * sizeof(uint32_t);
+    if (list <= s.bytes) {
+        return (shape){.kind = is_clear ? MURK_ROW_CLEAR_LIST : MURK_ROW_LIST,
+                       .bytes = list + clarities};
+    }
+    if (!is_clear && seen > layout->slots / 2) {
+        return (shape){.kind = MURK_ROW_DENSE,
+                       .bytes = layout->slots * sizeof(uint16_t)};
+    }
+    s.bytes += is_clear ? 0 : clarities + PACKED_PADDING;
+    return s;
 }
 
 murk_row murk_row_borrow(const murk_look *look)
@@ -63,18 +75,26 @@ murk_row murk_row_borrow(const murk_look *look)
                       .slot = look->photon};
 }
 
-size_t murk_row_bytes(const murk_layout *layout, const murk_look *look)
+/* A bit for each slot that is seen; [layout->words], for free(). */
+static uint64_t *spread(const murk_layout *layout, const murk_look *look,
+                        size_t *words_used)
 {
-    return bytes_for(kind_for(layout, look), layout, look->seen);
-}
-
-static void fill_bits(uint64_t *bits, const murk_layout *layout,
-                      const murk_look *look)
-{
-    for (size_t k = 0; k < look->seen; ++k) {
+    uint64_t *bits = calloc(layout->words + 1, sizeof *bits);
+    *words_used = 0;
+    for (size_t k = 0; bits && k < look->seen; ++k) {
+        assert(look->photon[k] < layout->photons);
         const size_t at = murk_layout_slot(layout, look->photon[k]);
+        *words_used += bits[at / 64] == 0;
         bits[at / 64] |= UINT64_C(1) << (at % 64);
     }
+    return bits;
+}
+
+size_t murk_row_bytes(const murk_layout *layout, const murk_look *look)
+{
+    size_t words_used;
+    free(spread(layout, look, &words_used));
+    return shape_of(layout, look, words_used).bytes;
 }
 
 /* Clarities in the order of their slots. first[words] is scratch. */
@@ -95,61 +115,103 @@ static void fill_packed(uint16_t *clarity, const uint64_t *bits,
     }
 }
 
+static void store_bits(murk_row *row, const shape *s, const murk_layout *layout,
+                       const uint64_t *bits)
+{
+    uint64_t *kept = row->memory;
+    row->words = s->words;
+    row->bits = kept;
+    if (!s->is_apart) {
+        memcpy(kept, bits, s->words * sizeof *kept);
+        return;
+    }
+    uint32_t *at = (uint32_t *)(kept + s->words), *cut = at + s->words;
+    row->at = at;
+    row->cut = cut;
+    size_t n = 0;
+    for (size_t i = 0; i < layout->segments; ++i) {
+        const murk_segment *segment = &layout->segment[i];
+        cut[i] = (uint32_t)n;
+        for (size_t k = segment->first_word;
+             k < segment->first_word + segment->words; ++k) {
+            if (bits[k]) {
+                kept[n] = bits[k];
+                at[n++] = (uint32_t)k;
+            }
+        }
+    }
+    cut[layout->segments] = (uint32_t)n;
+}
+
+/* Behind the bits. False when out of memory. */
+static bool store_packed(murk_row *row, const shape *s,
+                         const murk_layout *layout, const uint64_t *bits,
+                         const murk_look *look)
+{
+    uint32_t *first = malloc((layout->words + 1) * sizeof *first);
+    if (first) {
+        uint16_t *clarity =
+            (uint16_t *)((char *)row->memory + bytes_of_bits(s, layout));
+        fill_packed(clarity, bits, first, layout, look);
+        row->clarity = clarity;
+    }
+    free(first);
+    return first;
+}
+
+static void store_dense(murk_row *row, const murk_layout *layout,
+                        const murk_look *look)
+{
+    uint16_t *dense = row->memory;
+    for (size_t k = 0; k < look->seen; ++k) {
+        dense[murk_layout_slot(layout, look->photon[k])] = look->clarity[k];
+    }
+    row->clarity = dense;
+}
+
+static void store_list(murk_row *row, const murk_layout *layout,
+                       const murk_look *look)
+{
+    uint32_t *slot = row->memory;
+    for (size_t k = 0; k < look->seen; ++k) {
+        slot[k] = (uint32_t)murk_layout_slot(layout, look->photon[k]);
+    }
+    row->slot = slot;
+    if (row->kind == MURK_ROW_LIST) {
+        uint16_t *clarity = (uint16_t *)(slot + look->seen);
+        memcpy(clarity, look->clarity, look->seen * sizeof *clarity);
+        row->clarity = clarity;
+    }
+}
+
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_look *look)
 {
-    const murk_row_kind kind = kind_for(layout, look);
-    const size_t bytes = bytes_for(kind, layout, look->seen);
-    void *memory = murk_aligned_zeros(bytes);
-    uint32_t *first = NULL;
-    if (memory && kind == MURK_ROW_PACKED) {
-        first = malloc(layout->words * sizeof *first);
-    }
-    if (!memory || (kind == MURK_ROW_PACKED && !first)) {
-        free(memory);
+    size_t words_used;
+    uint64_t *bits = spread(layout, look, &words_used);
+    if (!bits) {
         return false;
     }
-    murk_row row = {.kind = kind,
+    const shape s = shape_of(layout, look, words_used);
+    murk_row row = {.kind = s.kind,
                     .seen = look->seen,
-                    .memory = memory,
-                    .memory_bytes = bytes};
-    uint64_t *bits = memory;
-    uint16_t *dense = memory;
-    uint32_t *slot = memory;
-    for (size_t k = 0; k < look->seen; ++k) {
-        assert(look->photon[k] < layout->photons);
+                    .memory = murk_aligned_zeros(s.bytes),
+                    .memory_bytes = s.bytes};
+    bool is_stored = row.memory;
+    if (is_stored && s.words > 0) {
+        store_bits(&row, &s, layout, bits);
+        is_stored = s.kind == MURK_ROW_BITS ||
+                    store_packed(&row, &s, layout, bits, look);
+    } else if (is_stored && s.kind == MURK_ROW_DENSE) {
+        store_dense(&row, layout, look);
+    } else if (is_stored) {
+        store_list(&row, layout, look);
     }
-    switch (kind) {
-    case MURK_ROW_BITS:
-        fill_bits(bits, layout, look);
-        row.bits = bits;
-        break;
-    case MURK_ROW_PACKED:
-        dense = (uint16_t *)(bits + layout->words);
-        fill_bits(bits, layout, look);
-        fill_packed(dense, bits, first, layout, look);
-        row.bits = bits;
-        row.clarity = dense;
-        break;
-    case MURK_ROW_DENSE:
-        for (size_t k = 0; k < look->seen; ++k) {
-            dense[murk_layout_slot(layout, look->photon[k])] = look->clarity[k];
-        }
-        row.clarity = dense;
-        break;
-    case MURK_ROW_LIST:
-        dense = (uint16_t *)(slot + look->seen);
-        memcpy(dense, look->clarity, look->seen * sizeof *dense);
-        row.clarity = dense;
-        /* fall through */
-    case MURK_ROW_CLEAR_LIST:
-        for (size_t k = 0; k < look->seen; ++k) {
-            slot[k] = (uint32_t)murk_layout_slot(layout, look->photon[k]);
-        }
-        row.slot = slot;
-        break;
+    free(bits);
+    if (!is_stored) {
+        free(row.memory);
+        return false;
     }
-    free(first);
     *out = row;
     return true;
 }

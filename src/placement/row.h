@@ -15,7 +15,12 @@ typedef enum murk_row_kind {
 typedef struct murk_row {
     murk_row_kind kind;
     size_t seen;
-    const uint64_t *bits;    /* [words]: BITS, PACKED */
+    size_t words;            /* BITS, PACKED: of bits */
+    const uint64_t *bits;    /* [words] */
+    const uint32_t *at;      /* [words] rising: where each lies; NULL: word k
+                                is the layout's word k */
+    const uint32_t *cut;     /* [segments + 1] with `at`: the first word of each
+                                segment, and `words` */
     const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
     const uint32_t *slot;    /* [seen], distinct */
     void *memory;            /* what free() takes; NULL where borrowed */
@@ -32,11 +37,16 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
 /* The bytes that murk_row_store() would take. */
 size_t murk_row_bytes(const murk_layout *layout, const murk_look *look);
 
+/* Where the k-th word of bits lies. */
+static inline size_t murk_row_word(const murk_row *row, size_t k)
+{
+    return row->at ? row->at[k] : k;
+}
+
 /* A walk over what a row sees, slot by slot. */
 typedef struct murk_row_walk {
     const murk_row *row;
     size_t at;               /* word of BITS and PACKED, else entry */
-    size_t words;            /* of BITS and PACKED */
     size_t end;              /* of the others */
     uint64_t left;           /* bits of the word not yet met */
     const uint16_t *clarity; /* PACKED: the next one's */
@@ -49,9 +59,8 @@ static inline murk_row_walk murk_row_begin(const murk_layout *layout,
         row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED;
     return (murk_row_walk){
         .row = row,
-        .words = layout->words,
         .end = row->kind == MURK_ROW_DENSE ? layout->slots : row->seen,
-        .left = has_bits && layout->words > 0 ? row->bits[0] : 0,
+        .left = has_bits && row->words > 0 ? row->bits[0] : 0,
         .clarity = row->clarity};
 }
 
@@ -63,12 +72,13 @@ static inline bool murk_row_next(murk_row_walk *walk, size_t *slot,
     const murk_row *row = walk->row;
     if (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED) {
         while (walk->left == 0) {
-            if (walk->at + 1 >= walk->words) {
+            if (walk->at + 1 >= row->words) {
                 return false;
             }
             walk->left = row->bits[++walk->at];
         }
-        *slot = 64 * walk->at + (size_t)__builtin_ctzll(walk->left);
+        *slot = 64 * murk_row_word(row, walk->at) +
+                (size_t)__builtin_ctzll(walk->left);
         walk->left &= walk->left - 1;
         *clarity = row->kind == MURK_ROW_PACKED ? *walk->clarity++ : MURK_CLEAR;
         return true;

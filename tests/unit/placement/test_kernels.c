@@ -67,27 +67,43 @@ static void arrays_release(arrays *a)
     free(a->weight);
 }
 
+/* Of words side by side, or that lie apart in twice as many. */
+static void check_bits(const murk_kernels *f, const arrays *a,
+                       const uint32_t *at, size_t words)
+{
+    const murk_kernels *p = murk_kernels_plain();
+    CHECK(p->count_new(a->row, at, a->full, words) ==
+          f->count_new(a->row, at, a->full, words));
+    CHECK(p->sum_missing(a->row, at, a->best, words) ==
+          f->sum_missing(a->row, at, a->best, words));
+    CHECK(p->weigh_missing(a->row, at, a->best, a->weight, words) ==
+          f->weigh_missing(a->row, at, a->best, a->weight, words));
+    size_t used[2] = {0};
+    CHECK(p->sum_packed(a->row, at, a->packed, a->best, words, &used[0]) ==
+          f->sum_packed(a->row, at, a->packed, a->best, words, &used[1]));
+    CHECK(used[0] == used[1]);
+    CHECK(p->weigh_packed(a->row, at, a->packed, a->best, a->weight, words,
+                          &used[0]) == f->weigh_packed(a->row, at, a->packed,
+                                                       a->best, a->weight,
+                                                       words, &used[1]));
+    CHECK(used[0] == used[1]);
+}
+
 static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
 {
     const murk_kernels *p = murk_kernels_plain();
     arrays a = arrays_create(words, is_extreme);
     const size_t n = 64 * words;
-    CHECK(p->count_new(a.row, a.full, words) ==
-          f->count_new(a.row, a.full, words));
-    CHECK(p->sum_missing(a.row, a.best, words) ==
-          f->sum_missing(a.row, a.best, words));
-    CHECK(p->weigh_missing(a.row, a.best, a.weight, words) ==
-          f->weigh_missing(a.row, a.best, a.weight, words));
     CHECK(p->sum_above(a.dense, a.best, n) == f->sum_above(a.dense, a.best, n));
     CHECK(p->weigh_above(a.dense, a.best, a.weight, n) ==
           f->weigh_above(a.dense, a.best, a.weight, n));
-    size_t used[2] = {0};
-    CHECK(p->sum_packed(a.row, a.packed, a.best, words, &used[0]) ==
-          f->sum_packed(a.row, a.packed, a.best, words, &used[1]));
-    CHECK(used[0] == used[1]);
-    CHECK(p->weigh_packed(a.row, a.packed, a.best, a.weight, words, &used[0]) ==
-          f->weigh_packed(a.row, a.packed, a.best, a.weight, words, &used[1]));
-    CHECK(used[0] == used[1]);
+    check_bits(f, &a, NULL, words);
+    uint32_t *at = malloc((words / 2 + 1) * sizeof *at);
+    for (size_t k = 0; k < words / 2; ++k) {
+        at[k] = (uint32_t)(2 * k + word_at(k, 8) % 2);
+    }
+    check_bits(f, &a, at, words / 2);
+    free(at);
     arrays_release(&a);
 }
 
@@ -99,16 +115,24 @@ static void test_plain_sums(void)
     const uint64_t all = (uint64_t)128 * MURK_CLEAR;
     size_t used = 0;
     a.full[0] = 7;
-    CHECK(p->count_new(a.row, a.full, 2) == 125);
-    CHECK(p->sum_missing(a.row, a.best, 2) == all);
+    CHECK(p->count_new(a.row, NULL, a.full, 2) == 125);
+    CHECK(p->sum_missing(a.row, NULL, a.best, 2) == all);
     CHECK(p->sum_above(a.dense, a.best, 128) == all);
     CHECK(p->weigh_above(a.dense, a.best, a.weight, 128) == all * UINT32_MAX);
     a.best[3] = MURK_CLEAR - 1;
     a.row[1] = 1;
-    CHECK(p->sum_missing(a.row, a.best, 2) == (uint64_t)64 * MURK_CLEAR + 1);
-    CHECK(p->sum_packed(a.row, a.packed, a.best, 2, &used) ==
+    CHECK(p->sum_missing(a.row, NULL, a.best, 2) ==
+          (uint64_t)64 * MURK_CLEAR + 1);
+    CHECK(p->sum_packed(a.row, NULL, a.packed, a.best, 2, &used) ==
           (uint64_t)64 * MURK_CLEAR + 1);
     CHECK(used == 65);
+    /* the one photon of the second word is the cover's first */
+    const uint32_t first = 0;
+    a.best[0] = MURK_CLEAR - 5;
+    CHECK(p->sum_missing(a.row + 1, &first, a.best, 1) == 5);
+    CHECK(p->weigh_missing(a.row + 1, &first, a.best, a.weight, 1) ==
+          (uint64_t)5 * UINT32_MAX);
+    CHECK(p->count_new(a.row + 1, &first, a.full, 1) == 0);
     arrays_release(&a);
 }
 

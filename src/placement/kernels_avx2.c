@@ -1,0 +1,59 @@
+#include "placement/kernel_loops.h"
+#include "placement/kernel_sets.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define AVX2 __attribute__((target("avx2,popcnt,bmi")))
+
+MURK_COMPILE_LOOPS(avx2, AVX2)
+
+/* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
+#define STEPS_PER_FLUSH 32768
+
+AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
+                                    size_t n)
+{
+    const __m256i low = _mm256_set1_epi32(0xffff);
+    const __m256i zero = _mm256_setzero_si256();
+    __m256i total = zero;
+    for (size_t i = 0; i < n;) {
+        const size_t steps = (n - i) / 16;
+        size_t left = steps < STEPS_PER_FLUSH ? steps : STEPS_PER_FLUSH;
+        __m256i sum = zero;
+        for (; left > 0; --left, i += 16) {
+            const __m256i d =
+                _mm256_subs_epu16(_mm256_load_si256((const void *)(row + i)),
+                                  _mm256_load_si256((const void *)(best + i)));
+            sum = _mm256_add_epi32(sum, _mm256_and_si256(d, low));
+            sum = _mm256_add_epi32(sum, _mm256_srli_epi32(d, 16));
+        }
+        total = _mm256_add_epi64(total, _mm256_unpacklo_epi32(sum, zero));
+        total = _mm256_add_epi64(total, _mm256_unpackhi_epi32(sum, zero));
+    }
+    uint64_t lane[4];
+    _mm256_storeu_si256((void *)lane, total);
+    return lane[0] + lane[1] + lane[2] + lane[3];
+}
+
+static const murk_kernels avx2 = {
+    count_new_avx2,   sum_missing_avx2, weigh_missing_avx2, sum_above_avx2,
+    weigh_above_avx2, sum_packed_avx2,  weigh_packed_avx2};
+
+const murk_kernels *murk_kernels_avx2(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt") &&
+                   __builtin_cpu_supports("bmi")
+               ? &avx2
+               : NULL;
+}
+
+#else
+
+const murk_kernels *murk_kernels_avx2(void)
+{
+    return NULL;
+}
+
+#endif

@@ -1,0 +1,228 @@
+#include "placement/kernel_loops.h"
+#include "placement/kernel_sets.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define WIDE        \
+    __attribute__(( \
+        target("avx512f,avx512bw,avx512vbmi2,avx512vpopcntdq,popcnt")))
+
+/* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
+#define STEPS_PER_FLUSH 32768
+
+WIDE static uint64_t count_new_side_by_side(const uint64_t *row,
+                                            const uint64_t *full, size_t words)
+{
+    __m512i sum = _mm512_setzero_si512();
+    size_t k = 0;
+    for (; k + 8 <= words; k += 8) {
+        const __m512i new = _mm512_andnot_si512(_mm512_loadu_si512(full + k),
+                                                _mm512_loadu_si512(row + k));
+        sum = _mm512_add_epi64(sum, _mm512_popcnt_epi64(new));
+    }
+    if (k < words) {
+        const __mmask8 mask = (__mmask8)((1u << (words - k)) - 1);
+        const __m512i new =
+            _mm512_andnot_si512(_mm512_maskz_loadu_epi64(mask, full + k),
+                                _mm512_maskz_loadu_epi64(mask, row + k));
+        sum = _mm512_add_epi64(sum, _mm512_popcnt_epi64(new));
+    }
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+/* Eight loads in a row are as quick as a gather. */
+WIDE static uint64_t count_new_avx512(const uint64_t *row, const uint32_t *at,
+                                      const uint64_t *full, size_t words)
+{
+    return at ? murk_loop_count_new(row, at, full, words)
+              : count_new_side_by_side(row, full, words);
+}
+
+/* Sum of the 16 lanes, each taken as unsigned. */
+WIDE static uint64_t reduce_u32(__m512i sum)
+{
+    const __m512i even = _mm512_and_si512(sum, _mm512_set1_epi64(0xffffffff));
+    const __m512i odd = _mm512_srli_epi64(sum, 32);
+    return (uint64_t)_mm512_reduce_add_epi64(_mm512_add_epi64(even, odd));
+}
+
+/* Adds the 32 unsigned 16-bit lanes of d into 16 lanes of 32 bits. */
+WIDE static inline __m512i fold_u16(__m512i sum, __m512i d)
+{
+    const __m512i low = _mm512_set1_epi32(0xffff);
+    return _mm512_add_epi32(_mm512_add_epi32(sum, _mm512_and_si512(d, low)),
+                            _mm512_srli_epi32(d, 16));
+}
+
+WIDE static uint64_t sum_missing_avx512(const uint64_t *row, const uint32_t *at,
+                                        const uint16_t *best, size_t words)
+{
+    const __m512i ones = _mm512_set1_epi32(-1);
+    uint64_t total = 0;
+    for (size_t k = 0; k < words;) {
+        /* two folds a word */
+        const size_t end =
+            words - k < STEPS_PER_FLUSH / 2 ? words : k + STEPS_PER_FLUSH / 2;
+        __m512i sum = _mm512_setzero_si512();
+        for (; k < end; ++k) {
+            const uint16_t *p = best + 64 * murk_word_at(at, k);
+            const __m512i a = _mm512_xor_si512(_mm512_loadu_si512(p), ones);
+            const __m512i b =
+                _mm512_xor_si512(_mm512_loadu_si512(p + 32), ones);
+            sum = fold_u16(sum, _mm512_maskz_mov_epi16((__mmask32)row[k], a));
+            sum = fold_u16(
+                sum, _mm512_maskz_mov_epi16((__mmask32)(row[k] >> 32), b));
+        }
+        total += reduce_u32(sum);
+    }
+    return total;
+}
+
+WIDE static uint64_t sum_above_avx512(const uint16_t *row, const uint16_t *best,
+                                      size_t n)
+{
+    uint64_t total = 0;
+    for (size_t i = 0; i < n;) {
+        const size_t end = (n - i) / 32 < STEPS_PER_FLUSH
+                               ? n
+                               : i + (size_t)32 * STEPS_PER_FLUSH;
+        __m512i sum = _mm512_setzero_si512();
+        for (; i < end; i += 32) {
+            sum =
+                fold_u16(sum, _mm512_subs_epu16(_mm512_loadu_si512(row + i),
+                                                _mm512_loadu_si512(best + i)));
+        }
+        total += reduce_u32(sum);
+    }
+    return total;
+}
+
+/* sum + the 16 products of 16-bit d (in 32-bit lanes) and 32-bit weights. */
+WIDE static inline __m512i add_products(__m512i sum, __m256i d,
+                                        const uint32_t *weight)
+{
+    const __m512i wide = _mm512_cvtepu16_epi32(d);
+    const __m512i w = _mm512_loadu_si512(weight);
+    sum = _mm512_add_epi64(sum, _mm512_mul_epu32(wide, w));
+    return _mm512_add_epi64(sum, _mm512_mul_epu32(_mm512_srli_epi64(wide, 32),
+                                                  _mm512_srli_epi64(w, 32)));
+}
+
+WIDE static uint64_t weigh_above_avx512(const uint16_t *row,
+                                        const uint16_t *best,
+                                        const uint32_t *weight, size_t n)
+{
+    __m512i sum = _mm512_setzero_si512();
+    for (size_t i = 0; i < n; i += 32) {
+        const __m512i d = _mm512_subs_epu16(_mm512_loadu_si512(row + i),
+                                            _mm512_loadu_si512(best + i));
+        sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
+        sum =
+            add_products(sum, _mm512_extracti64x4_epi64(d, 1), weight + i + 16);
+    }
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+WIDE static uint64_t weigh_missing_avx512(const uint64_t *row,
+                                          const uint32_t *at,
+                                          const uint16_t *best,
+                                          const uint32_t *weight, size_t words)
+{
+    const __m512i ones = _mm512_set1_epi32(-1);
+    __m512i sum = _mm512_setzero_si512();
+    for (size_t k = 0; k < words; ++k) {
+        for (size_t half = 0; half < 2; ++half) {
+            const size_t i = 64 * murk_word_at(at, k) + 32 * half;
+            const __m512i d = _mm512_maskz_mov_epi16(
+                (__mmask32)(row[k] >> (32 * half)),
+                _mm512_xor_si512(_mm512_loadu_si512(best + i), ones));
+            sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
+            sum = add_products(sum, _mm512_extracti64x4_epi64(d, 1),
+                               weight + i + 16);
+        }
+    }
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+/* The packed clarities at p, put where the bits of mask are, less best. */
+WIDE static inline __m512i unpack_above(const uint16_t *p, uint32_t mask,
+                                        const uint16_t *best)
+{
+    return _mm512_subs_epu16(
+        _mm512_maskz_expand_epi16(mask, _mm512_loadu_si512(p)),
+        _mm512_loadu_si512(best));
+}
+
+WIDE static uint64_t sum_packed_avx512(const uint64_t *row, const uint32_t *at,
+                                       const uint16_t *clarity,
+                                       const uint16_t *best, size_t words,
+                                       size_t *used)
+{
+    uint64_t total = 0;
+    const uint16_t *p = clarity;
+    for (size_t k = 0; k < words;) {
+        const size_t end =
+            words - k < STEPS_PER_FLUSH / 2 ? words : k + STEPS_PER_FLUSH / 2;
+        __m512i sum = _mm512_setzero_si512();
+        for (; k < end; ++k) {
+            for (size_t half = 0; half < 2 && row[k]; ++half) {
+                const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
+                const uint16_t *lowest =
+                    best + 64 * murk_word_at(at, k) + 32 * half;
+                sum = fold_u16(sum, unpack_above(p, mask, lowest));
+                p += __builtin_popcount(mask);
+            }
+        }
+        total += reduce_u32(sum);
+    }
+    *used = (size_t)(p - clarity);
+    return total;
+}
+
+WIDE static uint64_t
+weigh_packed_avx512(const uint64_t *row, const uint32_t *at,
+                    const uint16_t *clarity, const uint16_t *best,
+                    const uint32_t *weight, size_t words, size_t *used)
+{
+    const uint16_t *p = clarity;
+    __m512i sum = _mm512_setzero_si512();
+    for (size_t k = 0; k < words; ++k) {
+        for (size_t half = 0; half < 2 && row[k]; ++half) {
+            const size_t i = 64 * murk_word_at(at, k) + 32 * half;
+            const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
+            const __m512i d = unpack_above(p, mask, best + i);
+            sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
+            sum = add_products(sum, _mm512_extracti64x4_epi64(d, 1),
+                               weight + i + 16);
+            p += __builtin_popcount(mask);
+        }
+    }
+    *used = (size_t)(p - clarity);
+    return (uint64_t)_mm512_reduce_add_epi64(sum);
+}
+
+static const murk_kernels avx512 = {count_new_avx512,     sum_missing_avx512,
+                                    weigh_missing_avx512, sum_above_avx512,
+                                    weigh_above_avx512,   sum_packed_avx512,
+                                    weigh_packed_avx512};
+
+const murk_kernels *murk_kernels_avx512(void)
+{
+    return __builtin_cpu_supports("avx512f") &&
+                   __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512vbmi2") &&
+                   __builtin_cpu_supports("avx512vpopcntdq")
+               ? &avx512
+               : NULL;
+}
+
+#else
+
+const murk_kernels *murk_kernels_avx512(void)
+{
+    return NULL;
+}
+
+#endif
