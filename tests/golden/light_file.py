@@ -28,9 +28,10 @@ def sections(path):
 
 
 def records(section):
-    """(x, y, z), power in W, emitted index, band, normal's packing, kind."""
+    """(x, y, z), power in W, emitted index, band, packings of normal and of the
+    direction it came along, kind."""
     for r in struct.iter_unpack("<3fIIfI4B", section):
-        yield r[:3], r[5], r[6], r[7], r[4], r[10]
+        yield r[:3], r[5], r[6], r[7], r[4], r[3], r[10]
 
 
 def unpack_direction(packed):
@@ -43,14 +44,20 @@ def unpack_direction(packed):
     return u / length, v / length, z / length
 
 
-def clarities(record, sensors, range_m, extinction_per_m):
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def clarities(record, sensors, range_m, extinction_per_m, takes):
     """What each sensor sees of one record, 0..1."""
-    place, _, _, band, normal, kind = record
+    place, _, _, band, normal, travel, kind = record
     facing = unpack_direction(normal) if kind < 4 else None
-    for sensor in sensors:
+    for j, sensor in enumerate(sensors):
         way = [s - p for s, p in zip(sensor, place)]
-        distance_m = math.sqrt(sum(w * w for w in way))
+        distance_m = math.sqrt(dot(way, way))
         if distance_m > range_m:
+            yield 0.0
+        elif takes and not takes[j](band, unpack_direction(travel), [-w for w in way]):
             yield 0.0
         elif facing and sum(f * w for f, w in zip(facing, way)) <= 0:
             yield 0.0
@@ -58,8 +65,10 @@ def clarities(record, sensors, range_m, extinction_per_m):
             yield math.exp(-extinction_per_m[band] * distance_m)
 
 
-def coverage(found, emitted, sensors, range_m, extinction_per_m):
-    """Balanced coverage of sensors, with its error by emitted photon."""
+def coverage(found, emitted, sensors, range_m, extinction_per_m, takes=None):
+    """Balanced coverage of sensors, with its error by emitted photon; `takes`
+    says for each sensor whether it takes up light of a band that travels along
+    a direction, from a way off."""
     n = len(sensors)
     out = {"covers": [0.0] * n, "only_it_covers": [0.0] * n,
            "seen_by_at_least": [0.0] * n}
@@ -71,7 +80,7 @@ def coverage(found, emitted, sensors, range_m, extinction_per_m):
         seen = 0.0
         per_photon = {}
         for r in stored:
-            views = list(clarities(r, sensors, range_m, extinction_per_m))
+            views = list(clarities(r, sensors, range_m, extinction_per_m, takes))
             weight = r[1] / whole
             best = max(views)
             seen += weight * best

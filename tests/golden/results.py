@@ -496,6 +496,68 @@ def test_coverage(murk):
     check(off > SIGMA_LIMIT, "20 % more fog is only", off, "sigma off")
 
 
+# Three ways of looking, by angles: this file's own reading of what they mean.
+TYPES = ("sensors.types=[{name: node, range_m: 2.2, least_range_m: 0.7}, "
+         "{name: cam, range_m: 2.2, view: {hfov_deg: 70, vfov_deg: 40}, arrival: toward}, "
+         "{name: cone, range_m: 2.2, view: {cone_deg: 100}, bands: [650]}]")
+POSES = [("node", (1, 1, 1), None, None), ("cam", (3.5, 3, 1.5), 240, -10),
+         ("cone", (2, 0.5, 2.2), 20, -35)]
+
+
+def is_ahead(way, heading, tilt, hfov, vfov):
+    """In a picture of such angles: turned to look north, then level."""
+    h, t = math.radians(heading), math.radians(tilt)
+    right = way[0] * math.cos(h) - way[1] * math.sin(h)
+    north = way[0] * math.sin(h) + way[1] * math.cos(h)
+    ahead = north * math.cos(t) + way[2] * math.sin(t)
+    up = way[2] * math.cos(t) - north * math.sin(t)
+    return (ahead > 0 and abs(math.degrees(math.atan2(right, ahead))) <= hfov / 2 and
+            abs(math.degrees(math.atan2(up, ahead))) <= vfov / 2)
+
+
+def axis_of(heading, tilt):
+    h, t = math.radians(heading), math.radians(tilt)
+    return math.sin(h) * math.cos(t), math.cos(h) * math.cos(t), math.sin(t)
+
+
+def takers(turn=0):
+    """What each of POSES takes up, all turned by so many degrees."""
+    def node(_, __, way):
+        return light_file.dot(way, way) >= 0.7 ** 2
+
+    def cam(_, travel, way):
+        heading, tilt = POSES[1][2] + turn, POSES[1][3]
+        return (is_ahead(way, heading, tilt, 70, 40) and
+                light_file.dot(travel, axis_of(heading, tilt)) < 0)
+
+    def cone(band, _, way):
+        length = math.sqrt(light_file.dot(way, way))
+        along = light_file.dot(way, axis_of(POSES[2][2] + turn, POSES[2][3])) / length
+        return band == 1 and math.degrees(math.acos(max(-1, min(1, along)))) <= 50
+
+    return [node, cam, cone]
+
+
+def test_views(murk):
+    scene = murk.write("views.yaml", ROOM)
+    rows = "".join("%s,%g,%g,%g,%s,%s\n" %
+                   (name, *at, "" if heading is None else heading, "" if tilt is None else tilt)
+                   for name, at, heading, tilt in POSES)
+    given = murk.write("views.csv", "type,x_m,y_m,z_m,heading_deg,tilt_deg\n" + rows)
+    result = murk.run("sense", scene, "--set", TYPES, "--sensors", given, "-o", murk.path("views"))
+    check([(s["heading_deg"], s["tilt_deg"]) for s in result["sensors"]] ==
+          [pose[2:] for pose in POSES], result["sensors"])
+    found = light_file.sections(murk.path("views", "light.murk"))
+    where = [pose[1] for pose in POSES]
+    again = light_file.coverage(found, 3000, where, RANGE_M, EXTINCTION_PER_M, takers())
+    check(off_by(result, again) <= 1e-5, "views again are off by", off_by(result, again))
+    check(min(again["covers"]) > 0.005, "a view of nothing", again["covers"])
+    # teeth: turned by a degree, and all of it in view
+    for wrong in (takers(1), None):
+        other = light_file.coverage(found, 3000, where, RANGE_M, EXTINCTION_PER_M, wrong)
+        check(off_by(result, other) > 100 * 1e-5, "would go unnoticed:", off_by(result, other))
+
+
 # ---- photon by photon ----
 
 def check_path(events, where):
@@ -557,6 +619,7 @@ def main():
         test_files(murk)
         test_tallies(murk)
         test_coverage(murk)
+        test_views(murk)
         test_replay(murk)
         test_phases(murk)
         test_jitter(murk)
