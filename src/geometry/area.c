@@ -1,0 +1,131 @@
+#include "geometry/area.h"
+
+#include "geometry/triangle.h"
+#include "geometry/world.h"
+
+#include <stdlib.h>
+
+struct murk_area {
+    const murk_surfaces *surfaces;
+    size_t n;         /* triangles, then spheres */
+    double *up_to_m2; /* [n]: area of all up to and with each */
+};
+
+static double area_of(const murk_soup *soup, size_t i)
+{
+    if (i < soup->triangles) {
+        const murk_triangle t = murk_soup_triangle(soup, i);
+        return murk_triangle_area(&t);
+    }
+    const double radius = soup->ball[i - soup->triangles].radius;
+    return 4 * MURK_PI * radius * radius;
+}
+
+static uint8_t material_of(const murk_soup *soup, size_t i)
+{
+    return i < soup->triangles ? soup->material[i]
+                               : soup->ball[i - soup->triangles].material;
+}
+
+murk_status murk_area_create(murk_area **out, const murk_surfaces *surfaces,
+                             const bool *wanted, const char *where,
+                             murk_error *err)
+{
+    const murk_soup *soup = &surfaces->soup;
+    murk_area *area = calloc(1, sizeof *area);
+    double *up_to = malloc((soup->triangles + soup->balls + 1) * sizeof *up_to);
+    murk_status status = MURK_OK;
+    if (!area || !up_to) {
+        status = murk_fail(err, MURK_NO_MEMORY, where,
+                           "no memory for the area of %zu triangles",
+                           soup->triangles);
+        goto done;
+    }
+    area->surfaces = surfaces;
+    area->n = soup->triangles + soup->balls;
+    area->up_to_m2 = up_to;
+    up_to = NULL;
+    double sum = 0;
+    for (size_t i = 0; i < area->n; ++i) {
+        sum += !wanted || wanted[material_of(soup, i)] ? area_of(soup, i) : 0;
+        area->up_to_m2[i] = sum;
+    }
+    if (!(sum > 0)) {
+        status = murk_fail(err, MURK_BAD_VALUE, where,
+                           "no surface is of such a material");
+        goto done;
+    }
+    *out = area;
+    area = NULL;
+done:
+    free(up_to);
+    murk_area_destroy(area);
+    return status;
+}
+
+void murk_area_destroy(murk_area *area)
+{
+    if (area) {
+        free(area->up_to_m2);
+        free(area);
+    }
+}
+
+double murk_area_m2(const murk_area *area)
+{
+    return area->up_to_m2[area->n - 1];
+}
+
+/* The first whose area up to it is more than x: never one without area. */
+static size_t find(const murk_area *area, double x)
+{
+    size_t low = 0, high = area->n - 1;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (area->up_to_m2[middle] > x) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+/* A triangle is half a parallelogram; what falls into the other half is turned
+ * about the middle. */
+static murk_area_point on_triangle(const murk_triangle *t, double u, double v)
+{
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    const murk_vec3 place = murk_along(
+        murk_along(t->a, u, murk_sub(t->b, t->a)), v, murk_sub(t->c, t->a));
+    return (murk_area_point){.place = place,
+                             .normal = murk_unit(murk_triangle_normal(t))};
+}
+
+/* Archimedes: equal heights, equal areas. */
+static murk_area_point on_ball(const murk_ball *ball, double u, double v)
+{
+    const murk_vec3 out =
+        murk_about(murk_vec(0, 0, 1), 2 * u - 1, 2 * MURK_PI * v);
+    return (murk_area_point){
+        .place = murk_along(ball->center, ball->radius, out), .normal = out};
+}
+
+murk_area_point murk_area_at(const murk_area *area, const double u[3])
+{
+    const murk_soup *soup = &area->surfaces->soup;
+    const size_t i = find(area, u[0] * murk_area_m2(area));
+    murk_area_point point;
+    if (i < soup->triangles) {
+        const murk_triangle t = murk_soup_triangle(soup, i);
+        point = on_triangle(&t, u[1], u[2]);
+    } else {
+        point = on_ball(&soup->ball[i - soup->triangles], u[1], u[2]);
+    }
+    point.place = murk_add(point.place, soup->anchor);
+    point.material = material_of(soup, i);
+    return point;
+}
