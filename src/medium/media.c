@@ -363,6 +363,23 @@ double murk_media_extinction(const murk_media *media, int band,
     return sum_at(media, band, inside, p, false);
 }
 
+double murk_media_extinction_of(const murk_media *media, size_t medium,
+                                int band, murk_inside inside, murk_vec3 p)
+{
+    const double per_m = media->media[medium].extinction_per_m.band[band];
+    double sum = 0;
+    for (size_t i = 0; i < media->n_places; ++i) {
+        const murk_place *place = &media->places[i];
+        double density;
+        if (murk_place_may_hold(place, i, inside) &&
+            murk_place_density(place, band, p, &density)) {
+            sum = place->replaces ? 0 : sum;
+            sum += place->medium == medium ? density * per_m : 0;
+        }
+    }
+    return sum;
+}
+
 double murk_media_scattering(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p)
 {

@@ -155,6 +155,10 @@ double murk_media_extinction(const murk_media *media, int band,
 double murk_media_scattering(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p);
 
+/* What one medium adds to the extinction there [1/m]. */
+double murk_media_extinction_of(const murk_media *media, size_t medium,
+                                int band, murk_inside inside, murk_vec3 p);
+
 /* Box of all bounded regions; empty when there are none. */
 murk_box murk_media_bounds(const murk_media *media);
 
