@@ -1,14 +1,16 @@
 #include "app/candidates_out.h"
 #include "app/coverage_out.h"
 #include "app/exports.h"
+#include "app/goals_out.h"
 #include "app/place_matrix.h"
 #include "app/plan_out.h"
-#include "app/regions_out.h"
 #include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
 #include "study/machine.h"
+
+#include <math.h>
 
 static void add_candidates(cJSON *root, const murk_plan *plan)
 {
@@ -93,6 +95,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
 {
     cJSON *root = murk_json_begin(session->scene);
     murk_json_photons(root, session->traced);
+    murk_json_targets(root, session->scene, &plan->targets);
     add_candidates(root, plan);
     murk_json_sensors(root, session->scene, plan->sensor, plan->place.count,
                       &plan->in_sample);
@@ -113,6 +116,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
     const murk_place_result *place = &plan->place;
     murk_print_light(session);
     murk_print_tallies(session);
+    murk_print_targets(&plan->targets);
     murk_print_candidates(plan->candidates);
     murk_print_sensors(session->scene, plan->sensor, place->count,
                        &plan->in_sample);
@@ -121,15 +125,18 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
     printf("); all candidates: %.4f\n",
            murk_share(place->ceiling, place->whole));
     if (plan->has_held_out) {
-        printf("held out    %.4f +- %.4f (one standard error, by emitted "
-               "photon)\n",
-               plan->held_out.value, plan->held_out.standard_error);
+        printf("held out    %.4f +- %.4f (one standard error, %s)\n",
+               plan->held_out.value, plan->held_out.standard_error,
+               murk_error_by(session->scene));
     }
     if (session->scene->sensors.target > 0) {
-        printf("target      %.4f takes %zu sensors, and no fewer than %zu; on "
-               "a third map %.4f +- %.4f\n",
-               session->scene->sensors.target, place->count, place->fewest,
-               plan->confirmed.value, plan->confirmed.standard_error);
+        printf("target      %.4f takes %zu sensors, and no fewer than %zu",
+               session->scene->sensors.target, place->count, place->fewest);
+        if (isfinite(plan->confirmed.value)) {
+            printf("; on a third map %.4f +- %.4f", plan->confirmed.value,
+                   plan->confirmed.standard_error);
+        }
+        printf("\n");
     }
     murk_print_regions(session->scene, plan->in_sample.region,
                        plan->held_out_region);
@@ -140,7 +147,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
                session->scene->sensors.budget);
     }
     murk_print_bound(place, session->scene->sensors.budget > 0,
-                     "sample of photons");
+                     murk_sample_of(session->scene));
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
            "place %.2f; memory %.3g GB\n",

@@ -1,19 +1,28 @@
 #include "app/coverage_out.h"
+#include "app/goals_out.h"
 #include "app/placement_in.h"
-#include "app/regions_out.h"
 #include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
+#include <math.h>
 #include <stdlib.h>
+
+/* Of the sensors given. */
+typedef struct measured {
+    murk_target_facts targets;
+    murk_coverage coverage;
+    murk_robust robust;
+} measured;
 
 static cJSON *coverage_json(const murk_session *session,
                             const murk_pose *sensor, size_t n,
-                            const murk_coverage *coverage,
-                            const murk_robust *robust)
+                            const measured *of)
 {
+    const murk_coverage *coverage = &of->coverage;
     cJSON *root = murk_json_begin(session->scene);
     murk_json_photons(root, session->traced);
+    murk_json_targets(root, session->scene, &of->targets);
     murk_json_sensors(root, session->scene, sensor, n, coverage);
     cJSON *object = cJSON_AddObjectToObject(root, "coverage");
     murk_json_number(object, "in_sample", coverage->total.value);
@@ -30,14 +39,13 @@ static cJSON *coverage_json(const murk_session *session,
     murk_json_number(object, "sum_of_views", coverage->sum_of_views);
     murk_json_seen(root, coverage, n);
     murk_json_regions(root, session->scene, coverage->region, NULL);
-    murk_json_robust(root, session->scene, robust);
+    murk_json_robust(root, session->scene, &of->robust);
     return root;
 }
 
 static murk_status write_coverage(murk_session *session,
                                   const murk_pose *sensor, size_t n,
-                                  const murk_coverage *coverage,
-                                  const murk_robust *robust, murk_error *err)
+                                  const measured *of, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -48,29 +56,35 @@ static murk_status write_coverage(murk_session *session,
     }
     if (!status) {
         status = murk_add_coverage_csv(&session->results, session->scene,
-                                       sensor, n, coverage, err);
+                                       sensor, n, &of->coverage, err);
     }
     if (!status) {
-        status = murk_session_finish(
-            session, "coverage.json",
-            coverage_json(session, sensor, n, coverage, robust), err);
+        status =
+            murk_session_finish(session, "coverage.json",
+                                coverage_json(session, sensor, n, of), err);
     }
     return status;
 }
 
 static void print_coverage(const murk_session *session, const murk_pose *sensor,
-                           size_t n, const murk_coverage *coverage,
-                           const murk_robust *robust)
+                           size_t n, const measured *of)
 {
+    const murk_coverage *coverage = &of->coverage;
     murk_print_light(session);
     murk_print_tallies(session);
+    murk_print_targets(&of->targets);
     murk_print_sensors(session->scene, sensor, n, coverage);
-    printf("coverage    %.4f +- %.4f (one standard error, by emitted photon; ",
-           coverage->total.value, coverage->total.standard_error);
+    if (isfinite(coverage->total.standard_error)) {
+        printf("coverage    %.4f +- %.4f (one standard error, %s; ",
+               coverage->total.value, coverage->total.standard_error,
+               murk_error_by(session->scene));
+    } else {
+        printf("coverage    %.4f (", coverage->total.value);
+    }
     murk_print_maps(coverage);
     printf(")\n");
     murk_print_regions(session->scene, coverage->region, NULL);
-    murk_print_robust(session->scene, robust);
+    murk_print_robust(session->scene, &of->robust);
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense "
            "%.2f\n",
            session->run.total_s, session->run.load_s, session->run.trace_s,
@@ -82,8 +96,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
 {
     murk_session session;
     murk_sight *sight = NULL;
-    murk_coverage coverage = {0};
-    murk_robust robust = {0};
+    measured of = {0};
     murk_pose *sensor = NULL;
     size_t n = 0;
     if (!options->sensors) {
@@ -106,29 +119,29 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     }
     const double begun_s = murk_clock_s();
     if (!status) {
-        status = murk_plan_sight(&sight, session.stage, session.traced,
-                                 options->threads, err);
+        status = murk_plan_sight_told(&sight, &of.targets, session.stage,
+                                      session.traced, options->threads, err);
     }
     if (!status) {
-        status = murk_coverage_measure(&coverage, sight, sensor, n, err);
+        status = murk_coverage_measure(&of.coverage, sight, sensor, n, err);
     }
     if (!status) {
-        status = murk_robust_begin(&robust, session.stage, sensor, n, &coverage,
-                                   err);
+        status = murk_robust_begin(&of.robust, session.stage, sensor, n,
+                                   &of.coverage, err);
     }
     if (!status) {
-        status = murk_robust_jitter(&robust, session.stage, sight, sensor,
-                                    &coverage, false, err);
+        status = murk_robust_jitter(&of.robust, session.stage, sight, sensor,
+                                    &of.coverage, false, err);
     }
     session.run.sense_s = murk_clock_s() - begun_s;
     if (!status) {
-        status = write_coverage(&session, sensor, n, &coverage, &robust, err);
+        status = write_coverage(&session, sensor, n, &of, err);
     }
     if (!status && murk_session_speaks(&session)) {
-        print_coverage(&session, sensor, n, &coverage, &robust);
+        print_coverage(&session, sensor, n, &of);
     }
-    murk_robust_release(&robust);
-    murk_coverage_release(&coverage);
+    murk_robust_release(&of.robust);
+    murk_coverage_release(&of.coverage);
     murk_sight_destroy(sight);
     free(sensor);
     murk_session_end(&session);

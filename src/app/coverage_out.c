@@ -197,11 +197,13 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
 
 static void print_map(const char *name, murk_estimate fraction)
 {
-    if (isfinite(fraction.value)) {
+    if (!isfinite(fraction.value)) {
+        printf("nothing in the %s map", name);
+    } else if (!isfinite(fraction.standard_error)) {
+        printf("%s %.4f", name, fraction.value);
+    } else {
         printf("%s %.4f +- %.4f", name, fraction.value,
                fraction.standard_error);
-    } else {
-        printf("no %s photons", name);
     }
 }
 

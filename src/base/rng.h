@@ -22,6 +22,8 @@ typedef enum murk_purpose {
     MURK_SPOQ_START = 16, /* photon: restart; event: draw */
     MURK_SPOQ_ORDER,      /* photon: restart; event: sweep; slot: position */
     MURK_SPOQ_TIE,        /* photon: restart; event: step */
+    MURK_TARGET = 20,     /* shifted as the tracer's; photon: draw; event: 0 on
+                             surfaces, 1 in the volume */
     MURK_JITTER = 24,     /* photon: draw; event: sensor */
     MURK_TEST = 31        /* for tests */
 } murk_purpose;

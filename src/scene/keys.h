@@ -17,6 +17,8 @@ typedef enum murk_key_kind {
     MURK_KEY_PATH,        /* char *: as it is to be opened */
     MURK_KEY_REFERENCE,   /* index among the names of `of`: size_t, or int with
                              -1 where absent */
+    MURK_KEY_REFERENCES,  /* murk_scene_indices: a list of such names; or one of
+                             `words` */
     MURK_KEY_VECTOR,      /* murk_vec3 */
     MURK_KEY_SIZES,       /* size_t[3] or [2], by the member's size */
     MURK_KEY_NUMBERS,     /* double[]: a list, one for each of `items` */

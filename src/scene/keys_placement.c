@@ -75,6 +75,11 @@ static const murk_word OVER_WORDS[] = {
     WORDS_END,
 };
 
+static const murk_word TARGETS_WORDS[] = {
+    {"photons", 0, false},
+    WORDS_END,
+};
+
 static const murk_key PLACEMENT_ROWS[] = {
     ROW("method", WORD, .preset = "best", .words = METHOD_WORDS,
         AT(murk_scene, placement.method)),
@@ -93,6 +98,8 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("interest", LIST, .keys = &murk_interest_keys, .preset = "[]"),
     ROW("elsewhere", NUMBER, .most = 1e6, .preset = "1",
         AT(murk_scene, placement.elsewhere)),
+    ROW("targets", MAP, .keys = &murk_target_keys, .preset = "photons",
+        .words = TARGETS_WORDS),
     ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
     ROW("jitter_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
         AT(murk_scene, placement.jitter_m)),

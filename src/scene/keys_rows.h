@@ -49,7 +49,8 @@
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
-    murk_condition_keys, murk_condition_weight_keys, murk_interest_keys;
+    murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
+    murk_target_keys;
 
 /* Of meshes: x, y, z. */
 extern const murk_word murk_up_words[];
@@ -57,6 +58,11 @@ extern const murk_word murk_up_words[];
 /* Of the whole scene, at its end: what it averages over is there. */
 murk_status murk_check_conditions(murk_walk *walk, const murk_yaml *map,
                                   void *item);
+
+/* Of what has a box, a sphere, a mesh or none of them: murk_scene_zone. */
+extern const char *const murk_zone_variants[];
+murk_status murk_choose_zone(murk_walk *walk, const murk_yaml *map,
+                             int *variant);
 
 /* min less than max on each axis. */
 murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box);

@@ -312,6 +312,9 @@ void murk_scene_destroy(murk_scene *scene)
     }
     free(scene->sensors.type);
     free(scene->sensors.fixed);
+    free(scene->placement.targets.materials.index);
+    free(scene->placement.targets.mesh);
+    free(scene->placement.targets.points);
     free(scene->geometry);
     free(scene->materials);
     free(scene->media);

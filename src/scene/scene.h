@@ -74,6 +74,11 @@ typedef struct murk_scene_numbers {
     double *value;
 } murk_scene_numbers;
 
+typedef struct murk_scene_indices {
+    size_t n;
+    size_t *index;
+} murk_scene_indices;
+
 typedef struct murk_scene_spectra {
     size_t n;
     murk_spectrum *value;
@@ -296,6 +301,33 @@ typedef struct murk_scene_interest { /* a region of interest */
     int material, medium; /* index; -1: any */
 } murk_scene_interest;
 
+/* What plans are to see in place of photons. */
+typedef struct murk_scene_targets {
+    murk_scene_where where;
+    bool given; /* false: photons */
+    bool has_surfaces;
+    murk_scene_where surfaces_where;
+    murk_scene_indices materials; /* n 0: all */
+    uint64_t surface_points;      /* 0: by the spacing */
+    double surface_spacing_m;
+    bool has_volume;
+    murk_scene_where volume_where;
+    murk_scene_zone shape; /* none: all of the domain */
+    murk_box box;
+    murk_vec3 center;
+    double radius_m;
+    char *mesh; /* file as it is to be opened; NULL for the other shapes */
+    double unit_m;
+    char up;
+    murk_vec3 rotate_deg, translate_m;
+    double scale;
+    int medium;             /* where this is alone; -1: anywhere */
+    uint64_t volume_points; /* 0: by the spacing */
+    double volume_spacing_m;
+    char *points;   /* file as it is to be opened; NULL: none listed */
+    double band_nm; /* 0: the first band */
+} murk_scene_targets;
+
 typedef enum murk_scene_method {
     MURK_SCENE_BEST,
     MURK_SCENE_SPOQ,
@@ -327,6 +359,7 @@ typedef struct murk_scene_placement {
     murk_scene_interest *interest; /* at most 64 */
     size_t n_interests;
     double elsewhere; /* weight of what lies in none of them */
+    murk_scene_targets targets;
     bool hold_out;
     double jitter_m, jitter_rad; /* how far sensors may be off; both 0: not
                                     asked */

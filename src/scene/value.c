@@ -9,8 +9,8 @@
 #include "scene/print.h"
 #include "scene/words.h"
 
-static murk_status wrong(murk_walk *walk, const murk_key *key,
-                         const murk_yaml *node)
+murk_status murk_value_wrong(murk_walk *walk, const murk_key *key,
+                             const murk_yaml *node)
 {
     char found[MURK_FOUND_SIZE], allowed[MURK_ALLOWED_SIZE];
     murk_value_found(node, found);
@@ -47,7 +47,7 @@ static murk_status read_number(murk_walk *walk, const murk_key *key,
     if (!murk_yaml_number(node, &value)) {
         murk_key one = *key; /* one of a list is a number, too */
         one.kind = MURK_KEY_NUMBER;
-        return wrong(walk, &one, node);
+        return murk_value_wrong(walk, &one, node);
     }
     if (!is_within(key, value)) {
         return out_of_range(walk, key, node);
@@ -72,7 +72,7 @@ static murk_status read_count(murk_walk *walk, const murk_key *key,
         }
         murk_key one = *key;
         one.kind = MURK_KEY_COUNT;
-        return wrong(walk, &one, node);
+        return murk_value_wrong(walk, &one, node);
     }
     if (!is_within(key, (double)value)) {
         return out_of_range(walk, key, node);
@@ -127,7 +127,7 @@ static murk_status read_vector(murk_walk *walk, const murk_key *key,
 {
     double v[3] = {0};
     if (node->kind != MURK_YAML_LIST || node->n != 3) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     const murk_status status = read_items(walk, key, node, number_item, v);
     *out = murk_vec(v[0], v[1], v[2]);
@@ -153,7 +153,7 @@ static murk_status read_numbers(murk_walk *walk, const murk_key *key,
                                 murk_yaml *node, double *out)
 {
     if (node->kind != MURK_YAML_LIST || node->n != items_of(key)) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     return read_items(walk, key, node, numbers_item, out);
 }
@@ -164,7 +164,7 @@ static murk_status read_bands(murk_walk *walk, const murk_key *key,
     const bool are_edges = key->kind == MURK_KEY_BAND_EDGES;
     if (node->kind != MURK_YAML_LIST || node->n < (are_edges ? 2 : 1) ||
         node->n > MURK_BANDS_MAX + (are_edges ? 1 : 0)) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     const murk_status status = read_items(walk, key, node, number_item, out);
     if (status) {
@@ -221,7 +221,7 @@ static murk_status read_spectrum(murk_walk *walk, const murk_key *key,
     }
     double value = 0;
     if (!murk_yaml_number(node, &value)) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     const murk_status status = read_number(walk, key, node, &value);
     *out = murk_spectrum_flat(
@@ -243,7 +243,7 @@ static murk_status check_length(murk_walk *walk, const murk_key *key,
                                 const murk_yaml *node)
 {
     if (node->kind != MURK_YAML_LIST || node->n == 0) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     return node->n <= MURK_SCENE_LIST_MAX
                ? MURK_OK
@@ -290,7 +290,7 @@ static murk_status read_text(murk_walk *walk, const murk_key *key,
     const bool is_text = node->kind == MURK_YAML_SCALAR &&
                          node->text[0] != '\0' && !murk_yaml_is_null(node);
     if (!is_text || strlen(node->text) > murk_value_most_bytes(key)) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     node->is_quoted = true; /* a text, also where it looks like a number */
     if (key->size == sizeof(murk_scene_name)) {
@@ -309,7 +309,7 @@ static murk_status read_path(murk_walk *walk, const murk_key *key,
 {
     if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0' ||
         murk_yaml_is_null(node)) {
-        return wrong(walk, key, node);
+        return murk_value_wrong(walk, key, node);
     }
     node->is_quoted = true;
     murk_yaml **paths =
@@ -346,61 +346,7 @@ murk_status murk_value_word(murk_walk *walk, const murk_key *key,
         }
         return MURK_OK;
     }
-    return wrong(walk, key, node);
-}
-
-/* The message's "did you mean", or the names there are. */
-static murk_status no_such_name(murk_walk *walk, const murk_key *key,
-                                const murk_yaml *node, const murk_yaml *names)
-{
-    char found[MURK_FOUND_SIZE];
-    murk_value_found(node, found);
-    const size_t n = names ? names->n : 0;
-    const char *meant =
-        n ? murk_words_meant(node->text, (const char *const *)names->key, n)
-          : NULL;
-    if (meant) {
-        char shown[MURK_SCENE_NAME_SIZE];
-        murk_words_show(shown, sizeof shown, meant);
-        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                              "%s is not in %s, did you mean %s?", found,
-                              key->of, shown);
-    }
-    char list[MURK_ALLOWED_SIZE] = "";
-    size_t length = 0;
-    for (size_t i = 0; i < n && length + 80 < sizeof list; ++i) {
-        char shown[MURK_SCENE_NAME_SIZE];
-        murk_words_show(shown, sizeof shown, names->key[i]);
-        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                   i ? ", " : "", shown);
-    }
-    return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                          "%s is not in %s, must be a name given there: %s",
-                          found, key->of, n ? list : "there are none");
-}
-
-static murk_status read_reference(murk_walk *walk, const murk_key *key,
-                                  murk_yaml *node, void *member)
-{
-    if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0') {
-        return wrong(walk, key, node);
-    }
-    const murk_yaml *names = murk_yaml_get(walk->root, key->of);
-    const size_t n = names ? names->n : 0;
-    size_t i = 0;
-    while (i < n && strcmp(names->key[i], node->text) != 0) {
-        ++i;
-    }
-    if (i == n) {
-        return no_such_name(walk, key, node, names);
-    }
-    node->is_quoted = true;
-    if (key->size == sizeof(int)) {
-        *(int *)member = (int)i;
-    } else {
-        *(size_t *)member = i;
-    }
-    return MURK_OK;
+    return murk_value_wrong(walk, key, node);
 }
 
 /* ---- what may only be its default ---- */
@@ -485,7 +431,7 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
         return status;
     case MURK_KEY_BOOL:
         if (!murk_yaml_bool(node, &fact)) {
-            return wrong(walk, key, node);
+            return murk_value_wrong(walk, key, node);
         }
         murk_value_store(item, key->at, key->size, fact);
         return MURK_OK;
@@ -500,13 +446,15 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
     case MURK_KEY_PATH:
         return read_path(walk, key, node, member);
     case MURK_KEY_REFERENCE:
-        return read_reference(walk, key, node, member);
+        return murk_value_reference(walk, key, node, member);
+    case MURK_KEY_REFERENCES:
+        return murk_value_references(walk, key, node, member);
     case MURK_KEY_VECTOR:
         return read_vector(walk, key, node, member);
     case MURK_KEY_SIZES:
         if (node->kind != MURK_YAML_LIST ||
             node->n != key->size / sizeof(size_t)) {
-            return wrong(walk, key, node);
+            return murk_value_wrong(walk, key, node);
         }
         return read_items(walk, key, node, count_item, member);
     case MURK_KEY_NUMBER_LIST:
@@ -532,5 +480,5 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
     case MURK_KEY_NAMED:
         break;
     }
-    return wrong(walk, key, node);
+    return murk_value_wrong(walk, key, node);
 }

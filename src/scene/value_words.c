@@ -162,6 +162,13 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
     case MURK_KEY_REFERENCE:
         snprintf(out, size, "a name of %s", key->of);
         break;
+    case MURK_KEY_REFERENCES:
+        snprintf(out, size, "a list of names of %s", key->of);
+        if (key->words) {
+            show_words(key->words, range, sizeof range);
+            snprintf(out, size, "%s or a list of names of %s", range, key->of);
+        }
+        break;
     case MURK_KEY_MAP:
         snprintf(out, size, "a map of keys");
         if (key->words) {

@@ -219,8 +219,19 @@ void murk_sight_destroy(murk_sight *sight)
         murk_media_destroy(sight->accepting[k]);
     }
     free(sight->accepting);
+    murk_photon_map_destroy(sight->own_surface);
+    murk_photon_map_destroy(sight->own_volume);
     free(sight->type);
     free(sight);
+}
+
+void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
+                         murk_photon_map *volume)
+{
+    assert(surface == sight->desc.surface_map &&
+           volume == sight->desc.volume_map);
+    sight->own_surface = surface;
+    sight->own_volume = volume;
 }
 
 /* ---- the placement problem ---- */

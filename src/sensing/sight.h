@@ -75,6 +75,10 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_sight_destroy(murk_sight *sight); /* NULL is fine */
 
+/* Gives the sight its maps, which it then destroys with itself. */
+void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
+                         murk_photon_map *volume);
+
 /* What a sensor sees; valid until the worker's next look. worker in [0,
  * threads), pose->type below types. */
 void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,

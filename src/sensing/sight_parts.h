@@ -25,7 +25,8 @@ struct murk_sight {
     uint32_t *weight;
     uint64_t *regions; /* of interest, [photons]; NULL: none */
     size_t photons;
-    murk_scratch *worker; /* [threads] */
+    murk_scratch *worker;                      /* [threads] */
+    murk_photon_map *own_surface, *own_volume; /* NULL: of others */
     murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
 };
 

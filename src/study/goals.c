@@ -10,6 +10,8 @@ struct murk_goals {
     const murk_scene *scene;
     murk_mesh **mesh; /* [regions of interest]; NULL for other shapes */
     murk_hulls *hulls;
+    murk_mesh *target_mesh; /* NULL: none */
+    murk_hulls *target_hull;
     murk_interest_region *region;
     murk_interest interest;
 };
@@ -17,7 +19,7 @@ struct murk_goals {
 static murk_status no_memory(const murk_scene *scene, murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, scene->placement.where,
-                     "no memory for the regions of interest");
+                     "no memory for what plans are to see");
 }
 
 murk_status murk_goals_import(murk_goals **out, const murk_scene *scene,
@@ -44,6 +46,12 @@ murk_status murk_goals_import(murk_goals **out, const murk_scene *scene,
                                     err);
         }
     }
+    const murk_scene_targets *t = &wish->targets;
+    if (!status && t->mesh) {
+        const murk_mesh_import import = {.unit_m = t->unit_m, .up = t->up};
+        status = murk_mesh_read(&goals->target_mesh, t->mesh, &import,
+                                t->volume_where, err);
+    }
     if (!status) {
         *out = goals;
         goals = NULL;
@@ -62,6 +70,8 @@ void murk_goals_destroy(murk_goals *goals)
          ++i) {
         murk_mesh_destroy(goals->mesh[i]);
     }
+    murk_mesh_destroy(goals->target_mesh);
+    murk_hulls_destroy(goals->target_hull);
     murk_hulls_destroy(goals->hulls);
     free(goals->mesh);
     free(goals->region);
@@ -183,14 +193,43 @@ static murk_status build_hulls(murk_goals *goals, murk_error *err)
                                  .where = r->where};
         }
     }
-    return n > 0 ? murk_hulls_create(&goals->hulls, desc, n, err) : MURK_OK;
+    murk_status status =
+        n > 0 ? murk_hulls_create(&goals->hulls, desc, n, err) : MURK_OK;
+    const murk_scene_targets *t = &wish->targets;
+    if (!status && goals->target_mesh) {
+        const murk_hull_desc target = {
+            .mesh = goals->target_mesh,
+            .to_world =
+                murk_affine_place(t->rotate_deg, t->scale, t->translate_m),
+            .where = t->volume_where};
+        status = murk_hulls_create(&goals->target_hull, &target, 1, err);
+    }
+    return status;
+}
+
+/* Sensors that ask where light comes from see nothing of what has none. */
+static murk_status check_arrival(const murk_scene *scene, murk_error *err)
+{
+    for (size_t i = 0; i < scene->sensors.types; ++i) {
+        const murk_scene_sensor_type *type = &scene->sensors.type[i];
+        if (scene->placement.targets.given && type->toward) {
+            return murk_fail(err, MURK_BAD_VALUE, type->where,
+                             "arrival is toward, must be any: "
+                             "placement.targets are points, not light that "
+                             "arrives");
+        }
+    }
+    return MURK_OK;
 }
 
 murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
                              const murk_domain *domain, murk_error *err)
 {
     const murk_scene_placement *wish = &goals->scene->placement;
-    murk_status status = build_hulls(goals, err);
+    murk_status status = check_arrival(goals->scene, err);
+    if (!status) {
+        status = build_hulls(goals, err);
+    }
     for (size_t i = 0; i < wish->n_interests && !status; ++i) {
         status = check_name(wish, i, err);
         if (!status) {
@@ -210,7 +249,13 @@ const murk_interest *murk_goals_interest(const murk_goals *goals)
     return goals->interest.n > 0 ? &goals->interest : NULL;
 }
 
-murk_status murk_goals_check_sight(const murk_sight *sight, murk_error *err)
+const murk_hulls *murk_goals_target_hull(const murk_goals *goals)
+{
+    return goals->target_hull;
+}
+
+murk_status murk_goals_check_sight(const murk_goals *goals,
+                                   const murk_sight *sight, murk_error *err)
 {
     const murk_interest *interest = murk_sight_described(sight)->interest;
     uint64_t found = 0;
@@ -219,11 +264,12 @@ murk_status murk_goals_check_sight(const murk_sight *sight, murk_error *err)
     }
     for (size_t r = 0; interest && r < interest->n; ++r) {
         if (!(found >> r & 1)) {
-            return murk_fail(err, MURK_RUN_FAILED, interest->region[r].where,
-                             "%s is empty: none of the %zu stored photons lies "
-                             "in it",
-                             interest->region[r].name,
-                             murk_sight_photons(sight));
+            return murk_fail(
+                err, MURK_RUN_FAILED, interest->region[r].where,
+                "%s is empty: none of the %zu %s lies in it",
+                interest->region[r].name, murk_sight_photons(sight),
+                goals->scene->placement.targets.given ? "targets"
+                                                      : "stored photons");
         }
     }
     return MURK_OK;

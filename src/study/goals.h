@@ -1,4 +1,5 @@
-/* What a scene's plans are to see: its regions of interest. */
+/* What a scene's plans are to see: its regions of interest, and the mesh that
+ * targets may be drawn from. */
 #ifndef MURK_STUDY_GOALS_H
 #define MURK_STUDY_GOALS_H
 
@@ -17,15 +18,19 @@ void murk_goals_destroy(murk_goals *goals); /* NULL is fine */
 
 /* Makes them ready for these surfaces. Fails with MURK_BAD_VALUE at the place
  * of a region of interest: a name given twice, an open mesh, a place where
- * nothing can be stored. */
+ * nothing can be stored; or of targets: an open mesh. */
 murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
                              const murk_domain *domain, murk_error *err);
 
 /* Built; NULL where there are no regions of interest. */
 const murk_interest *murk_goals_interest(const murk_goals *goals);
 
+/* Built, of one region, number 0; NULL where targets have no mesh. */
+const murk_hulls *murk_goals_target_hull(const murk_goals *goals);
+
 /* Fails with MURK_RUN_FAILED where nothing that this sight sees lies in a
  * region of interest. */
-murk_status murk_goals_check_sight(const murk_sight *sight, murk_error *err);
+murk_status murk_goals_check_sight(const murk_goals *goals,
+                                   const murk_sight *sight, murk_error *err);
 
 #endif

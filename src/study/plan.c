@@ -12,9 +12,15 @@
 #define CONFIRM_STREAM  2u
 #define MATRIX_SHARE    0.7 /* of the free memory, for the known matrix */
 
-murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
-                            const murk_traced *traced, unsigned threads,
-                            murk_error *err)
+/* What plans look at: traced light, or targets. */
+typedef struct seen_maps {
+    const murk_photon_map *surface, *volume;
+    uint64_t emitted;
+} seen_maps;
+
+static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
+                              const seen_maps *maps, unsigned threads,
+                              murk_error *err)
 {
     const murk_scene_placement *wish = &stage->scene->placement;
     const bool blocks = wish->through == MURK_SCENE_BLOCK;
@@ -28,9 +34,9 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .media = stage->media,
                                   .hulls = stage->hulls,
                                   .domain = stage->world.domain,
-                                  .surface_map = traced->surface,
-                                  .volume_map = traced->volume,
-                                  .photons_emitted = traced->emitted,
+                                  .surface_map = maps->surface,
+                                  .volume_map = maps->volume,
+                                  .photons_emitted = maps->emitted,
                                   .type = types,
                                   .types = stage->scene->sensors.types,
                                   .north = stage->scene->north,
@@ -45,18 +51,53 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                                   .interest = murk_goals_interest(stage->goals),
                                   .threads = threads,
                                   .where = wish->where};
-    murk_sight *sight = NULL;
-    murk_status status = murk_sight_create(&sight, &desc, err);
+    const murk_status status = murk_sight_create(out, &desc, err);
     free(types);
+    return status;
+}
+
+murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
+                                 const murk_stage *stage,
+                                 const murk_traced *traced, unsigned threads,
+                                 murk_error *err)
+{
+    murk_targets targets = {0};
+    murk_sight *sight = NULL;
+    murk_status status = MURK_OK;
+    seen_maps maps = {traced->surface, traced->volume, traced->emitted};
+    const bool has_targets = stage->scene->placement.targets.given;
+    if (has_targets) {
+        status =
+            murk_targets_create(&targets, stage, traced->stream, threads, err);
+        maps =
+            (seen_maps){targets.surface, targets.volume, targets.independent};
+    }
+    *facts = targets.facts;
+    if (!status) {
+        status = sight_onto(&sight, stage, &maps, threads, err);
+    }
+    if (!status && has_targets) {
+        murk_sight_own_maps(sight, targets.surface, targets.volume);
+        targets = (murk_targets){0};
+    }
     if (!status && traced->stream == 0) { /* others only confirm */
-        status = murk_goals_check_sight(sight, err);
+        status = murk_goals_check_sight(stage->goals, sight, err);
     }
-    if (status) {
-        murk_sight_destroy(sight);
-        return status;
+    if (!status) {
+        *out = sight;
+        sight = NULL;
     }
-    *out = sight;
-    return MURK_OK;
+    murk_sight_destroy(sight);
+    murk_targets_release(&targets);
+    return status;
+}
+
+murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
+                            const murk_traced *traced, unsigned threads,
+                            murk_error *err)
+{
+    murk_target_facts facts;
+    return murk_plan_sight_told(out, &facts, stage, traced, threads, err);
 }
 
 static murk_place_desc place_desc(const murk_scene *scene)
@@ -102,7 +143,8 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
             }
         }
     }
-    if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE) {
+    if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE &&
+        !stage->scene->placement.targets.given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
                          "maps: none, but placing needs stored photons");
     }
@@ -113,6 +155,9 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
     murk_status status = validate(stage, err);
+    if (!status && stage->scene->placement.targets.given) {
+        status = murk_targets_check(stage, threads, err);
+    }
     if (!status) {
         status = murk_sites_find(&plan->candidates, stage, threads, err);
     }
@@ -170,6 +215,24 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
+/* Light of another stream; where targets take its place, none is needed. */
+static murk_status see_anew(murk_traced **out, const murk_stage *stage,
+                            uint32_t stream, unsigned threads, murk_error *err)
+{
+    if (!stage->scene->placement.targets.given) {
+        return murk_light_trace(out, stage, stream, threads, err);
+    }
+    *out = murk_traced_create(stage, stream, err);
+    return *out ? MURK_OK : MURK_NO_MEMORY;
+}
+
+/* Whether another stream shows anything else than the first: a list is all
+ * there is. */
+static bool can_see_anew(const murk_scene *scene)
+{
+    return !scene->placement.targets.points;
+}
+
 /* The plan's coverage on light that had no part in choosing it; regions may be
  * NULL. */
 static murk_status measure_on(murk_plan *plan, uint32_t stream,
@@ -181,7 +244,7 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
-    murk_status status = murk_light_trace(&other, stage, stream, threads, err);
+    murk_status status = see_anew(&other, stage, stream, threads, err);
     if (!status) {
         plan->trace_s += other->trace_s;
         plan->map_s += other->map_s;
@@ -218,7 +281,8 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     murk_sight *sight = NULL;
     plan->trace_s = traced->trace_s;
     plan->map_s = traced->map_s;
-    murk_status status = murk_plan_sight(&sight, stage, traced, threads, err);
+    murk_status status = murk_plan_sight_told(&sight, &plan->targets, stage,
+                                              traced, threads, err);
     if (!status) {
         status = choose(plan, stage, sight, err);
         if (status && err && !err->where[0]) {
@@ -244,20 +308,24 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     }
     status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
                                    plan->place.count, err);
+    plan->confirmed = (murk_estimate){NAN, NAN};
     if (!status) {
         status = murk_robust_begin(&plan->robust, stage, plan->sensor,
                                    plan->place.count, &plan->in_sample, err);
     }
-    if (!status && !stage->scene->placement.hold_out) {
+    const bool has_held_out =
+        stage->scene->placement.hold_out && can_see_anew(stage->scene);
+    if (!status && !has_held_out) {
         status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
                                     &plan->in_sample, false, err);
     }
-    if (!status && stage->scene->placement.hold_out) {
+    if (!status && has_held_out) {
         status = measure_on(plan, HELD_OUT_STREAM, &plan->held_out,
                             &plan->held_out_region, stage, threads, err);
         plan->has_held_out = !status;
     }
-    if (!status && stage->scene->sensors.target > 0) {
+    if (!status && stage->scene->sensors.target > 0 &&
+        can_see_anew(stage->scene)) {
         status = measure_on(plan, CONFIRM_STREAM, &plan->confirmed, NULL, stage,
                             threads, err);
     }

@@ -9,11 +9,19 @@
 #include "study/poses.h"
 #include "study/robust.h"
 #include "study/sites.h"
+#include "study/targets.h"
 
-/* Sight through a stage onto traced light. Borrows both. */
+/* Sight through a stage onto traced light, or onto the targets of its stream
+ * where the scene has such. Borrows both. */
 murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             const murk_traced *traced, unsigned threads,
                             murk_error *err);
+
+/* The same; also tells of the targets (points 0: none). */
+murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
+                                 const murk_stage *stage,
+                                 const murk_traced *traced, unsigned threads,
+                                 murk_error *err);
 
 /* The least value (weight * clarity) of a plan that covers the share, 0..1, of
  * the whole; a share within rounding of a value means it. */
@@ -23,8 +31,9 @@ typedef struct murk_plan {
     murk_candidates *candidates;
     murk_poses *poses; /* of them: what placement chooses from */
     murk_place_result place;
-    murk_pose *sensor;       /* [place.count] */
-    murk_coverage in_sample; /* on the light that chose */
+    murk_pose *sensor;         /* [place.count] */
+    murk_target_facts targets; /* points 0: photons are seen */
+    murk_coverage in_sample;   /* on the light that chose */
     bool has_held_out;
     murk_estimate held_out;                /* on the second map */
     murk_region_coverage *held_out_region; /* [regions of interest] likewise;

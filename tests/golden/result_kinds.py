@@ -106,6 +106,7 @@ JITTER = {"jitter_m": number(0), "jitter_deg": number(0, 180), "draws": whole(2)
 PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
     "candidates": {"asked": count, "usable": count, "doubtful": count,
                    "after_presolve": count},
+    "targets": null,
     "coverage": {"in_sample": fraction, "held_out": fraction,
                  "held_out_standard_error": fraction, "surface": fraction,
                  "volume": fraction, "ceiling": fraction, "sum_of_views": number(0)},

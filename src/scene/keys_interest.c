@@ -1,4 +1,4 @@
-/* What plans are to see: regions of interest. */
+/* Regions of interest. */
 #include "scene/keys_rows.h"
 
 static murk_status check_interest_box(murk_walk *walk, const murk_yaml *map,
@@ -30,11 +30,11 @@ static const murk_keys INTEREST_SPHERE = {
     .key = INTEREST_SPHERE_ROWS,
 };
 
-static const char *const INTEREST_VARIANTS[] = {"without a shape", "box",
-                                                "sphere", "mesh"};
+const char *const murk_zone_variants[] = {"without a shape", "box", "sphere",
+                                          "mesh"};
 
-static murk_status choose_interest(murk_walk *walk, const murk_yaml *map,
-                                   int *variant)
+murk_status murk_choose_zone(murk_walk *walk, const murk_yaml *map,
+                             int *variant)
 {
     (void)walk;
     *variant = murk_yaml_get(map, "box")      ? MURK_SCENE_ZONE_BOX
@@ -83,9 +83,9 @@ static const murk_key INTEREST_ROWS[] = {
 
 const murk_keys murk_interest_keys = {
     .noun = "region of interest",
-    .choose = choose_interest,
+    .choose = murk_choose_zone,
     .check = check_interest,
-    .variant_names = INTEREST_VARIANTS,
+    .variant_names = murk_zone_variants,
     VARIANT(murk_scene_interest, shape),
     WHERE(murk_scene_interest, where),
     ITEMS(murk_scene_interest, placement.interest, placement.n_interests),

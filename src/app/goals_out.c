@@ -1,0 +1,116 @@
+#include "app/goals_out.h"
+
+#include <math.h>
+
+void murk_json_regions(cJSON *root, const murk_scene *scene,
+                       const murk_region_coverage *in_sample,
+                       const murk_region_coverage *held_out)
+{
+    const murk_scene_placement *wish = &scene->placement;
+    cJSON *list = cJSON_AddArrayToObject(root, "regions_of_interest");
+    for (size_t i = 0; i < wish->n_interests; ++i) {
+        const murk_estimate seen = in_sample[i].coverage;
+        const murk_estimate held =
+            held_out ? held_out[i].coverage : (murk_estimate){NAN, NAN};
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", wish->interest[i].name);
+        murk_json_number(item, "weight", wish->interest[i].weight);
+        cJSON_AddNumberToObject(
+            item, wish->targets.given ? "targets" : "stored_photons",
+            (double)in_sample[i].photons);
+        murk_json_number(item, "coverage", seen.value);
+        murk_json_number(item, "standard_error", seen.standard_error);
+        murk_json_number(item, "held_out", held.value);
+        murk_json_number(item, "held_out_standard_error", held.standard_error);
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
+static void print_in_view(murk_estimate seen)
+{
+    if (!isfinite(seen.value)) {
+        printf("  %-18s", "none there");
+    } else if (!isfinite(seen.standard_error)) {
+        printf("  %-18.4f", seen.value);
+    } else {
+        printf("  %.4f +- %-8.4f", seen.value, seen.standard_error);
+    }
+}
+
+void murk_print_regions(const murk_scene *scene,
+                        const murk_region_coverage *in_sample,
+                        const murk_region_coverage *held_out)
+{
+    const murk_scene_placement *wish = &scene->placement;
+    if (wish->n_interests == 0) {
+        return;
+    }
+    printf("regions     %-16s %8s %9s  %18s", "of interest", "weight",
+           "photons", "in view");
+    printf(held_out ? "  %-18s\n" : "\n", "held out");
+    for (size_t i = 0; i < wish->n_interests; ++i) {
+        printf("            %-16s %8.4g %9zu", wish->interest[i].name,
+               wish->interest[i].weight, in_sample[i].photons);
+        print_in_view(in_sample[i].coverage);
+        if (held_out) {
+            print_in_view(held_out[i].coverage);
+        }
+        printf("\n");
+    }
+}
+
+void murk_json_targets(cJSON *root, const murk_scene *scene,
+                       const murk_target_facts *facts)
+{
+    const murk_scene_targets *wish = &scene->placement.targets;
+    if (!wish->given) {
+        cJSON_AddNullToObject(root, "targets");
+        return;
+    }
+    cJSON *object = cJSON_AddObjectToObject(root, "targets");
+    cJSON_AddBoolToObject(object, "listed", wish->points != NULL);
+    cJSON_AddNumberToObject(object, "points", (double)facts->points);
+    cJSON_AddNumberToObject(object, "surface", (double)facts->surface);
+    cJSON_AddNumberToObject(object, "volume", (double)facts->volume);
+    murk_json_number(object, "area_m2", facts->area_m2.value);
+    murk_json_number(object, "area_m2_standard_error",
+                     facts->area_m2.standard_error);
+    murk_json_number(object, "volume_m3", facts->volume_m3.value);
+    murk_json_number(object, "volume_m3_standard_error",
+                     facts->volume_m3.standard_error);
+    murk_json_number(object, "band_nm",
+                     scene->band_nm[murk_targets_band(scene)]);
+}
+
+static void print_size(murk_estimate size, const char *unit, const char *what)
+{
+    if (isfinite(size.value)) {
+        printf("; %.6g +- %.2g %s of %s in free space", size.value,
+               size.standard_error, unit, what);
+    }
+}
+
+void murk_print_targets(const murk_target_facts *facts)
+{
+    if (facts->points == 0) {
+        return;
+    }
+    printf("targets     %llu points: %zu of surfaces, %zu in the volume",
+           (unsigned long long)facts->points, facts->surface, facts->volume);
+    print_size(facts->area_m2, "m2", "surfaces");
+    print_size(facts->volume_m3, "m3", "volume");
+    printf("\n");
+}
+
+const char *murk_error_by(const murk_scene *scene)
+{
+    return scene->placement.targets.given ? "by target" : "by emitted photon";
+}
+
+const char *murk_sample_of(const murk_scene *scene)
+{
+    const murk_scene_targets *wish = &scene->placement.targets;
+    return wish->points  ? "list of targets"
+           : wish->given ? "sample of targets"
+                         : "sample of photons";
+}

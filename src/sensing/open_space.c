@@ -1,0 +1,150 @@
+#include "sensing/open_space.h"
+
+#include "sensing/lamp.h"
+#include "sensing/reach.h"
+#include "sensing/segment.h"
+#include "sensing/ways.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+struct murk_open_space {
+    murk_domain domain;
+    murk_ways ways;
+    size_t n_grids, n_places;
+    murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS];
+    murk_free_space reached[MURK_OPEN_SPACE_GRIDS];
+    murk_vec3 *place; /* [n_places] where light starts */
+};
+
+static murk_status find_places(murk_open_space *space,
+                               const murk_surfaces *surfaces,
+                               const murk_reach *reach, const char *where,
+                               murk_error *err)
+{
+    space->place = malloc((reach->n_lamps * MURK_LAMP_PLACES_MAX + 1) *
+                          sizeof *space->place);
+    if (!space->place) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for the places of %zu lamps",
+                         reach->n_lamps);
+    }
+    for (size_t i = 0; i < reach->n_lamps; ++i) {
+        space->n_places +=
+            murk_lamp_places(surfaces, &space->domain, reach->lamps[i],
+                             space->place + space->n_places);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_open_space_create(murk_open_space **out,
+                                   const murk_candidate_grid *grid,
+                                   size_t n_grids,
+                                   const murk_surfaces *surfaces,
+                                   const murk_reach *reach, unsigned threads,
+                                   const char *where, murk_error *err)
+{
+    assert(n_grids >= 1 && n_grids <= MURK_OPEN_SPACE_GRIDS);
+    murk_open_space *space = calloc(1, sizeof *space);
+    if (!space) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for the free space");
+    }
+    space->domain = reach->domain;
+    space->ways = murk_ways_of(surfaces, &space->domain);
+    murk_status status = find_places(space, surfaces, reach, where, err);
+    for (size_t i = 0; i < n_grids && !status; ++i) {
+        space->grid[i] = grid[i];
+        space->grid[i].clearance_m = 0;
+        status = murk_free_space_find(&space->reached[i], &space->grid[i],
+                                      surfaces, reach, threads, where, err);
+        space->n_grids += !status;
+    }
+    if (status) {
+        murk_open_space_destroy(space);
+        return status;
+    }
+    *out = space;
+    return MURK_OK;
+}
+
+void murk_open_space_destroy(murk_open_space *space)
+{
+    if (!space) {
+        return;
+    }
+    for (size_t i = 0; i < space->n_grids; ++i) {
+        murk_free_space_release(&space->reached[i]);
+    }
+    free(space->place);
+    free(space);
+}
+
+/* Where a way starts. */
+typedef struct start {
+    murk_vec3 point, normal;
+} start;
+
+/* A way that starts back through the surface would not meet it: ends do not
+ * block. */
+static bool leads_to(const murk_open_space *space, const start *from,
+                     murk_vec3 to)
+{
+    const murk_vec3 near = murk_nearest_image(&space->domain, to, from->point);
+    const murk_vec3 way = murk_sub(near, from->point);
+    const bool is_free = murk_dot(from->normal, from->normal) == 0;
+    return (is_free || murk_dot(from->normal, way) > 0) &&
+           murk_way_is_open(&space->ways, from->point, near);
+}
+
+/* The grid's points first[axis] .. last[axis] around x. */
+static void cells_around(double x, double min, double max, size_t n,
+                         size_t *first, size_t *last)
+{
+    const double step = n > 1 ? (max - min) / (double)(n - 1) : 1;
+    const double at = fmin(fmax(floor((x - min) / step), 0), (double)(n - 1));
+    *first = at > 0 ? (size_t)at - 1 : 0;
+    *last = (size_t)fmin(at + 2, (double)(n - 1));
+}
+
+static bool leads_to_grid(const murk_open_space *space, size_t number,
+                          const start *from)
+{
+    const murk_vec3 point = from->point;
+    const murk_candidate_grid *grid = &space->grid[number];
+    const size_t *n = grid->size;
+    size_t first[3], last[3];
+    cells_around(point.x, grid->min.x, grid->max.x, n[0], &first[0], &last[0]);
+    cells_around(point.y, grid->min.y, grid->max.y, n[1], &first[1], &last[1]);
+    cells_around(point.z, grid->min.z, grid->max.z, n[2], &first[2], &last[2]);
+    for (size_t k = first[2]; k <= last[2]; ++k) {
+        for (size_t j = first[1]; j <= last[1]; ++j) {
+            for (size_t i = first[0]; i <= last[0]; ++i) {
+                const size_t index = i + n[0] * (j + n[1] * k);
+                if (space->reached[number].is_reached[index] &&
+                    leads_to(space, from,
+                             murk_candidate_grid_point(grid, index))) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+bool murk_open_space_holds(const murk_open_space *space, murk_vec3 point,
+                           murk_vec3 normal)
+{
+    const start from = {point, normal};
+    for (size_t i = 0; i < space->n_grids; ++i) {
+        if (leads_to_grid(space, i, &from)) {
+            return true;
+        }
+    }
+    for (size_t i = 0; i < space->n_places; ++i) {
+        if (leads_to(space, &from, space->place[i])) {
+            return true;
+        }
+    }
+    return false;
+}
