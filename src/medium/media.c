@@ -328,6 +328,13 @@ size_t murk_media_count(const murk_media *media)
     return media->n_media;
 }
 
+const murk_phase *murk_media_phase(const murk_media *media, size_t medium,
+                                   int band)
+{
+    assert(medium < media->n_media);
+    return &media->media[medium].phase[band];
+}
+
 bool murk_media_any(const murk_media *media)
 {
     for (int band = 0; band < MURK_BANDS_MAX; ++band) {

@@ -109,6 +109,10 @@ void murk_media_destroy(murk_media *media); /* NULL is fine */
 /* How many there are, in regions or not. */
 size_t murk_media_count(const murk_media *media);
 
+/* That of a medium, by number, in a band. */
+const murk_phase *murk_media_phase(const murk_media *media, size_t medium,
+                                   int band);
+
 /* False when no ray can ever meet a medium in any band (no regions, or
  * extinction 0 everywhere). */
 bool murk_media_any(const murk_media *media);

@@ -28,6 +28,9 @@ typedef struct murk_sensor_type {
     bool toward;    /* sees only light that travels toward it: against the axis,
                        for a sphere toward its place */
     uint32_t bands; /* bit b: sees band b; 0: all bands */
+    /* For detection by power (sensing/power.h). */
+    double aperture_m2, quantum_efficiency, exposure_s;
+    double target_m2, target_m3; /* what is to be noticed */
 } murk_sensor_type;
 
 typedef struct murk_pose {

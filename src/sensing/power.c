@@ -1,0 +1,313 @@
+#include "sensing/power.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "sensing/vicinity.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#define BATCH_PHOTONS 1024
+
+/* The light around a batch's photons of the volume map: photon i's is
+ * list[begin[i]] to list[begin[i + 1]]. */
+typedef struct chunk {
+    uint32_t begin[BATCH_PHOTONS + 1];
+    uint32_t *list;
+    float factor[BATCH_PHOTONS];
+    uint8_t level[BATCH_PHOTONS];
+} chunk;
+
+struct murk_power {
+    murk_power_desc desc;
+    murk_vicinity *surface, *volume;
+    float *radiance; /* [surface photons] */
+    chunk **chunk;   /* [chunks], by batches of the volume map */
+    size_t chunks;
+    uint32_t **found; /* [threads], while it is made */
+};
+
+static size_t batches_of(const murk_photon_map *map)
+{
+    return (murk_photon_map_count(map) + BATCH_PHOTONS - 1) / BATCH_PHOTONS;
+}
+
+static size_t end_of(const murk_photon_map *map, size_t first)
+{
+    const size_t n = murk_photon_map_count(map);
+    return n - first < BATCH_PHOTONS ? n : first + BATCH_PHOTONS;
+}
+
+/* ---- what lies around ---- */
+
+static void survey_surface(void *context, unsigned worker, uint64_t batch)
+{
+    murk_power *power = context;
+    const murk_photon_map *map = power->desc.surface_map;
+    const size_t first = (size_t)batch * BATCH_PHOTONS,
+                 end = end_of(map, first);
+    const double r = power->desc.radius_m;
+    uint32_t *found = power->found[worker];
+    for (size_t i = first; i < end; ++i) {
+        const murk_photon *of = &murk_photon_map_photons(map)[i];
+        const murk_vec3 normal = murk_direction_unpack(of->normal);
+        const murk_around a = murk_vicinity_find(power->surface, i, found);
+        const murk_photon *photon =
+            murk_vicinity_photons(power->surface, a.level);
+        double sum_w = 0;
+        for (size_t k = 0; k < a.n; ++k) {
+            const murk_photon *p = &photon[found[k]];
+            if (p->band == of->band &&
+                murk_dot(normal, murk_direction_unpack(p->normal)) > 0) {
+                sum_w += (double)p->power_w;
+            }
+        }
+        power->radiance[i] =
+            (float)(a.factor * sum_w / (MURK_PI * MURK_PI * r * r));
+    }
+    murk_progress_add(end - first);
+}
+
+/* False without memory. */
+static bool survey_place(const murk_power *power, size_t i, uint32_t *found,
+                         chunk *c)
+{
+    const murk_photon *of = &murk_photon_map_photons(power->desc.volume_map)[i];
+    const murk_around a = murk_vicinity_find(power->volume, i, found);
+    const murk_photon *photon = murk_vicinity_photons(power->volume, a.level);
+    const size_t at = i % BATCH_PHOTONS, begin = c->begin[at];
+    size_t kept = 0;
+    for (size_t k = 0; k < a.n; ++k) {
+        if (photon[found[k]].band == of->band) {
+            found[kept++] = found[k];
+        }
+    }
+    if (begin + kept > UINT32_MAX) {
+        return false;
+    }
+    uint32_t *more = realloc(c->list, (begin + kept + 1) * sizeof *more);
+    if (!more) {
+        return false;
+    }
+    for (size_t k = 0; k < kept; ++k) {
+        more[begin + k] = found[k];
+    }
+    const double r = power->desc.radius_m;
+    c->list = more;
+    c->begin[at + 1] = (uint32_t)(begin + kept);
+    c->level[at] = (uint8_t)a.level;
+    c->factor[at] = (float)(a.factor / (4 / 3. * MURK_PI * r * r * r));
+    return true;
+}
+
+static void survey_volume(void *context, unsigned worker, uint64_t batch)
+{
+    murk_power *power = context;
+    const size_t first = (size_t)batch * BATCH_PHOTONS;
+    const size_t end = end_of(power->desc.volume_map, first);
+    chunk *c = calloc(1, sizeof *c);
+    for (size_t i = first; c && i < end; ++i) {
+        if (!survey_place(power, i, power->found[worker], c)) {
+            free(c->list);
+            free(c);
+            c = NULL;
+        }
+    }
+    power->chunk[batch] = c;
+    murk_progress_add(end - first);
+}
+
+/* ---- creation ---- */
+
+static murk_status check(const murk_power_desc *desc, murk_error *err)
+{
+    const murk_domain *domain = desc->domain;
+    const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
+    const double most = domain->is_periodic ? fmin(size.x, size.y) / 2 : 1e9;
+    if (!(desc->radius_m > 0 && desc->radius_m <= most)) {
+        return murk_fail(
+            err, MURK_BAD_VALUE, "placement.power_radius_m",
+            "%g m, must be more than 0 and at most %g m%s", desc->radius_m,
+            most, domain->is_periodic ? ", half the domain's period" : "");
+    }
+    const murk_photon *photon = murk_photon_map_photons(desc->volume_map);
+    for (size_t i = 0; i < murk_photon_map_count(desc->volume_map); ++i) {
+        if (photon[i].material >= murk_media_count(desc->media)) {
+            return murk_fail(err, MURK_BAD_FILE, "volume map",
+                             "record %zu: medium %d of %zu cannot be", i,
+                             photon[i].material, murk_media_count(desc->media));
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status no_memory(const murk_power_desc *desc, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "",
+                     "no memory for the light around %zu photons",
+                     murk_photon_map_count(desc->surface_map) +
+                         murk_photon_map_count(desc->volume_map));
+}
+
+static murk_status set_aside(murk_power *power, murk_error *err)
+{
+    const murk_power_desc *desc = &power->desc;
+    murk_status status = murk_vicinity_create(
+        &power->surface, desc->surface_map, desc->domain, desc->photons_emitted,
+        desc->radius_m, MURK_POWER_SURFACE_MOST, desc->threads, err);
+    if (!status) {
+        status =
+            murk_vicinity_create(&power->volume, desc->volume_map, desc->domain,
+                                 desc->photons_emitted, desc->radius_m,
+                                 MURK_POWER_VOLUME_MOST, desc->threads, err);
+    }
+    if (status) {
+        return status;
+    }
+    const size_t a = murk_vicinity_room(power->surface);
+    const size_t b = murk_vicinity_room(power->volume);
+    power->chunks = batches_of(desc->volume_map);
+    power->chunk = calloc(power->chunks + 1, sizeof *power->chunk);
+    power->radiance = malloc(
+        murk_photon_map_count(desc->surface_map) * sizeof *power->radiance + 1);
+    power->found = calloc(desc->threads, sizeof *power->found);
+    bool has_room = power->chunk && power->radiance && power->found;
+    for (unsigned i = 0; has_room && i < desc->threads; ++i) {
+        power->found[i] = malloc((a > b ? a : b) * sizeof *power->found[i] + 1);
+        has_room = power->found[i];
+    }
+    return has_room ? MURK_OK : no_memory(desc, err);
+}
+
+static void release_found(murk_power *power)
+{
+    for (unsigned i = 0; power->found && i < power->desc.threads; ++i) {
+        free(power->found[i]);
+    }
+    free(power->found);
+    power->found = NULL;
+}
+
+static murk_status survey(murk_power *power, murk_error *err)
+{
+    const murk_power_desc *desc = &power->desc;
+    murk_progress_begin("power",
+                        murk_photon_map_count(desc->surface_map) +
+                            murk_photon_map_count(desc->volume_map),
+                        "photons");
+    murk_crew_run_workers(desc->threads, batches_of(desc->surface_map),
+                          survey_surface, power);
+    murk_crew_run_workers(desc->threads, power->chunks, survey_volume, power);
+    murk_progress_end();
+    release_found(power);
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    for (size_t i = 0; i < power->chunks; ++i) {
+        if (!power->chunk[i]) {
+            return no_memory(desc, err);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_power_create(murk_power **out, const murk_power_desc *desc,
+                              murk_error *err)
+{
+    assert(out && desc && desc->threads >= 1);
+    murk_power *power = NULL;
+    murk_status status = check(desc, err);
+    if (status) {
+        goto done;
+    }
+    power = calloc(1, sizeof *power);
+    if (!power) {
+        status = no_memory(desc, err);
+        goto done;
+    }
+    power->desc = *desc;
+    status = set_aside(power, err);
+    if (!status) {
+        status = survey(power, err);
+    }
+    if (status) {
+        goto done;
+    }
+    *out = power;
+    power = NULL;
+done:
+    murk_power_destroy(power);
+    return status;
+}
+
+void murk_power_destroy(murk_power *power)
+{
+    if (!power) {
+        return;
+    }
+    for (size_t i = 0; power->chunk && i < power->chunks; ++i) {
+        if (power->chunk[i]) {
+            free(power->chunk[i]->list);
+            free(power->chunk[i]);
+        }
+    }
+    release_found(power);
+    free(power->chunk);
+    free(power->radiance);
+    murk_vicinity_destroy(power->surface);
+    murk_vicinity_destroy(power->volume);
+    free(power);
+}
+
+/* ---- asking ---- */
+
+double murk_power_radiance(const murk_power *power, size_t i)
+{
+    return (double)power->radiance[i];
+}
+
+double murk_power_source(const murk_power *power, size_t i, murk_vec3 toward)
+{
+    const chunk *c = power->chunk[i / BATCH_PHOTONS];
+    const size_t at = i % BATCH_PHOTONS;
+    const murk_photon *photon =
+        murk_vicinity_photons(power->volume, c->level[at]);
+    double sum = 0;
+    for (uint32_t k = c->begin[at]; k < c->begin[at + 1]; ++k) {
+        const murk_photon *p = &photon[c->list[k]];
+        const double mu = murk_dot(murk_direction_unpack(p->direction), toward);
+        const murk_phase *phase =
+            murk_media_phase(power->desc.media, p->material, p->band);
+        sum += (double)p->power_w *
+               murk_phase_density(phase, fmax(-1, fmin(1, mu)));
+    }
+    return sum * (double)c->factor[at];
+}
+
+double murk_power_signal_w(const murk_power *power,
+                           const murk_sensor_type *type,
+                           const murk_field *field, const murk_photon *photon,
+                           size_t i, const murk_sightline *line)
+{
+    const double d2 = murk_dot(line->way, line->way);
+    double taken = type->aperture_m2 / (d2 + type->aperture_m2 / MURK_PI);
+    if (field->view != MURK_VIEW_SPHERE) {
+        taken *= fmax(0, murk_dot(field->frame.axis, murk_unit(line->way)));
+    }
+    const double sent =
+        murk_photon_is_volume(photon)
+            ? murk_power_source(power, i, line->leaving) * type->target_m3
+            : murk_power_radiance(power, i) * type->target_m2 *
+                  fmax(0, murk_dot(murk_direction_unpack(photon->normal),
+                                   line->leaving));
+    return line->transmittance * line->gain * sent * taken;
+}
+
+double murk_power_chance(const murk_sensor_type *type, double signal_w,
+                         double wavelength_nm)
+{
+    const double counts_per_j =
+        type->quantum_efficiency * wavelength_nm * 1e-9 / MURK_PLANCK_LIGHT;
+    return -expm1(-type->exposure_s * counts_per_j * signal_w);
+}

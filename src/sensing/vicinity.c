@@ -1,0 +1,138 @@
+#include "sensing/vicinity.h"
+
+#include "sensing/nearby.h"
+#include "sensing/segment.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* 2^32 emitted photons are halved no more often. */
+#define LEVELS 33
+
+struct murk_vicinity {
+    const murk_domain *domain;
+    const murk_photon_map *map[LEVELS];
+    murk_photon_map *half[LEVELS]; /* owned; half[0] is none */
+    uint64_t emitted[LEVELS];      /* photons, of which a level tells */
+    int levels;
+    double radius_m;
+    size_t most;
+};
+
+/* The records of the first emitted photons alone. */
+static murk_status thin(murk_photon_map **out, const murk_photon_map *map,
+                        uint64_t emitted, unsigned threads, murk_error *err)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    const size_t n = murk_photon_map_count(map);
+    size_t kept = 0;
+    for (size_t i = 0; i < n; ++i) {
+        kept += photon[i].emitted < emitted;
+    }
+    murk_photon *copy = malloc(kept * sizeof *copy + 1);
+    if (!copy) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for half of %zu photons", n);
+    }
+    kept = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (photon[i].emitted < emitted) {
+            copy[kept++] = photon[i];
+        }
+    }
+    return murk_photon_map_create(out, copy, kept, threads, err);
+}
+
+murk_status murk_vicinity_create(murk_vicinity **out,
+                                 const murk_photon_map *map,
+                                 const murk_domain *domain,
+                                 uint64_t photons_emitted, double radius_m,
+                                 size_t most, unsigned threads, murk_error *err)
+{
+    assert(most > 0 && radius_m > 0);
+    murk_vicinity *v = calloc(1, sizeof *v);
+    if (!v) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a vicinity");
+    }
+    v->domain = domain;
+    v->radius_m = radius_m;
+    v->most = most;
+    v->map[0] = map;
+    v->emitted[0] = photons_emitted;
+    v->levels = 1;
+    while (v->levels < LEVELS && v->emitted[v->levels - 1] > 1 &&
+           murk_photon_map_count(v->map[v->levels - 1]) > most) {
+        const int level = v->levels++;
+        v->emitted[level] = (v->emitted[level - 1] + 1) / 2;
+        const murk_status status = thin(&v->half[level], v->map[level - 1],
+                                        v->emitted[level], threads, err);
+        if (status) {
+            murk_vicinity_destroy(v);
+            return status;
+        }
+        v->map[level] = v->half[level];
+    }
+    *out = v;
+    return MURK_OK;
+}
+
+void murk_vicinity_destroy(murk_vicinity *v)
+{
+    for (int i = 0; v && i < v->levels; ++i) {
+        murk_photon_map_destroy(v->half[i]);
+    }
+    free(v);
+}
+
+size_t murk_vicinity_room(const murk_vicinity *v)
+{
+    return murk_photon_map_count(v->map[0]) * (v->domain->is_periodic ? 2 : 1);
+}
+
+const murk_photon *murk_vicinity_photons(const murk_vicinity *v, int level)
+{
+    return murk_photon_map_photons(v->map[level]);
+}
+
+/* Images that are farther off count too often at most, and then the photons are
+ * halved once more than needed. */
+static size_t count(const murk_vicinity *v, murk_vec3 center)
+{
+    const murk_vec3 period = murk_sub(v->domain->box.max, v->domain->box.min);
+    size_t n = 0;
+    for (int k = 0; k < 9; ++k) {
+        const murk_vec3 image = {center.x + (k % 3 - 1) * period.x,
+                                 center.y + (k / 3 - 1) * period.y, center.z};
+        if (k == 4 || v->domain->is_periodic) {
+            n += murk_photon_map_count_within(
+                v->map[0], k == 4 ? center : image, v->radius_m);
+        }
+    }
+    return n;
+}
+
+murk_around murk_vicinity_find(const murk_vicinity *v, size_t i,
+                               uint32_t *found)
+{
+    const murk_photon *of = &murk_photon_map_photons(v->map[0])[i];
+    const float *x = of->position_m;
+    const murk_vec3 center = {(double)x[0], (double)x[1], (double)x[2]};
+    murk_around around = {.level = 0};
+    for (size_t n = count(v, center);
+         n > v->most && around.level + 1 < v->levels; n /= 2) {
+        ++around.level;
+    }
+    const size_t all = murk_photons_nearby(v->map[around.level], v->domain,
+                                           center, v->radius_m, found);
+    const murk_photon *photon = murk_vicinity_photons(v, around.level);
+    for (size_t k = 0; k < all; ++k) {
+        if (photon[found[k]].emitted != of->emitted) {
+            found[around.n++] = found[k];
+        }
+    }
+    const uint64_t told = v->emitted[around.level];
+    const uint64_t others = told - (of->emitted < told);
+    around.factor = others > 0 ? (double)v->emitted[0] / (double)others : 0;
+    return around;
+}

@@ -1,0 +1,45 @@
+/* Which photons of a map lie around each of them: what a place is judged by.
+ * Internal to the room.
+ *
+ * All within a radius, of other emitted photons: that one's path is stored here
+ * says nothing of how much is. Where more than some `most` lie there, only
+ * those of the first half, quarter, .. of all emitted photons are looked at,
+ * and stand for the others: any first ones of them are shared out among lights
+ * in proportion. So work is bounded however many lie together, as where a beam
+ * meets a wall, and a sum over them, times its factor, is without bias.
+ * Immutable after creation. */
+#ifndef MURK_SENSING_VICINITY_H
+#define MURK_SENSING_VICINITY_H
+
+#include "base/vector.h"
+#include "photonmap/map.h"
+
+typedef struct murk_vicinity murk_vicinity;
+
+/* Borrows map and domain. Copies of halves take at most as much memory as the
+ * map. Fails with MURK_NO_MEMORY. */
+murk_status murk_vicinity_create(murk_vicinity **out,
+                                 const murk_photon_map *map,
+                                 const murk_domain *domain,
+                                 uint64_t photons_emitted, double radius_m,
+                                 size_t most, unsigned threads,
+                                 murk_error *err);
+void murk_vicinity_destroy(murk_vicinity *vicinity); /* NULL is fine */
+
+typedef struct murk_around {
+    size_t n;
+    int level;     /* of halving: the numbers found are of this level */
+    double factor; /* on sums of power */
+} murk_around;
+
+/* Around photon i of the map: writes numbers to found[], which has room for
+ * murk_vicinity_room(). */
+murk_around murk_vicinity_find(const murk_vicinity *vicinity, size_t i,
+                               uint32_t *found);
+size_t murk_vicinity_room(const murk_vicinity *vicinity);
+
+/* The photons of a level. */
+const murk_photon *murk_vicinity_photons(const murk_vicinity *vicinity,
+                                         int level);
+
+#endif
