@@ -80,4 +80,42 @@ interest 1 "placement.interest.1: b is empty" '{name: a, material: wall}, {name:
 expect 2 "all 0, one must be more than 0" --set placement.elsewhere=0
 interest 1 "have no weight" '{name: a, material: wall, weight: 0}, {name: b, medium: smoke, weight: 0}, {name: c, weight: 0, material: crate}'
 
+# ---- targets ----
+
+# targets CODE PART-OF-MESSAGE MAP
+targets() {
+    expect "$1" "$2" --set "placement.targets=$3"
+}
+list() {
+    printf "$3" >"$dir/list.csv"
+    targets "$1" "$2" "{points: $dir/list.csv}"
+}
+targets 2 "light, must be photons or a map of keys" light
+targets 2 "names no targets" '{band_nm: 550}'
+targets 2 "points must stand alone" "{points: $dir/list.csv, surfaces: {}}"
+targets 2 "560 nm is none of the scene's bands" '{surfaces: {}, band_nm: 560}'
+targets 2 "0, must be 1..1e8 points" '{surfaces: {points: 0}}'
+targets 2 "has points and spacing_m" '{surfaces: {points: 5, spacing_m: 1}}'
+targets 2 "1e-6, must be 1..1e8 points" '{surfaces: {points: 1e-6}}'
+targets 2 "spacing_m makes 8.6e+13 points" '{surfaces: {spacing_m: 1e-6}}'
+targets 2 "spacing_m makes 4.8e+19 points" '{volume: {spacing_m: 1e-6}}'
+targets 2 "an empty list, must be all or a list of names of materials" '{surfaces: {materials: []}}'
+targets 2 "did you mean wall?" '{surfaces: {materials: [wal]}}'
+targets 2 "no surface is of such a material" '{surfaces: {materials: [gold]}}'
+targets 2 "min must be less than max" '{volume: {box: {min_m: [0, 0, 0], max_m: [1, 1, 0]}}}'
+targets 2 "holds none of the domain's space" '{volume: {box: {min_m: [5, 0, 0], max_m: [6, 1, 1]}}}'
+targets 2 "holds none of the domain's space" '{volume: {medium: steam}}'
+targets 2 "lies in free space" '{volume: {sphere: {center_m: [1.5, 1.5, 0.5], radius_m: 0.2}}}'
+targets 2 "open edges" "{volume: {mesh: $dir/open.obj}}"
+targets 2 "not a key of a volume (without a shape)" '{volume: {scale: 2}}'
+targets 2 "cannot read" "{points: $dir/no-such.csv}"
+list 2 "no column z_m" 'x_m,y_m\n1,1\n'
+list 2 "list.csv:2" 'x_m,y_m,z_m\n1,1,9\n'
+list 2 "0 targets, must be one or more" 'x_m,y_m,z_m\n'
+list 2 "lies on a surface" 'x_m,y_m,z_m\n3,3,0\n'
+expect 2 "arrival is toward, must be any" --set 'placement.targets={surfaces: {}}' \
+    --set sensors.types.0.arrival=toward
+expect 1 "a is empty: none of the" --set 'placement.targets={surfaces: {materials: [crate]}}' \
+    --set 'placement.interest=[{name: a, material: wall}]'
+
 exit $failed
