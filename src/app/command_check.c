@@ -1,5 +1,6 @@
 #include "app/candidates_out.h"
 #include "app/check_sensors.h"
+#include "app/goals_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -386,6 +387,7 @@ static void print_findings(const findings *f)
     } else {
         printf("candidates  none: the scene has no sensors\n");
     }
+    murk_print_asked_goals(f->session->scene);
     murk_print_asked_tallies(f->session);
     printf("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
            "volume (from a pilot of %llu photons)\n",
@@ -408,6 +410,9 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         f.surfaces = murk_surfaces_describe(session.stage->surfaces);
         status = murk_light_forecast(&f.forecast, session.stage, 0,
                                      options->threads, err);
+    }
+    if (!status && session.scene->placement.targets.given) {
+        status = murk_targets_check(session.stage, options->threads, err);
     }
     if (!status && session.scene->sensors.given) {
         status = murk_sites_find(&f.candidates, session.stage, options->threads,

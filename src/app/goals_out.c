@@ -102,6 +102,45 @@ void murk_print_targets(const murk_target_facts *facts)
     printf("\n");
 }
 
+static void print_amount(uint64_t points, double spacing_m)
+{
+    if (points > 0) {
+        printf("%llu points", (unsigned long long)points);
+    } else {
+        printf("points %.6g m apart", spacing_m);
+    }
+}
+
+void murk_print_asked_goals(const murk_scene *scene)
+{
+    const murk_scene_placement *wish = &scene->placement;
+    const murk_scene_targets *t = &wish->targets;
+    for (size_t i = 0; i < wish->n_interests; ++i) {
+        printf("%-12s%s counts %.6g times\n", i ? "" : "interest",
+               wish->interest[i].name, wish->interest[i].weight);
+    }
+    if (wish->n_interests > 0 && wish->elsewhere != 1) {
+        printf("%-12swhat lies elsewhere counts %.6g times\n", "",
+               wish->elsewhere);
+    }
+    if (!t->given) {
+        return;
+    }
+    printf("targets     ");
+    if (t->points) {
+        printf("listed in %s", t->points);
+    }
+    if (t->has_surfaces) {
+        print_amount(t->surface_points, t->surface_spacing_m);
+        printf(" on surfaces%s", t->has_volume ? ", " : "");
+    }
+    if (t->has_volume) {
+        print_amount(t->volume_points, t->volume_spacing_m);
+        printf(" in the volume");
+    }
+    printf("; seen at %.6g nm\n", scene->band_nm[murk_targets_band(scene)]);
+}
+
 const char *murk_error_by(const murk_scene *scene)
 {
     return scene->placement.targets.given ? "by target" : "by emitted photon";

@@ -23,6 +23,10 @@ void murk_json_targets(cJSON *root, const murk_scene *scene,
 /* The line that tells; nothing where photons are seen. */
 void murk_print_targets(const murk_target_facts *facts);
 
+/* For check: the regions of interest and targets that are asked for; nothing
+ * where there are none. */
+void murk_print_asked_goals(const murk_scene *scene);
+
 /* What errors go by, and what a sample is of. */
 const char *murk_error_by(const murk_scene *scene);
 const char *murk_sample_of(const murk_scene *scene);
