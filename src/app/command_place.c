@@ -64,6 +64,10 @@ static void add_budget(cJSON *root, const murk_plan *plan,
 static void add_placement(cJSON *root, const murk_plan *plan,
                           const murk_scene *scene)
 {
+    static const char *const detection_names[] = {
+        [MURK_SCENE_WEIGHTED] = "weighted",
+        [MURK_SCENE_INDEPENDENT] = "independent",
+        [MURK_SCENE_THRESHOLD] = "threshold"};
     static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
                                                 [MURK_SCENE_BLOCK] = "block",
                                                 [MURK_SCENE_REFRACT] =
@@ -71,7 +75,12 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     const murk_scene_placement *wish = &scene->placement;
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
     cJSON_AddStringToObject(object, "method", murk_method_names[wish->method]);
-    cJSON_AddStringToObject(object, "detection", "weighted");
+    cJSON_AddStringToObject(object, "detection",
+                            detection_names[wish->detection]);
+    murk_json_number(object, "threshold",
+                     wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold
+                                                             : NAN);
+    cJSON_AddNumberToObject(object, "redundancy", (double)wish->redundancy);
     cJSON_AddStringToObject(object, "visibility",
                             wish->by_normal ? "normal" : "ray");
     cJSON_AddStringToObject(object, "through", through_names[wish->through]);

@@ -36,9 +36,9 @@ static const murk_word METHOD_WORDS[] = {
 };
 
 static const murk_word DETECTION_WORDS[] = {
-    {"weighted", 0, false},
-    {"independent", 0, true},
-    {"threshold", 0, true},
+    {"weighted", MURK_SCENE_WEIGHTED, false},
+    {"independent", MURK_SCENE_INDEPENDENT, false},
+    {"threshold", MURK_SCENE_THRESHOLD, false},
     {"power", 0, true},
     WORDS_END,
 };
@@ -83,7 +83,10 @@ static const murk_word TARGETS_WORDS[] = {
 static const murk_key PLACEMENT_ROWS[] = {
     ROW("method", WORD, .preset = "best", .words = METHOD_WORDS,
         AT(murk_scene, placement.method)),
-    ROW("detection", WORD, .preset = "weighted", .words = DETECTION_WORDS),
+    ROW("detection", WORD, .preset = "weighted", .words = DETECTION_WORDS,
+        AT(murk_scene, placement.detection)),
+    ROW("threshold", NUMBER, .above = true, .most = 1, .preset = "0.05",
+        AT(murk_scene, placement.threshold)),
     ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
         AT(murk_scene, placement.by_normal)),
     ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
@@ -92,7 +95,8 @@ static const murk_key PLACEMENT_ROWS[] = {
         AT(murk_scene, placement.unknown)),
     ROW("restarts", COUNT, .least = 1, .most = 1e6, .preset = "200",
         AT(murk_scene, placement.restarts)),
-    ROW("redundancy", ONLY, .preset = "1"),
+    ROW("redundancy", COUNT, .least = 1, .most = 16, .preset = "1",
+        AT(murk_scene, placement.redundancy)),
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
         .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
     ROW("interest", LIST, .keys = &murk_interest_keys, .preset = "[]"),
@@ -129,6 +133,13 @@ static murk_status check_placement(murk_walk *walk, const murk_yaml *map,
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "elsewhere and the weights of interest are all "
                               "0, one must be more than 0");
+    }
+    if (placement->detection == MURK_SCENE_INDEPENDENT &&
+        placement->redundancy > 1) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "redundancy is %llu with detection: independent, "
+                              "must be 1: all views count there",
+                              (unsigned long long)placement->redundancy);
     }
     return MURK_OK;
 }

@@ -347,10 +347,19 @@ typedef enum murk_scene_through {
     MURK_SCENE_REFRACT /* as thin, and one flat boundary is seen through */
 } murk_scene_through;
 
+typedef enum murk_scene_detection {
+    MURK_SCENE_WEIGHTED,
+    MURK_SCENE_INDEPENDENT,
+    MURK_SCENE_THRESHOLD
+} murk_scene_detection;
+
 typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
-    bool by_normal; /* visibility: normal; false: ray */
+    murk_scene_detection detection;
+    double threshold;    /* of transmittance, for detection: threshold */
+    uint64_t redundancy; /* views of a photon that count */
+    bool by_normal;      /* visibility: normal; false: ray */
     murk_scene_through through;
     bool unknown; /* knowledge: unknown; false: known */
     uint64_t restarts, nodes;

@@ -11,19 +11,13 @@
 #include "base/crew.h"
 #include "base/interrupt.h"
 #include "sensing/region_coverage.h"
+#include "sensing/views.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* Looks held at a time, per thread. */
 #define LOOKS_EACH 4
-
-/* What the sensors so far see of one photon. */
-typedef struct view {
-    uint16_t best, second; /* clearest and next */
-    uint32_t sensors;      /* that see it at all */
-    uint32_t clearest;     /* the one that has `best` first */
-} view;
 
 typedef struct kept_look {
     murk_look look; /* its arrays owned */
@@ -35,10 +29,11 @@ typedef struct measure {
     const murk_pose *pose;
     size_t sensors, photons, surface_photons;
     const uint32_t *weight;
-    view *view;             /* [photons] */
+    murk_views views;
     kept_look *block;       /* [LOOKS_EACH * threads] */
     size_t first;           /* sensor of block[0] */
     uint64_t *alone, *only; /* [sensors], in weight * clarity */
+    bool is_again;          /* each looks once more, for what only it sees */
     uint64_t *seen_by;      /* [sensors + 1]: weight seen by that many */
 } measure;
 
@@ -77,20 +72,15 @@ static void look_from(void *context, unsigned worker, uint64_t batch)
 
 static void take_up(measure *m, uint32_t sensor, const murk_look *look)
 {
-    for (size_t k = 0; k < look->seen; ++k) {
-        const uint32_t i = look->photon[k];
-        const uint16_t clarity = look->clarity ? look->clarity[k] : MURK_CLEAR;
-        view *v = &m->view[i];
-        m->alone[sensor] += (uint64_t)m->weight[i] * clarity;
-        ++v->sensors;
-        if (clarity > v->best) {
-            v->second = v->best;
-            v->best = clarity;
-            v->clearest = sensor;
-        } else if (clarity > v->second) {
-            v->second = clarity;
-        }
+    if (m->is_again) {
+        m->only[sensor] = murk_views_only_of(&m->views, m->weight, look);
+        return;
     }
+    for (size_t k = 0; k < look->seen; ++k) {
+        m->alone[sensor] += (uint64_t)m->weight[look->photon[k]] *
+                            (look->clarity ? look->clarity[k] : MURK_CLEAR);
+    }
+    murk_views_add(&m->views, sensor, look);
 }
 
 static void release_block(kept_look *block, size_t n)
@@ -129,7 +119,23 @@ static murk_status look_all(measure *m, murk_error *err)
     return MURK_OK;
 }
 
+static murk_status look_for_only(measure *m, murk_error *err)
+{
+    m->is_again = m->views.dose;
+    if (m->is_again) {
+        return look_all(m, err);
+    }
+    murk_views_only(&m->views, m->weight, m->only);
+    return MURK_OK;
+}
+
 /* ---- sums ---- */
+
+/* What is seen of a photon at most. */
+static uint32_t full_of(const measure *m)
+{
+    return (uint32_t)m->views.layers * MURK_CLEAR;
+}
 
 /* The records of a map, the first being photon `first`. Power is summed in the
  * map's order, which does not depend on threads. */
@@ -139,17 +145,14 @@ static share add_up(measure *m, const murk_photon_map *map, size_t first)
     share sum = {0};
     for (size_t k = 0; k < n; ++k) {
         const size_t i = first + k;
-        const view *v = &m->view[i];
+        const uint32_t worth = murk_views_worth(&m->views, i);
         const double power_w = murk_sight_power_w(m->sight, i);
-        sum.seen_w += power_w * v->best;
-        sum.whole_w += power_w * MURK_CLEAR;
+        sum.seen_w += power_w * worth;
+        sum.whole_w += power_w * full_of(m);
         const uint64_t w = m->weight[i];
-        sum.seen += w * v->best;
-        sum.whole += w * MURK_CLEAR;
-        m->seen_by[v->sensors] += w;
-        if (v->best > 0) {
-            m->only[v->clearest] += w * (uint64_t)(v->best - v->second);
-        }
+        sum.seen += w * worth;
+        sum.whole += w * full_of(m);
+        m->seen_by[m->views.sensors[i]] += w;
     }
     return sum;
 }
@@ -170,13 +173,13 @@ static void fill(murk_coverage *out, const measure *m, uint64_t whole)
     uint64_t seen = 0;
     for (size_t k = m->sensors; k-- > 0;) {
         seen += m->seen_by[k + 1];
-        out->seen_by_at_least[k] = ratio(seen * MURK_CLEAR, whole);
+        out->seen_by_at_least[k] = ratio(seen * full_of(m), whole);
     }
     out->sum_of_views = 0;
     for (size_t j = 0; j < m->sensors; ++j) {
         out->covers[j] = ratio(m->alone[j], whole);
         out->only_it_covers[j] = ratio(m->only[j], whole);
-        out->sum_of_views += out->covers[j];
+        out->sum_of_views += ratio(m->alone[j], whole / m->views.layers);
     }
 }
 
@@ -233,11 +236,11 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
             const size_t i = (size_t)(key[k] & UINT32_MAX);
             const int p = i >= m->surface_photons;
             const double power_w = murk_sight_power_w(m->sight, i);
-            const double best = m->view[i].best;
-            own[p] += power_w * (best - c_power[p] * MURK_CLEAR);
+            const double worth = murk_views_worth(&m->views, i);
+            own[p] += power_w * (worth - c_power[p] * full_of(m));
             if (m->weight[i] > 0) {
-                const double x = (double)m->weight[i] * best;
-                const double y = (double)m->weight[i] * MURK_CLEAR;
+                const double x = (double)m->weight[i] * worth;
+                const double y = (double)m->weight[i] * full_of(m);
                 total += x - c_weight[p] * y;
             }
         }
@@ -258,7 +261,7 @@ static double error_of(double squares, double whole, double emitted)
 static double seen_of(const void *context, size_t i)
 {
     const measure *m = context;
-    return (double)m->view[i].best / MURK_CLEAR;
+    return (double)murk_views_worth(&m->views, i) / full_of(m);
 }
 
 static murk_status find_errors(murk_coverage *out, const measure *m,
@@ -324,7 +327,6 @@ static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
     const size_t n = m->sensors;
     const size_t room =
         (size_t)LOOKS_EACH * murk_sight_described(m->sight)->threads;
-    m->view = calloc(m->photons, sizeof *m->view);
     m->block = calloc(room, sizeof *m->block);
     m->alone = calloc(n + 1, sizeof *m->alone);
     m->only = calloc(n + 1, sizeof *m->only);
@@ -335,8 +337,11 @@ static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
     const murk_interest *interest = murk_sight_described(m->sight)->interest;
     const size_t regions = interest ? interest->n : 0;
     out->region = regions ? calloc(regions, sizeof *out->region) : NULL;
-    if (m->view && m->block && m->alone && m->only && m->seen_by &&
-        out->covers && out->only_it_covers && out->seen_by_at_least &&
+    const murk_sight_desc *desc = murk_sight_described(m->sight);
+    if (murk_views_init(&m->views, m->photons, desc->combining,
+                        desc->redundancy > 1 ? desc->redundancy : 1) &&
+        m->block && m->alone && m->only && m->seen_by && out->covers &&
+        out->only_it_covers && out->seen_by_at_least &&
         (out->region || !regions)) {
         return MURK_OK;
     }
@@ -366,6 +371,9 @@ murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
         goto done;
     }
     status = look_all(&m, err);
+    if (!status) {
+        status = look_for_only(&m, err);
+    }
     if (status) {
         goto done;
     }
@@ -385,7 +393,7 @@ murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
 done:
     murk_coverage_release(&coverage);
     release_block(m.block, (size_t)LOOKS_EACH * desc->threads);
-    free(m.view);
+    murk_views_release(&m.views);
     free(m.block);
     free(m.alone);
     free(m.only);

@@ -84,7 +84,7 @@ static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
     if (sight->has_media && through > 0) {
         through *= murk_passage_transmittance(&l->passages, band, from);
     }
-    return (uint16_t)floor(through * MURK_CLEAR + 0.5);
+    return murk_sight_clarity(sight, through);
 }
 
 /* Takes up n photons (numbers within their map, sightlines from `from`) in
@@ -145,7 +145,7 @@ static void keep_across(look *l, const murk_photon *p, const murk_side *facing,
     for (size_t i = 0; i < lines; ++i) {
         through = fmax(through, line[i].transmittance);
     }
-    const uint16_t clarity = (uint16_t)floor(through * MURK_CLEAR + 0.5);
+    const uint16_t clarity = murk_sight_clarity(l->sight, through);
     if (clarity > 0) {
         l->clarity[l->seen] = clarity;
         l->all_clear = l->all_clear && clarity == MURK_CLEAR;

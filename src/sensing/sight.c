@@ -55,6 +55,16 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
                              type->acceptance_rad);
         }
     }
+    if (!(desc->threshold >= 0 && desc->threshold <= 1)) {
+        return murk_fail(err, MURK_BAD_VALUE, "placement.threshold",
+                         "%g, must be 0..1", desc->threshold);
+    }
+    const unsigned most =
+        desc->combining == MURK_COMBINE_INDEPENDENT ? 1 : MURK_REDUNDANCY_MOST;
+    if (desc->redundancy > most) {
+        return murk_fail(err, MURK_BAD_VALUE, "placement.redundancy",
+                         "%u, must be 1..%u", desc->redundancy, most);
+    }
     const double photons = (double)murk_photon_map_count(desc->surface_map) +
                            (double)murk_photon_map_count(desc->volume_map);
     if (!(photons <= UINT32_MAX)) {
@@ -191,6 +201,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     const murk_photon_factors factors = {desc->interest, sight->regions};
     status = murk_photon_weights(sight->weight, desc->surface_map,
                                  desc->volume_map, &desc->weights, &factors,
+                                 desc->redundancy > 1 ? desc->redundancy : 1,
                                  desc->where ? desc->where : "", err);
     if (status) {
         goto done;
@@ -253,7 +264,9 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                                   .weight = sight->weight,
                                   .look = look_from,
                                   .context = out,
-                                  .threads = sight->desc.threads};
+                                  .threads = sight->desc.threads,
+                                  .combining = sight->desc.combining,
+                                  .redundancy = sight->desc.redundancy};
 }
 
 const uint32_t *murk_sight_weights(const murk_sight *sight)

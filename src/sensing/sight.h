@@ -3,7 +3,8 @@
  * V = [within range, in the field of view, in a band of the type's, arriving as
  * it asks][surface photon: normal . (sensor - photon) > 0][segment open];
  * clarity = V * transmittance of sheets and media along the segment, in
- * the photon's band, rounded to 1/65535: what rounds to 0 is not seen. Photons
+ * the photon's band, rounded to 1/65535: what rounds to 0 is not seen. With a
+ * threshold, clarity is full from there on, and below it is none. Photons
  * are numbered surface map first, then volume map, each in the map's own
  * order. Immutable but for its counters.
  *
@@ -60,13 +61,19 @@ typedef struct murk_sight_desc {
                       bend at one flat boundary */
     murk_map_weights weights;
     const murk_interest *interest; /* NULL: no regions of interest */
+    double threshold;              /* of transmittance, 0..1; 0: none */
+    murk_combining combining;      /* of several sensors' views */
+    unsigned redundancy;           /* views of a photon that count, 0 or 1: one;
+                                      up to MURK_REDUNDANCY_MOST, and one with
+                                      independent chances */
     unsigned threads;
     const char *where; /* of the wish, for messages; NULL: none */
 } murk_sight_desc;
 
 typedef struct murk_sight murk_sight;
 
-/* Borrows all that desc points to. Fails with MURK_BAD_VALUE (types, weights),
+/* Borrows all that desc points to. Fails with MURK_BAD_VALUE (types, weights,
+ * threshold, redundancy),
  * MURK_BAD_FILE (a record that no run can have stored: power negative or not
  * finite, place not finite, band or emitted index out of range),
  * MURK_RUN_FAILED (no photon has weight: at desc->where) or MURK_NO_MEMORY: 4
@@ -98,7 +105,8 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
  * within a map, rounded; equal powers weigh the
  * same. Rounding moves a weight by half a unit, less than 2^-20 of its map's
  * mean weight up to 2^26 records, unless so few records carry a map's power
- * that theirs meet the end of 32 bits. Their sum is below 2^47. */
+ * that theirs meet the end of 32 bits. Their sum, times the redundancy, is
+ * below 2^47. */
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
 
@@ -137,8 +145,8 @@ typedef struct murk_coverage {
                               without power */
     murk_estimate volume;
     double sum_of_views;      /* the paper's eq. (1) as printed: photons seen
-                                 twice count twice */
-    double *covers;           /* [n] alone */
+                                 twice count twice, whatever the redundancy */
+    double *covers;           /* [n] alone; with redundancy k at most 1 / k */
     double *only_it_covers;   /* [n] total less total without it */
     double *seen_by_at_least; /* [n]: by 1, 2, .., n sensors, of the balanced
                                  weight, seen at all counting whole */
@@ -151,7 +159,9 @@ typedef struct murk_coverage {
  * together; for `balanced` the residuals of the two ratios are added photon by
  * photon (the maps' records of one path are correlated). Fails with
  * MURK_BAD_VALUE when a sensor is outside the domain, MURK_NO_MEMORY (some 26
- * bytes a photon) or MURK_INTERRUPTED. Release with murk_coverage_release(). */
+ * bytes a photon, 6 more for each further view that counts) or
+ * MURK_INTERRUPTED. With independent chances each sensor looks twice. Release
+ * with murk_coverage_release(). */
 murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
                                   const murk_pose *pose, size_t n,
                                   murk_error *err);

@@ -30,4 +30,14 @@ struct murk_sight {
     murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
 };
 
+/* The clarity of a sightline that lets so much through. */
+static inline uint16_t murk_sight_clarity(const murk_sight *sight,
+                                          double through)
+{
+    if (sight->desc.threshold > 0) {
+        return through >= sight->desc.threshold ? MURK_CLEAR : 0;
+    }
+    return (uint16_t)floor(through * MURK_CLEAR + 0.5);
+}
+
 #endif

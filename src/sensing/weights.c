@@ -1,6 +1,6 @@
 #include "sensing/weights.h"
 
-/* The sum of all weights stays below this. */
+/* The sum of all weights, times the views that count, stays below this. */
 #define WHOLE 0x1p47
 
 #define WEIGHT_MAX 4294967295.0
@@ -58,14 +58,14 @@ static void scale(uint32_t *weight, const powers *p, double factor)
  * other. The mean weight of the larger map, whose weights are the smaller, is
  * made whole: so equal powers are not rounded there, all the same way. */
 static void balance(double *factor_surface, double *factor_volume,
-                    const powers *surface, const powers *volume)
+                    const powers *surface, const powers *volume, double whole)
 {
-    double half = WHOLE / 2;
+    double half = whole / 2;
     if (surface->sum > 0) {
-        half = fmin(half, largest_sum(surface, WHOLE / 2));
+        half = fmin(half, largest_sum(surface, whole / 2));
     }
     if (volume->sum > 0) {
-        half = fmin(half, largest_sum(volume, WHOLE / 2));
+        half = fmin(half, largest_sum(volume, whole / 2));
     }
     half -=
         fmod(half, (double)(surface->n > volume->n ? surface->n : volume->n));
@@ -73,14 +73,13 @@ static void balance(double *factor_surface, double *factor_volume,
     *factor_volume = volume->sum > 0 ? half / volume->sum : 0;
 }
 
-murk_status murk_photon_weights(uint32_t *weight,
-                                const murk_photon_map *surface,
-                                const murk_photon_map *volume,
-                                const murk_map_weights *maps,
-                                const murk_photon_factors *factors,
-                                const char *where, murk_error *err)
+murk_status
+murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
+                    const murk_photon_map *volume, const murk_map_weights *maps,
+                    const murk_photon_factors *factors, unsigned views,
+                    const char *where, murk_error *err)
 {
-    const double a = maps->surface, b = maps->volume;
+    const double a = maps->surface, b = maps->volume, whole = WHOLE / views;
     if (!maps->balanced &&
         !(a >= 0 && b >= 0 && a + b > 0 && isfinite(a + b))) {
         return murk_fail(err, MURK_BAD_VALUE, "placement.weights",
@@ -92,13 +91,13 @@ murk_status murk_photon_weights(uint32_t *weight,
     const powers v = add_up(volume, factors, s.n);
     double factor_surface, factor_volume;
     if (maps->balanced) {
-        balance(&factor_surface, &factor_volume, &s, &v);
+        balance(&factor_surface, &factor_volume, &s, &v, whole);
     } else {
         const double share_surface = a / fmax(a, b),
                      share_volume = b / fmax(a, b);
         const double sum = share_surface * s.sum + share_volume * v.sum;
         const double most = fmax(share_surface * s.most, share_volume * v.most);
-        const double room = WHOLE - (double)s.n - (double)v.n;
+        const double room = whole - (double)s.n - (double)v.n;
         const double factor = sum > 0 ? fmin(room / sum, WEIGHT_MAX / most) : 0;
         factor_surface = share_surface * factor;
         factor_volume = share_volume * factor;

@@ -11,14 +11,14 @@ typedef struct murk_photon_factors {
     const uint64_t *regions; /* [surface + volume] of each; NULL: all 1 */
 } murk_photon_factors;
 
-/* Fills weight[surface + volume]; factors NULL: all 1. Fails with
+/* Fills weight[surface + volume]; factors NULL: all 1. Their sum is below 2^47
+ * divided by the views of a photon that count. Fails with
  * MURK_BAD_VALUE (maps), or at `where` with MURK_RUN_FAILED: no photon has
  * weight. */
-murk_status murk_photon_weights(uint32_t *weight,
-                                const murk_photon_map *surface,
-                                const murk_photon_map *volume,
-                                const murk_map_weights *maps,
-                                const murk_photon_factors *factors,
-                                const char *where, murk_error *err);
+murk_status
+murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
+                    const murk_photon_map *volume, const murk_map_weights *maps,
+                    const murk_photon_factors *factors, unsigned views,
+                    const char *where, murk_error *err);
 
 #endif

@@ -30,27 +30,33 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
         return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
                          "no memory for the sensors' types");
     }
-    const murk_sight_desc desc = {.surfaces = stage->surfaces,
-                                  .media = stage->media,
-                                  .hulls = stage->hulls,
-                                  .domain = stage->world.domain,
-                                  .surface_map = maps->surface,
-                                  .volume_map = maps->volume,
-                                  .photons_emitted = maps->emitted,
-                                  .type = types,
-                                  .types = stage->scene->sensors.types,
-                                  .north = stage->scene->north,
-                                  .visibility = wish->by_normal
-                                                    ? MURK_VISIBILITY_NORMAL
-                                                    : MURK_VISIBILITY_RAY,
-                                  .through_sheets = !blocks,
-                                  .refracts = refracts,
-                                  .weights = {.balanced = wish->balanced,
-                                              .surface = wish->weight_surface,
-                                              .volume = wish->weight_volume},
-                                  .interest = murk_goals_interest(stage->goals),
-                                  .threads = threads,
-                                  .where = wish->where};
+    const murk_sight_desc desc = {
+        .surfaces = stage->surfaces,
+        .media = stage->media,
+        .hulls = stage->hulls,
+        .domain = stage->world.domain,
+        .surface_map = maps->surface,
+        .volume_map = maps->volume,
+        .photons_emitted = maps->emitted,
+        .type = types,
+        .types = stage->scene->sensors.types,
+        .north = stage->scene->north,
+        .visibility =
+            wish->by_normal ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY,
+        .through_sheets = !blocks,
+        .refracts = refracts,
+        .weights = {.balanced = wish->balanced,
+                    .surface = wish->weight_surface,
+                    .volume = wish->weight_volume},
+        .interest = murk_goals_interest(stage->goals),
+        .threshold =
+            wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold : 0,
+        .combining = wish->detection == MURK_SCENE_INDEPENDENT
+                         ? MURK_COMBINE_INDEPENDENT
+                         : MURK_COMBINE_CLEAREST,
+        .redundancy = (unsigned)wish->redundancy,
+        .threads = threads,
+        .where = wish->where};
     const murk_status status = murk_sight_create(out, &desc, err);
     free(types);
     return status;
@@ -173,7 +179,8 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
 {
     uint64_t whole = 0;
     for (size_t i = 0; i < problem->photons; ++i) {
-        whole += (uint64_t)problem->weight[i] * MURK_CLEAR;
+        whole += (uint64_t)problem->weight[i] * MURK_CLEAR *
+                 murk_problem_layers(problem);
     }
     /* .195 of 200 is 39, though .195 in binary is a little more */
     const double value = ceil(share * (double)whole * (1 - 0x1p-51));

@@ -1,0 +1,115 @@
+#include "sensing/views.h"
+
+#include <stdlib.h>
+
+bool murk_views_init(murk_views *out, size_t photons, murk_combining combining,
+                     size_t layers)
+{
+    *out = (murk_views){.photons = photons,
+                        .layers = layers,
+                        .sensors = calloc(photons + 1, sizeof *out->sensors)};
+    if (combining == MURK_COMBINE_INDEPENDENT) {
+        out->dose = calloc(photons + 1, sizeof *out->dose);
+        out->doses = malloc(sizeof *out->doses);
+        if (out->doses) {
+            murk_doses_fill(out->doses);
+        }
+        return out->sensors && out->dose && out->doses;
+    }
+    out->clarity = calloc((photons + 1) * (layers + 1), sizeof *out->clarity);
+    out->clearest = calloc((photons + 1) * layers, sizeof *out->clearest);
+    return out->sensors && out->clarity && out->clearest;
+}
+
+void murk_views_release(murk_views *views)
+{
+    free(views->sensors);
+    free(views->clarity);
+    free(views->clearest);
+    free(views->dose);
+    free(views->doses);
+    *views = (murk_views){0};
+}
+
+static void keep_clearest(murk_views *v, size_t i, uint32_t sensor,
+                          uint16_t clarity)
+{
+    uint16_t *at = v->clarity + i * (v->layers + 1);
+    uint32_t *whose = v->clearest + i * v->layers;
+    size_t k = v->layers;
+    if (clarity <= at[k]) {
+        return;
+    }
+    for (; k > 0 && clarity > at[k - 1]; --k) {
+        at[k] = at[k - 1];
+        if (k < v->layers) {
+            whose[k] = whose[k - 1];
+        }
+    }
+    at[k] = clarity;
+    if (k < v->layers) {
+        whose[k] = sensor;
+    }
+}
+
+static uint16_t clarity_at(const murk_look *look, size_t k)
+{
+    return look->clarity ? look->clarity[k] : MURK_CLEAR;
+}
+
+void murk_views_add(murk_views *v, uint32_t sensor, const murk_look *look)
+{
+    for (size_t k = 0; k < look->seen; ++k) {
+        const uint32_t i = look->photon[k];
+        ++v->sensors[i];
+        if (v->dose) {
+            v->dose[i] += v->doses->of[clarity_at(look, k)];
+        } else {
+            keep_clearest(v, i, sensor, clarity_at(look, k));
+        }
+    }
+}
+
+static uint16_t worth_of(const murk_views *v, uint64_t dose)
+{
+    return murk_dose_worth(v->doses, dose < MURK_DOSE_FULL ? (uint32_t)dose
+                                                           : MURK_DOSE_FULL);
+}
+
+uint32_t murk_views_worth(const murk_views *v, size_t i)
+{
+    if (v->dose) {
+        return worth_of(v, v->dose[i]);
+    }
+    uint32_t sum = 0;
+    for (size_t k = 0; k < v->layers; ++k) {
+        sum += v->clarity[i * (v->layers + 1) + k];
+    }
+    return sum;
+}
+
+/* Without one of those that count, the next clearest does. */
+void murk_views_only(const murk_views *v, const uint32_t *weight,
+                     uint64_t *only)
+{
+    for (size_t i = 0; i < v->photons; ++i) {
+        const uint16_t *at = v->clarity + i * (v->layers + 1);
+        for (size_t k = 0; k < v->layers && at[k] > 0; ++k) {
+            only[v->clearest[i * v->layers + k]] +=
+                (uint64_t)weight[i] * (uint64_t)(at[k] - at[v->layers]);
+        }
+    }
+}
+
+uint64_t murk_views_only_of(const murk_views *v, const uint32_t *weight,
+                            const murk_look *look)
+{
+    uint64_t sum = 0;
+    for (size_t k = 0; k < look->seen; ++k) {
+        const uint32_t i = look->photon[k];
+        const uint64_t others = v->dose[i] - v->doses->of[clarity_at(look, k)];
+        sum += (uint64_t)weight[i] *
+               (uint64_t)(worth_of(v, v->dose[i]) - worth_of(v, others));
+    }
+    return sum;
+}
