@@ -142,37 +142,10 @@ static murk_status read_points(murk_walk *walk, const murk_key *key,
 
 /* ---- mounts ---- */
 
-static murk_status read_surfaces(murk_walk *walk, const murk_key *key,
-                                 murk_yaml *node, void *item)
-{
-    static const murk_key NAME = {.name = "",
-                                  .kind = MURK_KEY_REFERENCE,
-                                  .of = "materials",
-                                  .size = sizeof(size_t)};
-    murk_scene_mount *mount = item;
-    murk_status status = MURK_OK;
-    if (node->kind == MURK_YAML_SCALAR && strcmp(node->text, "all") == 0) {
-        node->is_quoted = false;
-        return MURK_OK;
-    }
-    if (node->kind != MURK_YAML_LIST || node->n == 0 ||
-        node->n > MURK_SCENE_LIST_MAX) {
-        return wrong(walk, key, node);
-    }
-    mount->material = calloc(node->n, sizeof *mount->material);
-    if (!mount->material) {
-        return murk_walk_no_memory(walk);
-    }
-    for (size_t i = 0; i < node->n && !status; ++i) {
-        char number[24];
-        snprintf(number, sizeof number, "%zu", i);
-        const size_t back = murk_walk_enter(walk, number);
-        status = murk_value_read(walk, &NAME, node->child[i],
-                                 &mount->material[mount->materials++]);
-        murk_walk_leave(walk, back);
-    }
-    return status;
-}
+static const murk_word SURFACES_WORDS[] = {
+    {"all", 0, false},
+    WORDS_END,
+};
 
 static const murk_key BAND_ITEMS[] = {
     ROW("low", NUMBER, LONG_M),
@@ -189,8 +162,8 @@ static const murk_word FACING_WORDS[] = {
 };
 
 static const murk_key MOUNT_ROWS[] = {
-    ROW("surfaces", OWN, .read = read_surfaces, .preset = "all",
-        .allowed = "all or a list of names of materials"),
+    ROW("surfaces", REFERENCES, .of = "materials", .preset = "all",
+        .words = SURFACES_WORDS, AT(murk_scene_mount, materials)),
     ROW("spacing_m", NUMBER, SIZE_M, .preset = "1",
         AT(murk_scene_mount, spacing_m)),
     ROW("offset_m", NUMBER, SIZE_M, .preset = "0.05",

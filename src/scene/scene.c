@@ -258,7 +258,7 @@ static void release_candidates(murk_scene_candidates *candidates)
         free(candidates->points.file[i]);
     }
     for (size_t i = 0; i < candidates->mounts; ++i) {
-        free(candidates->mount[i].material);
+        free(candidates->mount[i].materials.index);
     }
     for (size_t i = 0; i < candidates->avoids; ++i) {
         free(candidates->avoid[i].mesh);

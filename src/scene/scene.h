@@ -218,8 +218,7 @@ typedef enum murk_scene_facing {
 
 typedef struct murk_scene_mount {
     murk_scene_where where;
-    size_t *material; /* [materials] indices; NULL: all surfaces */
-    size_t materials;
+    murk_scene_indices materials; /* n 0: all surfaces */
     double offset_m, spacing_m;
     bool has_band; /* of heights: band_m[0] to band_m[1] */
     double band_m[2];

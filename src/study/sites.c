@@ -72,12 +72,12 @@ static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
 {
     const double least_m = murk_lay_least_m(stage->surfaces);
     bool material[MURK_MATERIALS_MAX] = {false};
-    for (size_t i = 0; i < wish->materials; ++i) {
-        material[wish->material[i]] = true;
+    for (size_t i = 0; i < wish->materials.n; ++i) {
+        material[wish->materials.index[i]] = true;
     }
     murk_lay lay = {.spacing_m = wish->spacing_m,
                     .within = stage->world.domain.box,
-                    .materials = wish->material ? material : NULL,
+                    .materials = wish->materials.n > 0 ? material : NULL,
                     .most = MURK_CANDIDATES_MAX / 2};
     if (wish->has_band) {
         lay.within.min.z = fmax(lay.within.min.z, wish->band_m[0]);

@@ -157,10 +157,10 @@ static void test_the_rest(const murk_scene *scene)
           wish->points.position[0].z == 3);
     CHECK(wish->points.files == 1);
     CHECK_TEXT(wish->points.file[0], "points.csv");
-    CHECK(wish->mounts == 1 && wish->mount[0].materials == 1 &&
-          wish->mount[0].material[0] == 0 && wish->mount[0].offset_m == .1 &&
-          wish->mount[0].spacing_m == 1 && wish->mount[0].has_band &&
-          wish->mount[0].band_m[1] == 2 &&
+    CHECK(wish->mounts == 1 && wish->mount[0].materials.n == 1 &&
+          wish->mount[0].materials.index[0] == 0 &&
+          wish->mount[0].offset_m == .1 && wish->mount[0].spacing_m == 1 &&
+          wish->mount[0].has_band && wish->mount[0].band_m[1] == 2 &&
           wish->mount[0].facing == MURK_SCENE_FACING_UP);
     CHECK(wish->avoids == 2 && wish->withins == 0);
     CHECK(wish->avoid[0].shape == MURK_SCENE_ZONE_MESH &&
