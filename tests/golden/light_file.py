@@ -65,10 +65,11 @@ def clarities(record, sensors, range_m, extinction_per_m, takes):
             yield math.exp(-extinction_per_m[band] * distance_m)
 
 
-def coverage(found, emitted, sensors, range_m, extinction_per_m, takes=None):
+def coverage(found, emitted, sensors, range_m, extinction_per_m, takes=None, counts=None):
     """Balanced coverage of sensors, with its error by emitted photon; `takes`
     says for each sensor whether it takes up light of a band that travels along
-    a direction, from a way off."""
+    a direction, from a way off; `counts`, what the power of a record at a place
+    counts times."""
     n = len(sensors)
     out = {"covers": [0.0] * n, "only_it_covers": [0.0] * n,
            "seen_by_at_least": [0.0] * n}
@@ -76,6 +77,8 @@ def coverage(found, emitted, sensors, range_m, extinction_per_m, takes=None):
     maps = {}
     for name in ("surface", "volume"):
         stored = list(records(found[name]))
+        if counts:
+            stored = [(r[0], r[1] * counts(r[0]), *r[2:]) for r in stored]
         whole = sum(r[1] for r in stored)
         seen = 0.0
         per_photon = {}

@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""What plans are to see, from outside: regions of interest and targets computed
+again in plain Python from light.murk and plan.ply. Standard library only.
+usage: goals.py MURK
+"""
+
+import math
+import os
+import struct
+import sys
+import tempfile
+
+import light_file
+import results
+from results import EXTINCTION_PER_M, RANGE_M, ROOM, check, near
+
+PHOTONS = 3000  # of ROOM
+
+# Two regions that overlap, and what lies in neither.
+INTEREST = ("placement.interest=[{name: low, weight: 3, box: {min_m: [0, 0, 0], "
+            "max_m: [4, 4, 1]}}, {name: ball, weight: 0.5, sphere: {center_m: [2, 2, 1], "
+            "radius_m: 1.5}}]")
+ELSEWHERE = 0.25
+
+
+def is_low(place):
+    return place[2] <= 1
+
+
+def is_in_ball(place):
+    return math.dist(place, (2, 2, 1)) <= 1.5
+
+
+def factor(place, weight=3):
+    if not is_low(place) and not is_in_ball(place):
+        return ELSEWHERE
+    return (weight if is_low(place) else 1) * (0.5 if is_in_ball(place) else 1)
+
+
+def again(found, plan, counts):
+    where = [s["position_m"] for s in plan["sensors"]]
+    return light_file.coverage(found, PHOTONS, where, RANGE_M, EXTINCTION_PER_M,
+                               counts=counts)
+
+
+def test_regions(murk):
+    scene = murk.write("room.yaml", ROOM)
+    options = ("--set", INTEREST, "--set", f"placement.elsewhere={ELSEWHERE}")
+    plan = murk.run("place", scene, *options, "-o", murk.path("room"))
+    found = light_file.sections(murk.path("room", "light.murk"))
+    total = again(found, plan, factor)
+    near(plan["coverage"]["in_sample"], total["in_sample"], 1e-5, "weighed total")
+    for name in ("surface", "volume"):
+        near(plan["coverage"][name], total[name], 1e-5, "weighed", name)
+    near(plan["coverage"]["in_sample_standard_error"] / total["standard_error"], 1, 1e-4,
+         "weighed error")
+    wrong = again(found, plan, lambda place: factor(place, 2.9))
+    check(abs(wrong["in_sample"] - total["in_sample"]) > 20 * 1e-5,
+          "a weight of 2.9 for 3 would go unnoticed:", wrong["in_sample"])
+
+    regions = plan["regions_of_interest"]
+    check([r["name"] for r in regions] == ["low", "ball"], "regions", regions)
+    check([r["weight"] for r in regions] == [3, 0.5], "regions' weights", regions)
+    sensed = murk.run("sense", scene, *options, "--sensors", murk.path("room", "plan.json"))
+    for region, told, holds in zip(regions, sensed["regions_of_interest"],
+                                   (is_low, is_in_ball)):
+        mine = again(found, plan, holds)
+        stored = sum(holds(r[0]) for name in ("surface", "volume")
+                     for r in light_file.records(found[name]))
+        check(region["stored_photons"] == stored, region["name"], "holds", stored)
+        near(region["coverage"], mine["in_sample"], 1e-5, region["name"])
+        near(region["standard_error"] / mine["standard_error"], 1, 1e-4,
+             region["name"], "error")
+        check(told["coverage"] == region["coverage"] and told["held_out"] is None,
+              "sense tells else:", told)
+        off = results.sigmas(region["held_out"], region["held_out_standard_error"],
+                             region["coverage"], region["standard_error"])
+        check(off <= results.SIGMA_LIMIT, region["name"], "held out is", off, "sigma off")
+    check(abs(regions[0]["coverage"] - regions[1]["coverage"]) > 0.01, "regions alike")
+
+
+# ---- targets ----
+
+def seen_points(path):
+    """(x, y, z), seen by how many, how clearly, of the points that a plan.ply
+    has in the volume."""
+    with open(path, "rb") as file:
+        data = file.read()
+    head, body = data.split(b"end_header\n", 1)
+    count = next(int(line.split()[2]) for line in head.splitlines()
+                 if line.startswith(b"element vertex"))
+    for x, y, z, _, _, _, kind, seen_by, quality in struct.iter_unpack(
+            "<3f3BBHf", body[:22 * count]):
+        if kind == 2:
+            yield (x, y, z), seen_by, quality
+
+
+def clearest(place, sensors, extinction_per_m):
+    distances = [math.dist(place, s) for s in sensors]
+    return max([math.exp(-extinction_per_m * d) for d in distances if d <= RANGE_M],
+               default=0)
+
+
+def test_drawn_targets(murk):
+    """All of one weight: coverage is the mean over the points, with the error
+    of a mean."""
+    scene = murk.write("room.yaml", ROOM)
+    plan = murk.run("place", scene, "-o", murk.path("drawn"),
+                    "--set", "placement.targets={volume: {points: 5000}, band_nm: 650}")
+    where = [s["position_m"] for s in plan["sensors"]]
+    points = list(seen_points(murk.path("drawn", "plan.ply")))
+    told = plan["targets"]
+    check(told["points"] == told["volume"] == len(points) == 5000, "targets", told)
+    check(told["surface"] == 0 and told["area_m2"] is None and not told["listed"] and
+          told["band_nm"] == 650, "targets", told)
+    off = abs(told["volume_m3"] - 3.8 * 3.8 * 2.8) / told["volume_m3_standard_error"]
+    check(off <= results.SIGMA_LIMIT, "the room's volume is", off, "sigma off")
+    check(abs(told["volume_m3"] - 48) > 20 * told["volume_m3_standard_error"],
+          "the domain's volume would do as well")
+    views = [clearest(p[0], where, EXTINCTION_PER_M[1]) for p in points]
+    mean = sum(views) / len(views)
+    near(plan["coverage"]["in_sample"], mean, 1e-5, "coverage of targets")
+    error = math.sqrt(sum((v - mean) ** 2 for v in views) / (5000 * 4999))
+    near(plan["coverage"]["in_sample_standard_error"] / error, 1, 1e-4, "error by target")
+    check(plan["coverage"]["surface"] is None, "no surface was drawn")
+    off = results.sigmas(plan["coverage"]["held_out"],
+                         plan["coverage"]["held_out_standard_error"], mean, error)
+    check(0 < off <= results.SIGMA_LIMIT, "held out is", off, "sigma off")
+    other = sum(clearest(p[0], where, EXTINCTION_PER_M[0]) for p in points) / 5000
+    check(abs(other - mean) > 100 * 1e-5, "the other band would go unnoticed")
+
+    curve = plan["curve"]
+    check([c["count"] for c in curve] == [1, 2, 3], "curve", curve)
+    check(all(c["coverage"] <= c["upper"] for c in curve), "curve over its bound", curve)
+    check(curve[0]["coverage"] < curve[2]["coverage"], "a flat curve", curve)
+
+
+LIST = [((1, 1, 1), 2.0), ((3, 1, 2), 1.0), ((0.3, 3.6, 0.2), 5.0), ((3.7, 3.7, 2.7), 0.0)]
+
+
+def test_listed_targets(murk):
+    scene = murk.write("room.yaml", ROOM)
+    murk.write("list.csv", "weight,x_m,y_m,z_m\n" +
+               "".join("%g,%g,%g,%g\n" % (w, *p) for p, w in LIST))
+    given = murk.write("given.csv", "type,x_m,y_m,z_m\nnode,1,2,1\nnode,2,3,1\n")
+    options = ("--set", f"placement.targets={{points: {murk.path('list.csv')}}}")
+    result = murk.run("sense", scene, "--sensors", given, *options)
+    where = [(1, 2, 1), (2, 3, 1)]
+    want = sum(w * clearest(p, where, EXTINCTION_PER_M[0]) for p, w in LIST) / 8
+    near(result["coverage"]["in_sample"], want, 1e-5, "coverage of a list")
+    check(result["coverage"]["standard_error"] is None, "a list has no error")
+    check(result["targets"]["listed"] and result["targets"]["points"] == 4,
+          "targets", result["targets"])
+    plan = murk.run("place", scene, *options, "--count", "1")
+    check(plan["coverage"]["held_out"] is None, "a list is all there is")
+    check(plan["bound"]["proven_optimal"], "four points are soon settled")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        murk = results.Murk(os.path.abspath(sys.argv[1]), folder)
+        test_regions(murk)
+        test_drawn_targets(murk)
+        test_listed_targets(murk)
+    print("all goals are as described" if not results.failures
+          else f"{results.failures} failed")
+    return results.failures != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
