@@ -308,3 +308,16 @@ uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
     raise_to(b, stand);
     return descend(b, n, lower, rounds);
 }
+
+size_t murk_bound_top(murk_bound *b, size_t n, uint32_t *top)
+{
+    size_t chosen = 0;
+    b->base = murk_thresholds_take(&b->thresholds, b->threshold);
+    murk_thresholds_gains(&b->thresholds, b->live, b->live_count, b->gain);
+    b->evaluations += b->live_count;
+    sum_top(b, n, &chosen);
+    for (size_t k = 0; k < chosen; ++k) {
+        top[k] = b->top[k].candidate;
+    }
+    return chosen;
+}

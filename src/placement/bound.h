@@ -67,4 +67,9 @@ uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
 uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,
                                    const murk_cover *stand, size_t rounds);
 
+/* Which of the live candidates the bound adds up at the thresholds of the last
+ * call, where `n` may still join: top[], room for all candidates. Returns how
+ * many they are. */
+size_t murk_bound_top(murk_bound *bound, size_t n, uint32_t *top);
+
 #endif

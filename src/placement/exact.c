@@ -40,6 +40,7 @@ typedef struct exact {
     size_t size;    /* of the plan */
     uint64_t value; /* of the plan */
     uint64_t weighings, weighings_most;
+    const murk_judge *judge; /* NULL: plans are worth their value */
     bool is_cut, lacks_memory;
 } exact;
 
@@ -60,7 +61,11 @@ static uint64_t in_grains(const exact *e, uint64_t value)
 
 static void take_if_better(exact *e, size_t size, uint64_t value)
 {
-    if (value > e->value) {
+    if (value > e->value && e->judge) {
+        e->value =
+            e->judge->judge(e->judge->context, e->chosen, size, e->value);
+        count_work(e, size);
+    } else if (value > e->value) {
         e->value = value;
         e->size = size;
         memcpy(e->plan, e->chosen, size * sizeof *e->plan);
@@ -304,7 +309,7 @@ static void exact_release(exact *e)
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,
-                              murk_error *err)
+                              const murk_judge *judge, murk_error *err)
 {
     const murk_oracle *oracle = bound->oracle;
     assert(oracle->matrix && n >= 1);
@@ -314,6 +319,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                .plan = plan,
                .size = size,
                .value = value,
+               .judge = judge,
                .weighings_most = nodes < UINT64_MAX / MURK_NODE_WEIGHINGS
                                      ? nodes * MURK_NODE_WEIGHINGS
                                      : UINT64_MAX};

@@ -23,6 +23,16 @@
  * so many weighings of one photon for one candidate. */
 #define MURK_NODE_WEIGHINGS 32768
 
+/* Where a plan is not judged by its value under the bound's weights: judge()
+ * is shown each plan worth more than the value known, and says what a plan must
+ * be worth more than from then on to be worth showing. It keeps what it likes.
+ */
+typedef struct murk_judge {
+    uint64_t (*judge)(void *context, const uint32_t *plan, size_t size,
+                      uint64_t known);
+    void *context;
+} murk_judge;
+
 typedef struct murk_exact {
     uint64_t value, upper; /* of the plan; no plan of n is worth more */
     uint64_t nodes;        /* work done */
@@ -33,10 +43,11 @@ typedef struct murk_exact {
 
 /* Improves plan[size], worth `value`, by at most `nodes` of work; size is n,
  * or with a budget at most n. The bound must have been tightened for plans of
- * n last, and gives `upper`; needs a matrix. Fails when out of memory. */
+ * n last, and gives `upper`; needs a matrix. judge NULL: plans are worth their
+ * value; with one, plan stays as it is. Fails when out of memory. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,
-                              murk_error *err);
+                              const murk_judge *judge, murk_error *err);
 
 #endif

@@ -168,7 +168,7 @@ static murk_status prove(murk_finding *p, size_t n, murk_curve_point *point,
     murk_exact exact;
     const murk_status status =
         murk_exact_search(&exact, &p->bound, p->plan, p->size, n, point->value,
-                          point->upper, p->desc->nodes, err);
+                          point->upper, p->desc->nodes, NULL, err);
     if (!status) {
         p->size = exact.size;
         point->value = p->book ? fill_up(p, n) : exact.value;

@@ -49,6 +49,9 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
         const murk_segment *segment = &layout->segment[s];
         const part p = part_of(row, layout, s);
         const uint32_t *weight = layout->weight + 64 * p.from;
+        if (!segment->is_mixed && segment->weight == 0) {
+            continue;
+        }
         if (cover->full) {
             const uint64_t *full = cover->full + p.from;
             sum += MURK_CLEAR *
@@ -76,6 +79,9 @@ static uint64_t gain_of_dense(const murk_layout *layout,
     for (size_t s = 0; s < layout->segments; ++s) {
         const murk_segment *at = &layout->segment[s];
         const size_t first = 64 * at->first_word;
+        if (!at->is_mixed && at->weight == 0) {
+            continue;
+        }
         sum +=
             at->is_mixed
                 ? kernels->weigh_above(clarity + first, best + first,

@@ -109,6 +109,24 @@ void *murk_aligned_zeros(size_t n)
     return out;
 }
 
+/* Room for weights; the padding weighs nothing. */
+static bool set_aside(murk_layout *l)
+{
+    l->weight = murk_aligned_zeros(l->slots * sizeof *l->weight);
+    l->segment = malloc((l->words + 1) * sizeof *l->segment);
+    return l->weight && l->segment;
+}
+
+static void weigh(murk_layout *l, const uint32_t *weight)
+{
+    l->whole = 0;
+    for (size_t i = 0; i < l->photons; ++i) {
+        l->weight[murk_layout_slot(l, (uint32_t)i)] = weight[i];
+        l->whole += (uint64_t)weight[i] * MURK_CLEAR * l->layers;
+    }
+    l->common = common_divisor(weight, l->photons);
+}
+
 murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
                              bool regroup, murk_error *err)
 {
@@ -144,16 +162,10 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
         murk_doses_fill(l.doses);
     }
     l.words = l.slots / 64;
-    l.weight = murk_aligned_zeros(l.slots * sizeof *l.weight);
-    l.segment = malloc((l.words + 1) * sizeof *l.segment);
-    if (!l.weight || !l.segment) {
+    if (!set_aside(&l)) {
         goto no_memory;
     }
-    for (size_t i = 0; i < photons; ++i) {
-        l.weight[murk_layout_slot(&l, (uint32_t)i)] = problem->weight[i];
-        l.whole += (uint64_t)problem->weight[i] * MURK_CLEAR * l.layers;
-    }
-    l.common = common_divisor(problem->weight, photons);
+    weigh(&l, problem->weight);
     cut_segments(&l);
     *out = l;
     l = (murk_layout){0};
@@ -168,11 +180,51 @@ done:
     return status;
 }
 
+/* Rows know the segments that they were stored by: these stay, each of one
+ * weight or mixed as it now is. Where photons of one weight lay, slots without
+ * weight are padding. */
+static void keep_segments(murk_layout *l, const murk_layout *from)
+{
+    for (size_t s = 0; s < from->segments; ++s) {
+        const murk_segment *old = &from->segment[s];
+        const bool has_padding = !old->is_mixed && old->weight > 0;
+        const size_t first = 64 * old->first_word;
+        const uint32_t weight = l->weight[first];
+        bool is_mixed = false;
+        for (size_t i = first; i < first + 64 * old->words && !is_mixed; ++i) {
+            is_mixed = l->weight[i] != weight &&
+                       !(has_padding && from->weight[i] == 0);
+        }
+        l->segment[s] =
+            (murk_segment){old->first_word, old->words, weight, is_mixed};
+    }
+}
+
+murk_status murk_layout_reweigh(murk_layout *out, const murk_layout *from,
+                                const uint32_t *weight, murk_error *err)
+{
+    if (!out->weight) {
+        *out = *from;
+        out->is_borrowed = true;
+        if (!set_aside(out)) {
+            murk_layout_release(out);
+            return murk_fail(err, MURK_NO_MEMORY, "",
+                             "no memory for the weights of %zu photons",
+                             from->photons);
+        }
+    }
+    weigh(out, weight);
+    keep_segments(out, from);
+    return MURK_OK;
+}
+
 void murk_layout_release(murk_layout *layout)
 {
-    free(layout->slot);
+    if (!layout->is_borrowed) {
+        free(layout->slot);
+        free(layout->doses);
+    }
     free(layout->weight);
     free(layout->segment);
-    free(layout->doses);
     *layout = (murk_layout){0};
 }

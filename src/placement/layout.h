@@ -21,6 +21,7 @@ typedef struct murk_segment {
 typedef struct murk_layout {
     size_t photons, slots, words; /* slots = 64 * words, padding included */
     uint32_t *slot;               /* [photons]; NULL: photon i has slot i */
+    bool is_borrowed;             /* slot and doses are another layout's */
     uint32_t *weight;             /* [slots], 0 in the padding */
     size_t layers;         /* views of a photon that count: the redundancy */
     murk_doses *doses;     /* where chances are independent, else NULL */
@@ -34,6 +35,10 @@ typedef struct murk_layout {
 /* regroup false keeps every photon in its place. */
 murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
                              bool regroup, murk_error *err);
+/* The same slots under other weights, weight[photons]. Borrows from `from`,
+ * which must outlive it; called again, it changes the weights of *out. */
+murk_status murk_layout_reweigh(murk_layout *out, const murk_layout *from,
+                                const uint32_t *weight, murk_error *err);
 void murk_layout_release(murk_layout *layout);
 
 static inline size_t murk_layout_slot(const murk_layout *layout,

@@ -157,13 +157,37 @@ done:
     return status;
 }
 
+murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
+                                const uint32_t *weight, murk_error *err)
+{
+    murk_matrix *matrix = malloc(sizeof *matrix);
+    if (!matrix) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a matrix");
+    }
+    *matrix = *from;
+    matrix->borrows_rows = true;
+    matrix->layout = (murk_layout){0};
+    const murk_status status =
+        murk_layout_reweigh(&matrix->layout, &from->layout, weight, err);
+    if (status) {
+        free(matrix);
+        return status;
+    }
+    *out = matrix;
+    return MURK_OK;
+}
+
 void murk_matrix_destroy(murk_matrix *matrix)
 {
     if (matrix) {
-        for (size_t j = 0; matrix->row && j < matrix->candidates; ++j) {
+        for (size_t j = 0;
+             matrix->row && !matrix->borrows_rows && j < matrix->candidates;
+             ++j) {
             free(matrix->row[j].memory);
         }
-        free(matrix->row);
+        if (!matrix->borrows_rows) {
+            free(matrix->row);
+        }
         murk_layout_release(&matrix->layout);
         free(matrix);
     }

@@ -7,7 +7,8 @@
 struct murk_matrix {
     murk_layout layout;
     size_t candidates;
-    murk_row *row;  /* [candidates] */
+    murk_row *row; /* [candidates] */
+    bool borrows_rows;
     bool all_clear; /* every row is BITS or CLEAR_LIST */
     uint64_t pairs;
     size_t memory_bytes;

@@ -3,6 +3,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "placement/finding.h"
+#include "placement/place_check.h"
 #include "placement/promise.h"
 
 #include <assert.h>
@@ -94,53 +95,6 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static murk_status check_views(const murk_problem *problem, murk_error *err)
-{
-    const size_t layers = murk_problem_layers(problem);
-    if (layers > MURK_REDUNDANCY_MOST) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "redundancy is %zu, must be 1..%d", layers,
-                         MURK_REDUNDANCY_MOST);
-    }
-    if (problem->combining == MURK_COMBINE_INDEPENDENT && layers > 1) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "redundancy is %zu, must be 1 where views are "
-                         "independent chances: all of them count",
-                         layers);
-    }
-    return MURK_OK;
-}
-
-static murk_status check(const murk_problem *problem, bool known,
-                         const murk_place_desc *desc, murk_error *err)
-{
-    const bool has_budget = desc->rules && desc->rules->budget > 0;
-    if (has_budget && desc->target) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "a target and a budget are given, must be one");
-    }
-    if (desc->count < 1 && !has_budget) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "0 sensors asked for, must be 1 or more");
-    }
-    if (desc->count > problem->candidates) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "%zu sensors asked for, but only %zu usable "
-                         "candidates",
-                         desc->count, problem->candidates);
-    }
-    if (desc->method == MURK_PLACE_EXACT && !known) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "method exact needs what every candidate sees: "
-                         "knowledge must be known");
-    }
-    if (desc->restarts < 1) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "restarts is 0, must be 1 or more");
-    }
-    return check_views(problem, err);
-}
-
 static const char *guarantee_of(const murk_finding *p)
 {
     /* best and exact start from greedy and only improve; relocation alone
@@ -184,7 +138,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     const murk_rulebook *book = desc->rules ? &rulebook : NULL;
     murk_finding p = {0};
     murk_place_result result = {0};
-    murk_status status = check(problem, matrix != NULL, desc, err);
+    murk_status status = murk_place_check(problem, matrix != NULL, desc, err);
     if (!status && book) {
         const bool is_most = desc->target || desc->rules->budget > 0;
         status = murk_rulebook_init(

@@ -68,6 +68,10 @@ typedef struct murk_matrix murk_matrix;
  * most_bytes. Looks once at every candidate, with progress. */
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
                                uint64_t most_bytes, murk_error *err);
+/* The same looks under other weights, weight[photons]: shares the rows of
+ * `from`, which must outlive it. */
+murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
+                                const uint32_t *weight, murk_error *err);
 void murk_matrix_destroy(murk_matrix *matrix);         /* NULL is fine */
 uint64_t murk_matrix_pairs(const murk_matrix *matrix); /* seen pairs */
 size_t murk_matrix_memory_bytes(const murk_matrix *matrix);

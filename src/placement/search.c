@@ -253,14 +253,20 @@ static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
     return s->spare_size;
 }
 
+size_t murk_search_draw(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
+                        uint64_t restart)
+{
+    if (s->oracle->book) {
+        return draw_ruled_start(s, plan, n, seed, restart);
+    }
+    draw_start(s, plan, n, seed, restart);
+    return n;
+}
+
 uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart)
 {
-    if (s->oracle->book) {
-        n = draw_ruled_start(s, plan, n, seed, restart);
-    } else {
-        draw_start(s, plan, n, seed, restart);
-    }
+    n = murk_search_draw(s, plan, n, seed, restart);
     const size_t fixed = fixed_count(s);
     uint64_t value = murk_scan_stand_others(s, plan, n, n);
     uint64_t before;

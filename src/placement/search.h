@@ -64,6 +64,11 @@ void murk_search_release(murk_search *search);
 uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 
+/* The random start number `restart` of n sensors; under rules as many as there
+ * may be. Returns how many. */
+size_t murk_search_draw(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
+                        uint64_t restart);
+
 /* The paper's algorithm from its start number `restart`. Two sensors never
  * share a candidate: one that another holds adds nothing, so this matters only
  * where nothing is left to gain. */

@@ -174,8 +174,9 @@ static uint64_t made_up_set_value(const made_up *m, uint32_t set)
 }
 
 /* best[n]: of the plans of n sensors; UINT64_MAX: there is none. */
-static void made_up_ruled_optima(const made_up *m, const made_up_rules *r,
-                                 uint64_t best[MADE_UP_MOST + 1])
+static inline void made_up_ruled_optima(const made_up *m,
+                                        const made_up_rules *r,
+                                        uint64_t best[MADE_UP_MOST + 1])
 {
     for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
         best[n] = UINT64_MAX;

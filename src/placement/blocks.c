@@ -1,0 +1,125 @@
+#include "placement/blocks.h"
+
+#include "base/crew.h"
+
+#include <stdlib.h>
+
+/* A value below 2^63 times 2^52. */
+__extension__ typedef unsigned __int128 wide;
+
+typedef struct gaining {
+    const murk_block_views *views;
+    const murk_cover *cover;
+    const uint32_t *candidate;
+    uint64_t *gain;
+} gaining;
+
+uint64_t murk_share_units(uint64_t part, uint64_t whole)
+{
+    return (uint64_t)((wide)part * MURK_SHARE_ONE / whole);
+}
+
+static void gain_of_one(void *context, unsigned worker, uint64_t k)
+{
+    const gaining *g = context;
+    const size_t n = g->views->blocks->n;
+    const murk_row row =
+        murk_oracle_row(g->views->oracle, worker, g->candidate[k]);
+    for (size_t c = 0; c < n; ++c) {
+        g->gain[k * n + c] =
+            murk_row_gain(&g->views->layout[c], &row, g->cover);
+    }
+}
+
+void murk_block_gains(const murk_block_views *views, const murk_cover *cover,
+                      const uint32_t *candidate, size_t count, uint64_t *gain)
+{
+    gaining g = {views, cover, candidate, gain};
+    const unsigned threads = murk_oracle_threads(views->oracle, count);
+    if (threads > 1) {
+        murk_crew_run_workers(threads, count, gain_of_one, &g);
+        return;
+    }
+    for (size_t k = 0; k < count; ++k) {
+        gain_of_one(&g, 0, k);
+    }
+}
+
+/* The weights of one block, the others without. */
+static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
+                              murk_error *err)
+{
+    const murk_problem *problem = v->oracle->problem;
+    for (size_t i = 0; i < problem->photons; ++i) {
+        const bool is_in =
+            i >= v->blocks->first[c] && i < v->blocks->first[c + 1];
+        weight[i] = is_in ? problem->weight[i] : 0;
+    }
+    const murk_status status =
+        murk_layout_reweigh(&v->layout[c], v->oracle->layout, weight, err);
+    v->whole[c] = v->layout[c].whole;
+    return status || v->whole[c] > 0
+               ? status
+               : murk_fail(err, MURK_RUN_FAILED, "",
+                           "nothing to see in condition %zu", c + 1);
+}
+
+static murk_status weigh(murk_block_views *v, murk_error *err)
+{
+    const murk_oracle *o = v->oracle;
+    murk_cover cover = {0};
+    uint32_t *all = malloc((o->candidates + 1) * sizeof *all);
+    if (!all || !murk_cover_init(&cover, o->layout, o->all_clear)) {
+        free(all);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for the coverage of %zu photons",
+                         o->layout->photons);
+    }
+    for (uint32_t j = 0; j < o->candidates; ++j) {
+        all[j] = j;
+    }
+    murk_block_gains(v, &cover, all, o->candidates, v->most);
+    for (uint32_t j = 0; j < o->candidates; ++j) {
+        const murk_row row = murk_oracle_row(o, 0, j);
+        murk_cover_add(&cover, o->layout, &row);
+        for (size_t c = 0; o->slack && c < v->blocks->n; ++c) {
+            v->most[j * v->blocks->n + c] += o->slack[j];
+        }
+    }
+    for (size_t c = 0; c < v->blocks->n; ++c) {
+        v->ceiling[c] = murk_cover_value(&cover, &v->layout[c]);
+    }
+    murk_cover_release(&cover);
+    free(all);
+    return MURK_OK;
+}
+
+murk_status murk_block_views_init(murk_block_views *out,
+                                  const murk_oracle *oracle,
+                                  const murk_blocks *blocks, murk_error *err)
+{
+    const size_t photons = oracle->problem->photons;
+    *out = (murk_block_views){.blocks = blocks, .oracle = oracle};
+    uint32_t *weight = calloc(photons + 1, sizeof *weight);
+    out->most = calloc(oracle->candidates * blocks->n + 1, sizeof *out->most);
+    murk_status status =
+        weight && out->most
+            ? MURK_OK
+            : murk_fail(err, MURK_NO_MEMORY, "",
+                        "no memory for %zu conditions of %zu candidates",
+                        blocks->n, oracle->candidates);
+    for (size_t c = 0; !status && c < blocks->n; ++c) {
+        status = view_block(out, c, weight, err);
+    }
+    free(weight);
+    return status ? status : weigh(out, err);
+}
+
+void murk_block_views_release(murk_block_views *views)
+{
+    for (size_t c = 0; c < MURK_BLOCKS_MAX; ++c) {
+        murk_layout_release(&views->layout[c]);
+    }
+    free(views->most);
+    *views = (murk_block_views){0};
+}

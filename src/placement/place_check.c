@@ -1,0 +1,48 @@
+#include "placement/place_check.h"
+
+static murk_status check_views(const murk_problem *problem, murk_error *err)
+{
+    const size_t layers = murk_problem_layers(problem);
+    if (layers > MURK_REDUNDANCY_MOST) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "redundancy is %zu, must be 1..%d", layers,
+                         MURK_REDUNDANCY_MOST);
+    }
+    if (problem->combining == MURK_COMBINE_INDEPENDENT && layers > 1) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "redundancy is %zu, must be 1 where views are "
+                         "independent chances: all of them count",
+                         layers);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_place_check(const murk_problem *problem, bool known,
+                             const murk_place_desc *desc, murk_error *err)
+{
+    const bool has_budget = desc->rules && desc->rules->budget > 0;
+    if (has_budget && desc->target) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "a target and a budget are given, must be one");
+    }
+    if (desc->count < 1 && !has_budget) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "0 sensors asked for, must be 1 or more");
+    }
+    if (desc->count > problem->candidates) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%zu sensors asked for, but only %zu usable "
+                         "candidates",
+                         desc->count, problem->candidates);
+    }
+    if (desc->method == MURK_PLACE_EXACT && !known) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "method exact needs what every candidate sees: "
+                         "knowledge must be known");
+    }
+    if (desc->restarts < 1) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "restarts is 0, must be 1 or more");
+    }
+    return check_views(problem, err);
+}

@@ -1,0 +1,219 @@
+#include "placement/worst_bound.h"
+
+#include "base/interrupt.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+__extension__ typedef unsigned __int128 wide;
+
+/* Scaled weights add up to less than this, and none reaches 2^32. */
+#define WEIGHT_SUM  0x1p46
+#define WEIGHT_MOST 0x1p31
+
+/* Blocks are weighed by whole factors below FACTOR_MOST, over 2^shift. */
+#define FACTOR_MOST 0x1p31
+#define SHIFT_MOST  31
+
+/* No block is ever lost sight of. */
+#define LAMBDA_LEAST 1e-9
+
+murk_status murk_worst_bound_init(murk_worst_bound *out,
+                                  const murk_block_views *views,
+                                  murk_error *err)
+{
+    const murk_oracle *o = views->oracle;
+    const size_t n = o->candidates + 1, blocks = views->blocks->n;
+    *out = (murk_worst_bound){
+        .views = views,
+        .oracle = *o,
+        .weight = calloc(o->problem->photons + 1, sizeof *out->weight),
+        .top = calloc(n, sizeof *out->top),
+        .gains = calloc(n, sizeof *out->gains)};
+    double lambda[MURK_BLOCKS_MAX];
+    for (size_t c = 0; c < blocks; ++c) {
+        lambda[c] = 1 / (double)blocks;
+        out->block[c] = *o;
+        out->block[c].layout = &views->layout[c];
+        for (size_t i = views->blocks->first[c];
+             i < views->blocks->first[c + 1]; ++i) {
+            const uint32_t w = o->problem->weight[i];
+            out->heaviest[c] = w > out->heaviest[c] ? w : out->heaviest[c];
+        }
+    }
+    murk_status status =
+        out->weight && out->top && out->gains
+            ? murk_worst_bound_weigh(out, lambda, err)
+            : murk_fail(err, MURK_NO_MEMORY, "",
+                        "no memory to bound plans for %zu conditions", blocks);
+    out->oracle.layout = &out->layout;
+    return status ? status : murk_bound_init(&out->bound, &out->oracle, err);
+}
+
+void murk_worst_bound_release(murk_worst_bound *b)
+{
+    murk_bound_release(&b->bound);
+    murk_layout_release(&b->layout);
+    free(b->weight);
+    free(b->top);
+    free(b->gains);
+    *b = (murk_worst_bound){0};
+}
+
+/* Each block's factor is factor[c] / 2^shift: lambda over its whole, as large
+ * as weights of 32 bits and their sum allow. */
+static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
+                             uint64_t *factor)
+{
+    const size_t n = b->views->blocks->n;
+    double scale = WEIGHT_SUM * MURK_CLEAR, most = 0;
+    for (size_t c = 0; c < n; ++c) {
+        const double per_unit = lambda[c] / (double)b->views->whole[c];
+        scale = fmin(scale, WEIGHT_MOST / (per_unit * b->heaviest[c]));
+        scale = fmin(scale, FACTOR_MOST / per_unit);
+        most = fmax(most, per_unit);
+    }
+    const int exponent = ilogb(scale * most * (1 - 0x1p-50));
+    const unsigned shift = exponent >= 30   ? 0
+                           : exponent <= -1 ? SHIFT_MOST
+                                            : (unsigned)(30 - exponent);
+    for (size_t c = 0; c < n; ++c) {
+        factor[c] = (uint64_t)ldexp(scale * (1 - 0x1p-50) * lambda[c] /
+                                        (double)b->views->whole[c],
+                                    (int)shift);
+    }
+    return shift;
+}
+
+murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
+                                   murk_error *err)
+{
+    const murk_block_views *views = b->views;
+    const murk_problem *problem = views->oracle->problem;
+    uint64_t factor[MURK_BLOCKS_MAX];
+    const unsigned shift = find_factors(b, lambda, factor);
+    wide one = 0;
+    for (size_t c = 0; c < views->blocks->n; ++c) {
+        b->lambda[c] = lambda[c];
+        one += (wide)factor[c] * views->whole[c];
+        for (size_t i = views->blocks->first[c];
+             i < views->blocks->first[c + 1]; ++i) {
+            const uint64_t up = ((uint64_t)1 << shift) - 1;
+            b->weight[i] =
+                (uint32_t)((problem->weight[i] * factor[c] + up) >> shift);
+        }
+    }
+    b->one = (uint64_t)(one >> shift);
+    const murk_status status =
+        murk_layout_reweigh(&b->layout, views->oracle->layout, b->weight, err);
+    if (!status) {
+        b->oracle.ceiling = b->layout.whole;
+        b->oracle.grain =
+            (uint64_t)b->layout.common * (b->oracle.all_clear ? MURK_CLEAR : 1);
+    }
+    return status;
+}
+
+uint64_t murk_worst_bound_value(const murk_worst_bound *b, uint64_t share)
+{
+    const wide needed = (wide)(share + 1) * b->one;
+    const uint64_t least = (uint64_t)((needed - 1) / MURK_SHARE_ONE + 1);
+    return least - 1;
+}
+
+uint64_t murk_worst_bound_share(const murk_worst_bound *b, uint64_t value)
+{
+    const wide share = (wide)value * MURK_SHARE_ONE / b->one;
+    return share < MURK_SHARE_ONE ? (uint64_t)share : MURK_SHARE_ONE;
+}
+
+/* What the bound at the present thresholds sees of each block, as a share. */
+static void find_shares(murk_worst_bound *b, size_t n, double *share)
+{
+    const murk_block_views *v = b->views;
+    murk_thresholds *t = &b->bound.thresholds;
+    const size_t chosen = murk_bound_top(&b->bound, n, b->top);
+    for (size_t c = 0; c < v->blocks->n; ++c) {
+        t->oracle = &b->block[c];
+        double sum = (double)murk_thresholds_take(t, b->bound.threshold);
+        murk_thresholds_gains(t, b->top, chosen, b->gains);
+        for (size_t k = 0; k < chosen; ++k) {
+            sum += (double)b->gains[k];
+        }
+        share[c] = sum / (double)v->whole[c];
+    }
+    t->oracle = &b->oracle;
+}
+
+/* lambda_c times exp(-step * (share_c - mean) / widest), made to sum 1. */
+static void step_lambda(const murk_worst_bound *b, const double *share,
+                        double step, double *lambda)
+{
+    const size_t n = b->views->blocks->n;
+    double mean = 0, widest = 0, sum = 0;
+    for (size_t c = 0; c < n; ++c) {
+        mean += b->lambda[c] * share[c];
+    }
+    for (size_t c = 0; c < n; ++c) {
+        widest = fmax(widest, fabs(share[c] - mean));
+    }
+    for (size_t c = 0; c < n; ++c) {
+        const double off = widest > 0 ? (share[c] - mean) / widest : 0;
+        lambda[c] = fmax(LAMBDA_LEAST, b->lambda[c] * exp(-step * off));
+        sum += lambda[c];
+    }
+    for (size_t c = 0; c < n; ++c) {
+        lambda[c] /= sum;
+    }
+}
+
+/* The bound at the present lambda. */
+static uint64_t bound_here(murk_worst_bound *b, size_t n, uint64_t lower,
+                           const uint32_t *plan, size_t plan_count,
+                           size_t rounds)
+{
+    const uint64_t floor = murk_worst_bound_value(b, lower);
+    const uint64_t upper =
+        murk_bound_tighten(&b->bound, n, floor, plan, plan_count, rounds);
+    const uint64_t share = murk_worst_bound_share(b, upper);
+    return share > lower ? share : lower;
+}
+
+murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
+                                     uint64_t lower, const uint32_t *plan,
+                                     size_t plan_count, size_t steps,
+                                     size_t rounds, uint64_t *upper,
+                                     murk_error *err)
+{
+    const size_t blocks = b->views->blocks->n;
+    const murk_rulebook *book = b->oracle.book;
+    const size_t left = n - (book ? book->rules->fixed_count : 0);
+    double lambda[MURK_BLOCKS_MAX], average[MURK_BLOCKS_MAX] = {0};
+    uint64_t lowest =
+        bound_here(b, n, lower, plan, plan_count, plan ? rounds * 2 : rounds);
+    memcpy(b->lowest_lambda, b->lambda, sizeof b->lambda);
+    for (size_t t = 0; t < steps && lowest > lower && !murk_interrupted();
+         ++t) {
+        double share[MURK_BLOCKS_MAX];
+        find_shares(b, left, share);
+        step_lambda(b, share, 1 / sqrt((double)t + 1), lambda);
+        for (size_t c = 0; c < blocks; ++c) {
+            average[c] += lambda[c] / (double)steps;
+        }
+        const bool is_last = t + 1 == steps;
+        const murk_status status =
+            murk_worst_bound_weigh(b, is_last ? average : lambda, err);
+        if (status) {
+            return status;
+        }
+        const uint64_t now = bound_here(b, n, lower, NULL, 0, rounds);
+        if (now < lowest) {
+            lowest = now;
+            memcpy(b->lowest_lambda, b->lambda, sizeof b->lambda);
+        }
+    }
+    *upper = lowest < *upper ? lowest : *upper;
+    return murk_worst_bound_weigh(b, b->lowest_lambda, err);
+}

@@ -1,0 +1,284 @@
+#include "placement/worst_count.h"
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "placement/exact.h"
+
+#include <string.h>
+
+/* Levels tried between the best known and the bound. */
+#define LEVELS_MOST  16
+#define LEVEL_FINEST (MURK_SHARE_ONE >> 16)
+
+/* Random starts in a row without gain that end them. */
+#define STARTS_WITHOUT_GAIN 20
+
+/* Steps of lambda, and evaluations of the bound at each; a count on the way to
+ * the one asked for gets fewer. */
+#define STEPS       60
+#define STEPS_CURVE 15
+#define ROUNDS      8
+#define ROUNDS_LAST 100
+
+/* ---- plans ---- */
+
+static bool is_plan(murk_worst_run *w, const uint32_t *plan, size_t size,
+                    size_t n)
+{
+    if (!w->book) {
+        return size == n;
+    }
+    murk_standing *s = &w->search.standing;
+    murk_standing_clear(s, w->book->has_budget ? w->book->most_sensors : n);
+    for (size_t k = 0; k < size; ++k) {
+        murk_standing_add(s, plan[k]);
+    }
+    return murk_standing_is_plan(s);
+}
+
+/* Keeps trial[search.size] if it is a plan, and better. */
+static bool keep_better(murk_worst_run *w, size_t n, uint64_t value)
+{
+    const size_t size = w->search.size;
+    if ((w->has_plan && value <= w->value) || !is_plan(w, w->trial, size, n)) {
+        return false;
+    }
+    memcpy(w->plan, w->trial, size * sizeof *w->plan);
+    w->size = size;
+    w->value = value;
+    w->has_plan = true;
+    return true;
+}
+
+/* Keeps trial as it is, and relocated. */
+static bool relocate_and_keep(murk_worst_run *w, size_t n, uint64_t value)
+{
+    if (!is_plan(w, w->trial, w->search.size, n)) {
+        return false;
+    }
+    bool is_better = keep_better(w, n, value);
+    value = murk_worst_relocate(&w->search, w->trial, w->search.size);
+    is_better |= keep_better(w, n, value);
+    return is_better;
+}
+
+static bool relocates(const murk_worst_run *w)
+{
+    return w->desc->method == MURK_PLACE_BEST;
+}
+
+/* Greedy on one climb. */
+static void climb(murk_worst_run *w, const murk_climb *by, size_t n)
+{
+    const uint64_t value = murk_worst_greedy(&w->search, by, w->trial, 0, n);
+    if (relocates(w)) {
+        relocate_and_keep(w, n, value);
+    } else {
+        keep_better(w, n, value);
+    }
+}
+
+/* The highest level that greedy reaches in every block. */
+static void saturate(murk_worst_run *w, size_t n)
+{
+    murk_climb by = {.level = MURK_SHARE_ONE};
+    for (size_t c = 0; c < w->blocks; ++c) {
+        by.factor[c] = 1;
+    }
+    climb(w, &by, n); /* the mean */
+    uint64_t low = w->has_plan ? w->value : 0, high = w->upper;
+    for (int k = 0; k < LEVELS_MOST && high > low &&
+                    high - low > LEVEL_FINEST && !murk_interrupted();
+         ++k) {
+        by.level = low + (high - low) / 2;
+        climb(w, &by, n);
+        if (w->has_plan && w->value >= by.level) {
+            low = w->value;
+        } else {
+            high = by.level;
+        }
+    }
+}
+
+static void climb_each_block(murk_worst_run *w, size_t n)
+{
+    for (size_t c = 0; c < w->blocks && !murk_interrupted(); ++c) {
+        murk_climb by = {.level = MURK_SHARE_ONE};
+        by.factor[c] = 1;
+        climb(w, &by, n);
+    }
+}
+
+/* With a budget: by gain per cost, over the blocks' mean. */
+static void spend(murk_worst_run *w, size_t n)
+{
+    if (w->book && w->book->has_budget) {
+        murk_search_spend(&w->search.draw, w->trial, 0);
+        w->search.size = w->search.draw.size;
+        relocate_and_keep(
+            w, n, murk_worst_value(&w->search, w->trial, w->search.size));
+    }
+}
+
+static void draw(murk_worst_run *w, size_t n, uint64_t restart)
+{
+    murk_worst_draw(&w->search, w->trial, n, w->desc->seed, restart);
+}
+
+static void try_starts(murk_worst_run *w, size_t n, size_t most)
+{
+    size_t without_gain = 0;
+    for (size_t k = 0; k < most && without_gain < STARTS_WITHOUT_GAIN &&
+                       w->value < w->upper && !murk_interrupted();
+         ++k) {
+        draw(w, n, k);
+        ++without_gain;
+        ++w->result->restarts;
+        if (relocate_and_keep(
+                w, n, murk_worst_value(&w->search, w->trial, w->search.size))) {
+            without_gain = 0;
+        }
+        murk_progress_add(1);
+    }
+}
+
+/* ---- branch and bound ---- */
+
+static uint64_t judge(void *context, const uint32_t *plan, size_t size,
+                      uint64_t known)
+{
+    murk_worst_run *w = context;
+    const uint64_t value = murk_worst_value(&w->search, plan, size);
+    if (w->has_plan && value <= w->value) {
+        return known;
+    }
+    memcpy(w->plan, plan, size * sizeof *plan);
+    w->size = size;
+    w->value = value;
+    w->has_plan = true;
+    return murk_worst_bound_value(&w->bound, value);
+}
+
+murk_status murk_worst_prove(murk_worst_run *w, size_t n, murk_error *err)
+{
+    const bool is_wanted = w->desc->method == MURK_PLACE_BEST ||
+                           w->desc->method == MURK_PLACE_EXACT;
+    if (!is_wanted || w->value >= w->upper) {
+        return MURK_OK;
+    }
+    const murk_judge by = {judge, w};
+    murk_exact exact;
+    const murk_status status =
+        murk_exact_search(&exact, &w->bound.bound, w->plan, w->size, n,
+                          murk_worst_bound_value(&w->bound, w->value),
+                          w->bound.oracle.ceiling, w->desc->nodes, &by, err);
+    if (status) {
+        return status;
+    }
+    w->result->nodes += exact.nodes;
+    w->result->is_cut = exact.is_cut;
+    const uint64_t upper = murk_worst_bound_share(&w->bound, exact.upper);
+    w->upper = upper < w->upper ? upper : w->upper;
+    if (w->book) { /* what it found may have to be filled up */
+        const murk_climb least = {.is_least = true};
+        memcpy(w->trial, w->plan, w->size * sizeof *w->plan);
+        w->value = murk_worst_greedy(&w->search, &least, w->trial, w->size, n);
+        w->size = w->search.size;
+        memcpy(w->plan, w->trial, w->size * sizeof *w->plan);
+    }
+    w->upper = w->upper > w->value ? w->upper : w->value;
+    return MURK_OK;
+}
+
+/* ---- one count ---- */
+
+/* Where candidates exclude each other, any plan of n. */
+static murk_status find_spare(murk_worst_run *w, size_t n, murk_error *err)
+{
+    if (!w->book || !w->book->has_conflicts) {
+        return MURK_OK;
+    }
+    murk_standing *standing = &w->search.standing;
+    bool is_sure;
+    murk_standing_clear(standing, n);
+    for (size_t k = 0; k < w->book->rules->fixed_count; ++k) {
+        murk_standing_add(standing, (uint32_t)w->book->rules->fixed[k]);
+    }
+    if (!murk_standing_find_plan(standing, &is_sure)) {
+        return murk_interrupted()
+                   ? MURK_OK
+                   : murk_fail(err, MURK_RUN_FAILED, "",
+                               is_sure ? "no plan: no %zu of %zu usable "
+                                         "candidates keep all rules"
+                                       : "no plan found: of %zu sensors at "
+                                         "%zu usable candidates that keeps "
+                                         "all rules",
+                               n, w->oracle.candidates);
+    }
+    w->search.spare_size = standing->size;
+    memcpy(w->spare, standing->member, standing->size * sizeof *w->spare);
+    w->search.spare = w->spare;
+    return MURK_OK;
+}
+
+uint64_t murk_worst_ceiling(const murk_worst_run *w)
+{
+    uint64_t least = MURK_SHARE_ONE;
+    for (size_t c = 0; c < w->blocks; ++c) {
+        const uint64_t share =
+            murk_share_units(w->views.ceiling[c], w->views.whole[c]);
+        least = share < least ? share : least;
+    }
+    return least;
+}
+
+/* The best plan of n that the method finds, and its bound. */
+murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
+                             const uint32_t *from, murk_error *err)
+{
+    const murk_place_method method = w->desc->method;
+    murk_status status = find_spare(w, n, err);
+    w->has_plan = false;
+    w->value = 0;
+    w->upper = murk_worst_ceiling(w);
+    if (status || murk_interrupted()) {
+        return status;
+    }
+    if (method == MURK_PLACE_SPOQ) {
+        draw(w, n, 0);
+        ++w->result->restarts;
+        relocate_and_keep(
+            w, n, murk_worst_value(&w->search, w->trial, w->search.size));
+    } else {
+        saturate(w, n);
+        spend(w, n);
+    }
+    if (!w->has_plan) { /* greedy came to a dead end */
+        memcpy(w->trial, w->spare, w->search.spare_size * sizeof *w->trial);
+        w->search.size = w->search.spare_size;
+        relocate_and_keep(
+            w, n, murk_worst_value(&w->search, w->trial, w->search.size));
+    }
+    if (from && method == MURK_PLACE_BEST) { /* that of one fewer, and one */
+        const murk_climb least = {.is_least = true};
+        memcpy(w->trial, from, (n - 1) * sizeof *from);
+        const uint64_t value =
+            murk_worst_greedy(&w->search, &least, w->trial, n - 1, n);
+        relocate_and_keep(w, n, value);
+    }
+    const size_t steps = is_plan_asked ? STEPS : STEPS_CURVE;
+    status = murk_worst_bound_tighten(&w->bound, n, w->value, w->plan, w->size,
+                                      steps, ROUNDS, &w->upper, err);
+    if (status || murk_interrupted()) {
+        return status;
+    }
+    if (method == MURK_PLACE_BEST && w->value < w->upper) {
+        climb_each_block(w, n);
+        saturate(w, n); /* the bound is known now */
+        try_starts(w, n,
+                   is_plan_asked ? w->desc->restarts : w->desc->restarts / 10);
+    }
+    return murk_worst_bound_tighten(&w->bound, n, w->value, NULL, 0, 0,
+                                    is_plan_asked ? ROUNDS_LAST : ROUNDS,
+                                    &w->upper, err);
+}

@@ -1,0 +1,369 @@
+/* The worst of several conditions against brute force: all subsets under every
+ * kind of rule, every pair of kinds, and all of them. Nothing is random but
+ * the fixed seeds. */
+#include "placement/worst.h"
+
+#include "check.h"
+#include "made_up_rules.h"
+
+#include <math.h>
+
+#define MATRIX_MOST ((uint64_t)1 << 32)
+
+typedef struct tally {
+    int plans, refused, not_best, proven, loose;
+} tally;
+
+/* Blocks of different sizes, the last one the smallest. */
+static murk_blocks blocks_of(const made_up *m, size_t n)
+{
+    murk_blocks out = {.n = n};
+    size_t left = m->problem.photons;
+    for (size_t c = 0; c + 1 < n; ++c) {
+        const size_t mine = left / 2;
+        out.first[c + 1] = out.first[c] + mine;
+        left -= mine;
+    }
+    out.first[n] = m->problem.photons;
+    return out;
+}
+
+/* Candidates of the first third see little of block 0, of the second little
+ * of block 1, and so on: so that no plan is best in all. */
+static void set_apart(made_up *m, const murk_blocks *blocks)
+{
+    for (size_t j = 0; j < m->problem.candidates; ++j) {
+        const size_t c = j % blocks->n;
+        for (size_t i = blocks->first[c]; i < blocks->first[c + 1]; ++i) {
+            if (i % 3) {
+                m->clarity[j * m->problem.photons + i] = 0;
+            }
+        }
+    }
+}
+
+/* The least share over blocks of the set's value, rounded down. */
+static uint64_t least_share(const made_up *m, const murk_blocks *blocks,
+                            uint32_t set)
+{
+    uint64_t least = MURK_SHARE_ONE;
+    uint32_t weight[400];
+    made_up part = *m;
+    part.weight = weight;
+    for (size_t c = 0; c < blocks->n; ++c) {
+        uint64_t whole = 0;
+        for (size_t i = 0; i < m->problem.photons; ++i) {
+            const bool is_in =
+                i >= blocks->first[c] && i < blocks->first[c + 1];
+            weight[i] = is_in ? m->weight[i] : 0;
+            whole += (uint64_t)weight[i] * MURK_CLEAR *
+                     murk_problem_layers(&m->problem);
+        }
+        const uint64_t share =
+            murk_share_units(made_up_set_value(&part, set), whole);
+        least = share < least ? share : least;
+    }
+    return least;
+}
+
+/* The clearest view, two or three of them, or independent chances. */
+static void combine_by(made_up *m, uint32_t way)
+{
+    m->problem.combining =
+        way == 3 ? MURK_COMBINE_INDEPENDENT : MURK_COMBINE_CLEAREST;
+    m->problem.redundancy = way < 3 ? 1 + way : 0; /* 4: as by default */
+}
+
+static void find_optima(const made_up *m, const murk_blocks *blocks,
+                        const made_up_rules *r, uint64_t *best)
+{
+    for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
+        best[n] = UINT64_MAX;
+    }
+    for (uint32_t set = 1; set < 1u << m->problem.candidates; ++set) {
+        if (made_up_keeps(r, set)) {
+            const int n = __builtin_popcount(set);
+            const uint64_t value = least_share(m, blocks, set);
+            if (best[n] == UINT64_MAX || value > best[n]) {
+                best[n] = value;
+            }
+        }
+    }
+}
+
+static uint64_t optimum_of(const made_up_rules *r, const uint64_t *best,
+                           size_t count)
+{
+    if (!(r->kinds & BUDGET)) {
+        return best[count];
+    }
+    uint64_t most = UINT64_MAX;
+    for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
+        if (best[n] != UINT64_MAX && (most == UINT64_MAX || best[n] > most)) {
+            most = best[n];
+        }
+    }
+    return most;
+}
+
+static murk_status place(murk_place_result *out, const made_up *m,
+                         const murk_blocks *blocks, const murk_place_desc *desc,
+                         murk_error *err)
+{
+    murk_matrix *matrix = NULL;
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, err) ==
+          MURK_OK);
+    const murk_status status =
+        murk_place_worst(out, &m->problem, matrix, blocks, desc, err);
+    murk_matrix_destroy(matrix);
+    return status;
+}
+
+static uint32_t set_of(const murk_place_result *r)
+{
+    uint32_t set = 0;
+    for (size_t k = 0; k < r->count; ++k) {
+        set |= 1u << r->sensor[k];
+    }
+    return set;
+}
+
+static void check_plan(const made_up *m, const murk_blocks *blocks,
+                       const made_up_rules *r, const murk_place_desc *desc,
+                       const murk_place_result *plan, const uint64_t *best,
+                       tally *t)
+{
+    const uint64_t optimum = optimum_of(r, best, desc->count);
+    const uint32_t set = set_of(plan);
+    CHECK(made_up_keeps(r, set));
+    CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
+                            : plan->count == desc->count);
+    CHECK(plan->value == least_share(m, blocks, set));
+    CHECK(plan->value <= optimum);
+    CHECK(plan->upper >= optimum);
+    CHECK(!plan->proven_optimal || plan->value == optimum);
+    CHECK_TEXT(plan->guarantee, "none");
+    CHECK(plan->whole == MURK_SHARE_ONE && plan->ceiling >= plan->value);
+    for (size_t k = 0; k < plan->curve_points; ++k) {
+        const murk_curve_point *at = &plan->curve[k];
+        CHECK(best[at->count] != UINT64_MAX);
+        CHECK(at->value <= best[at->count] && at->upper >= best[at->count]);
+    }
+    if (desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_EXACT) {
+        CHECK(plan->value == optimum && plan->proven_optimal);
+    }
+    ++t->plans;
+    t->not_best += plan->value < optimum;
+    t->proven += plan->proven_optimal;
+    t->loose += desc->nodes == 0 && !plan->proven_optimal;
+}
+
+static void try_methods(const made_up *m, const murk_blocks *blocks,
+                        const made_up_rules *r, uint32_t seed, size_t count,
+                        tally *t)
+{
+    static const murk_place_method methods[] = {
+        MURK_PLACE_BEST, MURK_PLACE_SPOQ, MURK_PLACE_GREEDY, MURK_PLACE_EXACT};
+    uint64_t best[MADE_UP_MOST + 1];
+    find_optima(m, blocks, r, best);
+    const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
+    for (int way = 0; way < 8; ++way) {
+        murk_place_desc desc = murk_place_defaults();
+        desc.method = methods[way % 4];
+        desc.count = count;
+        desc.restarts = 3;
+        desc.seed = seed;
+        desc.rules = r->kinds ? &r->rules : NULL;
+        desc.keep_dominated = way >= 4;
+        desc.with_curve = seed % 2;
+        murk_error err = {0};
+        murk_place_result plan = {0};
+        const murk_status status = place(&plan, m, blocks, &desc, &err);
+        CHECK((status == MURK_OK) == is_possible);
+        if (status) {
+            CHECK(err.text[0] != 0 && plan.sensor == NULL);
+            CHECK(!is_possible || err.text[0] == 0); /* show the text */
+            ++t->refused;
+            continue;
+        }
+        check_plan(m, blocks, r, &desc, &plan, best, t);
+        murk_place_release(&plan);
+    }
+}
+
+static void test_against_brute_force(uint32_t seed)
+{
+    tally t = {0};
+    for (uint32_t k = 0; k < 24; ++k) {
+        made_up *m = made_up_create(seed + k, 90, 10, k % 3 ? .3 : .12,
+                                    k % 2 ? 1 : 40, 1 + k % 4, 1);
+        const murk_blocks blocks = blocks_of(m, 2 + k % 3);
+        set_apart(m, &blocks);
+        combine_by(m, k / 3 % 4);
+        made_up_rules none;
+        made_up_rules_fill(&none, seed, 0, 10);
+        try_methods(m, &blocks, &none, seed + k, 1 + k % 4, &t);
+        made_up_destroy(m);
+    }
+    printf("%d plans, %d short of the best, %d proven\n", t.plans, t.not_best,
+           t.proven);
+    CHECK(t.not_best > 0); /* or the problems were too easy to tell */
+}
+
+static void test_every_rule(uint32_t seed)
+{
+    tally t = {0};
+    for (unsigned kinds = 1; kinds < 1u << KINDS; ++kinds) {
+        const int bits = __builtin_popcount(kinds);
+        const uint32_t problems = bits == 1 ? 6 : bits == 2 ? 2 : 1;
+        for (uint32_t k = 0; k < problems && (bits < 3 || bits > 5); ++k) {
+            const uint32_t own = seed + 1000 * kinds + k;
+            made_up *m = made_up_create(own, 60, 9, k % 3 ? .25 : .1,
+                                        k % 2 ? 1 : 40, 1 + k % 4, 1);
+            const murk_blocks blocks = blocks_of(m, 2 + k % 2);
+            set_apart(m, &blocks);
+            combine_by(m, (k + kinds) % 5);
+            made_up_rules r;
+            made_up_rules_fill(&r, own, kinds, 9);
+            const size_t count =
+                kinds & BUDGET && k % 3 ? 0 : 1 + made_up_draw(own, 20, 0, 4);
+            try_methods(m, &blocks, &r, own, count, &t);
+            made_up_destroy(m);
+        }
+    }
+    printf("rules: %d plans, %d refusals, %d short of the best, %d proven\n",
+           t.plans, t.refused, t.not_best, t.proven);
+    CHECK(t.plans > 100 && t.refused > 10);
+}
+
+/* Without branch and bound the bound still holds, and is not idle: where it
+ * does not meet the optimum it comes near. */
+static void test_the_bound_alone(uint32_t seed)
+{
+    double widest = 0;
+    for (uint32_t k = 0; k < 20; ++k) {
+        made_up *m =
+            made_up_create(seed + k, 300, 11, .3, k % 2 ? 1 : 40, 3, 1);
+        const murk_blocks blocks = blocks_of(m, 3);
+        set_apart(m, &blocks);
+        made_up_rules none;
+        made_up_rules_fill(&none, seed, 0, 11);
+        uint64_t best[MADE_UP_MOST + 1];
+        find_optima(m, &blocks, &none, best);
+        murk_place_desc desc = murk_place_defaults();
+        desc.count = 3;
+        desc.nodes = 0;
+        desc.with_curve = false;
+        murk_error err = {0};
+        murk_place_result plan = {0};
+        CHECK(place(&plan, m, &blocks, &desc, &err) == MURK_OK);
+        CHECK(plan.upper >= best[3] && plan.value <= best[3]);
+        widest = fmax(widest, ((double)plan.upper - (double)best[3]) /
+                                  (double)MURK_SHARE_ONE);
+        murk_place_release(&plan);
+        made_up_destroy(m);
+    }
+    printf("widest gap of the bound alone: %.3f\n", widest);
+    CHECK(widest > 0); /* or nothing was left to bound */
+}
+
+/* One block is the plain problem. */
+static void test_one_block_is_plain(uint32_t seed)
+{
+    made_up *m = made_up_create(seed, 200, 30, .2, 40, 3, 1);
+    const murk_blocks one = blocks_of(m, 1);
+    murk_matrix *matrix = NULL;
+    murk_error err = {0};
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+          MURK_OK);
+    murk_place_desc desc = murk_place_defaults();
+    desc.count = 3;
+    murk_place_result plain = {0}, worst = {0};
+    CHECK(murk_place_known(&plain, &m->problem, matrix, &desc, &err) ==
+          MURK_OK);
+    CHECK(murk_place_worst(&worst, &m->problem, matrix, &one, &desc, &err) ==
+          MURK_OK);
+    CHECK(plain.proven_optimal && worst.proven_optimal);
+    CHECK(worst.value == murk_share_units(plain.value, plain.whole));
+    murk_place_release(&plain);
+    murk_place_release(&worst);
+    murk_matrix_destroy(matrix);
+    made_up_destroy(m);
+}
+
+/* The fewest sensors that reach a target in every condition. */
+static void test_target(uint32_t seed)
+{
+    int reached = 0, missed = 0;
+    for (uint32_t k = 0; k < 12; ++k) {
+        made_up *m = made_up_create(seed + k, 90, 10, .2, 1, 2, 1);
+        const murk_blocks blocks = blocks_of(m, 3);
+        set_apart(m, &blocks);
+        made_up_rules none;
+        made_up_rules_fill(&none, seed, 0, 10);
+        uint64_t best[MADE_UP_MOST + 1];
+        find_optima(m, &blocks, &none, best);
+        murk_place_desc desc = murk_place_defaults();
+        desc.count = 6;
+        desc.target = best[1 + k % 3 * 3] + (k % 2);
+        size_t fewest = 1;
+        while (fewest <= 6 && best[fewest] < desc.target) {
+            ++fewest;
+        }
+        murk_error err = {0};
+        murk_place_result plan = {0};
+        const murk_status status = place(&plan, m, &blocks, &desc, &err);
+        CHECK((status == MURK_OK) == (fewest <= 6));
+        if (status) {
+            CHECK_MENTIONS(err.text, "cannot be reached in the worst");
+            ++missed;
+        } else {
+            CHECK(plan.count == fewest && plan.fewest == fewest);
+            CHECK(plan.value >= desc.target);
+            ++reached;
+        }
+        murk_place_release(&plan);
+        made_up_destroy(m);
+    }
+    CHECK(reached > 3 && missed > 1);
+}
+
+/* Any number of threads, the same plan and bound. */
+static void test_threads(uint32_t seed)
+{
+    murk_place_result first = {0};
+    for (unsigned threads = 1; threads <= 5; threads += 2) {
+        made_up *m = made_up_create(seed, 3000, 60, .3, 40, 2, threads);
+        const murk_blocks blocks = blocks_of(m, 3);
+        set_apart(m, &blocks);
+        murk_place_desc desc = murk_place_defaults();
+        desc.count = 3;
+        desc.nodes = 3000;
+        desc.with_curve = false;
+        murk_place_result plan = {0};
+        murk_error err = {0};
+        CHECK(place(&plan, m, &blocks, &desc, &err) == MURK_OK);
+        if (threads == 1) {
+            first = plan;
+        } else {
+            CHECK(plan.value == first.value && plan.upper == first.upper);
+            CHECK(memcmp(plan.sensor, first.sensor, 3 * sizeof *plan.sensor) ==
+                  0);
+            CHECK(plan.evaluations == first.evaluations);
+            murk_place_release(&plan);
+        }
+        made_up_destroy(m);
+    }
+    murk_place_release(&first);
+}
+
+int main(void)
+{
+    test_against_brute_force(100);
+    test_every_rule(7000);
+    test_the_bound_alone(300);
+    test_one_block_is_plain(5);
+    test_target(900);
+    test_threads(17);
+    return check_done();
+}
