@@ -2,6 +2,7 @@
 #include "app/coverage_out.h"
 #include "app/exports.h"
 #include "app/goals_out.h"
+#include "app/over_out.h"
 #include "app/place_matrix.h"
 #include "app/plan_out.h"
 #include "app/robust_out.h"
@@ -11,6 +12,7 @@
 #include "study/machine.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static void add_candidates(cJSON *root, const murk_plan *plan)
 {
@@ -100,10 +102,16 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     murk_json_cut(object, &plan->place);
 }
 
-static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
+/* over NULL: the scene as it stands. */
+static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
+                        const murk_over *over)
 {
     cJSON *root = murk_json_begin(session->scene);
-    murk_json_photons(root, session->traced);
+    if (over) {
+        murk_over_json_photons(root, over);
+    } else {
+        murk_json_photons(root, session->traced);
+    }
     murk_json_targets(root, session->scene, &plan->targets);
     add_candidates(root, plan);
     murk_json_sensors(root, session->scene, plan->sensor, plan->place.count,
@@ -117,16 +125,25 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan)
     add_target(root, plan, session->scene);
     add_budget(root, plan, session->scene);
     add_placement(root, plan, session->scene);
+    if (over) {
+        murk_over_json(root, over);
+    }
     return root;
 }
 
-static void print_plan(const murk_session *session, const murk_plan *plan)
+static void print_plan(const murk_session *session, const murk_plan *plan,
+                       const murk_over *over)
 {
     const murk_place_result *place = &plan->place;
-    murk_print_light(session);
-    murk_print_tallies(session);
+    if (!over) {
+        murk_print_light(session);
+        murk_print_tallies(session);
+    }
     murk_print_targets(&plan->targets);
     murk_print_candidates(plan->candidates);
+    if (over) {
+        murk_over_print(over);
+    }
     murk_print_sensors(session->scene, plan->sensor, place->count,
                        &plan->in_sample);
     printf("coverage    %.4f in sample (", plan->in_sample.total.value);
@@ -165,8 +182,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan)
     murk_print_files(session);
 }
 
-static murk_status write_plan(murk_session *session, const murk_plan *plan,
-                              murk_error *late, murk_error *err)
+static murk_status write_light(murk_session *session, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -175,6 +191,15 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
     if (!status) {
         status = murk_add_tallies(session, err);
     }
+    return status;
+}
+
+static murk_status write_plan(murk_session *session, const murk_plan *plan,
+                              const murk_over *over, murk_error *late,
+                              murk_error *err)
+{
+    murk_status status = over ? murk_over_add_files(session, plan, over, err)
+                              : write_light(session, err);
     if (!status) {
         status = murk_add_sensors_csv(&session->results, session->scene,
                                       plan->sensor, plan->place.count, err);
@@ -184,12 +209,50 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
                                        plan->sensor, plan->place.count,
                                        &plan->in_sample, err);
     }
-    if (!status) {
+    if (!status && !over) {
         status = murk_exports_add_plan(session, plan, late, err);
     }
     if (!status) {
         status = murk_session_finish(session, "plan.json",
-                                     plan_json(session, plan), err);
+                                     plan_json(session, plan, over), err);
+    }
+    return status;
+}
+
+static murk_status place(murk_session *session, murk_plan *plan,
+                         murk_error *err)
+{
+    const unsigned threads = session->options->threads;
+    murk_status status = murk_session_build(session, err);
+    if (!status) {
+        status = murk_plan_prepare(plan, session->stage, threads, err);
+    }
+    if (!status) {
+        status = murk_session_light(session, err);
+    }
+    if (!status) {
+        status =
+            murk_plan_make(plan, session->stage, session->traced, threads, err);
+    }
+    return status;
+}
+
+/* Over conditions, each of which has a light of its own. */
+static murk_status place_over(murk_session *session, murk_plan *plan,
+                              murk_over *over, murk_error *err)
+{
+    const murk_options *options = session->options;
+    if (options->light || options->exports) {
+        return murk_fail(err, MURK_BAD_VALUE,
+                         options->light ? "--light" : "--export",
+                         "not over conditions, of which each has its own "
+                         "light: placement.over must be null");
+    }
+    murk_status status =
+        murk_over_prepare(over, plan, session->scene, options->threads, err);
+    session->run.load_s = murk_clock_s() - session->begun_s;
+    if (!status) {
+        status = murk_over_make(over, plan, options->threads, err);
     }
     return status;
 }
@@ -201,30 +264,33 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     }
     murk_session session;
     murk_plan plan = {0};
+    murk_over *over = NULL;
     murk_error late = {0};
-    murk_status status = murk_session_begin(&session, options, err);
-    if (!status) {
-        status = murk_plan_prepare(&plan, session.stage, options->threads, err);
-    }
-    if (!status) {
-        status = murk_session_light(&session, err);
-    }
-    if (!status) {
-        status = murk_plan_make(&plan, session.stage, session.traced,
-                                options->threads, err);
+    murk_status status = murk_session_read(&session, options, err);
+    if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
+        over = calloc(1, sizeof *over);
+        status = over ? place_over(&session, &plan, over, err)
+                      : murk_fail(err, MURK_NO_MEMORY, session.scene->path,
+                                  "no memory for conditions");
+    } else if (!status) {
+        status = place(&session, &plan, err);
     }
     if (!status) {
         session.run.trace_s = plan.trace_s;
         session.run.map_s = plan.map_s;
         session.run.sense_s = plan.sense_s;
         session.run.place_s = plan.place_s;
-        status = write_plan(&session, &plan, &late, err);
+        status = write_plan(&session, &plan, over, &late, err);
     }
     if (!status && murk_session_speaks(&session)) {
-        print_plan(&session, &plan);
+        print_plan(&session, &plan, over);
     }
     if (!status && late.status) { /* the plan is written, this is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);
+    }
+    if (over) {
+        murk_over_release(over);
+        free(over);
     }
     murk_plan_release(&plan);
     murk_session_end(&session);

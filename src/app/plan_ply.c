@@ -173,9 +173,9 @@ static murk_status write_ply(const char *path, const void *context,
     return murk_file_commit(&file, err);
 }
 
-murk_status murk_add_plan_ply(murk_results *results, murk_sight *sight,
-                              const murk_pose *sensor, size_t n, double size_m,
-                              murk_error *err)
+murk_status murk_add_plan_ply(murk_results *results, const char *name,
+                              murk_sight *sight, const murk_pose *sensor,
+                              size_t n, double size_m, murk_error *err)
 {
     parts p = {.sight = sight,
                .sensor = sensor,
@@ -183,11 +183,11 @@ murk_status murk_add_plan_ply(murk_results *results, murk_sight *sight,
                .photons = murk_sight_photons(sight),
                .mark_m = MARK_SIZE * size_m};
     p.seen = calloc(p.photons + 1, sizeof *p.seen);
-    murk_status status = p.seen ? look_all(&p, err)
-                                : murk_fail(err, MURK_NO_MEMORY, "plan.ply",
-                                            "no memory to write it");
+    murk_status status =
+        p.seen ? look_all(&p, err)
+               : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     if (!status) {
-        status = murk_results_add(results, "plan.ply", write_ply, &p, err);
+        status = murk_results_add(results, name, write_ply, &p, err);
     }
     free(p.seen);
     return status;

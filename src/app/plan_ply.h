@@ -19,8 +19,8 @@
  *
  * Binary, little endian. size_m: of the world; marks are one part in a
  * hundred of it. */
-murk_status murk_add_plan_ply(murk_results *results, murk_sight *sight,
-                              const murk_pose *sensor, size_t n, double size_m,
-                              murk_error *err);
+murk_status murk_add_plan_ply(murk_results *results, const char *name,
+                              murk_sight *sight, const murk_pose *sensor,
+                              size_t n, double size_m, murk_error *err);
 
 #endif

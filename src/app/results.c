@@ -100,12 +100,12 @@ static murk_status write_light(const char *path, const void *context,
     return murk_light_save(parts->traced, parts->stage, path, err);
 }
 
-murk_status murk_results_add_light(murk_results *results,
+murk_status murk_results_add_light(murk_results *results, const char *name,
                                    const murk_traced *traced,
                                    const murk_stage *stage, murk_error *err)
 {
     const light_parts parts = {traced, stage};
-    return murk_results_add(results, "light.murk", write_light, &parts, err);
+    return murk_results_add(results, name, write_light, &parts, err);
 }
 
 murk_status murk_results_show(murk_results *results, murk_error *err)

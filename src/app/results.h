@@ -13,8 +13,9 @@
 
 #include <cjson/cJSON.h>
 
-/* Two of each grid tally, and the others. */
-#define MURK_RESULTS_MAX (2 * MURK_TALLIES_MAX + 16)
+/* Two of each grid tally, four of each condition, and the others. */
+#define MURK_RESULTS_MAX \
+    (2 * MURK_TALLIES_MAX + 4 * MURK_SCENE_CONDITIONS_MAX + 16)
 
 typedef struct murk_results {
     const char *folder; /* NULL: nothing is written */
@@ -40,7 +41,7 @@ murk_status murk_results_add(murk_results *results, const char *name,
                              murk_error *err);
 murk_status murk_results_add_text(murk_results *results, const char *name,
                                   const char *text, murk_error *err);
-murk_status murk_results_add_light(murk_results *results,
+murk_status murk_results_add_light(murk_results *results, const char *name,
                                    const murk_traced *traced,
                                    const murk_stage *stage, murk_error *err);
 

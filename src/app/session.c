@@ -7,6 +7,13 @@
 murk_status murk_session_begin(murk_session *session,
                                const murk_options *options, murk_error *err)
 {
+    const murk_status status = murk_session_read(session, options, err);
+    return status ? status : murk_session_build(session, err);
+}
+
+murk_status murk_session_read(murk_session *session,
+                              const murk_options *options, murk_error *err)
+{
     *session = (murk_session){.options = options,
                               .run.threads = options->threads,
                               .begun_s = murk_clock_s()};
@@ -20,9 +27,13 @@ murk_status murk_session_begin(murk_session *session,
     if (!status) {
         status = murk_results_begin(&session->results, options->out, err);
     }
-    if (!status) {
-        status = murk_stage_create(&session->stage, session->scene, err);
-    }
+    return status;
+}
+
+murk_status murk_session_build(murk_session *session, murk_error *err)
+{
+    const murk_status status =
+        murk_stage_create(&session->stage, session->scene, err);
     session->run.load_s = murk_clock_s() - session->begun_s;
     return status;
 }
@@ -59,7 +70,7 @@ void murk_session_end(murk_session *session)
 murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
     const murk_status status = murk_results_add_light(
-        &session->results, session->traced, session->stage, err);
+        &session->results, "light.murk", session->traced, session->stage, err);
     return status ? status
                   : murk_results_add_text(&session->results, "scene.yaml",
                                           session->scene->resolved, err);

@@ -17,9 +17,13 @@ typedef struct murk_session {
     double begun_s;
 } murk_session;
 
-/* Reads and builds; makes the result folder. End it also after a failure. */
+/* Reads and builds; makes the result folder. End it also after a failure.
+ * read: the same without building, for who has other worlds to build. */
 murk_status murk_session_begin(murk_session *session,
                                const murk_options *options, murk_error *err);
+murk_status murk_session_read(murk_session *session,
+                              const murk_options *options, murk_error *err);
+murk_status murk_session_build(murk_session *session, murk_error *err);
 murk_status murk_session_light(murk_session *session, murk_error *err);
 void murk_session_end(murk_session *session);
 

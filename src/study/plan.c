@@ -8,9 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HELD_OUT_STREAM 1u
-#define CONFIRM_STREAM  2u
-#define MATRIX_SHARE    0.7 /* of the free memory, for the known matrix */
+#define MATRIX_SHARE 0.7 /* of the free memory, for the known matrix */
 
 /* What plans look at: traced light, or targets. */
 typedef struct seen_maps {
@@ -106,7 +104,7 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
     return murk_plan_sight_told(out, &facts, stage, traced, threads, err);
 }
 
-static murk_place_desc place_desc(const murk_scene *scene)
+murk_place_desc murk_plan_desc(const murk_scene *scene)
 {
     static const murk_place_method method_of[] = {
         [MURK_SCENE_BEST] = MURK_PLACE_BEST,
@@ -128,11 +126,6 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
     if (!wish->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
-    }
-    if (stage->scene->placement.over != MURK_SCENE_OVER_NONE) {
-        return murk_fail(err, MURK_UNSUPPORTED, stage->scene->placement.where,
-                         "over: mean and worst are not supported yet, must be "
-                         "null");
     }
     if (wish->count < 1 && !(wish->target > 0) && !(wish->budget > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
@@ -157,13 +150,24 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
     return MURK_OK;
 }
 
+murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
+                            murk_error *err)
+{
+    const murk_status status = validate(stage, err);
+    return !status && stage->scene->placement.targets.given
+               ? murk_targets_check(stage, threads, err)
+               : status;
+}
+
+uint64_t murk_plan_matrix_bytes(void)
+{
+    return (uint64_t)(MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18));
+}
+
 murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
-    murk_status status = validate(stage, err);
-    if (!status && stage->scene->placement.targets.given) {
-        status = murk_targets_check(stage, threads, err);
-    }
+    murk_status status = murk_plan_check(stage, threads, err);
     if (!status) {
         status = murk_sites_find(&plan->candidates, stage, threads, err);
     }
@@ -194,7 +198,7 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->poses->pose,
                             plan->poses->count);
-    murk_place_desc desc = place_desc(stage->scene);
+    murk_place_desc desc = murk_plan_desc(stage->scene);
     desc.rules = murk_poses_rules(plan->poses);
     if (stage->scene->sensors.target > 0) {
         desc.target =
@@ -209,8 +213,8 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
         plan->place_s = murk_clock_s() - begun_s;
         return status;
     }
-    const double most = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
-    status = murk_matrix_create(&matrix, &seen.problem, (uint64_t)most, err);
+    status = murk_matrix_create(&matrix, &seen.problem,
+                                murk_plan_matrix_bytes(), err);
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status) {
@@ -222,9 +226,9 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
-/* Light of another stream; where targets take its place, none is needed. */
-static murk_status see_anew(murk_traced **out, const murk_stage *stage,
-                            uint32_t stream, unsigned threads, murk_error *err)
+murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
+                               uint32_t stream, unsigned threads,
+                               murk_error *err)
 {
     if (!stage->scene->placement.targets.given) {
         return murk_light_trace(out, stage, stream, threads, err);
@@ -233,9 +237,7 @@ static murk_status see_anew(murk_traced **out, const murk_stage *stage,
     return *out ? MURK_OK : MURK_NO_MEMORY;
 }
 
-/* Whether another stream shows anything else than the first: a list is all
- * there is. */
-static bool can_see_anew(const murk_scene *scene)
+bool murk_plan_can_see_anew(const murk_scene *scene)
 {
     return !scene->placement.targets.points;
 }
@@ -251,7 +253,8 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
-    murk_status status = see_anew(&other, stage, stream, threads, err);
+    murk_status status =
+        murk_plan_see_anew(&other, stage, stream, threads, err);
     if (!status) {
         plan->trace_s += other->trace_s;
         plan->map_s += other->map_s;
@@ -261,10 +264,10 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
         status = murk_coverage_measure(&coverage, sight, plan->sensor,
                                        plan->place.count, err);
     }
-    if (!status && stream == HELD_OUT_STREAM) {
+    if (!status && stream == MURK_HELD_OUT_STREAM) {
         status = murk_robust_hold_out(&plan->robust, &coverage, err);
     }
-    if (!status && stream == HELD_OUT_STREAM) {
+    if (!status && stream == MURK_HELD_OUT_STREAM) {
         status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
                                     &coverage, true, err);
     }
@@ -320,21 +323,21 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
         status = murk_robust_begin(&plan->robust, stage, plan->sensor,
                                    plan->place.count, &plan->in_sample, err);
     }
-    const bool has_held_out =
-        stage->scene->placement.hold_out && can_see_anew(stage->scene);
+    const bool has_held_out = stage->scene->placement.hold_out &&
+                              murk_plan_can_see_anew(stage->scene);
     if (!status && !has_held_out) {
         status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
                                     &plan->in_sample, false, err);
     }
     if (!status && has_held_out) {
-        status = measure_on(plan, HELD_OUT_STREAM, &plan->held_out,
+        status = measure_on(plan, MURK_HELD_OUT_STREAM, &plan->held_out,
                             &plan->held_out_region, stage, threads, err);
         plan->has_held_out = !status;
     }
     if (!status && stage->scene->sensors.target > 0 &&
-        can_see_anew(stage->scene)) {
-        status = measure_on(plan, CONFIRM_STREAM, &plan->confirmed, NULL, stage,
-                            threads, err);
+        murk_plan_can_see_anew(stage->scene)) {
+        status = measure_on(plan, MURK_CONFIRM_STREAM, &plan->confirmed, NULL,
+                            stage, threads, err);
     }
 done:
     murk_sight_destroy(sight);

@@ -27,6 +27,28 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
  * the whole; a share within rounding of a value means it. */
 uint64_t murk_plan_value_of(double share, const murk_problem *problem);
 
+/* What can be wrong with the scene's wishes by themselves. */
+murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
+                            murk_error *err);
+
+/* The solver's description of them, without rules and target. */
+murk_place_desc murk_plan_desc(const murk_scene *scene);
+
+/* The memory that a known matrix may take [bytes]. */
+uint64_t murk_plan_matrix_bytes(void);
+
+#define MURK_HELD_OUT_STREAM 1u
+#define MURK_CONFIRM_STREAM  2u
+
+/* Light of another stream; where targets take its place, none is needed. */
+murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
+                               uint32_t stream, unsigned threads,
+                               murk_error *err);
+
+/* Whether another stream shows anything else than the first: a list of targets
+ * is all there is. */
+bool murk_plan_can_see_anew(const murk_scene *scene);
+
 typedef struct murk_plan {
     murk_candidates *candidates;
     murk_poses *poses; /* of them: what placement chooses from */

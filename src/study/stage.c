@@ -340,7 +340,7 @@ static void warn_of_lit_sides(const murk_stage *stage)
     }
 }
 
-murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
+murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
                               murk_error *err)
 {
     murk_status status = MURK_OK;
@@ -357,12 +357,21 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     if (!stage->mesh || !stage->region_mesh || !stage->light_key) {
         status = murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for the world");
-        goto done;
+    } else {
+        status = import_files(stage, err);
     }
-    status = import_files(stage, err);
-    if (!status) {
-        status = make_phases(stage, err);
+    if (status) {
+        murk_stage_destroy(stage);
+        return status;
     }
+    *out = stage;
+    return MURK_OK;
+}
+
+murk_status murk_stage_build(murk_stage *stage, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    murk_status status = make_phases(stage, err);
     if (!status) {
         status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,
                                     stage->grid, stage->region_mesh, err);
@@ -389,7 +398,7 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
             murk_tallies_asked(&stage->tally, scene, &stage->world.domain, err);
     }
     if (status) {
-        goto done;
+        return status;
     }
     warn_of_cuts(stage);
     warn_of_lit_sides(stage);
@@ -398,11 +407,23 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     stage->world.hulls = stage->hulls;
     stage->world.lights = stage->lights;
     stage->world.bands = scene->bands;
+    return MURK_OK;
+}
+
+murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
+                              murk_error *err)
+{
+    murk_stage *stage = NULL;
+    murk_status status = murk_stage_import(&stage, scene, err);
+    if (!status) {
+        status = murk_stage_build(stage, err);
+    }
+    if (status) {
+        murk_stage_destroy(stage);
+        return status;
+    }
     *out = stage;
-    stage = NULL;
-done:
-    murk_stage_destroy(stage);
-    return status;
+    return MURK_OK;
 }
 
 void murk_stage_destroy(murk_stage *stage)

@@ -38,6 +38,12 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
                               murk_error *err);
 void murk_stage_destroy(murk_stage *stage); /* NULL is fine */
 
+/* The same in two steps, for several worlds at once: all are imported before
+ * the first is built, since that makes a ray device. */
+murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
+                              murk_error *err);
+murk_status murk_stage_build(murk_stage *stage, murk_error *err);
+
 /* A trace of this world as the scene wants it; stream, photons, threads and
  * sink are the caller's to set. */
 murk_trace murk_stage_trace(const murk_stage *stage);

@@ -7,6 +7,7 @@ murk=$1
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 sed -n '/^media:/,/^$/!p' scenes/smoke-hall.yaml | sed -n '/^regions:/,/^$/!p' |
+    sed '/^conditions:/,$d' |
     sed "s|meshes/|$PWD/scenes/meshes/|" >"$dir/without.yaml"
 if grep -qE '^(media|regions):' "$dir/without.yaml"; then
     echo "the media are still there"

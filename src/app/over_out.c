@@ -1,0 +1,329 @@
+#include "app/over_out.h"
+
+#include "app/plan_ply.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16)
+
+static murk_estimate in_sample_of(const murk_over *over,
+                                  const murk_over_plan *plan,
+                                  murk_scene_over by, size_t *worst)
+{
+    return murk_over_estimate(over->conditions, plan->in_sample, by, false,
+                              worst);
+}
+
+/* Held out, where it is. */
+static murk_estimate best_known_of(const murk_over *over,
+                                   const murk_over_plan *plan,
+                                   murk_scene_over by)
+{
+    size_t worst;
+    return over->has_held_out
+               ? murk_over_estimate(over->conditions, plan->held_out, by, true,
+                                    &worst)
+               : in_sample_of(over, plan, by, &worst);
+}
+
+static murk_estimate seen_in(const murk_over *over, const murk_over_plan *plan,
+                             size_t c)
+{
+    return over->has_held_out ? plan->held_out[c] : plan->in_sample[c];
+}
+
+/* ---- files ---- */
+
+static const char *name_file(char out[FILE_NAME_MAX], const char *begin,
+                             const murk_condition *condition, const char *end)
+{
+    snprintf(out, FILE_NAME_MAX, "%s-%s%s", begin, condition->wish->name, end);
+    return out;
+}
+
+static murk_status add_ledger(murk_session *session, const char *name,
+                              const murk_condition *condition, murk_error *err)
+{
+    const murk_session one = {.scene = condition->wish->scene,
+                              .stage = condition->stage,
+                              .traced = condition->traced};
+    char *text = murk_json_end(murk_session_ledger(&one), &session->run);
+    const murk_status status =
+        murk_results_add_text(&session->results, name, text, err);
+    cJSON_free(text);
+    return status;
+}
+
+static murk_status add_condition(murk_session *session, const murk_plan *plan,
+                                 const murk_condition *condition,
+                                 murk_error *err)
+{
+    murk_results *results = &session->results;
+    char name[FILE_NAME_MAX];
+    const murk_box *box = &condition->stage->world.domain.box;
+    murk_status status = murk_results_add_light(
+        results, name_file(name, "light", condition, ".murk"),
+        condition->traced, condition->stage, err);
+    if (!status) {
+        status =
+            add_ledger(session, name_file(name, "ledger", condition, ".json"),
+                       condition, err);
+    }
+    if (!status) {
+        status = murk_results_add_text(
+            results, name_file(name, "scene", condition, ".yaml"),
+            condition->wish->scene->resolved, err);
+    }
+    if (!status) {
+        status = murk_add_plan_ply(
+            results, name_file(name, "plan", condition, ".ply"),
+            condition->sight, plan->sensor, plan->place.count,
+            murk_length(murk_sub(box->max, box->min)), err);
+    }
+    return status;
+}
+
+static murk_status write_regret(const char *path, const void *context,
+                                murk_error *err)
+{
+    const murk_over *over = context;
+    murk_file *file = NULL;
+    murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    FILE *to = murk_file_stream(file);
+    fputs("made_for,used_in,in_sample,in_sample_standard_error,held_out,"
+          "held_out_standard_error,regret\n",
+          to);
+    for (size_t p = 0; p < over->plans; ++p) {
+        const murk_over_plan *plan = &over->plan[p];
+        for (size_t c = 0; c < over->conditions->n; ++c) {
+            const murk_estimate in = plan->in_sample[c];
+            fprintf(to, "%s,%s,%.9g,%.6g,", plan->made_for,
+                    over->conditions->condition[c].wish->name, in.value,
+                    in.standard_error);
+            if (over->has_held_out) {
+                fprintf(to, "%.9g,%.6g,", plan->held_out[c].value,
+                        plan->held_out[c].standard_error);
+            } else {
+                fputs(",,", to);
+            }
+            fprintf(to, "%.9g\n", murk_over_regret(over, plan, c));
+        }
+    }
+    status = murk_file_commit(&file, err);
+    murk_file_discard(file);
+    return status;
+}
+
+murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
+                                const murk_over *over, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    if (!session->results.folder) {
+        return MURK_OK;
+    }
+    for (size_t c = 0; !status && c < over->conditions->n; ++c) {
+        status =
+            add_condition(session, plan, &over->conditions->condition[c], err);
+    }
+    if (!status) {
+        status = murk_results_add_text(&session->results, "scene.yaml",
+                                       session->scene->resolved, err);
+    }
+    return status ? status
+                  : murk_results_add(&session->results, "regret.csv",
+                                     write_regret, over, err);
+}
+
+/* ---- JSON ---- */
+
+void murk_over_json_photons(cJSON *root, const murk_over *over)
+{
+    double emitted = 0, surface = 0, volume = 0;
+    for (size_t c = 0; c < over->conditions->n; ++c) {
+        const murk_traced *traced = over->conditions->condition[c].traced;
+        emitted += (double)traced->emitted;
+        surface += (double)murk_photon_map_count(traced->surface);
+        volume += (double)murk_photon_map_count(traced->volume);
+    }
+    cJSON *object = cJSON_AddObjectToObject(root, "photons");
+    cJSON_AddNumberToObject(object, "emitted", emitted);
+    cJSON_AddNumberToObject(object, "surface", surface);
+    cJSON_AddNumberToObject(object, "volume", volume);
+}
+
+static void add_estimate(cJSON *object, const char *key, murk_estimate of)
+{
+    char error[80];
+    snprintf(error, sizeof error, "%s_standard_error", key);
+    murk_json_number(object, key, of.value);
+    murk_json_number(object, error, of.standard_error);
+}
+
+static const murk_estimate NONE = {NAN, NAN};
+
+static void add_conditions(cJSON *root, const murk_over *over)
+{
+    const murk_over_plan *chosen = &over->plan[over->chosen];
+    cJSON *list = cJSON_AddArrayToObject(root, "conditions");
+    for (size_t c = 0; c < over->conditions->n; ++c) {
+        const murk_condition *condition = &over->conditions->condition[c];
+        const murk_coverage *coverage = &over->coverage[c];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", condition->wish->name);
+        murk_json_number(item, "weight", condition->wish->weight);
+        cJSON *photons = cJSON_AddObjectToObject(item, "photons");
+        const murk_traced *traced = condition->traced;
+        cJSON_AddNumberToObject(photons, "emitted", (double)traced->emitted);
+        cJSON_AddNumberToObject(photons, "surface",
+                                (double)murk_photon_map_count(traced->surface));
+        cJSON_AddNumberToObject(photons, "volume",
+                                (double)murk_photon_map_count(traced->volume));
+        add_estimate(item, "in_sample", chosen->in_sample[c]);
+        add_estimate(item, "held_out",
+                     over->has_held_out ? chosen->held_out[c] : NONE);
+        murk_json_number(item, "surface", coverage->surface.value);
+        murk_json_number(item, "volume", coverage->volume.value);
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
+static cJSON *add_list(cJSON *object, const char *key)
+{
+    return cJSON_AddArrayToObject(object, key);
+}
+
+static void add_item(cJSON *list, double value)
+{
+    cJSON_AddItemToArray(list, isfinite(value) ? cJSON_CreateNumber(value)
+                                               : cJSON_CreateNull());
+}
+
+/* Rows are plans, columns the conditions in their order. */
+static void add_regret(cJSON *root, const murk_over *over)
+{
+    cJSON *object = cJSON_AddObjectToObject(root, "regret");
+    cJSON_AddBoolToObject(object, "held_out", over->has_held_out);
+    cJSON *plans = cJSON_AddArrayToObject(object, "plans");
+    for (size_t p = 0; p < over->plans; ++p) {
+        const murk_over_plan *plan = &over->plan[p];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "made_for", plan->made_for);
+        cJSON *positions = add_list(item, "positions_m");
+        for (size_t k = 0; k < plan->count; ++k) {
+            const murk_vec3 x = plan->sensor[k].position;
+            const double place[3] = {x.x, x.y, x.z};
+            cJSON_AddItemToArray(positions, cJSON_CreateDoubleArray(place, 3));
+        }
+        cJSON *coverage = add_list(item, "coverage");
+        cJSON *errors = add_list(item, "standard_error");
+        cJSON *regret = add_list(item, "regret");
+        for (size_t c = 0; c < over->conditions->n; ++c) {
+            const murk_estimate seen = seen_in(over, plan, c);
+            add_item(coverage, seen.value);
+            add_item(errors, seen.standard_error);
+            add_item(regret, murk_over_regret(over, plan, c));
+        }
+        add_estimate(item, "mean",
+                     best_known_of(over, plan, MURK_SCENE_OVER_MEAN));
+        add_estimate(item, "worst",
+                     best_known_of(over, plan, MURK_SCENE_OVER_WORST));
+        cJSON_AddItemToArray(plans, item);
+    }
+}
+
+void murk_over_json(cJSON *root, const murk_over *over)
+{
+    size_t worst;
+    const murk_over_plan *chosen = &over->plan[over->chosen];
+    in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
+    cJSON_AddStringToObject(root, "over", chosen->made_for);
+    cJSON_AddStringToObject(root, "worst_condition",
+                            over->conditions->condition[worst].wish->name);
+    add_conditions(root, over);
+    add_regret(root, over);
+}
+
+/* ---- lines ---- */
+
+static void print_over(const murk_over *over)
+{
+    size_t worst;
+    const murk_over_plan *chosen = &over->plan[over->chosen];
+    in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
+    if (over->conditions->scene->placement.over == MURK_SCENE_OVER_WORST) {
+        printf("over        the worst of %zu conditions: %s, of which all "
+               "below speaks\n",
+               over->conditions->n,
+               over->conditions->condition[worst].wish->name);
+    } else {
+        printf("over        the mean of %zu conditions, of which all below "
+               "speaks\n",
+               over->conditions->n);
+    }
+}
+
+static void print_conditions(const murk_over *over)
+{
+    const murk_over_plan *chosen = &over->plan[over->chosen];
+    printf("conditions  %-16s %8s %9s %9s %9s  %s\n", "", "weight", "emitted",
+           "surface", "volume", "covered in sample, held out");
+    for (size_t c = 0; c < over->conditions->n; ++c) {
+        const murk_condition *condition = &over->conditions->condition[c];
+        const murk_traced *traced = condition->traced;
+        printf("            %-16s %8.4g %9llu %9zu %9zu  %.4f",
+               condition->wish->name, condition->wish->weight,
+               (unsigned long long)traced->emitted,
+               murk_photon_map_count(traced->surface),
+               murk_photon_map_count(traced->volume),
+               chosen->in_sample[c].value);
+        if (over->has_held_out) {
+            printf("  %.4f +- %.4f", chosen->held_out[c].value,
+                   chosen->held_out[c].standard_error);
+        }
+        printf("\n");
+    }
+}
+
+static void print_regret(const murk_over *over)
+{
+    double largest = 0;
+    printf("regret      coverage%s of a plan made for one condition (down) "
+           "and used in each (across),\n"
+           "            and what it loses there to that condition's own "
+           "plan\n"
+           "            %-16s",
+           over->has_held_out ? ", held out," : "", "");
+    for (size_t c = 0; c < over->conditions->n; ++c) {
+        printf(" %16.16s", over->conditions->condition[c].wish->name);
+    }
+    printf(" %8s %8s\n", "mean", "worst");
+    for (size_t p = 0; p < over->plans; ++p) {
+        const murk_over_plan *plan = &over->plan[p];
+        char name[MURK_SCENE_NAME_SIZE + 2];
+        snprintf(name, sizeof name, "%s%s", plan->made_for,
+                 p == over->chosen ? " *" : "");
+        printf("            %-16s", name);
+        for (size_t c = 0; c < over->conditions->n; ++c) {
+            const murk_estimate seen = seen_in(over, plan, c);
+            largest = fmax(largest, seen.standard_error);
+            printf("  %.4f (%+.4f)", seen.value,
+                   murk_over_regret(over, plan, c));
+        }
+        printf(" %8.4f %8.4f\n",
+               best_known_of(over, plan, MURK_SCENE_OVER_MEAN).value,
+               best_known_of(over, plan, MURK_SCENE_OVER_WORST).value);
+    }
+    printf("            * this plan; standard errors up to %.4f\n", largest);
+}
+
+void murk_over_print(const murk_over *over)
+{
+    print_conditions(over);
+    print_regret(over);
+    print_over(over);
+}

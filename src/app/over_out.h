@@ -1,0 +1,23 @@
+/* Plans over conditions, as files, JSON and lines. */
+#ifndef MURK_APP_OVER_OUT_H
+#define MURK_APP_OVER_OUT_H
+
+#include "app/session.h"
+#include "study/over.h"
+
+/* Of each condition light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and
+ * plan-NAME.ply; and scene.yaml and regret.csv. */
+murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
+                                const murk_over *over, murk_error *err);
+
+/* "photons": those of all conditions. */
+void murk_over_json_photons(cJSON *root, const murk_over *over);
+
+/* "over", "conditions" and "regret". */
+void murk_over_json(cJSON *root, const murk_over *over);
+
+/* The tables of conditions and of regret, and which of them what follows is
+ * about. */
+void murk_over_print(const murk_over *over);
+
+#endif

@@ -1,0 +1,201 @@
+#include "study/conditions.h"
+
+#include "photonmap/map.h"
+#include "study/machine.h"
+#include "study/plan.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+murk_status murk_conditions_create(murk_conditions **out,
+                                   const murk_scene *scene, murk_error *err)
+{
+    murk_conditions *all = calloc(1, sizeof *all);
+    if (!all) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for conditions");
+    }
+    all->scene = scene;
+    all->n = scene->n_conditions;
+    murk_status status = MURK_OK;
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        all->condition[c].wish = &scene->conditions[c];
+        status = murk_stage_import(&all->condition[c].stage,
+                                   scene->conditions[c].scene, err);
+    }
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        status = murk_stage_build(all->condition[c].stage, err);
+    }
+    if (status) {
+        murk_conditions_destroy(all);
+        return status;
+    }
+    *out = all;
+    return MURK_OK;
+}
+
+void murk_conditions_destroy(murk_conditions *all)
+{
+    if (!all) {
+        return;
+    }
+    for (size_t c = 0; c < all->n; ++c) {
+        murk_condition *one = &all->condition[c];
+        murk_sight_destroy(one->sight);
+        if (!one->borrows_light) {
+            murk_traced_destroy(one->traced);
+        }
+        murk_stage_destroy(one->stage);
+    }
+    free(all);
+}
+
+/* ---- candidates ---- */
+
+static int by_place(const void *a, const void *b)
+{
+    const murk_vec3 *p = a, *q = b;
+    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
+    for (int i = 0; i < 3; ++i) {
+        if (x[i] != y[i]) {
+            return x[i] < y[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* Keeps of `all` those that the other has, too. */
+static murk_status keep_common(murk_candidates *all,
+                               const murk_candidates *other,
+                               const murk_condition *condition, murk_error *err)
+{
+    const char *where = condition->wish->where;
+    murk_vec3 *sorted = malloc((other->usable + 1) * sizeof *sorted);
+    if (!sorted) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for %zu candidates", other->usable);
+    }
+    memcpy(sorted, other->position, other->usable * sizeof *sorted);
+    qsort(sorted, other->usable, sizeof *sorted, by_place);
+    size_t kept = 0;
+    for (size_t i = 0; i < all->usable; ++i) {
+        if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,
+                    by_place)) {
+            all->position[kept] = all->position[i];
+            all->kind[kept] = all->kind[i];
+            if (all->normal) {
+                all->normal[kept] = all->normal[i];
+            }
+            ++kept;
+        }
+    }
+    free(sorted);
+    all->unreached += all->usable - kept;
+    all->usable = kept;
+    return kept > 0 ? MURK_OK
+                    : murk_fail(err, MURK_BAD_VALUE, where,
+                                "no candidate is usable in it and in all "
+                                "conditions before it: of %zu usable here "
+                                "none",
+                                other->usable);
+}
+
+murk_status murk_conditions_sites(murk_candidates **out,
+                                  const murk_conditions *conditions,
+                                  unsigned threads, murk_error *err)
+{
+    murk_candidates *all = NULL;
+    murk_status status =
+        murk_sites_find(&all, conditions->condition[0].stage, threads, err);
+    for (size_t c = 1; !status && c < conditions->n; ++c) {
+        murk_candidates *other = NULL;
+        status = murk_sites_find(&other, conditions->condition[c].stage,
+                                 threads, err);
+        if (!status) {
+            status = keep_common(all, other, &conditions->condition[c], err);
+        }
+        murk_candidates_destroy(other);
+    }
+    if (status) {
+        murk_candidates_destroy(all);
+        return status;
+    }
+    *out = all;
+    return MURK_OK;
+}
+
+/* ---- light ---- */
+
+/* An earlier condition with the same light, or NULL. */
+static const murk_condition *find_alike(const murk_conditions *all, size_t c)
+{
+    for (size_t k = 0; k < c; ++k) {
+        if (strcmp(all->condition[k].stage->light_key,
+                   all->condition[c].stage->light_key) == 0) {
+            return &all->condition[k];
+        }
+    }
+    return NULL;
+}
+
+/* Maps that stay, and the most that one of them takes while it is traced. */
+static murk_status check_memory(const murk_conditions *all, unsigned threads,
+                                murk_error *err)
+{
+    double stay = 0, more = 0;
+    size_t lights = 0;
+    for (size_t c = 0; c < all->n; ++c) {
+        if (find_alike(all, c)) {
+            continue;
+        }
+        murk_forecast f;
+        const murk_status status =
+            murk_light_forecast(&f, all->condition[c].stage, 0, threads, err);
+        if (status) {
+            return status;
+        }
+        const double mine = murk_photon_map_memory_for(f.surface + f.volume);
+        stay += mine;
+        more = fmax(more, f.memory_bytes - mine);
+        ++lights;
+    }
+    const double have = murk_machine_memory_bytes();
+    return stay + more <= have
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, all->scene->placement.where,
+                           "over: the light of %zu conditions takes about "
+                           "%.3g GB; this machine has %.3g GB free",
+                           lights, (stay + more) / 1e9, have / 1e9);
+}
+
+static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
+                             murk_error *err)
+{
+    murk_condition *one = &all->condition[c];
+    const murk_condition *alike = find_alike(all, c);
+    murk_status status = MURK_OK;
+    if (alike) {
+        one->traced = alike->traced;
+        one->borrows_light = true;
+    } else {
+        status = murk_light_trace(&one->traced, one->stage, 0, threads, err);
+        if (!status) {
+            all->trace_s += one->traced->trace_s;
+            all->map_s += one->traced->map_s;
+        }
+    }
+    return status ? status
+                  : murk_plan_sight_told(&one->sight, &one->targets, one->stage,
+                                         one->traced, threads, err);
+}
+
+murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
+                                  murk_error *err)
+{
+    murk_status status = check_memory(all, threads, err);
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        status = light_one(all, c, threads, err);
+    }
+    return status;
+}

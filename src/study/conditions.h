@@ -1,0 +1,48 @@
+/* The scene's conditions as worlds: each with its own stage, light and sight,
+ * and one list of places where sensors may stand in all of them.
+ *
+ * A condition is lit once; those that the light does not tell apart share it.
+ * One of weight 0 is lit and measured, and has no say. */
+#ifndef MURK_STUDY_CONDITIONS_H
+#define MURK_STUDY_CONDITIONS_H
+
+#include "study/light.h"
+#include "study/poses.h"
+#include "study/sites.h"
+#include "study/targets.h"
+
+typedef struct murk_condition {
+    const murk_scene_condition *wish;
+    murk_stage *stage;
+    murk_traced *traced; /* the light that chooses */
+    bool borrows_light;  /* an earlier condition's */
+    murk_sight *sight;
+    murk_target_facts targets; /* points 0: photons are seen */
+} murk_condition;
+
+typedef struct murk_conditions {
+    const murk_scene *scene; /* borrowed */
+    size_t n;
+    murk_condition condition[MURK_SCENE_CONDITIONS_MAX];
+    double trace_s, map_s;
+} murk_conditions;
+
+/* Imports the files of all conditions, then builds them. *out is the caller's:
+ * murk_conditions_destroy(). The scene must outlive it. */
+murk_status murk_conditions_create(murk_conditions **out,
+                                   const murk_scene *scene, murk_error *err);
+void murk_conditions_destroy(murk_conditions *conditions); /* NULL is fine */
+
+/* The candidates that are usable in every condition, by their places. Counts
+ * of why others are not are those of the first; those that only a later one
+ * drops count as unreached. */
+murk_status murk_conditions_sites(murk_candidates **out,
+                                  const murk_conditions *conditions,
+                                  unsigned threads, murk_error *err);
+
+/* Lights every condition and looks: fills traced and sight. Refused before any
+ * is traced, by forecast, when they do not fit in memory together. */
+murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
+                                  murk_error *err);
+
+#endif

@@ -1,0 +1,166 @@
+#include "study/joint.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* All weights add up to less than this, and none reaches 2^32. */
+#define WHOLE       0x1p47
+#define WEIGHT_MOST 4294967295.0
+
+/* Where one worker puts a look together. */
+typedef struct murk_joint_desk {
+    uint32_t *photon;  /* [photons] */
+    uint16_t *clarity; /* [photons] */
+} murk_joint_desk;
+
+static void append(murk_joint_desk *desk, size_t at, size_t first,
+                   const murk_look *look)
+{
+    for (size_t k = 0; k < look->seen; ++k) {
+        desk->photon[at + k] = (uint32_t)(first + look->photon[k]);
+        desk->clarity[at + k] = look->clarity ? look->clarity[k] : MURK_CLEAR;
+    }
+}
+
+static void look(void *context, unsigned worker, size_t candidate,
+                 murk_look *out)
+{
+    const murk_joint *j = context;
+    murk_joint_desk *desk = &j->desk[worker];
+    bool is_clear = true;
+    size_t seen = 0;
+    for (size_t c = 0; c < j->blocks.n; ++c) {
+        const murk_problem *part = &j->part[c].problem;
+        murk_look one;
+        part->look(part->context, worker, candidate, &one);
+        append(desk, seen, j->blocks.first[c], &one);
+        is_clear = is_clear && !one.clarity;
+        seen += one.seen;
+    }
+    *out = (murk_look){seen, desk->photon, is_clear ? NULL : desk->clarity};
+}
+
+/* The largest scale, for shares of it to each block's whole, at which sums and
+ * single weights stay in range. */
+static double scale_of(const murk_joint *j, const double *shares,
+                       const double *whole)
+{
+    double all = 0, scale;
+    for (size_t c = 0; c < j->blocks.n; ++c) {
+        all += shares[c];
+    }
+    scale = (WHOLE / (double)murk_problem_layers(&j->problem) -
+             (double)j->problem.photons) /
+            all;
+    for (size_t c = 0; c < j->blocks.n; ++c) {
+        const uint32_t *weight = j->part[c].problem.weight;
+        uint32_t most = 1;
+        for (size_t i = 0; i < j->part[c].problem.photons; ++i) {
+            most = weight[i] > most ? weight[i] : most;
+        }
+        scale =
+            fmin(scale, WEIGHT_MOST / ((double)most * shares[c] / whole[c]));
+    }
+    return scale;
+}
+
+static void weigh(murk_joint *j, const double *shares)
+{
+    double whole[MURK_BLOCKS_MAX] = {0};
+    for (size_t c = 0; c < j->blocks.n; ++c) {
+        for (size_t i = 0; i < j->part[c].problem.photons; ++i) {
+            whole[c] += j->part[c].problem.weight[i];
+        }
+    }
+    const double scale = scale_of(j, shares, whole);
+    for (size_t c = 0; c < j->blocks.n; ++c) {
+        const double factor = scale * shares[c] / whole[c];
+        for (size_t i = 0; i < j->part[c].problem.photons; ++i) {
+            const double w = floor(j->part[c].problem.weight[i] * factor + .5);
+            j->weight[j->blocks.first[c] + i] = (uint32_t)fmin(w, WEIGHT_MOST);
+        }
+    }
+}
+
+static bool set_aside(murk_joint *j)
+{
+    const size_t n = j->problem.photons + 1;
+    const unsigned threads = j->problem.threads;
+    j->weight = malloc(n * sizeof *j->weight);
+    j->desk = calloc(threads, sizeof *j->desk);
+    bool has_memory = j->weight && j->desk;
+    for (unsigned k = 0; has_memory && k < threads; ++k) {
+        j->desk[k].photon = malloc(n * sizeof *j->desk[k].photon);
+        j->desk[k].clarity = malloc(n * sizeof *j->desk[k].clarity);
+        has_memory = j->desk[k].photon && j->desk[k].clarity;
+    }
+    return has_memory;
+}
+
+murk_status murk_joint_create(murk_joint **out, murk_sight *const *sight,
+                              const double *shares, size_t n,
+                              const murk_pose *pose, size_t n_poses,
+                              murk_error *err)
+{
+    assert(n >= 1 && n <= MURK_BLOCKS_MAX);
+    murk_joint *j = calloc(1, sizeof *j);
+    if (!j) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for %zu conditions", n);
+    }
+    j->blocks.n = n;
+    for (size_t c = 0; c < n; ++c) {
+        murk_sight_problem_init(&j->part[c], sight[c], pose, n_poses);
+        j->blocks.first[c + 1] =
+            j->blocks.first[c] + j->part[c].problem.photons;
+    }
+    j->problem = j->part[0].problem; /* how views combine, and threads */
+    j->problem.photons = j->blocks.first[n];
+    j->problem.look = look;
+    j->problem.context = j;
+    murk_status status = MURK_OK;
+    if (j->problem.photons > UINT32_MAX) {
+        status = murk_fail(err, MURK_RUN_FAILED, "",
+                           "%zu photons in %zu conditions together, must be "
+                           "below 2^32",
+                           j->problem.photons, n);
+    } else if (!set_aside(j)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for %zu photons of %zu conditions",
+                           j->problem.photons, n);
+    }
+    if (status) {
+        murk_joint_destroy(j);
+        return status;
+    }
+    weigh(j, shares);
+    j->problem.weight = j->weight;
+    *out = j;
+    return MURK_OK;
+}
+
+void murk_joint_destroy(murk_joint *j)
+{
+    if (!j) {
+        return;
+    }
+    for (unsigned k = 0; j->desk && k < j->problem.threads; ++k) {
+        free(j->desk[k].photon);
+        free(j->desk[k].clarity);
+    }
+    free(j->desk);
+    free(j->weight);
+    free(j);
+}
+
+uint32_t *murk_joint_weights_of(const murk_joint *j, size_t c)
+{
+    uint32_t *out = calloc(j->problem.photons + 1, sizeof *out);
+    if (out) {
+        memcpy(out + j->blocks.first[c], j->part[c].problem.weight,
+               j->part[c].problem.photons * sizeof *out);
+    }
+    return out;
+}

@@ -1,0 +1,301 @@
+#include "study/over.h"
+
+#include "study/over_choose.h"
+#include "study/over_mean.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Streams of random numbers: those of the first condition are a plain plan's.
+ */
+#define STREAMS_EACH 2u
+
+static void weights_of(const murk_conditions *all, double *weight)
+{
+    for (size_t c = 0; c < all->n; ++c) {
+        weight[c] = all->condition[c].wish->weight;
+    }
+}
+
+murk_estimate murk_over_estimate(const murk_conditions *all,
+                                 const murk_estimate *of, murk_scene_over over,
+                                 bool are_independent, size_t *worst)
+{
+    double weight[MURK_SCENE_CONDITIONS_MAX];
+    weights_of(all, weight);
+    *worst = all->n;
+    for (size_t c = 0; c < all->n; ++c) {
+        if (weight[c] > 0 &&
+            (*worst == all->n || of[c].value < of[*worst].value)) {
+            *worst = c;
+        }
+    }
+    return over == MURK_SCENE_OVER_WORST
+               ? of[*worst]
+               : murk_over_mean(of, weight, all->n, are_independent);
+}
+
+double murk_over_regret(const murk_over *over, const murk_over_plan *plan,
+                        size_t c)
+{
+    const murk_over_plan *own = &over->plan[c];
+    return over->has_held_out
+               ? own->held_out[c].value - plan->held_out[c].value
+               : own->in_sample[c].value - plan->in_sample[c].value;
+}
+
+/* ---- before any light ---- */
+
+murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
+                              const murk_scene *scene, unsigned threads,
+                              murk_error *err)
+{
+    const murk_scene_placement *wish = &scene->placement;
+    if (wish->over == MURK_SCENE_OVER_WORST && wish->unknown) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "over: worst needs what every candidate sees, so "
+                         "knowledge must be known");
+    }
+    if (wish->jitter_m > 0 || wish->jitter_rad > 0) {
+        return murk_fail(err, MURK_UNSUPPORTED, wish->where,
+                         "over: jitter_m and jitter_deg are not supported yet "
+                         "over conditions, must be 0");
+    }
+    murk_status status = murk_conditions_create(&out->conditions, scene, err);
+    for (size_t c = 0; !status && c < scene->n_conditions; ++c) {
+        status =
+            murk_plan_check(out->conditions->condition[c].stage, threads, err);
+    }
+    if (!status) {
+        status = murk_conditions_sites(&plan->candidates, out->conditions,
+                                       threads, err);
+    }
+    if (!status) {
+        status = murk_poses_create(
+            &plan->poses, scene,
+            &out->conditions->condition[0].stage->world.domain,
+            plan->candidates->position, plan->candidates->usable, err);
+    }
+    return status;
+}
+
+/* ---- measuring ---- */
+
+static murk_status measure_plan(const murk_over *over, size_t p,
+                                murk_sight *sight, murk_coverage *keep_it,
+                                murk_estimate *total, murk_error *err)
+{
+    murk_coverage coverage = {0};
+    const murk_over_plan *plan = &over->plan[p];
+    const murk_status status =
+        murk_coverage_measure(&coverage, sight, plan->sensor, plan->count, err);
+    *total = coverage.total;
+    if (!status && keep_it && p == over->chosen) {
+        *keep_it = coverage;
+    } else {
+        murk_coverage_release(&coverage);
+    }
+    return status;
+}
+
+/* An earlier plan with the same sensors, or p itself. */
+static size_t find_same(const murk_over *over, size_t p)
+{
+    for (size_t q = 0; q < p; ++q) {
+        if (q != over->chosen && p != over->chosen &&
+            over->plan[q].count == over->plan[p].count &&
+            memcmp(over->plan[q].sensor, over->plan[p].sensor,
+                   over->plan[p].count * sizeof *over->plan[p].sensor) == 0) {
+            return q;
+        }
+    }
+    return p;
+}
+
+/* All plans in one condition. */
+static murk_status measure_all(murk_over *over, size_t c, murk_sight *sight,
+                               bool is_held_out, murk_coverage *keep_it,
+                               murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t p = 0; !status && p < over->plans; ++p) {
+        murk_over_plan *plan = &over->plan[p];
+        murk_estimate *to =
+            is_held_out ? &plan->held_out[c] : &plan->in_sample[c];
+        const murk_over_plan *same = &over->plan[find_same(over, p)];
+        if (same != plan) {
+            *to = is_held_out ? same->held_out[c] : same->in_sample[c];
+        } else {
+            status = measure_plan(over, p, sight, keep_it, to, err);
+        }
+    }
+    return status;
+}
+
+/* The chosen plan alone, or all, in other light of a condition. */
+static murk_status measure_on(murk_over *over, murk_plan *plan, size_t c,
+                              uint32_t stream, murk_estimate *confirmed,
+                              murk_coverage *held_out, unsigned threads,
+                              murk_error *err)
+{
+    const murk_stage *stage = over->conditions->condition[c].stage;
+    murk_traced *other = NULL;
+    murk_sight *sight = NULL;
+    murk_status status = murk_light_trace(
+        &other, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
+    if (!status) {
+        plan->trace_s += other->trace_s;
+        plan->map_s += other->map_s;
+        status = murk_plan_sight(&sight, stage, other, threads, err);
+    }
+    if (!status) {
+        status = confirmed ? measure_plan(over, over->chosen, sight, NULL,
+                                          confirmed, err)
+                           : measure_all(over, c, sight, true, held_out, err);
+    }
+    murk_sight_destroy(sight);
+    murk_traced_destroy(other);
+    return status;
+}
+
+/* What a plan's coverages are as one: the mean, or the worst alone. */
+static murk_status sum_up(murk_coverage *out, const murk_over *over,
+                          const murk_coverage *of, bool are_independent,
+                          murk_error *err)
+{
+    const murk_conditions *all = over->conditions;
+    const murk_interest *interest =
+        murk_goals_interest(all->condition[0].stage->goals);
+    murk_estimate total[MURK_SCENE_CONDITIONS_MAX];
+    double weight[MURK_SCENE_CONDITIONS_MAX];
+    size_t worst;
+    weights_of(all, weight);
+    for (size_t c = 0; c < all->n; ++c) {
+        total[c] = of[c].total;
+    }
+    murk_over_estimate(all, total, MURK_SCENE_OVER_WORST, true, &worst);
+    if (all->scene->placement.over == MURK_SCENE_OVER_WORST) {
+        memset(weight, 0, sizeof weight);
+        weight[worst] = 1;
+    }
+    return murk_over_mean_coverage(
+        out, of, weight, all->n, over->plan[over->chosen].count,
+        interest ? interest->n : 0, are_independent, err);
+}
+
+static murk_status measure_held_out(murk_over *over, murk_plan *plan,
+                                    unsigned threads, murk_error *err)
+{
+    murk_coverage held_out[MURK_SCENE_CONDITIONS_MAX] = {0}, sum = {0};
+    murk_status status = MURK_OK;
+    for (size_t c = 0; !status && c < over->conditions->n; ++c) {
+        status = measure_on(over, plan, c, MURK_HELD_OUT_STREAM, NULL,
+                            &held_out[c], threads, err);
+    }
+    if (!status) {
+        status = sum_up(&sum, over, held_out, true, err);
+    }
+    if (!status) {
+        status = murk_robust_hold_out(&plan->robust, &sum, err);
+    }
+    if (!status) {
+        over->has_held_out = plan->has_held_out = true;
+        plan->held_out = sum.total;
+        plan->held_out_region = sum.region;
+        sum.region = NULL;
+    }
+    murk_coverage_release(&sum);
+    for (size_t c = 0; c < over->conditions->n; ++c) {
+        murk_coverage_release(&held_out[c]);
+    }
+    return status;
+}
+
+static murk_status confirm(murk_over *over, murk_plan *plan, unsigned threads,
+                           murk_error *err)
+{
+    murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
+    murk_status status = MURK_OK;
+    for (size_t c = 0; !status && c < over->conditions->n; ++c) {
+        status = measure_on(over, plan, c, MURK_CONFIRM_STREAM, &of[c], NULL,
+                            threads, err);
+    }
+    size_t worst;
+    if (!status) {
+        plan->confirmed = murk_over_estimate(
+            over->conditions, of, over->conditions->scene->placement.over, true,
+            &worst);
+    }
+    return status;
+}
+
+/* ---- all ---- */
+
+static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
+                           murk_error *err)
+{
+    const murk_conditions *all = over->conditions;
+    const murk_over_plan *chosen = &over->plan[over->chosen];
+    murk_status status = MURK_OK;
+    plan->sensor = calloc(chosen->count + 1, sizeof *plan->sensor);
+    if (!plan->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, all->scene->path,
+                         "no memory for the plan");
+    }
+    memcpy(plan->sensor, chosen->sensor, chosen->count * sizeof *plan->sensor);
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        status = measure_all(over, c, all->condition[c].sight, false,
+                             &over->coverage[c], err);
+    }
+    if (!status) {
+        status = sum_up(&plan->in_sample, over, over->coverage, false, err);
+    }
+    plan->confirmed = (murk_estimate){NAN, NAN};
+    if (!status) {
+        status = murk_robust_begin(&plan->robust, all->condition[0].stage,
+                                   plan->sensor, chosen->count,
+                                   &plan->in_sample, err);
+    }
+    const bool is_more = murk_plan_can_see_anew(all->scene);
+    if (!status && is_more && all->scene->placement.hold_out) {
+        status = measure_held_out(over, plan, threads, err);
+    }
+    if (!status && is_more && all->scene->sensors.target > 0) {
+        status = confirm(over, plan, threads, err);
+    }
+    return status;
+}
+
+murk_status murk_over_make(murk_over *over, murk_plan *plan, unsigned threads,
+                           murk_error *err)
+{
+    murk_conditions *all = over->conditions;
+    murk_status status = murk_conditions_light(all, threads, err);
+    plan->trace_s = all->trace_s;
+    plan->map_s = all->map_s;
+    if (!status) {
+        status = murk_over_choose(over, plan, err);
+    }
+    plan->targets = all->condition[0].targets;
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        const murk_sight *sight = all->condition[c].sight;
+        plan->queries += murk_sight_queries(sight);
+        plan->shadow_rays += murk_sight_shadow_rays(sight);
+        plan->blocked_by_interfaces += murk_sight_blocked_by_interfaces(sight);
+        plan->totally_reflected += murk_sight_totally_reflected(sight);
+    }
+    return status ? status : measure(over, plan, threads, err);
+}
+
+void murk_over_release(murk_over *over)
+{
+    for (size_t p = 0; p < over->plans; ++p) {
+        free(over->plan[p].sensor);
+    }
+    for (size_t c = 0; c < MURK_SCENE_CONDITIONS_MAX; ++c) {
+        murk_coverage_release(&over->coverage[c]);
+    }
+    murk_conditions_destroy(over->conditions);
+    *over = (murk_over){0};
+}

@@ -1,0 +1,63 @@
+/* A plan over conditions: for their mean coverage or for the worst of them;
+ * and what it costs to plan for one condition and meet another (regret).
+ *
+ * Each condition's coverage is measured in its own light. Its held-out map is
+ * independent of all other maps, those of other conditions too; the maps that
+ * choose share their random numbers, which leaves differences between
+ * conditions less noise. */
+#ifndef MURK_STUDY_OVER_H
+#define MURK_STUDY_OVER_H
+
+#include "study/conditions.h"
+#include "study/plan.h"
+
+/* One plan, used in each condition. */
+typedef struct murk_over_plan {
+    murk_scene_name made_for; /* a condition, mean, or worst */
+    size_t count;
+    murk_pose *sensor; /* [count] */
+    murk_estimate in_sample[MURK_SCENE_CONDITIONS_MAX];
+    murk_estimate held_out[MURK_SCENE_CONDITIONS_MAX];
+} murk_over_plan;
+
+#define MURK_OVER_PLANS_MAX (MURK_SCENE_CONDITIONS_MAX + 2)
+
+typedef struct murk_over {
+    murk_conditions *conditions;
+    murk_over_plan plan[MURK_OVER_PLANS_MAX]; /* each condition's own, in their
+                                                 order; mean; worst (known
+                                                 environment) */
+    size_t plans;
+    size_t chosen; /* the one that was asked for */
+    bool has_held_out;
+    murk_coverage coverage[MURK_SCENE_CONDITIONS_MAX]; /* of the chosen one, in
+                                                          sample */
+} murk_over;
+
+/* What a plan is worth over conditions: the mean by weight, or the least of
+ * those that have a say; *worst is which. Errors: of the least, its own; of
+ * the mean, as of independent maps, or if not so, their mean, which is more
+ * than it is. */
+murk_estimate murk_over_estimate(const murk_conditions *conditions,
+                                 const murk_estimate *of, murk_scene_over over,
+                                 bool are_independent, size_t *worst);
+
+/* How far from the best plan known for condition c the coverage `of` is there:
+ * held out where it is. */
+double murk_over_regret(const murk_over *over, const murk_over_plan *plan,
+                        size_t c);
+
+/* All that can be wrong is found here, before light is traced: fills out's
+ * conditions, and the plan's candidates and poses. */
+murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
+                              const murk_scene *scene, unsigned threads,
+                              murk_error *err);
+
+/* The main job. Of the plan, in_sample, held_out and confirmed are the mean's,
+ * or of the condition that is covered least. Release both also after a
+ * failure. */
+murk_status murk_over_make(murk_over *over, murk_plan *plan, unsigned threads,
+                           murk_error *err);
+void murk_over_release(murk_over *over);
+
+#endif

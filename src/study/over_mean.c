@@ -1,0 +1,139 @@
+#include "study/over_mean.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+murk_estimate murk_over_mean(const murk_estimate *of, const double *weight,
+                             size_t n, bool are_independent)
+{
+    double all = 0, sum = 0, error = 0, squares = 0;
+    for (size_t c = 0; c < n; ++c) {
+        if (weight[c] > 0 && isfinite(of[c].value)) {
+            const double mine = weight[c] * of[c].standard_error;
+            all += weight[c];
+            sum += weight[c] * of[c].value;
+            error += mine;
+            squares += mine * mine;
+        }
+    }
+    return all > 0 ? (murk_estimate){sum / all,
+                                     (are_independent ? sqrt(squares) : error) /
+                                         all}
+                   : (murk_estimate){NAN, NAN};
+}
+
+static double mean_of(const murk_coverage *of, const double *weight, size_t n,
+                      double (*read)(const murk_coverage *of, size_t i),
+                      size_t i)
+{
+    double all = 0, sum = 0;
+    for (size_t c = 0; c < n; ++c) {
+        if (weight[c] > 0) {
+            all += weight[c];
+            sum += weight[c] * read(&of[c], i);
+        }
+    }
+    return sum / all;
+}
+
+static double read_covers(const murk_coverage *of, size_t i)
+{
+    return of->covers[i];
+}
+
+static double read_only(const murk_coverage *of, size_t i)
+{
+    return of->only_it_covers[i];
+}
+
+static double read_seen(const murk_coverage *of, size_t i)
+{
+    return of->seen_by_at_least[i];
+}
+
+static double read_views(const murk_coverage *of, size_t i)
+{
+    (void)i;
+    return of->sum_of_views;
+}
+
+typedef murk_estimate (*reader)(const murk_coverage *of, size_t i);
+
+static murk_estimate read_total(const murk_coverage *of, size_t i)
+{
+    (void)i;
+    return of->total;
+}
+
+static murk_estimate read_surface(const murk_coverage *of, size_t i)
+{
+    (void)i;
+    return of->surface;
+}
+
+static murk_estimate read_volume(const murk_coverage *of, size_t i)
+{
+    (void)i;
+    return of->volume;
+}
+
+static murk_estimate read_region(const murk_coverage *of, size_t i)
+{
+    return of->region[i].coverage;
+}
+
+static murk_status fill(murk_coverage *out, const murk_coverage *of,
+                        const double *weight, size_t n, size_t sensors,
+                        size_t regions)
+{
+    out->covers = calloc(sensors + 1, sizeof *out->covers);
+    out->only_it_covers = calloc(sensors + 1, sizeof *out->only_it_covers);
+    out->seen_by_at_least = calloc(sensors + 1, sizeof *out->seen_by_at_least);
+    out->region = regions ? calloc(regions, sizeof *out->region) : NULL;
+    if (!out->covers || !out->only_it_covers || !out->seen_by_at_least ||
+        (regions && !out->region)) {
+        return MURK_NO_MEMORY;
+    }
+    out->sum_of_views = mean_of(of, weight, n, read_views, 0);
+    for (size_t i = 0; i < sensors; ++i) {
+        out->covers[i] = mean_of(of, weight, n, read_covers, i);
+        out->only_it_covers[i] = mean_of(of, weight, n, read_only, i);
+        out->seen_by_at_least[i] = mean_of(of, weight, n, read_seen, i);
+    }
+    for (size_t i = 0; i < regions; ++i) {
+        for (size_t c = 0; c < n; ++c) {
+            out->region[i].photons +=
+                weight[c] > 0 ? of[c].region[i].photons : 0;
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_over_mean_coverage(murk_coverage *out, const murk_coverage *of,
+                                    const double *weight, size_t n,
+                                    size_t sensors, size_t regions,
+                                    bool are_independent, murk_error *err)
+{
+    murk_coverage mean = {0};
+    murk_estimate *each = calloc(n + 1, sizeof *each);
+    if (!each || fill(&mean, of, weight, n, sensors, regions)) {
+        free(each);
+        murk_coverage_release(&mean);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for the coverage of %zu sensors", sensors);
+    }
+    const reader readers[] = {read_total, read_surface, read_volume};
+    murk_estimate *const to[] = {&mean.total, &mean.surface, &mean.volume};
+    for (size_t k = 0; k < 3 + regions; ++k) {
+        const reader read = k < 3 ? readers[k] : read_region;
+        for (size_t c = 0; c < n; ++c) {
+            each[c] = weight[c] > 0 ? read(&of[c], k < 3 ? 0 : k - 3)
+                                    : (murk_estimate){NAN, NAN};
+        }
+        *(k < 3 ? to[k] : &mean.region[k - 3].coverage) =
+            murk_over_mean(each, weight, n, are_independent);
+    }
+    free(each);
+    *out = mean;
+    return MURK_OK;
+}
