@@ -21,9 +21,6 @@
  * degrees are one surface: more area cannot do with as few feet as allowed. */
 #define SQUARES_A_FOOT 7.4
 
-/* A last line that only rounding of single precision makes room for. */
-#define LINE_SLACK 1e-6
-
 double murk_lay_least_m(const murk_surfaces *surfaces)
 {
     return LEAST_LEAVES * surfaces->leave_m;
@@ -184,8 +181,10 @@ static bool measure(murk_laying *l)
     const double min[3] = {box.min.x, box.min.y, box.min.z};
     const double max[3] = {box.max.x, box.max.y, box.max.z};
     for (int axis = 0; axis < 3 && box.min.x <= box.max.x; ++axis) {
-        const double steps = (max[axis] - min[axis]) / l->lay->spacing_m;
-        const double lines = fmax(1, ceil(steps - LINE_SLACK));
+        /* no last line that rounding alone makes room for */
+        const double steps =
+            (max[axis] - min[axis] - l->slack_m) / l->lay->spacing_m;
+        const double lines = fmax(1, ceil(steps));
         l->first[axis] =
             min[axis] +
             (max[axis] - min[axis] - (lines - 1) * l->lay->spacing_m) / 2;

@@ -14,6 +14,10 @@
 #define NEAREST_MAX   1000
 #define LOOKED_AT_MAX 32768
 
+/* One of the first few is open as a rule; else all others at once are faster.
+ */
+#define FIRST_TRIES 27
+
 bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point)
 {
     return (desc->avoid && murk_zones_contain(desc->avoid, point)) ||
@@ -228,15 +232,16 @@ static bool joins_grid(const judging *j, murk_vec3 point)
     const size_t last = (n[0] > n[1] ? n[0] : n[1]) + n[2];
     neighbours near;
     near.looked_at = near.tried = near.n = 0;
-    for (size_t r = 0;
-         r < last && near.tried < NEAREST_MAX && near.looked_at < LOOKED_AT_MAX;
+    for (size_t r = 0; r < last && near.tried + near.n < NEAREST_MAX &&
+                       near.looked_at < LOOKED_AT_MAX;
          ++r) {
         look_at_shell(j, &near, at, r);
-        if (near.n > 0 && any_way(j, &near, point)) {
+        if (near.tried < FIRST_TRIES && near.n > 0 &&
+            any_way(j, &near, point)) {
             return true;
         }
     }
-    return false;
+    return near.n > 0 && any_way(j, &near, point);
 }
 
 static bool is_joined(const judging *j, murk_vec3 point)
