@@ -1,5 +1,6 @@
 #include "app/candidates_out.h"
 #include "app/coverage_out.h"
+#include "app/explore_out.h"
 #include "app/exports.h"
 #include "app/goals_out.h"
 #include "app/over_out.h"
@@ -76,7 +77,10 @@ static void add_placement(cJSON *root, const murk_plan *plan,
                                                     "refract"};
     const murk_scene_placement *wish = &scene->placement;
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
-    cJSON_AddStringToObject(object, "method", murk_method_names[wish->method]);
+    cJSON_AddStringToObject(object, "method",
+                            wish->knowledge == MURK_SCENE_EXPLORE
+                                ? "greedy"
+                                : murk_method_names[wish->method]);
     cJSON_AddStringToObject(object, "detection",
                             detection_names[wish->detection]);
     murk_json_number(object, "threshold",
@@ -87,7 +91,7 @@ static void add_placement(cJSON *root, const murk_plan *plan,
                             wish->by_normal ? "normal" : "ray");
     cJSON_AddStringToObject(object, "through", through_names[wish->through]);
     cJSON_AddStringToObject(object, "knowledge",
-                            wish->unknown ? "unknown" : "known");
+                            murk_knowledge_names[wish->knowledge]);
     cJSON_AddNumberToObject(object, "restarts", (double)wish->restarts);
     cJSON_AddNumberToObject(object, "starts", (double)plan->place.restarts);
     cJSON_AddNumberToObject(object, "evaluations",
@@ -124,6 +128,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
     murk_json_bound(root, &plan->place);
     add_target(root, plan, session->scene);
     add_budget(root, plan, session->scene);
+    murk_json_explore(root, session->scene, plan);
     add_placement(root, plan, session->scene);
     if (over) {
         murk_over_json(root, over);
@@ -174,6 +179,7 @@ static void print_plan(const murk_session *session, const murk_plan *plan,
     }
     murk_print_bound(place, session->scene->sensors.budget > 0,
                      murk_sample_of(session->scene));
+    murk_print_explore(plan);
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
            "place %.2f; memory %.3g GB\n",
@@ -208,6 +214,9 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
         status = murk_add_coverage_csv(&session->results, session->scene,
                                        plan->sensor, plan->place.count,
                                        &plan->in_sample, err);
+    }
+    if (!status) {
+        status = murk_add_explore(&session->results, session->stage, plan, err);
     }
     if (!status && !over) {
         status = murk_exports_add_plan(session, plan, late, err);

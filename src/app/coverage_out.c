@@ -27,6 +27,16 @@ static bool is_all_round(const murk_scene *scene, const murk_pose *sensor)
     return scene->sensors.type[sensor->type].view == MURK_SCENE_VIEW_SPHERE;
 }
 
+void murk_json_heading(cJSON *object, const murk_scene *scene,
+                       const murk_pose *pose)
+{
+    const bool has_axis = !is_all_round(scene, pose);
+    murk_json_number(object, "heading_deg",
+                     has_axis ? degrees(pose->heading_rad) : NAN);
+    murk_json_number(object, "tilt_deg",
+                     has_axis ? degrees(pose->tilt_rad) : NAN);
+}
+
 /* Sensors that see all round have no heading, and an axis only by convention:
  * up. */
 void murk_json_sensors(cJSON *root, const murk_scene *scene,
@@ -44,10 +54,7 @@ void murk_json_sensors(cJSON *root, const murk_scene *scene,
                          has_axis
                              ? murk_pose_frame(&sensor[i], scene->north).axis
                              : murk_vec(0, 0, 1));
-        murk_json_number(item, "heading_deg",
-                         has_axis ? degrees(sensor[i].heading_rad) : NAN);
-        murk_json_number(item, "tilt_deg",
-                         has_axis ? degrees(sensor[i].tilt_rad) : NAN);
+        murk_json_heading(item, scene, &sensor[i]);
         murk_json_number(item, "covers", coverage->covers[i]);
         murk_json_number(item, "only_it_covers", coverage->only_it_covers[i]);
         cJSON_AddItemToArray(list, item);
@@ -106,8 +113,7 @@ void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
         print_number(heading, degrees(pose->heading_rad));
         print_number(tilt, degrees(pose->tilt_rad));
     }
-    fprintf(to, "%zu,%s,%s,%s,%s,%s,%s\n", number, x, y, z, type, heading,
-            tilt);
+    fprintf(to, "%zu,%s,%s,%s,%s,%s,%s", number, x, y, z, type, heading, tilt);
 }
 
 static murk_status add_csv(murk_results *results, const char *name,

@@ -24,7 +24,12 @@ murk_status murk_add_coverage_csv(murk_results *results,
                                   const murk_coverage *coverage,
                                   murk_error *err);
 
-/* A line "number,x,y,z,type,heading,tilt"; the last two empty all round. */
+/* heading_deg and tilt_deg; null all round. */
+void murk_json_heading(cJSON *object, const murk_scene *scene,
+                       const murk_pose *pose);
+
+/* "number,x,y,z,type,heading,tilt", without an end of line; the last two empty
+ * all round. */
 void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
                      const murk_pose *pose);
 

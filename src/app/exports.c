@@ -67,6 +67,7 @@ static murk_status write_candidates(const char *path, const void *context,
     fputs("column,x_m,y_m,z_m,type,heading_deg,tilt_deg\n", to);
     for (size_t j = 0; j < list->poses->count; ++j) {
         murk_write_pose(to, j + 1, list->scene, &list->poses->pose[j]);
+        fputc('\n', to);
     }
     return murk_file_commit(&file, err);
 }

@@ -57,9 +57,9 @@ static const murk_word THROUGH_WORDS[] = {
 };
 
 static const murk_word KNOWLEDGE_WORDS[] = {
-    {"known", 0, false},
-    {"unknown", 1, false},
-    {"explore", 0, true},
+    {"known", MURK_SCENE_KNOWN, false},
+    {"unknown", MURK_SCENE_UNKNOWN, false},
+    {"explore", MURK_SCENE_EXPLORE, false},
     WORDS_END,
 };
 
@@ -92,7 +92,9 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
         AT(murk_scene, placement.through)),
     ROW("knowledge", WORD, .preset = "known", .words = KNOWLEDGE_WORDS,
-        AT(murk_scene, placement.unknown)),
+        AT(murk_scene, placement.knowledge)),
+    ROW("start_m", VECTOR, LONG_M, AT(murk_scene, placement.start),
+        FLAG(murk_scene, placement.has_start)),
     ROW("restarts", COUNT, .least = 1, .most = 1e6, .preset = "200",
         AT(murk_scene, placement.restarts)),
     ROW("redundancy", COUNT, .least = 1, .most = 16, .preset = "1",

@@ -334,6 +334,12 @@ typedef enum murk_scene_method {
     MURK_SCENE_EXACT
 } murk_scene_method;
 
+typedef enum murk_scene_knowledge {
+    MURK_SCENE_KNOWN,
+    MURK_SCENE_UNKNOWN,
+    MURK_SCENE_EXPLORE
+} murk_scene_knowledge;
+
 typedef enum murk_scene_over {
     MURK_SCENE_OVER_NONE, /* the scene as it stands */
     MURK_SCENE_OVER_MEAN, /* of its conditions */
@@ -360,7 +366,9 @@ typedef struct murk_scene_placement {
     uint64_t redundancy; /* views of a photon that count */
     bool by_normal;      /* visibility: normal; false: ray */
     murk_scene_through through;
-    bool unknown; /* knowledge: unknown; false: known */
+    murk_scene_knowledge knowledge;
+    bool has_start;
+    murk_vec3 start; /* explore: where it begins */
     uint64_t restarts, nodes;
     bool balanced; /* weights */
     double weight_surface, weight_volume;

@@ -52,7 +52,13 @@ murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
                               murk_error *err)
 {
     const murk_scene_placement *wish = &scene->placement;
-    if (wish->over == MURK_SCENE_OVER_WORST && wish->unknown) {
+    if (wish->knowledge == MURK_SCENE_EXPLORE) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "over: knowledge explore goes through the scene as it "
+                         "stands, so over must be null");
+    }
+    if (wish->over == MURK_SCENE_OVER_WORST &&
+        wish->knowledge != MURK_SCENE_KNOWN) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "over: worst needs what every candidate sees, so "
                          "knowledge must be known");

@@ -39,7 +39,7 @@ static murk_status join(choosing *ch, murk_error *err)
     murk_status status =
         murk_joint_create(&ch->joint, sight, share, n, ch->plan->poses->pose,
                           ch->plan->poses->count, err);
-    if (!status && !ch->scene->placement.unknown) {
+    if (!status && ch->scene->placement.knowledge == MURK_SCENE_KNOWN) {
         const double begun_s = murk_clock_s();
         status = murk_matrix_create(&ch->matrix, &ch->joint->problem,
                                     murk_plan_matrix_bytes(), err);
@@ -90,7 +90,7 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, ch->over->conditions->condition[c].sight,
                             ch->plan->poses->pose, ch->plan->poses->count);
-    if (ch->scene->placement.unknown) {
+    if (ch->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
         return murk_place_unknown(out, &seen.problem, desc, err);
     }
     murk_matrix *matrix = NULL;

@@ -176,6 +176,10 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
             &plan->poses, stage->scene, &stage->world.domain,
             plan->candidates->position, plan->candidates->usable, err);
     }
+    if (!status && stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
+        status = murk_explore_start(&plan->start, stage, plan->candidates,
+                                    plan->poses, err);
+    }
     return status;
 }
 
@@ -191,7 +195,34 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
     return value < (double)whole ? (uint64_t)value : whole;
 }
 
-/* Chooses, by matrix (known) or by looking again and again (unknown). */
+/* Choosing ends here. */
+static void note_spent(murk_plan *plan, const murk_sight *sight)
+{
+    plan->queries = murk_sight_queries(sight);
+    plan->shadow_rays = murk_sight_shadow_rays(sight);
+    plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
+    plan->totally_reflected = murk_sight_totally_reflected(sight);
+}
+
+/* The queries of the bound are not the explorer's. */
+static murk_status explore(murk_plan *plan, const murk_stage *stage,
+                           murk_sight *sight, const murk_problem *problem,
+                           murk_place_desc *desc, murk_error *err)
+{
+    desc->rules = &plan->poses->rules;
+    murk_status status =
+        murk_explore_run(&plan->explore, &plan->place, stage, sight, problem,
+                         plan->candidates, plan->poses, plan->start, desc, err);
+    note_spent(plan, sight);
+    if (!status) {
+        status = murk_explore_bound(&plan->place, &plan->explore, problem, desc,
+                                    murk_plan_matrix_bytes(), err);
+    }
+    return status;
+}
+
+/* Chooses, by matrix (known), by looking again and again (unknown), or step by
+ * step (explore). */
 static murk_status choose(murk_plan *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
 {
@@ -208,9 +239,15 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     murk_matrix *matrix = NULL;
     murk_status status = MURK_OK;
     double begun_s = murk_clock_s();
-    if (stage->scene->placement.unknown) {
+    if (stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
+        status = explore(plan, stage, sight, &seen.problem, &desc, err);
+        plan->place_s = murk_clock_s() - begun_s;
+        return status;
+    }
+    if (stage->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
         status = murk_place_unknown(&plan->place, &seen.problem, &desc, err);
         plan->place_s = murk_clock_s() - begun_s;
+        note_spent(plan, sight);
         return status;
     }
     status = murk_matrix_create(&matrix, &seen.problem,
@@ -223,6 +260,7 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     }
     murk_matrix_destroy(matrix);
     plan->place_s = murk_clock_s() - begun_s;
+    note_spent(plan, sight);
     return status;
 }
 
@@ -303,10 +341,6 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     if (status) {
         goto done;
     }
-    plan->queries = murk_sight_queries(sight);
-    plan->shadow_rays = murk_sight_shadow_rays(sight);
-    plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
-    plan->totally_reflected = murk_sight_totally_reflected(sight);
     plan->sensor = calloc(plan->place.count, sizeof *plan->sensor);
     if (!plan->sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
@@ -349,6 +383,7 @@ void murk_plan_release(murk_plan *plan)
     murk_candidates_destroy(plan->candidates);
     murk_poses_destroy(plan->poses);
     murk_place_release(&plan->place);
+    murk_explore_release(&plan->explore);
     murk_coverage_release(&plan->in_sample);
     murk_robust_release(&plan->robust);
     free(plan->held_out_region);

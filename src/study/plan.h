@@ -5,6 +5,7 @@
 
 #include "placement/place.h"
 #include "sensing/sight.h"
+#include "study/explore.h"
 #include "study/light.h"
 #include "study/poses.h"
 #include "study/robust.h"
@@ -53,6 +54,8 @@ typedef struct murk_plan {
     murk_candidates *candidates;
     murk_poses *poses; /* of them: what placement chooses from */
     murk_place_result place;
+    uint32_t start;            /* knowledge: explore: where it begins, and */
+    murk_explore explore;      /* how it went; else empty */
     murk_pose *sensor;         /* [place.count] */
     murk_target_facts targets; /* points 0: photons are seen */
     murk_coverage in_sample;   /* on the light that chose */

@@ -171,7 +171,8 @@ static void test_the_rest(const murk_scene *scene)
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
-    CHECK(placement->by_normal && placement->unknown);
+    CHECK(placement->by_normal);
+    CHECK(placement->knowledge == MURK_SCENE_UNKNOWN);
     CHECK(placement->through == MURK_SCENE_BLOCK);
     CHECK(!placement->balanced && !placement->hold_out);
     CHECK(placement->weight_surface == 1 && placement->weight_volume == 2);

@@ -1,0 +1,12 @@
+/* path.ply: an explorer's path for viewers; its layout is in
+ * app/explore_out.h. */
+#ifndef MURK_APP_PATH_PLY_H
+#define MURK_APP_PATH_PLY_H
+
+#include "app/results.h"
+
+murk_status murk_add_path_ply(murk_results *results,
+                              const murk_explore *explore, double size_m,
+                              murk_error *err);
+
+#endif

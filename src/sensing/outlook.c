@@ -1,0 +1,80 @@
+#include "sensing/outlook.h"
+
+#include "medium/interfaces.h"
+#include "sensing/passage.h"
+
+void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
+                       int bands)
+{
+    *out =
+        (murk_outlook){.sight = sight,
+                       .bands = bands,
+                       .ways = murk_ways_of(sight->surfaces, &sight->domain)};
+}
+
+static bool is_same(murk_vec3 a, murk_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static bool comes_first(murk_vec3 a, murk_vec3 b)
+{
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/* Always asked from the same end, so that the way back is as open. */
+bool murk_outlook_is_open(murk_outlook *o, murk_vec3 from, murk_vec3 to)
+{
+    const bool is_turned = comes_first(to, from);
+    const murk_vec3 a = is_turned ? to : from, b = is_turned ? from : to;
+    murk_tally_add(&o->tried, 1);
+    return !murk_surfaces_blocked(o->sight->surfaces, a, b, false) &&
+           murk_way_is_open(&o->ways, a, b);
+}
+
+murk_outlook_view murk_outlook_from(murk_outlook *outlook,
+                                    const murk_pose *pose)
+{
+    const murk_sight_desc *sight = outlook->sight;
+    const murk_sensor_type *type = &sight->type[pose->type];
+    return (murk_outlook_view){.outlook = outlook,
+                               .place = pose->position,
+                               .range_m = type->range_m,
+                               .field = murk_field_of(type, pose, sight->north),
+                               .bands = type->bands ? type->bands : UINT32_MAX};
+}
+
+static bool is_clear_enough(const murk_outlook_view *view, murk_vec3 place)
+{
+    const murk_sight_desc *sight = view->outlook->sight;
+    if (!murk_media_any(sight->media) && !murk_media_bends(sight->media)) {
+        return true;
+    }
+    const murk_passages passages = murk_passages_from(
+        sight->media, sight->hulls, &sight->domain, view->place);
+    if (murk_passage_bends(&passages, place)) {
+        return false;
+    }
+    for (int band = 0; band < view->outlook->bands; ++band) {
+        if ((view->bands >> band & 1) &&
+            murk_passage_transmittance(&passages, band, place) >=
+                MURK_OUTLOOK_LEAST) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool murk_outlook_sees(const murk_outlook_view *view, murk_vec3 place)
+{
+    const murk_domain *domain = &view->outlook->sight->domain;
+    const murk_vec3 way = murk_sub(place, view->place);
+    if (is_same(place, view->place)) {
+        return true;
+    }
+    return murk_dot(way, way) <= view->range_m * view->range_m &&
+           murk_field_contains(&view->field, way) &&
+           is_same(murk_nearest_image(domain, place, view->place), place) &&
+           murk_outlook_is_open(view->outlook, view->place, place) &&
+           is_clear_enough(view, place);
+}

@@ -1,0 +1,447 @@
+#include "study/explore.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "placement/stepping.h"
+#include "study/explored.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Poses whose outlook is asked between two looks at the best so far; fixed, so
+ * that who is asked does not depend on the threads. */
+#define CHUNK 32
+
+typedef struct exploring {
+    murk_explore *out;
+    const murk_poses *poses;
+    murk_sight *sight;
+    uint32_t start;
+    murk_rulebook book;
+    murk_standing standing;
+    murk_stepping stepping;
+    murk_explored explored;
+    uint32_t *open;      /* [poses] that may be next */
+    uint32_t *opens;     /* [poses] places each brings into view, at most */
+    murk_ranked *ranked; /* [poses] */
+    uint32_t chunk[CHUNK];
+    uint32_t here; /* the place last gone to */
+} exploring;
+
+/* ---- where it begins ---- */
+
+typedef struct far_place {
+    double distance_m;
+    uint32_t place;
+} far_place;
+
+static int by_distance(const void *a, const void *b)
+{
+    const far_place *x = a, *y = b;
+    if (x->distance_m != y->distance_m) {
+        return x->distance_m < y->distance_m ? -1 : 1;
+    }
+    return (x->place > y->place) - (x->place < y->place);
+}
+
+/* False where there is none. */
+static bool find_nearest(uint32_t *start, murk_outlook *outlook,
+                         const murk_candidates *sites, far_place *order,
+                         murk_vec3 from)
+{
+    for (size_t k = 0; k < sites->usable; ++k) {
+        order[k] = (far_place){murk_length(murk_sub(sites->position[k], from)),
+                               (uint32_t)k};
+    }
+    qsort(order, sites->usable, sizeof *order, by_distance);
+    for (size_t k = 0; k < sites->usable && !murk_interrupted(); ++k) {
+        if (murk_outlook_is_open(outlook, from,
+                                 sites->position[order[k].place])) {
+            *start = order[k].place;
+            return true;
+        }
+    }
+    return false;
+}
+
+murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
+                               const murk_candidates *sites,
+                               const murk_poses *poses, murk_error *err)
+{
+    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_domain *domain = &stage->world.domain;
+    const murk_vec3 x = wish->start, a = domain->box.min, b = domain->box.max;
+    if (!wish->has_start && poses->fixed == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "start_m: not given, but knowledge is explore, which "
+                         "begins at start_m, [x, y, z] in m, or at a fixed "
+                         "sensor");
+    }
+    if (!wish->has_start) {
+        *start = poses->site[poses->count - poses->fixed];
+        return MURK_OK;
+    }
+    if (!murk_box_contains(&domain->box, x)) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "start_m: [%.9g, %.9g, %.9g] m lies outside the "
+                         "domain, [%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
+                         x.x, x.y, x.z, a.x, a.y, a.z, b.x, b.y, b.z);
+    }
+    far_place *order = calloc(sites->usable + 1, sizeof *order);
+    if (!order) {
+        return murk_fail(err, MURK_NO_MEMORY, wish->where,
+                         "no memory for %zu candidates", sites->usable);
+    }
+    const murk_sight_desc seen = {.surfaces = stage->surfaces,
+                                  .domain = *domain};
+    murk_outlook outlook;
+    murk_outlook_init(&outlook, &seen, stage->scene->bands);
+    const bool is_found = find_nearest(start, &outlook, sites, order, x);
+    free(order);
+    return is_found ? MURK_OK
+                    : murk_fail(err, MURK_BAD_VALUE, wish->where,
+                                "start_m: no straight open way leads from "
+                                "[%.9g, %.9g, %.9g] m to any of the %zu usable "
+                                "candidates: inside of something, or out of "
+                                "their sight",
+                                x.x, x.y, x.z, sites->usable);
+}
+
+/* ---- what may be next ---- */
+
+static size_t gather(exploring *e)
+{
+    size_t n = 0;
+    const bool is_first = e->out->stops == 0;
+    const size_t candidates = e->poses->count - e->poses->fixed;
+    for (uint32_t j = 0; j < candidates; ++j) {
+        const uint32_t place = e->poses->site[j];
+        if ((is_first ? place == e->start
+                      : murk_explored_joins(&e->explored, place, e->start)) &&
+            murk_standing_admits(&e->standing, j, false)) {
+            e->open[n++] = j;
+        }
+    }
+    return n;
+}
+
+/* Whether any pose could still join, seen or not. */
+static bool is_full(const exploring *e)
+{
+    for (uint32_t j = 0; j < e->poses->count; ++j) {
+        if (murk_standing_admits(&e->standing, j, false)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void count_opened(void *context, uint64_t batch)
+{
+    exploring *e = context;
+    const uint32_t j = e->chunk[batch];
+    e->opens[j] = (uint32_t)murk_explored_opens(
+        &e->explored, &e->poses->pose[j], e->poses->site[j]);
+}
+
+/* The pose that brings most places into view, if any does. What it brings only
+ * falls as more is seen. */
+static bool widen(exploring *e, size_t n, uint32_t *next)
+{
+    for (size_t k = 0; k < n; ++k) {
+        e->ranked[k] = (murk_ranked){e->opens[e->open[k]], e->open[k]};
+    }
+    murk_ranked_sort(e->ranked, n);
+    murk_ranked best = {0, 0};
+    for (size_t at = 0; at < n && !murk_interrupted();) {
+        size_t taken = 0;
+        while (at < n && taken < CHUNK &&
+               (e->ranked[at].bound > best.bound ||
+                (e->ranked[at].bound == best.bound && best.bound > 0 &&
+                 e->ranked[at].candidate < best.candidate))) {
+            e->chunk[taken++] = e->ranked[at++].candidate;
+        }
+        if (taken == 0) {
+            break;
+        }
+        murk_crew_run(murk_sight_described(e->sight)->threads, taken,
+                      count_opened, e);
+        for (size_t k = 0; k < taken; ++k) {
+            const murk_ranked now = {e->opens[e->chunk[k]], e->chunk[k]};
+            if (now.bound > best.bound ||
+                (now.bound == best.bound && best.bound > 0 &&
+                 now.candidate < best.candidate)) {
+                best = now;
+            }
+        }
+    }
+    *next = best.candidate;
+    return best.bound > 0;
+}
+
+/* ---- steps ---- */
+
+static murk_status go_to(exploring *e, uint32_t place, double *length_m,
+                         murk_error *err)
+{
+    murk_explore *out = e->out;
+    size_t stops = 0;
+    murk_vec3 *way = NULL;
+    murk_status status = murk_explored_way(&e->explored, &way, &stops, length_m,
+                                           e->here, place, err);
+    if (status) {
+        return status;
+    }
+    const size_t first = out->stops > 0; /* where it is already */
+    murk_vec3 *stop =
+        realloc(out->stop, (out->stops + stops + 1) * sizeof *stop);
+    if (stop) {
+        out->stop = stop;
+        memcpy(stop + out->stops, way + first, (stops - first) * sizeof *stop);
+        out->stops += stops - first;
+        e->here = place;
+    } else {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the path");
+    }
+    free(way);
+    return status;
+}
+
+static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
+                        murk_error *err)
+{
+    murk_explore *out = e->out;
+    murk_explore_step *step = &out->step[out->steps];
+    double length_m = 0;
+    if (is_gone_to) {
+        const murk_status status = go_to(e, e->poses->site[j], &length_m, err);
+        if (status) {
+            return status;
+        }
+    }
+    const double gone_m = out->steps ? out->step[out->steps - 1].path_m : 0;
+    murk_standing_add(&e->standing, j);
+    *step = (murk_explore_step){
+        .candidate = j,
+        .gain = murk_stepping_take(&e->stepping, j),
+        .value = e->stepping.value,
+        .path_m = gone_m + length_m,
+        .places_seen = murk_explored_see(&e->explored, &e->poses->pose[j],
+                                         e->poses->site[j]),
+        .queries = murk_sight_queries(e->sight),
+        .shadow_rays = murk_sight_shadow_rays(e->sight),
+        .stops = out->stops};
+    ++out->steps;
+    murk_progress_add(1);
+    return MURK_OK;
+}
+
+/* Finds what is next; false where nothing is, out->end then says why. */
+static bool choose(exploring *e, uint32_t *next)
+{
+    uint64_t gain = 0;
+    const size_t n = gather(e);
+    if (n == 0) {
+        e->out->end = is_full(e) ? MURK_EXPLORE_RULES : MURK_EXPLORE_NOTHING;
+        return false;
+    }
+    *next = murk_stepping_best(&e->stepping, e->open, n, &gain);
+    if (gain > 0 || widen(e, n, next)) {
+        return true;
+    }
+    *next = e->open[0];
+    e->out->end = MURK_EXPLORE_NOTHING;
+    return e->out->stops == 0; /* the start is a station, come what may */
+}
+
+static murk_status begin(exploring *e, bool has_start, murk_error *err)
+{
+    double none;
+    murk_status status = has_start ? MURK_OK : go_to(e, e->start, &none, err);
+    const size_t first = e->poses->count - e->poses->fixed;
+    for (size_t k = 0; k < e->poses->fixed && !status; ++k) {
+        status = take(e, (uint32_t)(first + k), false, err);
+    }
+    e->out->fixed = e->poses->fixed;
+    return status;
+}
+
+static murk_status step_on(exploring *e, const murk_place_desc *desc,
+                           const char *where, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    while (!status && !murk_interrupted()) {
+        uint32_t next;
+        if (desc->target && e->stepping.value >= desc->target) {
+            e->out->end = MURK_EXPLORE_TARGET;
+            return MURK_OK;
+        }
+        if (!desc->target && e->standing.size == desc->count) {
+            e->out->end = MURK_EXPLORE_COUNT;
+            return MURK_OK;
+        }
+        if (e->out->steps == MURK_EXPLORE_MOST + e->out->fixed) {
+            e->out->end = MURK_EXPLORE_STATIONS;
+            return MURK_OK;
+        }
+        if (!choose(e, &next)) {
+            break;
+        }
+        status = take(e, next, true, err);
+    }
+    if (!status && murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    } else if (!status && e->out->stops == 0) {
+        status = murk_fail(err, MURK_BAD_VALUE, where,
+                           "start_m: the rules let no sensor stand at the "
+                           "start");
+    }
+    return status;
+}
+
+/* ---- the plan ---- */
+
+static const char *why(murk_explore_end end)
+{
+    return end == MURK_EXPLORE_RULES      ? "the rules let no other sensor join"
+           : end == MURK_EXPLORE_STATIONS ? "that is the most"
+                                          : "nothing in seen space adds to it";
+}
+
+static murk_status check_end(const exploring *e, const murk_place_desc *desc,
+                             murk_error *err)
+{
+    const murk_explore *out = e->out;
+    if (desc->target && out->end != MURK_EXPLORE_TARGET) {
+        const double whole = (double)e->stepping.layout.whole;
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "target %.6g is not reached: exploring ends with %zu "
+                         "sensors that see %.6g, %zu of %zu places seen: %s",
+                         (double)desc->target / whole, out->steps,
+                         (double)e->stepping.value / whole,
+                         out->steps ? out->step[out->steps - 1].places_seen : 0,
+                         out->places, why(out->end));
+    }
+    if (e->standing.missing > 0) {
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "exploring ends with %zu sensors, %zu short of the "
+                         "types' least counts: %s",
+                         out->steps, e->standing.missing, why(out->end));
+    }
+    return MURK_OK;
+}
+
+static int by_number(const void *a, const void *b)
+{
+    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
+    return (x > y) - (x < y);
+}
+
+static murk_status fill(murk_place_result *place, const exploring *e,
+                        murk_error *err)
+{
+    const murk_explore *out = e->out;
+    size_t *sensor = calloc(out->steps + 1, sizeof *sensor);
+    if (!sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plan");
+    }
+    for (size_t k = 0; k < out->steps; ++k) {
+        sensor[k] = out->step[k].candidate;
+    }
+    qsort(sensor, out->steps, sizeof *sensor, by_number);
+    *place = (murk_place_result){.count = out->steps,
+                                 .sensor = sensor,
+                                 .value = e->stepping.value,
+                                 .cost = e->standing.cost,
+                                 .whole = e->stepping.layout.whole,
+                                 .evaluations = e->stepping.looks,
+                                 .looks = e->stepping.looks};
+    return MURK_OK;
+}
+
+static murk_status set_aside(exploring *e, murk_error *err)
+{
+    const size_t n = e->poses->count + 1;
+    const size_t steps = e->poses->fixed + MURK_EXPLORE_MOST + 1;
+    e->open = malloc(n * sizeof *e->open);
+    e->opens = malloc(n * sizeof *e->opens);
+    e->ranked = malloc(n * sizeof *e->ranked);
+    e->out->step = calloc(steps, sizeof *e->out->step);
+    if (!e->open || !e->opens || !e->ranked || !e->out->step) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to explore %zu candidates",
+                         e->poses->count);
+    }
+    memset(e->opens, 0xff, n * sizeof *e->opens);
+    return MURK_OK;
+}
+
+murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
+                             const murk_stage *stage, murk_sight *sight,
+                             const murk_problem *problem,
+                             const murk_candidates *sites,
+                             const murk_poses *poses, uint32_t start,
+                             const murk_place_desc *desc, murk_error *err)
+{
+    assert(desc->rules);
+    const murk_scene_placement *wish = &stage->scene->placement;
+    exploring e = {.out = out,
+                   .poses = poses,
+                   .sight = sight,
+                   .start = start,
+                   .here = start};
+    *out = (murk_explore){.places = sites->usable};
+    const bool is_most = desc->target || desc->rules->budget > 0;
+    const size_t count = desc->count > 0 ? desc->count : poses->count;
+    murk_status status = murk_rulebook_init(
+        &e.book, desc->rules, poses->count,
+        count < poses->count ? count : poses->count, is_most, err);
+    if (!status) {
+        status = murk_standing_init(&e.standing, &e.book, err);
+    }
+    if (!status) {
+        status = murk_stepping_init(&e.stepping, problem, &e.book, err);
+    }
+    if (!status) {
+        status =
+            murk_explored_init(&e.explored, murk_sight_described(sight),
+                               stage->scene->bands, sites->usable, poses, err);
+    }
+    if (!status) {
+        status = set_aside(&e, err);
+    }
+    if (status) {
+        goto done;
+    }
+    murk_progress_begin("explore", desc->target ? 0 : count, "stations");
+    status = begin(&e, wish->has_start, err);
+    if (!status) {
+        status = step_on(&e, desc, wish->where, err);
+    }
+    murk_progress_end();
+    out->ways = (uint64_t)murk_tally_read(&e.explored.outlook.tried);
+    if (!status) {
+        status = check_end(&e, desc, err);
+    }
+    if (!status) {
+        status = fill(place, &e, err);
+    }
+done:
+    free(e.open);
+    free(e.opens);
+    free(e.ranked);
+    murk_explored_release(&e.explored);
+    murk_stepping_release(&e.stepping);
+    murk_standing_release(&e.standing);
+    murk_rulebook_release(&e.book);
+    return status;
+}
+
+void murk_explore_release(murk_explore *explore)
+{
+    free(explore->step);
+    free(explore->stop);
+    *explore = (murk_explore){0};
+}

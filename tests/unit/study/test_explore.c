@@ -1,0 +1,290 @@
+/* Exploring: what is seen from where, and that nothing else is used. The seed
+ * is fixed: nothing here is random. */
+#include "check.h"
+#include "stage_text.h"
+#include "study/plan.h"
+
+#include <stdio.h>
+
+/* A corridor 2 m wide: 10 m along y, then round the corner 8 m along x. Sites a
+ * metre apart in its middle: (1, 1..9) and (2..9, 9), all at 1.5 m. */
+#define WALLS                                                         \
+    "{box: {min_m: [0, 0, 0], max_m: [10, 10, 3]}, material: wall}, " \
+    "{box: {min_m: [2, -0.05, -0.05], max_m: [10.05, 8, 3.05]}, "     \
+    "material: wall}"
+#define CORRIDOR                                                           \
+    "murk: 1\n"                                                            \
+    "domain: {min_m: [-0.1, -0.1, -0.1], max_m: [10.1, 10.1, 3.1]}\n"      \
+    "geometry: [" WALLS "]\n"                                              \
+    "materials: {wall: {diffuse: 0.5}, lit: {diffuse: 0.5}, glass: "       \
+    "{transmit: 0.9}}\n"                                                   \
+    "lights: [{type: point, position_m: [1, 1, 2.5], power_w: 1}, {type: " \
+    "point, position_m: [9, 9, 2.5], power_w: 1}]\n"                       \
+    "photons: {emit: 2000}\n"                                              \
+    "sensors: {types: [{name: node, range_m: 30}], count: 8, candidates: " \
+    "{grid: {min_m: [1, 1, 1.5], max_m: [9, 9, 1.5], size: [9, 9, 1]}}}\n" \
+    "placement: {hold_out: false, knowledge: explore, start_m: [1, 1.2, "  \
+    "1]}\n"
+#define SITES 17
+
+/* How far nodes see, where they are to walk. */
+#define NEAR "sensors.types.0.range_m=3.5"
+
+typedef struct made {
+    murk_stage *stage;
+    murk_plan plan;
+    murk_status status;
+    murk_error err;
+} made;
+
+static made explore_with(const char *text, const char *const *overrides,
+                         unsigned threads)
+{
+    made m = {.stage = stage_text_create(text, overrides)};
+    murk_traced *traced = NULL;
+    CHECK(m.stage != NULL);
+    if (!m.stage) {
+        m.status = MURK_BAD_VALUE;
+        return m;
+    }
+    m.status = murk_plan_prepare(&m.plan, m.stage, threads, &m.err);
+    if (!m.status) {
+        m.status = murk_light_trace(&traced, m.stage, 0, threads, &m.err);
+    }
+    if (!m.status) {
+        m.status = murk_plan_make(&m.plan, m.stage, traced, threads, &m.err);
+    }
+    murk_traced_destroy(traced);
+    return m;
+}
+
+static made explore(const char *override)
+{
+    const char *const list[] = {override, NULL};
+    return explore_with(CORRIDOR, list, 2);
+}
+
+static void unmake(made *m)
+{
+    murk_plan_release(&m->plan);
+    stage_text_destroy(m->stage);
+}
+
+static murk_vec3 station(const made *m, size_t step)
+{
+    return m->plan.poses->pose[m->plan.explore.step[step].candidate].position;
+}
+
+static bool is_at(murk_vec3 p, double x, double y)
+{
+    return fabs(p.x - x) < 1e-9 && fabs(p.y - y) < 1e-9;
+}
+
+/* From (1, 1) the way to (2, 9) passes the corner's edge, (2, 8), at x = 1.875;
+ * that to (3, 9) would pass it at 2.75. */
+static void test_nobody_jumps_round_the_corner(void)
+{
+    made m = explore(NULL);
+    const murk_explore *e = &m.plan.explore;
+    CHECK_TEXT(m.err.text, "");
+    CHECK(e->steps > 1 && e->places == SITES);
+    if (e->steps > 1) {
+        CHECK(is_at(station(&m, 0), 1, 1));
+        CHECK(e->step[0].places_seen == 10 && e->step[0].path_m == 0);
+        CHECK(station(&m, 1).x <= 2 && e->step[1].gain > 0);
+        CHECK_NEAR(e->step[1].path_m,
+                   murk_length(murk_sub(station(&m, 1), station(&m, 0))),
+                   1e-12);
+    }
+    CHECK(m.plan.place.upper >= m.plan.place.value);
+    CHECK_TEXT(m.plan.place.guarantee, "none");
+    /* in clear air it ends where all is seen, short of the count */
+    CHECK(e->end == MURK_EXPLORE_NOTHING && e->steps < 8);
+    CHECK(m.plan.place.value == m.plan.place.ceiling);
+    unmake(&m);
+}
+
+/* The start is tried and taken: two looks; then each step tries what is seen,
+ * but no pose twice when its bound is below the best. */
+static void test_queries_are_counted(void)
+{
+    const char *const list[] = {NEAR, "sensors.count=3", NULL};
+    made m = explore_with(CORRIDOR, list, 2);
+    const murk_explore_step *step = m.plan.explore.step;
+    CHECK(m.plan.explore.steps == 3 &&
+          m.plan.explore.end == MURK_EXPLORE_COUNT);
+    if (m.plan.explore.steps == 3) {
+        CHECK(step[0].queries == 2 && step[0].shadow_rays > 0);
+        CHECK(step[0].places_seen == 4);
+        CHECK(step[1].queries == 2 + 3 + 1); /* 4 seen, one stands */
+        CHECK(step[2].queries > step[1].queries + 1);
+        CHECK(step[2].queries <= step[1].queries + step[1].places_seen - 2 + 1);
+        CHECK(m.plan.queries == step[2].queries);
+        CHECK(m.plan.shadow_rays == step[2].shadow_rays);
+        CHECK(m.plan.place.looks == m.plan.queries);
+    }
+    unmake(&m);
+}
+
+/* Only a shield in the second leg reflects, away from the first, so that
+ * nothing there adds coverage: the corner is turned all the same. (1, 8), (1,
+ * 9) and (2, 9) see all of the second leg: the first has the lowest number. */
+static void test_a_dark_corner_is_turned(void)
+{
+    const char *const list[] = {
+        "materials.wall.diffuse=0",
+        "geometry=[" WALLS ", {box: {min_m: [8.4, 8.2, 0.5], max_m: [8.599, "
+        "8.8, 2.5]}, material: wall}, {rect: {corner_m: [8.6, 8.2, 0.5], "
+        "edge1_m: [0, 0.6, 0], edge2_m: [0, 0, 2]}, material: lit}]",
+        NULL};
+    made m = explore_with(CORRIDOR, list, 1);
+    const murk_explore *e = &m.plan.explore;
+    CHECK_TEXT(m.err.text, "");
+    CHECK(e->steps > 2);
+    if (e->steps > 2) {
+        CHECK(e->step[0].gain == 0 && e->step[1].gain == 0);
+        CHECK(is_at(station(&m, 1), 1, 8) && e->step[1].places_seen == SITES);
+        CHECK_NEAR(e->step[1].path_m, 7, 1e-12);
+        CHECK(e->step[2].gain > 0);
+    }
+    unmake(&m);
+}
+
+/* 2.996 / 0.5 per m: what is farther than 5.99 m is not seen, (1, 1) to (1, 6)
+ * are. */
+static void test_fog_hides_places(void)
+{
+    const char *const list[] = {
+        "media={fog: {extinction_per_m: 0.5, albedo: 0.5}}",
+        "regions=[{medium: fog}]", NULL};
+    const char *const thinner[] = {
+        "media={fog: {extinction_per_m: 0.4, albedo: 0.5}}",
+        "regions=[{medium: fog}]", NULL};
+    made m = explore_with(CORRIDOR, list, 2);
+    CHECK_TEXT(m.err.text, "");
+    CHECK(m.plan.explore.steps > 0 && m.plan.explore.step[0].places_seen == 6);
+    unmake(&m);
+    m = explore_with(CORRIDOR, thinner, 2); /* 7.49 m */
+    CHECK(m.plan.explore.steps > 0 && m.plan.explore.step[0].places_seen == 8);
+    unmake(&m);
+}
+
+/* A pane across the first leg: light and sight go through, nobody else does. */
+static void test_a_pane_is_not_walked_through(void)
+{
+    const char *const list[] = {
+        "geometry=[" WALLS ", {rect: {corner_m: [-0.05, 5.5, -0.05], edge1_m: "
+        "[2.1, 0, 0], edge2_m: [0, 0, 3.1]}, material: glass}]",
+        NULL};
+    made m = explore_with(CORRIDOR, list, 2);
+    const murk_explore *e = &m.plan.explore;
+    CHECK_TEXT(m.err.text, "");
+    CHECK(e->places == SITES && e->steps > 0);
+    CHECK(e->steps > 0 && e->step[e->steps - 1].places_seen == 5);
+    for (size_t k = 0; k < e->steps; ++k) {
+        CHECK(station(&m, k).y <= 5);
+    }
+    CHECK(e->end == MURK_EXPLORE_NOTHING && e->steps < 8);
+    unmake(&m);
+}
+
+/* Whether the straight way keeps out of the block within the corner. */
+static bool is_outside(murk_vec3 a, murk_vec3 b)
+{
+    for (int k = 0; k <= 1000; ++k) {
+        const murk_vec3 p = murk_along(a, k / 1000.0, murk_sub(b, a));
+        if (p.x > 2 && p.y < 8) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* From the corner nodes go down the first leg, (1, 6), (1, 3), then to (4, 9),
+ * which is not in sight: the shortest way there is over (2, 9). */
+static void test_ways_go_round_corners(void)
+{
+    const char *const list[] = {NEAR, "placement.start_m=[1, 9, 1]", NULL};
+    made m = explore_with(CORRIDOR, list, 2);
+    const murk_explore *e = &m.plan.explore;
+    double length_m = 0;
+    size_t turns = 0;
+    for (size_t k = 1; k < e->stops; ++k) {
+        length_m += murk_length(murk_sub(e->stop[k], e->stop[k - 1]));
+        CHECK(is_outside(e->stop[k - 1], e->stop[k]));
+    }
+    for (size_t k = 1; k < e->steps; ++k) {
+        const bool is_straight = is_outside(station(&m, k - 1), station(&m, k));
+        const size_t passed = e->step[k].stops - e->step[k - 1].stops;
+        CHECK(is_straight ? passed <= 1 : passed == 2);
+        turns += !is_straight;
+    }
+    CHECK(turns == 1);
+    if (e->steps > 3) {
+        CHECK(is_at(station(&m, 3), 4, 9));
+        CHECK(is_at(e->stop[3], 2, 9));
+        CHECK_NEAR(e->step[3].path_m, 3 + 3 + sqrt(37) + 2, 1e-12);
+    }
+    CHECK(e->steps > 3 && e->step[e->steps - 1].stops == e->stops);
+    CHECK(e->steps > 3 && fabs(length_m - e->step[e->steps - 1].path_m) < 1e-9);
+    unmake(&m);
+}
+
+static bool is_same_run(const murk_explore *a, const murk_explore *b)
+{
+    bool is_same = a->steps == b->steps && a->stops == b->stops &&
+                   a->ways == b->ways && a->end == b->end;
+    for (size_t k = 0; is_same && k < a->steps; ++k) {
+        const murk_explore_step *s = &a->step[k], *t = &b->step[k];
+        is_same = s->candidate == t->candidate && s->gain == t->gain &&
+                  s->value == t->value && s->path_m == t->path_m &&
+                  s->places_seen == t->places_seen &&
+                  s->queries == t->queries && s->shadow_rays == t->shadow_rays;
+    }
+    return is_same;
+}
+
+static void test_threads_change_nothing(void)
+{
+    const char *const list[] = {NEAR, NULL};
+    made one = explore_with(CORRIDOR, list, 1);
+    made three = explore_with(CORRIDOR, list, 3);
+    CHECK(one.plan.explore.steps >= 4);
+    CHECK(is_same_run(&one.plan.explore, &three.plan.explore));
+    unmake(&one);
+    unmake(&three);
+}
+
+static void check_refused(const char *override, const char *part)
+{
+    made m = explore(override);
+    CHECK(m.status == MURK_BAD_VALUE);
+    CHECK_MENTIONS(m.err.text, part);
+    CHECK_MENTIONS(m.err.where, "placement");
+    unmake(&m);
+}
+
+static void test_bad_starts_are_refused(void)
+{
+    check_refused("placement={knowledge: explore}",
+                  "start_m: not given, but knowledge is explore, which begins "
+                  "at start_m, [x, y, z] in m, or at a fixed sensor");
+    check_refused("placement.start_m=[1, 1, 7]",
+                  "start_m: [1, 1, 7] m lies outside the domain, [-0.1");
+    check_refused("placement.start_m=[5, 5, 1]",
+                  "no straight open way leads from [5, 5, 1] m to any of the "
+                  "17 usable candidates");
+}
+
+int main(void)
+{
+    test_nobody_jumps_round_the_corner();
+    test_queries_are_counted();
+    test_a_dark_corner_is_turned();
+    test_fog_hides_places();
+    test_a_pane_is_not_walked_through();
+    test_ways_go_round_corners();
+    test_threads_change_nothing();
+    test_bad_starts_are_refused();
+    return check_done();
+}
