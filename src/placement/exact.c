@@ -84,16 +84,34 @@ static murk_cover *graded(const exact *e, level *l)
     return e->oracle->all_clear ? &l->graded : &l->cover;
 }
 
+/* Of the n members, those that may make a better plan. */
+static size_t keep_promising(exact *e, const level *l, size_t n)
+{
+    if (!e->oracle->slack) {
+        return n;
+    }
+    murk_oracle_mosts(e->oracle, &l->cover, e->members, n,
+                      e->oracle->problem->threads, 0, e->gain);
+    size_t kept = 0;
+    for (size_t k = 0; k < n; ++k) {
+        if (l->value + e->gain[k] > e->value) {
+            e->members[kept++] = e->members[k];
+        }
+    }
+    return kept;
+}
+
 /* One sensor is left to choose: weighs all that may join. */
 static void finish(exact *e, const level *l)
 {
     for (size_t k = 0; k < l->live_count; ++k) {
         e->members[k] = l->live[k].candidate;
     }
-    murk_oracle_gains(e->oracle, &l->cover, e->members, l->live_count,
+    const size_t n = keep_promising(e, l, l->live_count);
+    murk_oracle_gains(e->oracle, &l->cover, e->members, n,
                       e->oracle->problem->threads, 0, e->gain);
-    count_work(e, l->live_count);
-    for (size_t k = 0; k < l->live_count; ++k) {
+    count_work(e, n);
+    for (size_t k = 0; k < n; ++k) {
         e->chosen[e->n - 1] = e->members[k];
         take_if_better(e, e->n, l->value + e->gain[k]);
     }

@@ -1,5 +1,9 @@
 #include "placement/gain.h"
 
+#include "placement/kernel_loops.h"
+
+#include <assert.h>
+
 static bool has_bit(const uint64_t *bits, size_t i)
 {
     return (bits[i / 64] >> (i % 64)) & 1;
@@ -173,6 +177,82 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
         return gain_of_dense(layout, row->clarity, cover->best);
     case MURK_ROW_LIST:
         return gain_of_list(layout, row, cover->best);
+    case MURK_ROW_CLEAR_LIST:
+        break;
+    }
+    return gain_of_clear_list(layout, row, cover);
+}
+
+static uint64_t rest_of_dense(const murk_layout *layout, const uint16_t *row,
+                              const uint16_t *best)
+{
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const murk_segment *at = &layout->segment[s];
+        const size_t first = 64 * at->first_word, n = 64 * at->words;
+        if (!at->is_mixed) {
+            sum += at->weight *
+                   layout->kernels->sum_rest(row + first, best + first, n);
+            continue;
+        }
+        for (size_t i = first; i < first + n; ++i) {
+            sum += murk_loop_rest(row[i], best[i]) * layout->weight[i];
+        }
+    }
+    return sum;
+}
+
+static uint64_t rest_of_packed(const murk_layout *layout, const murk_row *row,
+                               const uint16_t *lowest)
+{
+    const uint16_t *clarity = row->clarity;
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const part p = part_of(row, layout, s);
+        const uint16_t *best = lowest + 64 * p.from;
+        const uint32_t *weight = layout->weight + 64 * p.from;
+        if (!layout->segment[s].is_mixed) {
+            size_t used = 0;
+            sum += layout->segment[s].weight *
+                   layout->kernels->sum_rest_packed(p.bits, p.at, clarity, best,
+                                                    p.words, &used);
+            clarity += used;
+            continue;
+        }
+        for (size_t k = 0; k < p.words; ++k) {
+            const size_t first = 64 * murk_word_at(p.at, k);
+            for (uint64_t left = p.bits[k]; left; left &= left - 1) {
+                const size_t i = first + (size_t)__builtin_ctzll(left);
+                sum += murk_loop_rest(*clarity++, best[i]) * weight[i];
+            }
+        }
+    }
+    return sum;
+}
+
+/* Where a dose Y stands, worth `best`, a view of clarity p brings at most
+ * (65535 - h)(p + .07) / 65535 more of h = 65535 (1 - exp(-Y)), which is less
+ * than 1.01 above best: p (65535 - best) / 65535 + 1.1, and that is less than
+ * 2 above the same divided by 65536 and rounded down. */
+uint64_t murk_row_rest(const murk_layout *layout, const murk_row *row,
+                       const murk_cover *cover)
+{
+    assert(cover->dose);
+    uint64_t sum = 0;
+    switch (row->kind) {
+    case MURK_ROW_BITS:
+        return gain_of_bits(layout, row, cover);
+    case MURK_ROW_PACKED:
+        return rest_of_packed(layout, row, cover->best);
+    case MURK_ROW_DENSE:
+        return rest_of_dense(layout, row->clarity, cover->best);
+    case MURK_ROW_LIST:
+        for (size_t k = 0; k < row->seen; ++k) {
+            const uint32_t i = row->slot[k];
+            sum += murk_loop_rest(row->clarity[k], cover->best[i]) *
+                   layout->weight[i];
+        }
+        return sum;
     case MURK_ROW_CLEAR_LIST:
         break;
     }

@@ -112,46 +112,85 @@ murk_loop_weigh_packed(const uint64_t *row, const uint32_t *at,
     return sum;
 }
 
+static inline uint64_t murk_loop_rest(uint16_t row, uint16_t best)
+{
+    return (uint64_t)row * (uint64_t)(MURK_CLEAR - best) >> 16;
+}
+
+static inline uint64_t murk_loop_sum_rest(const uint16_t *row,
+                                          const uint16_t *best, size_t n)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += murk_loop_rest(row[i], best[i]);
+    }
+    return sum;
+}
+
+static inline uint64_t murk_loop_sum_rest_packed(const uint64_t *row,
+                                                 const uint32_t *at,
+                                                 const uint16_t *clarity,
+                                                 const uint16_t *best,
+                                                 size_t words, size_t *used)
+{
+    uint64_t sum = 0;
+    const uint16_t *p = clarity;
+    for (size_t k = 0; k < words; ++k) {
+        const uint16_t *lowest = best + 64 * murk_word_at(at, k);
+        for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
+            sum += murk_loop_rest(*p, lowest[__builtin_ctzll(left)]);
+        }
+    }
+    *used = (size_t)(p - clarity);
+    return sum;
+}
+
 /* A set of functions, NAME_SUFFIX, of the loops, each compiled for `TARGET`
  * (may be empty). */
-#define MURK_COMPILE_LOOPS(SUFFIX, TARGET)                                   \
-    TARGET static uint64_t count_new_##SUFFIX(                               \
-        const uint64_t *row, const uint32_t *at, const uint64_t *full,       \
-        size_t words)                                                        \
-    {                                                                        \
-        return murk_loop_count_new(row, at, full, words);                    \
-    }                                                                        \
-    TARGET static uint64_t sum_missing_##SUFFIX(                             \
-        const uint64_t *row, const uint32_t *at, const uint16_t *best,       \
-        size_t words)                                                        \
-    {                                                                        \
-        return murk_loop_sum_missing(row, at, best, words);                  \
-    }                                                                        \
-    TARGET static uint64_t weigh_missing_##SUFFIX(                           \
-        const uint64_t *row, const uint32_t *at, const uint16_t *best,       \
-        const uint32_t *weight, size_t words)                                \
-    {                                                                        \
-        return murk_loop_weigh_missing(row, at, best, weight, words);        \
-    }                                                                        \
-    TARGET static uint64_t weigh_above_##SUFFIX(                             \
-        const uint16_t *row, const uint16_t *best, const uint32_t *weight,   \
-        size_t n)                                                            \
-    {                                                                        \
-        return murk_loop_weigh_above(row, best, weight, n);                  \
-    }                                                                        \
-    TARGET static uint64_t sum_packed_##SUFFIX(                              \
-        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,    \
-        const uint16_t *best, size_t words, size_t *used)                    \
-    {                                                                        \
-        return murk_loop_sum_packed(row, at, clarity, best, words, used);    \
-    }                                                                        \
-    TARGET static uint64_t weigh_packed_##SUFFIX(                            \
-        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,    \
-        const uint16_t *best, const uint32_t *weight, size_t words,          \
-        size_t *used)                                                        \
-    {                                                                        \
-        return murk_loop_weigh_packed(row, at, clarity, best, weight, words, \
-                                      used);                                 \
+#define MURK_COMPILE_LOOPS(SUFFIX, TARGET)                                     \
+    TARGET static uint64_t count_new_##SUFFIX(                                 \
+        const uint64_t *row, const uint32_t *at, const uint64_t *full,         \
+        size_t words)                                                          \
+    {                                                                          \
+        return murk_loop_count_new(row, at, full, words);                      \
+    }                                                                          \
+    TARGET static uint64_t sum_missing_##SUFFIX(                               \
+        const uint64_t *row, const uint32_t *at, const uint16_t *best,         \
+        size_t words)                                                          \
+    {                                                                          \
+        return murk_loop_sum_missing(row, at, best, words);                    \
+    }                                                                          \
+    TARGET static uint64_t weigh_missing_##SUFFIX(                             \
+        const uint64_t *row, const uint32_t *at, const uint16_t *best,         \
+        const uint32_t *weight, size_t words)                                  \
+    {                                                                          \
+        return murk_loop_weigh_missing(row, at, best, weight, words);          \
+    }                                                                          \
+    TARGET static uint64_t weigh_above_##SUFFIX(                               \
+        const uint16_t *row, const uint16_t *best, const uint32_t *weight,     \
+        size_t n)                                                              \
+    {                                                                          \
+        return murk_loop_weigh_above(row, best, weight, n);                    \
+    }                                                                          \
+    TARGET static uint64_t sum_packed_##SUFFIX(                                \
+        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
+        const uint16_t *best, size_t words, size_t *used)                      \
+    {                                                                          \
+        return murk_loop_sum_packed(row, at, clarity, best, words, used);      \
+    }                                                                          \
+    TARGET static uint64_t weigh_packed_##SUFFIX(                              \
+        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
+        const uint16_t *best, const uint32_t *weight, size_t words,            \
+        size_t *used)                                                          \
+    {                                                                          \
+        return murk_loop_weigh_packed(row, at, clarity, best, weight, words,   \
+                                      used);                                   \
+    }                                                                          \
+    TARGET static uint64_t sum_rest_packed_##SUFFIX(                           \
+        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
+        const uint16_t *best, size_t words, size_t *used)                      \
+    {                                                                          \
+        return murk_loop_sum_rest_packed(row, at, clarity, best, words, used); \
     }
 
 #endif

@@ -37,6 +37,12 @@ typedef struct murk_kernels {
                              const uint16_t *clarity, const uint16_t *best,
                              const uint32_t *weight, size_t words,
                              size_t *used);
+    /* Of sum_above and sum_packed, with row * (MURK_CLEAR - best) / 65536
+     * rounded down in place of max(0, row - best). */
+    uint64_t (*sum_rest)(const uint16_t *row, const uint16_t *best, size_t n);
+    uint64_t (*sum_rest_packed)(const uint64_t *row, const uint32_t *at,
+                                const uint16_t *clarity, const uint16_t *best,
+                                size_t words, size_t *used);
 } murk_kernels;
 
 const murk_kernels *murk_kernels_plain(void);

@@ -4,6 +4,7 @@
 #if defined(__x86_64__)
 
 #include <immintrin.h>
+#include <stdbool.h>
 
 #define AVX2 __attribute__((target("avx2,popcnt,bmi")))
 
@@ -12,8 +13,15 @@ MURK_COMPILE_LOOPS(avx2, AVX2)
 /* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
 #define STEPS_PER_FLUSH 32768
 
-AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
-                                    size_t n)
+AVX2 static inline __m256i part(__m256i row, __m256i best, bool is_rest)
+{
+    return is_rest ? _mm256_mulhi_epu16(
+                         row, _mm256_xor_si256(best, _mm256_set1_epi32(-1)))
+                   : _mm256_subs_epu16(row, best);
+}
+
+AVX2 static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
+                                      size_t n, bool is_rest)
 {
     const __m256i low = _mm256_set1_epi32(0xffff);
     const __m256i zero = _mm256_setzero_si256();
@@ -24,8 +32,8 @@ AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
         __m256i sum = zero;
         for (; left > 0; --left, i += 16) {
             const __m256i d =
-                _mm256_subs_epu16(_mm256_load_si256((const void *)(row + i)),
-                                  _mm256_load_si256((const void *)(best + i)));
+                part(_mm256_load_si256((const void *)(row + i)),
+                     _mm256_load_si256((const void *)(best + i)), is_rest);
             sum = _mm256_add_epi32(sum, _mm256_and_si256(d, low));
             sum = _mm256_add_epi32(sum, _mm256_srli_epi32(d, 16));
         }
@@ -37,9 +45,22 @@ AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
     return lane[0] + lane[1] + lane[2] + lane[3];
 }
 
+AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
+                                    size_t n)
+{
+    return sum_parts(row, best, n, false);
+}
+
+AVX2 static uint64_t sum_rest_avx2(const uint16_t *row, const uint16_t *best,
+                                   size_t n)
+{
+    return sum_parts(row, best, n, true);
+}
+
 static const murk_kernels avx2 = {
-    count_new_avx2,   sum_missing_avx2, weigh_missing_avx2, sum_above_avx2,
-    weigh_above_avx2, sum_packed_avx2,  weigh_packed_avx2};
+    count_new_avx2,    sum_missing_avx2, weigh_missing_avx2,
+    sum_above_avx2,    weigh_above_avx2, sum_packed_avx2,
+    weigh_packed_avx2, sum_rest_avx2,    sum_rest_packed_avx2};
 
 const murk_kernels *murk_kernels_avx2(void)
 {

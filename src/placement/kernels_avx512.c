@@ -4,6 +4,7 @@
 #if defined(__x86_64__)
 
 #include <immintrin.h>
+#include <stdbool.h>
 
 #define WIDE        \
     __attribute__(( \
@@ -80,8 +81,17 @@ WIDE static uint64_t sum_missing_avx512(const uint64_t *row, const uint32_t *at,
     return total;
 }
 
-WIDE static uint64_t sum_above_avx512(const uint16_t *row, const uint16_t *best,
-                                      size_t n)
+/* Above best, or the rest of it that the row has. */
+WIDE static inline __m512i part(__m512i row, const uint16_t *best, bool is_rest)
+{
+    const __m512i at = _mm512_loadu_si512(best);
+    return is_rest ? _mm512_mulhi_epu16(
+                         row, _mm512_xor_si512(at, _mm512_set1_epi32(-1)))
+                   : _mm512_subs_epu16(row, at);
+}
+
+WIDE static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
+                                      size_t n, bool is_rest)
 {
     uint64_t total = 0;
     for (size_t i = 0; i < n;) {
@@ -90,13 +100,24 @@ WIDE static uint64_t sum_above_avx512(const uint16_t *row, const uint16_t *best,
                                : i + (size_t)32 * STEPS_PER_FLUSH;
         __m512i sum = _mm512_setzero_si512();
         for (; i < end; i += 32) {
-            sum =
-                fold_u16(sum, _mm512_subs_epu16(_mm512_loadu_si512(row + i),
-                                                _mm512_loadu_si512(best + i)));
+            sum = fold_u16(
+                sum, part(_mm512_loadu_si512(row + i), best + i, is_rest));
         }
         total += reduce_u32(sum);
     }
     return total;
+}
+
+WIDE static uint64_t sum_above_avx512(const uint16_t *row, const uint16_t *best,
+                                      size_t n)
+{
+    return sum_parts(row, best, n, false);
+}
+
+WIDE static uint64_t sum_rest_avx512(const uint16_t *row, const uint16_t *best,
+                                     size_t n)
+{
+    return sum_parts(row, best, n, true);
 }
 
 /* sum + the 16 products of 16-bit d (in 32-bit lanes) and 32-bit weights. */
@@ -146,19 +167,19 @@ WIDE static uint64_t weigh_missing_avx512(const uint64_t *row,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-/* The packed clarities at p, put where the bits of mask are, less best. */
-WIDE static inline __m512i unpack_above(const uint16_t *p, uint32_t mask,
-                                        const uint16_t *best)
+/* Of the packed clarities at p, put where the bits of mask are. */
+WIDE static inline __m512i unpack(const uint16_t *p, uint32_t mask,
+                                  const uint16_t *best, bool is_rest)
 {
-    return _mm512_subs_epu16(
-        _mm512_maskz_expand_epi16(mask, _mm512_loadu_si512(p)),
-        _mm512_loadu_si512(best));
+    return part(_mm512_maskz_expand_epi16(mask, _mm512_loadu_si512(p)), best,
+                is_rest);
 }
 
-WIDE static uint64_t sum_packed_avx512(const uint64_t *row, const uint32_t *at,
-                                       const uint16_t *clarity,
-                                       const uint16_t *best, size_t words,
-                                       size_t *used)
+WIDE static inline uint64_t sum_packed_parts(const uint64_t *row,
+                                             const uint32_t *at,
+                                             const uint16_t *clarity,
+                                             const uint16_t *best, size_t words,
+                                             size_t *used, bool is_rest)
 {
     uint64_t total = 0;
     const uint16_t *p = clarity;
@@ -171,7 +192,7 @@ WIDE static uint64_t sum_packed_avx512(const uint64_t *row, const uint32_t *at,
                 const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
                 const uint16_t *lowest =
                     best + 64 * murk_word_at(at, k) + 32 * half;
-                sum = fold_u16(sum, unpack_above(p, mask, lowest));
+                sum = fold_u16(sum, unpack(p, mask, lowest, is_rest));
                 p += __builtin_popcount(mask);
             }
         }
@@ -179,6 +200,23 @@ WIDE static uint64_t sum_packed_avx512(const uint64_t *row, const uint32_t *at,
     }
     *used = (size_t)(p - clarity);
     return total;
+}
+
+WIDE static uint64_t sum_packed_avx512(const uint64_t *row, const uint32_t *at,
+                                       const uint16_t *clarity,
+                                       const uint16_t *best, size_t words,
+                                       size_t *used)
+{
+    return sum_packed_parts(row, at, clarity, best, words, used, false);
+}
+
+WIDE static uint64_t sum_rest_packed_avx512(const uint64_t *row,
+                                            const uint32_t *at,
+                                            const uint16_t *clarity,
+                                            const uint16_t *best, size_t words,
+                                            size_t *used)
+{
+    return sum_packed_parts(row, at, clarity, best, words, used, true);
 }
 
 WIDE static uint64_t
@@ -192,7 +230,7 @@ weigh_packed_avx512(const uint64_t *row, const uint32_t *at,
         for (size_t half = 0; half < 2 && row[k]; ++half) {
             const size_t i = 64 * murk_word_at(at, k) + 32 * half;
             const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
-            const __m512i d = unpack_above(p, mask, best + i);
+            const __m512i d = unpack(p, mask, best + i, false);
             sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
             sum = add_products(sum, _mm512_extracti64x4_epi64(d, 1),
                                weight + i + 16);
@@ -203,10 +241,10 @@ weigh_packed_avx512(const uint64_t *row, const uint32_t *at,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-static const murk_kernels avx512 = {count_new_avx512,     sum_missing_avx512,
-                                    weigh_missing_avx512, sum_above_avx512,
-                                    weigh_above_avx512,   sum_packed_avx512,
-                                    weigh_packed_avx512};
+static const murk_kernels avx512 = {
+    count_new_avx512,    sum_missing_avx512, weigh_missing_avx512,
+    sum_above_avx512,    weigh_above_avx512, sum_packed_avx512,
+    weigh_packed_avx512, sum_rest_avx512,    sum_rest_packed_avx512};
 
 const murk_kernels *murk_kernels_avx512(void)
 {

@@ -24,6 +24,7 @@ typedef struct weighing {
     murk_cover *seen; /* [threads] joined with every row, or NULL */
     uint64_t *slack;  /* with it, or NULL */
     size_t n, at_once;
+    bool is_most; /* murk_oracle_mosts() */
 } weighing;
 
 murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
@@ -47,6 +48,12 @@ static void weigh(const weighing *w, unsigned worker, size_t batch)
     const murk_layout *layout = w->oracle->layout;
     const uint32_t candidate = candidate_of(w, batch);
     const murk_row row = murk_oracle_row(w->oracle, worker, candidate);
+    if (w->is_most) {
+        w->gain[batch] =
+            murk_row_rest(layout, &row, w->cover) +
+            MURK_REST_SLACK / MURK_WORTH_SLACK * w->oracle->slack[candidate];
+        return;
+    }
     w->gain[batch] = murk_row_gain(layout, &row, w->cover);
     if (w->seen) {
         murk_cover_add(&w->seen[worker], layout, &row);
@@ -100,6 +107,15 @@ unsigned murk_oracle_threads(const murk_oracle *oracle, size_t n)
     return is_worth ? oracle->problem->threads : 1;
 }
 
+static void weigh_over(weighing *w, unsigned threads, unsigned worker)
+{
+    if (threads > 1 && murk_oracle_threads(w->oracle, w->n) > 1) {
+        weigh_all(w, threads);
+        return;
+    }
+    weigh_some(w, worker, 0, w->n);
+}
+
 void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
                        const uint32_t *candidate, size_t n, unsigned threads,
                        unsigned worker, uint64_t *gain)
@@ -109,11 +125,20 @@ void murk_oracle_gains(const murk_oracle *oracle, const murk_cover *cover,
                   .candidate = candidate,
                   .gain = gain,
                   .n = n};
-    if (threads > 1 && murk_oracle_threads(oracle, n) > 1) {
-        weigh_all(&w, threads);
-        return;
-    }
-    weigh_some(&w, worker, 0, n);
+    weigh_over(&w, threads, worker);
+}
+
+void murk_oracle_mosts(const murk_oracle *oracle, const murk_cover *cover,
+                       const uint32_t *candidate, size_t n, unsigned threads,
+                       unsigned worker, uint64_t *most)
+{
+    weighing w = {.oracle = oracle,
+                  .cover = cover,
+                  .candidate = candidate,
+                  .gain = most,
+                  .n = n,
+                  .is_most = true};
+    weigh_over(&w, threads, worker);
 }
 
 static int by_rank(const void *a, const void *b)

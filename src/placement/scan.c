@@ -50,6 +50,36 @@ uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
     return best;
 }
 
+/* Weighs those of the chunk that may be the best: first the most promising. */
+static uint64_t weigh_promising(murk_search *s, size_t n, uint64_t best)
+{
+    if (!s->most || n == 0) {
+        return murk_scan_weigh(s, n, best);
+    }
+    murk_oracle_mosts(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
+                      s->chunk_gain);
+    s->evaluations += n;
+    size_t first = 0;
+    for (size_t k = 0; k < n; ++k) {
+        s->most[s->chunk[k]] = s->chunk_gain[k];
+        first = s->chunk_gain[k] > s->chunk_gain[first] ? k : first;
+    }
+    const uint32_t held = s->chunk[0];
+    s->chunk[0] = s->chunk[first];
+    s->chunk[first] = held;
+    if (s->most[s->chunk[0]] < best) {
+        return best;
+    }
+    best = murk_scan_weigh(s, 1, best);
+    size_t kept = 0;
+    for (size_t k = 1; k < n; ++k) {
+        if (s->most[s->chunk[k]] >= best) {
+            s->chunk[kept++] = s->chunk[k];
+        }
+    }
+    return murk_scan_weigh(s, kept, best);
+}
+
 /* The undominated, from the most promising on, until the rest cannot reach
  * the best. */
 static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
@@ -68,7 +98,7 @@ static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
                 s->chunk[gathered++] = ranking[k].candidate;
             }
         }
-        best = murk_scan_weigh(s, gathered, best);
+        best = weigh_promising(s, gathered, best);
     }
     return best;
 }
@@ -108,6 +138,9 @@ uint64_t murk_scan(murk_search *s, const murk_ranked *ranking,
 {
     const murk_oracle *o = s->oracle;
     memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
+    if (s->most) {
+        memset(s->most, 0xff, o->candidates * sizeof *s->most);
+    }
     uint64_t best = 0;
     if (value < o->ceiling) {
         best = weigh_undominated(s, ranking);
@@ -135,10 +168,13 @@ void murk_scan_sharpen(murk_search *s)
     /* what was weighed can only fall, but for rounding */
     const size_t n = s->oracle->undominated;
     for (size_t k = 0; k < n; ++k) {
-        const uint64_t gain = s->gain[s->ranking[k].candidate];
-        if (gain != NOT_WEIGHED) {
-            s->ranking[k].bound =
-                gain + murk_scan_slack(s, s->ranking[k].candidate);
+        const uint32_t j = s->ranking[k].candidate;
+        if (s->gain[j] != NOT_WEIGHED) {
+            s->ranking[k].bound = s->gain[j] + murk_scan_slack(s, j);
+        } else if (s->most && s->most[j] != NOT_WEIGHED) {
+            const uint64_t most = s->most[j] + murk_scan_slack(s, j);
+            uint64_t *bound = &s->ranking[k].bound;
+            *bound = most < *bound ? most : *bound;
         }
     }
     murk_ranked_sort(s->ranking, n);

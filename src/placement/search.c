@@ -29,9 +29,13 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
     if (has_budget) {
         out->priced = malloc(n * sizeof *out->priced);
     }
+    const bool is_quicker = oracle->matrix && oracle->slack;
+    if (is_quicker) {
+        out->most = malloc(n * sizeof *out->most);
+    }
     if (!out->gain || !out->tie || (has_budget && !out->priced) ||
         !out->shuffle || !out->ranking || !out->chunk_gain || !out->chunk ||
-        !out->is_standing ||
+        !out->is_standing || (is_quicker && !out->most) ||
         !murk_cover_init(&out->cover, oracle->layout, oracle->all_clear)) {
         murk_search_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
@@ -60,6 +64,7 @@ void murk_search_release(murk_search *search)
     free(search->chunk_gain);
     free(search->chunk);
     free(search->is_standing);
+    free(search->most);
     *search = (murk_search){0};
 }
 

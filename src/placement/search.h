@@ -22,6 +22,8 @@ typedef struct murk_search {
     murk_cover cover;    /* of what stands */
     bool has_many_views; /* more than the clearest of a photon count */
     bool *is_standing;   /* [candidates] */
+    uint64_t *most;      /* [candidates] of this scan, gain is not more; NULL
+                            where weighing is as quick */
     uint64_t *gain;      /* [candidates] of this scan, or NOT_WEIGHED */
     uint32_t *tie;       /* [ties] the candidates that add most, rising */
     size_t ties;

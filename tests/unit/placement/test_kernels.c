@@ -87,6 +87,9 @@ static void check_bits(const murk_kernels *f, const arrays *a,
                                                        a->best, a->weight,
                                                        words, &used[1]));
     CHECK(used[0] == used[1]);
+    CHECK(p->sum_rest_packed(a->row, at, a->packed, a->best, words, &used[0]) ==
+          f->sum_rest_packed(a->row, at, a->packed, a->best, words, &used[1]));
+    CHECK(used[0] == used[1]);
 }
 
 static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
@@ -97,6 +100,7 @@ static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
     CHECK(p->sum_above(a.dense, a.best, n) == f->sum_above(a.dense, a.best, n));
     CHECK(p->weigh_above(a.dense, a.best, a.weight, n) ==
           f->weigh_above(a.dense, a.best, a.weight, n));
+    CHECK(p->sum_rest(a.dense, a.best, n) == f->sum_rest(a.dense, a.best, n));
     check_bits(f, &a, NULL, words);
     uint32_t *at = malloc((words / 2 + 1) * sizeof *at);
     for (size_t k = 0; k < words / 2; ++k) {
@@ -119,6 +123,7 @@ static void test_plain_sums(void)
     CHECK(p->sum_missing(a.row, NULL, a.best, 2) == all);
     CHECK(p->sum_above(a.dense, a.best, 128) == all);
     CHECK(p->weigh_above(a.dense, a.best, a.weight, 128) == all * UINT32_MAX);
+    CHECK(p->sum_rest(a.dense, a.best, 128) == all - 128);
     a.best[3] = MURK_CLEAR - 1;
     a.row[1] = 1;
     CHECK(p->sum_missing(a.row, NULL, a.best, 2) ==

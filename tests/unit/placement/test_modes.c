@@ -68,9 +68,10 @@ static murk_matrix *matrix_of(const made_up *m)
  * rows add what they make of it. */
 static void test_covers(uint32_t seed)
 {
+    int less = 0;
     for (uint32_t k = 0; k < 40; ++k) {
         made_up *m = create(seed + k, k, 150, 8, 1);
-        set_mode(m, &modes[k % MODES]);
+        set_mode(m, &modes[k / 2 % MODES]); /* clear and not */
         murk_matrix *matrix = matrix_of(m);
         const murk_layout *layout = &matrix->layout;
         murk_cover cover, graded, other;
@@ -87,6 +88,15 @@ static void test_covers(uint32_t seed)
                   now - before);
             CHECK(murk_row_gain(layout, &matrix->row[j], &graded) ==
                   now - before);
+            if (cover.dose) {
+                const uint64_t rest =
+                    murk_row_rest(layout, &matrix->row[j], &cover);
+                const uint64_t slack =
+                    MURK_REST_SLACK * murk_row_weight(layout, &matrix->row[j]);
+                CHECK(rest + slack >= now - before);
+                CHECK(rest <= now - before + slack);
+                less += rest < now - before;
+            }
             murk_cover_add(&cover, layout, &matrix->row[j]);
             murk_cover_add(&graded, layout, &matrix->row[j]);
             CHECK(murk_cover_value(&cover, layout) == now);
@@ -107,6 +117,7 @@ static void test_covers(uint32_t seed)
         murk_matrix_destroy(matrix);
         made_up_destroy(m);
     }
+    CHECK(less > 0); /* the slack is needed */
 }
 
 /* For any thresholds, whatever stands and whoever joins, the two sums are not
@@ -420,8 +431,8 @@ static void test_targets(uint32_t seed)
 {
     for (uint32_t k = 0; k < 24; ++k) {
         made_up *m = create(seed + k, k, 80, 10, 1);
-        set_mode(m, &modes[k % MODES]);
-        const size_t aim = 1 + k / MODES % 4;
+        set_mode(m, &modes[k / 2 % MODES]);
+        const size_t aim = 1 + k / 8 % 4;
         murk_place_desc desc = murk_place_defaults();
         desc.count = 10;
         desc.restarts = 3;
