@@ -143,6 +143,15 @@ static void test_placed_shapes_move_with_their_placement(void)
     }
 }
 
+/* What each of three media adds there. */
+static void check_parts(const murk_media *media, murk_vec3 p, double first,
+                        double second, double third)
+{
+    CHECK(murk_media_extinction_of(media, 0, 0, 0, p) == first);
+    CHECK(murk_media_extinction_of(media, 1, 0, 0, p) == second);
+    CHECK(murk_media_extinction_of(media, 2, 0, 0, p) == third);
+}
+
 static void test_regions_add_and_replace(void)
 {
     const murk_medium media[] = {even(0.1, 0.5), even(1, 1), even(2, 0)};
@@ -155,12 +164,15 @@ static void test_regions_add_and_replace(void)
     CHECK_NEAR(murk_media_extinction(sum, 0, 0, murk_vec(2, 2, 2)), 3.1, 1e-15);
     CHECK_NEAR(murk_media_scattering(sum, 0, 0, murk_vec(2, 2, 2)), 1.05,
                1e-15);
+    check_parts(sum, murk_vec(2, 2, 2), 0.1, 1, 2);
+    check_parts(sum, murk_vec(-1, 2, 2), 0.1, 0, 0);
     murk_media_destroy(sum);
 
     regions[1].replaces = true;
     murk_media *box_alone = build(media, 3, regions, 3);
     CHECK_NEAR(depth(box_alone, a, b), 0.6 + 4 + 4, 1e-14);
     CHECK(murk_media_extinction(box_alone, 0, 0, murk_vec(2, 2, 2)) == 3);
+    check_parts(box_alone, murk_vec(2, 2, 2), 0, 1, 2);
     murk_media_destroy(box_alone);
 
     regions[2].replaces = true;
@@ -168,6 +180,8 @@ static void test_regions_add_and_replace(void)
     CHECK_NEAR(depth(hole, a, b), 0.6 + 2 + 4, 1e-14);
     CHECK(murk_media_extinction(hole, 0, 0, murk_vec(2, 2, 2)) == 2);
     CHECK(murk_media_extinction(hole, 0, 0, murk_vec(0.1, 2, 2)) == 1);
+    check_parts(hole, murk_vec(2, 2, 2), 0, 0, 2);
+    check_parts(hole, murk_vec(0.1, 2, 2), 0, 1, 0);
     murk_media_destroy(hole);
 
     /* A clear region that replaces cuts a hole. */
