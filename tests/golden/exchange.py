@@ -250,6 +250,9 @@ def test_cbc_agrees_under_rules(murk):
         "counts": ["--count", "5"],
         "one a site": ["--count", "5", "--set", "sensors.one_per_site=true"],
         "spacing": ["--count", "4", "--set", "sensors.candidates.spacing_m=3.1"],
+        "redundancy": ["--count", "4", "--set", "placement.redundancy=2"],
+        "threshold": ["--count", "2", "--set",
+                      "placement={redundancy: 2, detection: threshold, threshold: 0.6}"],
         "fixed": ["--budget", "5", "--set", "sensors.fixed=[{type: node, position_m: [1, 1, 1]}]"],
     }
     seen = set()
