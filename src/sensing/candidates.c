@@ -178,8 +178,8 @@ static murk_status ask(asking *a, const murk_surfaces *surfaces,
                        const char *where, murk_error *err)
 {
     const size_t *n = a->desc->grid.size;
-    murk_status status =
-        murk_listed_all(&a->listed, &a->n_listed, a->desc, where, err);
+    murk_status status = murk_listed_all(&a->listed, &a->n_listed, a->desc,
+                                         &reach->domain, where, err);
     if (status) {
         return status;
     }

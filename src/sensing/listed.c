@@ -44,7 +44,25 @@ static size_t count_all(const murk_candidate_desc *desc)
     return n;
 }
 
-static size_t list_mount(murk_listed *site, const murk_candidate_mount *m)
+static double wrapped(double x, double min, double max)
+{
+    return x < min ? x + (max - min) : x > max ? x - (max - min) : x;
+}
+
+static murk_vec3 stand(const murk_foot *foot, murk_vec3 normal, double offset_m,
+                       const murk_domain *domain)
+{
+    const murk_box *box = &domain->box;
+    murk_vec3 p = murk_along(foot->position, offset_m, normal);
+    if (domain->is_periodic) {
+        p.x = wrapped(p.x, box->min.x, box->max.x);
+        p.y = wrapped(p.y, box->min.y, box->max.y);
+    }
+    return p;
+}
+
+static size_t list_mount(murk_listed *site, const murk_candidate_mount *m,
+                         const murk_domain *domain)
 {
     size_t n = 0;
     for (size_t k = 0; k < m->feet; ++k) {
@@ -52,8 +70,8 @@ static size_t list_mount(murk_listed *site, const murk_candidate_mount *m)
             const murk_vec3 normal = murk_scale(side, m->foot[k].normal);
             if (faces_so(m, normal.z)) {
                 site[n++] = (murk_listed){
-                    murk_along(m->foot[k].position, m->offset_m, normal),
-                    normal, m->offset_m};
+                    stand(&m->foot[k], normal, m->offset_m, domain), normal,
+                    m->offset_m};
             }
         }
     }
@@ -61,7 +79,8 @@ static size_t list_mount(murk_listed *site, const murk_candidate_mount *m)
 }
 
 murk_status murk_listed_all(murk_listed **out, size_t *n,
-                            const murk_candidate_desc *desc, const char *where,
+                            const murk_candidate_desc *desc,
+                            const murk_domain *domain, const char *where,
                             murk_error *err)
 {
     const size_t all = count_all(desc);
@@ -75,7 +94,7 @@ murk_status murk_listed_all(murk_listed **out, size_t *n,
     }
     *n = desc->points;
     for (size_t i = 0; i < desc->mounts; ++i) {
-        *n += list_mount(site + *n, &desc->mount[i]);
+        *n += list_mount(site + *n, &desc->mount[i], domain);
     }
     *out = site;
     return MURK_OK;

@@ -21,9 +21,11 @@ typedef struct murk_listed {
     double offset_m;  /* from its foot */
 } murk_listed;
 
-/* In the order that candidates.h states; (*out)[*n] is the caller's: free(). */
+/* In the order that candidates.h states; (*out)[*n] is the caller's: free(). A
+ * mount that leaves a periodic domain by a side comes in by the other. */
 murk_status murk_listed_all(murk_listed **out, size_t *n,
-                            const murk_candidate_desc *desc, const char *where,
+                            const murk_candidate_desc *desc,
+                            const murk_domain *domain, const char *where,
                             murk_error *err);
 
 /* verdict[n] for sites[n], after the grid of `desc` whose free space is known.

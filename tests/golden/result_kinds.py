@@ -103,9 +103,11 @@ JITTER = {"jitter_m": number(0), "jitter_deg": number(0, 180), "draws": whole(2)
           "measured": one_of("held_out", "in_sample"), "as_planned": fraction,
           "mean": fraction, "mean_standard_error": fraction, "quantile_5": fraction,
           "quantile_5_lower": HELD, "quantile_5_upper": HELD, "unmoved": count}
+CANDIDATES = {"asked": count, "usable": count, "doubtful": count,
+              "duplicates": count, "forbidden": count, "too_close": count,
+              "unreached": count}
 PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
-    "candidates": {"asked": count, "usable": count, "doubtful": count,
-                   "after_presolve": count},
+    "candidates": CANDIDATES | {"after_presolve": count},
     "targets": null,
     "coverage": {"in_sample": fraction, "held_out": fraction,
                  "held_out_standard_error": fraction, "surface": fraction,
@@ -140,7 +142,7 @@ CHECK = HEAD | {
                                   "mean_cosine": number(-1, 1)})}),
     "tallies": many({"name": text(".+"), "type": one_of("plane", "grid", "sphere"),
                      "cells": whole(1), "unit": one_of("W", "W/m2")}),
-    "candidates": {"asked": count, "usable": count, "doubtful": count}}
+    "candidates": CANDIDATES}
 REPLAY = HEAD | {
     "photon": count,
     "events": many({"number": count,

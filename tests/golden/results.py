@@ -166,6 +166,9 @@ def check_plan(plan, where):
     candidates = plan["candidates"]
     check(candidates["after_presolve"] <= candidates["usable"] <= candidates["asked"],
           where, candidates)
+    dropped = [candidates[cause] for cause in
+               ("duplicates", "forbidden", "too_close", "unreached")]
+    check(candidates["usable"] + sum(dropped) == candidates["asked"], where, candidates)
 
 
 def check_robust(result, where):

@@ -279,6 +279,30 @@ static void test_ways_through_periodic_sides(void)
                              "reach of any light");
 }
 
+/* A wall in the plane where the domain repeats has both its sides in it. */
+static void test_mounts_on_a_periodic_side(void)
+{
+    asking a = asking_of(false);
+    a.domain.is_periodic = true;
+    a.surface[0] =
+        a_rect(murk_vec(0, 0, 0), murk_vec(0, 3, 0), murk_vec(0, 0, 2.5), 0);
+    a.desc.is_laid = true;
+    a.spacing_m = .5;
+    murk_candidates *c = candidates_of(&a, 1, NULL);
+    CHECK(c->asked == 60 && c->usable == 60);
+    size_t side[2] = {0, 0};
+    for (size_t i = 0; i < c->usable; ++i) {
+        side[0] += c->normal[i].x == 1 && fabs(c->position[i].x - .1) < 1e-9;
+        side[1] += c->normal[i].x == -1 && fabs(c->position[i].x - 3.9) < 1e-9;
+    }
+    CHECK(side[0] == 30 && side[1] == 30);
+    murk_candidates_destroy(c);
+    a.domain.is_periodic = false;
+    c = candidates_of(&a, 1, NULL);
+    CHECK(c->usable == 30 && c->unreached == 30);
+    murk_candidates_destroy(c);
+}
+
 /* ---- zones ---- */
 
 static murk_zones *box_zone(murk_vec3 min, murk_vec3 max)
@@ -388,6 +412,7 @@ int main(void)
     test_mounts_face_as_asked();
     test_mounts_do_not_pass_through();
     test_ways_through_periodic_sides();
+    test_mounts_on_a_periodic_side();
     test_zones_forbid();
     test_threads_change_nothing();
     test_bad_lists_are_refused();
