@@ -1,5 +1,6 @@
 #include "app/plan_ply.h"
 
+#include "app/mark.h"
 #include "study/sparse_matrix.h"
 
 #include <stdlib.h>
@@ -7,8 +8,6 @@
 
 #define MARK_SIZE    0.005 /* half an octahedron's width, of the world's size */
 #define SENSORS_HELD 16    /* looks in memory at a time */
-#define CORNERS      6
-#define FACES        8
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are written as they lie in memory");
@@ -102,38 +101,40 @@ static void put_map(FILE *to, const murk_photon_map *map, vertex_kind kind,
     }
 }
 
-/* Corners -x +x -y +y -z +z of each. */
+static murk_mark mark_of(const parts *p, size_t sensor)
+{
+    const murk_sight_desc *sight = murk_sight_described(p->sight);
+    const murk_pose *pose = &p->sensor[sensor];
+    murk_mark mark;
+    murk_mark_make(&mark, &sight->type[pose->type], pose, sight->north,
+                   p->mark_m);
+    return mark;
+}
+
 static void put_corners(FILE *to, const parts *p)
 {
     for (size_t k = 0; k < p->sensors; ++k) {
-        for (int c = 0; c < CORNERS; ++c) {
-            const double d = c % 2 ? p->mark_m : -p->mark_m;
-            put_sensor(to,
-                       murk_add(p->sensor[k].position,
-                                murk_vec(c / 2 == 0 ? d : 0, c / 2 == 1 ? d : 0,
-                                         c / 2 == 2 ? d : 0)),
-                       CORNER);
+        const murk_mark mark = mark_of(p, k);
+        for (size_t c = 0; c < mark.corners; ++c) {
+            put_sensor(to, mark.corner[c], CORNER);
         }
     }
 }
 
-/* Wound so that normals point out. */
 static void put_faces(FILE *to, const parts *p)
 {
-    static const int corner_of[FACES][3] = {{1, 3, 5}, {3, 0, 5}, {0, 2, 5},
-                                            {2, 1, 5}, {3, 1, 4}, {0, 3, 4},
-                                            {2, 0, 4}, {1, 2, 4}};
+    size_t first = p->sensors;
     for (size_t k = 0; k < p->sensors; ++k) {
-        const size_t first = p->sensors + k * CORNERS;
-        for (int f = 0; f < FACES; ++f) {
+        const murk_mark mark = mark_of(p, k);
+        for (size_t f = 0; f < mark.faces; ++f) {
             uint8_t bytes[13] = {3};
             for (int c = 0; c < 3; ++c) {
-                const uint32_t vertex =
-                    (uint32_t)(first + (size_t)corner_of[f][c]);
+                const uint32_t vertex = (uint32_t)(first + mark.face[f][c]);
                 memcpy(bytes + 1 + 4 * c, &vertex, 4);
             }
             (void)fwrite(bytes, 1, sizeof bytes, to);
         }
+        first += mark.corners;
     }
 }
 
@@ -148,6 +149,12 @@ static murk_status write_ply(const char *path, const void *context,
         return status;
     }
     FILE *to = murk_file_stream(file);
+    size_t corners = 0, faces = 0;
+    for (size_t k = 0; k < p->sensors; ++k) {
+        const murk_mark mark = mark_of(p, k);
+        corners += mark.corners;
+        faces += mark.faces;
+    }
     fprintf(
         to,
         "ply\nformat binary_little_endian 1.0\n"
@@ -161,7 +168,7 @@ static murk_status write_ply(const char *path, const void *context,
         "property float quality\n"
         "element face %zu\nproperty list uchar int vertex_indices\n"
         "end_header\n",
-        p->sensors * (1 + CORNERS) + p->photons, p->sensors * FACES);
+        p->sensors + corners + p->photons, faces);
     for (size_t k = 0; k < p->sensors; ++k) {
         put_sensor(to, p->sensor[k].position, SENSOR);
     }

@@ -5,9 +5,9 @@
 #include "app/results.h"
 #include "sensing/sight.h"
 
-/* Vertices: the sensors, in order; six corners of an octahedron about each of
- * them, which the faces join (a point alone is hard to see); the stored
- * photons, surface map first, in the maps' order. Each with
+/* Vertices: the sensors, in order; the corners of each one's mark (app/mark.h),
+ * which the faces join (a point alone is hard to see); the stored photons,
+ * surface map first, in the maps' order. Each with
  *
  *     x y z           float, m
  *     red green blue  uchar: sensors yellow; photons red unseen, blue seen by
@@ -17,8 +17,8 @@
  *     seen_by         ushort: of a photon, how many sensors see it
  *     quality         float, 0..1: of a photon, its clearest sightline; else 1
  *
- * Binary, little endian. size_m: of the world; marks are one part in a
- * hundred of it. */
+ * Binary, little endian. size_m: of the world; octahedra are one part
+ * in a hundred of it wide, views two parts long. */
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
                               murk_sight *sight, const murk_pose *sensor,
                               size_t n, double size_m, murk_error *err);

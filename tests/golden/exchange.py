@@ -1,6 +1,6 @@
 """What murk place writes for other programs, read by others.
 
-usage: exchange.py files MURK   matrix.csv, matrix.txt, candidates.csv, plan.ply
+usage: exchange.py files MURK   matrix.csv, matrix.txt, candidates.csv
        exchange.py cbc MURK     problem.lp, solved by cbc (Debian coinor-cbc);
                                 skipped where it is missing
 """
@@ -11,7 +11,6 @@ import math
 import os
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
@@ -123,84 +122,6 @@ def test_what_cannot_be_written_costs_no_plan(murk):
     check(not left, left)
 
 
-# ---- plan.ply ----
-
-SIZES = {"float": "f", "uchar": "B", "ushort": "H"}
-
-
-def read_ply(path):
-    """Vertices as dicts, faces as lists: as the header says, nothing assumed."""
-    with open(path, "rb") as file:
-        data = file.read()
-    head, body = data.split(b"end_header\n", 1)
-    lines = head.decode("ascii").splitlines()
-    check(lines[:2] == ["ply", "format binary_little_endian 1.0"], lines[:2])
-    count, names, kinds = {}, [], ""
-    for words in (line.split() for line in lines[2:]):
-        if words[0] == "element":
-            count[words[1]] = int(words[2])
-        elif words[0] == "property" and words[1] != "list":
-            kinds += SIZES[words[1]]
-            names.append(words[2])
-    check("property list uchar int vertex_indices" in lines, lines)
-    vertex = struct.Struct("<" + kinds)
-    end = vertex.size * count["vertex"]
-    vertices = [dict(zip(names, row)) for row in vertex.iter_unpack(body[:end])]
-    check(len(body) == end + 13 * count["face"], "the file has", len(body), "bytes")
-    faces = [row[1:] for row in struct.iter_unpack("<Biii", body[end:])]
-    return vertices, faces
-
-
-def check_ply(murk, name):
-    with open(murk.path(name, "plan.json")) as file:
-        plan = json.load(file)
-    vertices, faces = read_ply(murk.path(name, "plan.ply"))
-    sensors = plan["sensors"]
-    n = len(sensors)
-    check(len(faces) == 8 * n, len(faces), "faces")
-    kinds = [vertex["kind"] for vertex in vertices]
-    surface, volume = plan["photons"]["surface"], plan["photons"]["volume"]
-    check(kinds == [0] * n + [3] * 6 * n + [1] * surface + [2] * volume, "kinds")
-    for k, sensor in enumerate(sensors):
-        at = [vertices[k][axis] for axis in "xyz"]
-        check(all(abs(a - b) < 1e-6 for a, b in zip(at, sensor["position_m"])), at, sensor)
-        corners = vertices[n + 6 * k:n + 6 * k + 6]
-        for axis, have in zip("xyz", at):
-            check(abs(sum(c[axis] for c in corners) / 6 - have) < 1e-5, "mark", corners)
-        for face in faces[8 * k:8 * k + 8]:
-            p = [[vertices[i][axis] for axis in "xyz"] for i in face]
-            a, b = ([q - r for q, r in zip(p[i], p[0])] for i in (1, 2))
-            normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                      a[0] * b[1] - a[1] * b[0]]
-            out = [sum(q) / 3 - r for q, r in zip(zip(*p), at)]
-            check(sum(x * y for x, y in zip(normal, out)) > 0, "a face looks inward", p)
-    photons = vertices[7 * n:]
-    for photon in photons:
-        check((photon["seen_by"] > 0) == (photon["quality"] > 0), photon)
-    by_map = [[p for p in photons if p["kind"] == kind] for kind in (1, 2)]
-    for have, key in zip(by_map, ("surface", "volume")):
-        if not have:
-            continue
-        # two lamps' packets differ a little in power, so not to the last digit
-        mean = sum(p["quality"] for p in have) / len(have)
-        check(abs(mean - plan["coverage"][key]) < 2e-3, key, mean, plan["coverage"])
-    return plan
-
-
-def test_the_plan_as_points(murk):
-    murk.place("points", murk.scene(0.4))
-    plan = check_ply(murk, "points")
-    check(plan["photons"]["volume"] > 50 and plan["photons"]["surface"] > 50, plan["photons"])
-    # Assimp, too, reads it: the marks are its triangles
-    with open(murk.path("ply.yaml"), "w") as file:
-        file.write("murk: 1\ngeometry: [{file: points/plan.ply}]\n"
-                   "lights: [{type: point, position_m: [0.5, 0.5, 0.5], power_w: 1}]\n"
-                   "photons: {emit: 10}\n")
-    told = json.loads(murk.run("check", murk.path("ply.yaml"), "--format", "json").stdout)
-    text = json.dumps(told)
-    check(re.search(r'"triangles": %d\b' % (8 * len(plan["sensors"])), text), text[:2000])
-
-
 # ---- cbc ----
 
 def solve(path):
@@ -292,8 +213,7 @@ def main():
         print("skipped: no cbc (Debian coinor-cbc)")
         return 77
     tests = {"files": (test_the_matrix_gives_the_same_plan,
-                       test_what_cannot_be_written_costs_no_plan,
-                       test_the_plan_as_points),
+                       test_what_cannot_be_written_costs_no_plan),
              "cbc": (test_cbc_agrees, test_cbc_agrees_under_rules,
                      test_cbc_agrees_on_costs)}[what]
     for test in tests:
