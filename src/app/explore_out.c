@@ -127,7 +127,7 @@ static murk_status write_csv(const char *path, const void *context,
 murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                              const murk_plan *plan, murk_error *err)
 {
-    if (stage->scene->placement.knowledge != MURK_SCENE_EXPLORE) {
+    if (plan->explore.steps == 0) { /* over conditions no stage is one */
         return MURK_OK;
     }
     const told t = {plan, stage->scene};

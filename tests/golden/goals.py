@@ -156,12 +156,35 @@ def test_listed_targets(murk):
     check(plan["bound"]["proven_optimal"], "four points are soon settled")
 
 
+def test_over_conditions(murk):
+    """Targets and regions in each of two fogs: the mean of what each alone says."""
+    scene = murk.write("room.yaml", ROOM)
+    options = ("--set", INTEREST, "--set", "placement.targets={volume: {points: 2000}}")
+    fogs = {"thin": [0.1, 0.2], "thick": [0.9, 1]}
+    named = ", ".join(f"{name}: {{media.fog.extinction_per_m: {e}}}"
+                      for name, e in fogs.items())
+    plan = murk.run("place", scene, *options, "-o", murk.path("over"), "--count", "1",
+                    "--set", "placement.over=mean", "--set", f"conditions={{{named}}}")
+    given = murk.path("over", "sensors.csv")
+    alone = [murk.run("sense", scene, *options, "--sensors", given,
+                      "--set", f"media.fog.extinction_per_m={e}") for e in fogs.values()]
+    check(abs(alone[0]["coverage"]["in_sample"] - alone[1]["coverage"]["in_sample"]) > 0.05,
+          "two fogs alike")
+    near(plan["coverage"]["in_sample"],
+         sum(a["coverage"]["in_sample"] for a in alone) / 2, 1e-5, "mean of conditions")
+    for i, region in enumerate(plan["regions_of_interest"]):
+        near(region["coverage"],
+             sum(a["regions_of_interest"][i]["coverage"] for a in alone) / 2, 1e-5,
+             region["name"], "over conditions")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         murk = results.Murk(os.path.abspath(sys.argv[1]), folder)
         test_regions(murk)
         test_drawn_targets(murk)
         test_listed_targets(murk)
+        test_over_conditions(murk)
     print("all goals are as described" if not results.failures
           else f"{results.failures} failed")
     return results.failures != 0
