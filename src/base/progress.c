@@ -16,6 +16,7 @@ static struct {
     bool draws;
     const char *step, *unit;
     uint64_t total;
+    uint64_t part, parts; /* 0: the whole */
     double begun_s;
     atomic_uint_fast64_t done;
     _Atomic double next_draw_s;
@@ -49,9 +50,14 @@ static void draw(double now_s)
     if (rate > 0 && bar.total >= done) {
         format_time(left, sizeof left, (double)(bar.total - done) / rate);
     }
-    fprintf(stderr, "\r%-8s[%s] %3.0f %%  %.3g %s  %.2g/s  %s left\033[K",
-            bar.step, cells, floor(share * 100), (double)done, bar.unit, rate,
-            left);
+    char part[48] = "";
+    if (bar.parts > 0) {
+        snprintf(part, sizeof part, "%llu/%llu ", (unsigned long long)bar.part,
+                 (unsigned long long)bar.parts);
+    }
+    fprintf(stderr, "\r%s%-8s[%s] %3.0f %%  %.3g %s  %.2g/s  %s left\033[K",
+            part, bar.step, cells, floor(share * 100), (double)done, bar.unit,
+            rate, left);
     fflush(stderr);
     atomic_store(&bar.has_drawn, true);
 }
@@ -97,6 +103,12 @@ void murk_progress_end(void)
         draw(murk_clock_s());
         fputc('\n', stderr);
     }
+}
+
+void murk_progress_part(uint64_t number, uint64_t parts)
+{
+    bar.part = number;
+    bar.parts = parts;
 }
 
 double murk_clock_s(void)

@@ -23,6 +23,10 @@ void murk_progress_begin(const char *step, uint64_t total, const char *unit);
 void murk_progress_add(uint64_t done);
 void murk_progress_end(void);
 
+/* Steps from here on belong to part `number`, from 1, of so many: shown before
+ * the bar. 0 of 0: of no part, as at first. */
+void murk_progress_part(uint64_t number, uint64_t parts);
+
 /* Monotonic clock [s], for the run's own timings; never for results. */
 double murk_clock_s(void);
 
