@@ -70,8 +70,7 @@ void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n)
     }
 }
 
-/* The shortest decimal that reads back to the same number. */
-static void print_number(char out[32], double value)
+void murk_number_text(char out[32], double value)
 {
     for (int digits = 6; digits <= 17; ++digits) {
         snprintf(out, 32, "%.*g", digits, value);
@@ -106,12 +105,12 @@ void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
     char type[2 * MURK_SCENE_NAME_SIZE + 3];
     char x[32], y[32], z[32], heading[32] = "", tilt[32] = "";
     quote(type, scene->sensors.type[pose->type].name);
-    print_number(x, p.x);
-    print_number(y, p.y);
-    print_number(z, p.z);
+    murk_number_text(x, p.x);
+    murk_number_text(y, p.y);
+    murk_number_text(z, p.z);
     if (!is_all_round(scene, pose)) {
-        print_number(heading, degrees(pose->heading_rad));
-        print_number(tilt, degrees(pose->tilt_rad));
+        murk_number_text(heading, degrees(pose->heading_rad));
+        murk_number_text(tilt, degrees(pose->tilt_rad));
     }
     fprintf(to, "%zu,%s,%s,%s,%s,%s,%s", number, x, y, z, type, heading, tilt);
 }
@@ -136,16 +135,16 @@ static murk_status add_csv(murk_results *results, const char *name,
         char x[32], y[32], z[32], covers[32], only[32];
         char heading[32] = "", tilt[32] = "";
         quote(type, scene->sensors.type[sensor[i].type].name);
-        print_number(x, p.x);
-        print_number(y, p.y);
-        print_number(z, p.z);
+        murk_number_text(x, p.x);
+        murk_number_text(y, p.y);
+        murk_number_text(z, p.z);
         if (!is_all_round(scene, &sensor[i])) {
-            print_number(heading, degrees(sensor[i].heading_rad));
-            print_number(tilt, degrees(sensor[i].tilt_rad));
+            murk_number_text(heading, degrees(sensor[i].heading_rad));
+            murk_number_text(tilt, degrees(sensor[i].tilt_rad));
         }
         if (coverage) {
-            print_number(covers, coverage->covers[i]);
-            print_number(only, coverage->only_it_covers[i]);
+            murk_number_text(covers, coverage->covers[i]);
+            murk_number_text(only, coverage->only_it_covers[i]);
             at += (size_t)snprintf(text + at, room - at,
                                    "%zu,%s,%s,%s,%s,%s,%s\n", i + 1, type, x, y,
                                    z, covers, only);

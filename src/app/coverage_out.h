@@ -24,6 +24,9 @@ murk_status murk_add_coverage_csv(murk_results *results,
                                   const murk_coverage *coverage,
                                   murk_error *err);
 
+/* The shortest decimal that reads back to the same number. */
+void murk_number_text(char out[32], double value);
+
 /* heading_deg and tilt_deg; null all round. */
 void murk_json_heading(cJSON *object, const murk_scene *scene,
                        const murk_pose *pose);

@@ -17,6 +17,22 @@ murk_status murk_results_begin(murk_results *results, const char *folder,
     return folder ? murk_folder_make(folder, err) : MURK_OK;
 }
 
+/* Drops what is in its place already under this path, which is to be written
+ * anew. */
+static void forget(murk_results *results, const char *path)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < results->n; ++i) {
+        if (!results->staged[i] && strcmp(results->path[i], path) == 0) {
+            free(results->path[i]);
+            continue;
+        }
+        results->path[kept] = results->path[i];
+        results->staged[kept++] = results->staged[i];
+    }
+    results->n = kept;
+}
+
 /* Takes a place for one more file: path and staged name. */
 static murk_status stage_name(murk_results *results, const char *name,
                               murk_error *err)
@@ -30,6 +46,7 @@ static murk_status stage_name(murk_results *results, const char *name,
         return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     }
     snprintf(path, size, "%s/%s", results->folder, name);
+    forget(results, path);
     if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
         murk_fail(err, MURK_RUN_FAILED, path,
                   "cannot write: not a regular file");
@@ -111,6 +128,9 @@ murk_status murk_results_add_light(murk_results *results, const char *name,
 murk_status murk_results_show(murk_results *results, murk_error *err)
 {
     for (size_t i = 0; i < results->n; ++i) {
+        if (!results->staged[i]) {
+            continue; /* shown before */
+        }
         if (rename(results->staged[i], results->path[i]) != 0) {
             return murk_fail(err, MURK_RUN_FAILED, results->path[i],
                              "cannot write: %s", strerror(errno));

@@ -35,7 +35,7 @@ typedef murk_status (*murk_results_writer)(const char *path,
                                            murk_error *err);
 
 /* One more file of the folder, staged; where that fails, as if it had not been
- * asked for. */
+ * asked for. A file that is shown already may be added anew. */
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);
@@ -45,7 +45,8 @@ murk_status murk_results_add_light(murk_results *results, const char *name,
                                    const murk_traced *traced,
                                    const murk_stage *stage, murk_error *err);
 
-/* Puts all in place, in the order added: add the main JSON last. */
+/* Puts all in place, in the order added: add the main JSON last. More may be
+ * added and shown afterwards. */
 murk_status murk_results_show(murk_results *results, murk_error *err);
 void murk_results_end(murk_results *results); /* removes what is not shown */
 

@@ -93,8 +93,8 @@ murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
     return status;
 }
 
-murk_status murk_session_finish(murk_session *session, const char *name,
-                                cJSON *root, murk_error *err)
+static murk_status show(murk_session *session, const char *name, cJSON *root,
+                        bool prints, murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
     char *text = murk_json_end(root, &session->run);
@@ -107,11 +107,23 @@ murk_status murk_session_finish(murk_session *session, const char *name,
     if (!status) {
         status = murk_results_show(&session->results, err);
     }
-    if (!status && session->options->json) {
+    if (!status && prints) {
         fputs(text, stdout);
     }
     cJSON_free(text);
     return status;
+}
+
+murk_status murk_session_finish(murk_session *session, const char *name,
+                                cJSON *root, murk_error *err)
+{
+    return show(session, name, root, session->options->json, err);
+}
+
+murk_status murk_session_keep(murk_session *session, const char *name,
+                              cJSON *root, murk_error *err)
+{
+    return show(session, name, root, false, err);
 }
 
 bool murk_session_speaks(const murk_session *session)

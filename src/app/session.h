@@ -39,6 +39,11 @@ murk_status murk_session_add_ledger(murk_session *session, murk_error *err);
 murk_status murk_session_finish(murk_session *session, const char *name,
                                 cJSON *root, murk_error *err);
 
+/* Shows all files with this as the main JSON, as finishing would, and prints
+ * nothing: for what is not to be lost while more is worked on. Deletes root. */
+murk_status murk_session_keep(murk_session *session, const char *name,
+                              cJSON *root, murk_error *err);
+
 /* True where the summary is to be printed. */
 bool murk_session_speaks(const murk_session *session);
 
