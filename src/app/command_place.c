@@ -6,6 +6,7 @@
 #include "app/over_out.h"
 #include "app/place_matrix.h"
 #include "app/plan_out.h"
+#include "app/repeat_out.h"
 #include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
@@ -136,10 +137,12 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
     return root;
 }
 
-static void print_plan(const murk_session *session, const murk_plan *plan,
-                       const murk_over *over)
+static murk_status print_plan(const murk_session *session,
+                              const murk_plan *plan, const murk_over *over,
+                              const murk_repeat *repeat, murk_error *err)
 {
     const murk_place_result *place = &plan->place;
+    murk_status status = MURK_OK;
     if (!over) {
         murk_print_light(session);
         murk_print_tallies(session);
@@ -180,12 +183,16 @@ static void print_plan(const murk_session *session, const murk_plan *plan,
     murk_print_bound(place, session->scene->sensors.budget > 0,
                      murk_sample_of(session->scene));
     murk_print_explore(plan);
+    if (repeat->runs > 0) {
+        status = murk_print_repeat(repeat, err);
+    }
     const murk_run_facts *run = &session->run;
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
            "place %.2f; memory %.3g GB\n",
            run->total_s, run->load_s, run->trace_s, run->map_s, run->sense_s,
            run->place_s, murk_machine_peak_bytes() / 1e9);
     murk_print_files(session);
+    return status;
 }
 
 static murk_status write_light(murk_session *session, murk_error *err)
@@ -200,9 +207,9 @@ static murk_status write_light(murk_session *session, murk_error *err)
     return status;
 }
 
-static murk_status write_plan(murk_session *session, const murk_plan *plan,
-                              const murk_over *over, murk_error *late,
-                              murk_error *err)
+static murk_status add_files(murk_session *session, const murk_plan *plan,
+                             const murk_over *over, murk_error *late,
+                             murk_error *err)
 {
     murk_status status = over ? murk_over_add_files(session, plan, over, err)
                               : write_light(session, err);
@@ -221,11 +228,61 @@ static murk_status write_plan(murk_session *session, const murk_plan *plan,
     if (!status && !over) {
         status = murk_exports_add_plan(session, plan, late, err);
     }
+    return status;
+}
+
+/* The plan is shown before other seeds are run: hours of them may end in a
+ * failure or an interrupt, which is told late, too. */
+static murk_status repeat_all(murk_session *session, const murk_plan *plan,
+                              murk_repeat *repeat, murk_error *late,
+                              murk_error *err)
+{
+    const murk_options *options = session->options;
+    const murk_status status = murk_session_keep(
+        session, "plan.json", plan_json(session, plan, NULL), err);
     if (!status) {
-        status = murk_session_finish(session, "plan.json",
-                                     plan_json(session, plan, over), err);
+        (void)murk_repeat_make(repeat, session->stage, plan,
+                               (size_t)options->repeat, options->threads, late);
     }
     return status;
+}
+
+/* With a row of repeat.csv a seed where it was repeated. */
+static murk_status finish(murk_session *session, const murk_plan *plan,
+                          const murk_over *over, const murk_repeat *repeat,
+                          murk_error *err)
+{
+    cJSON *root = plan_json(session, plan, over);
+    murk_status status = MURK_OK;
+    if (repeat->runs > 0) {
+        status = murk_json_repeat(root, repeat, err);
+    }
+    if (!status && repeat->runs > 0) {
+        status = murk_add_repeat_csv(&session->results, repeat, err);
+    }
+    if (status) {
+        cJSON_Delete(root);
+        return status;
+    }
+    return murk_session_finish(session, "plan.json", root, err);
+}
+
+static murk_status check_repeat(const murk_session *session, murk_error *err)
+{
+    const murk_scene *scene = session->scene;
+    const uint64_t runs = session->options->repeat;
+    if (runs > 0 && scene->seed + (runs - 1) > UINT32_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, "--repeat",
+                         "%llu seeds from %lu on, must end at 4294967295 at "
+                         "most",
+                         (unsigned long long)runs, (unsigned long)scene->seed);
+    }
+    if (runs > 0 && scene->placement.over != MURK_SCENE_OVER_NONE) {
+        return murk_fail(err, MURK_UNSUPPORTED, "--repeat",
+                         "not supported yet over conditions: placement.over "
+                         "must be null");
+    }
+    return MURK_OK;
 }
 
 static murk_status place(murk_session *session, murk_plan *plan,
@@ -274,8 +331,12 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     murk_session session;
     murk_plan plan = {0};
     murk_over *over = NULL;
+    murk_repeat repeat = {0};
     murk_error late = {0};
     murk_status status = murk_session_read(&session, options, err);
+    if (!status) {
+        status = check_repeat(&session, err);
+    }
     if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
         over = calloc(1, sizeof *over);
         status = over ? place_over(&session, &plan, over, err)
@@ -289,10 +350,16 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         session.run.map_s = plan.map_s;
         session.run.sense_s = plan.sense_s;
         session.run.place_s = plan.place_s;
-        status = write_plan(&session, &plan, over, &late, err);
+        status = add_files(&session, &plan, over, &late, err);
+    }
+    if (!status && options->repeat) {
+        status = repeat_all(&session, &plan, &repeat, &late, err);
+    }
+    if (!status) {
+        status = finish(&session, &plan, over, &repeat, err);
     }
     if (!status && murk_session_speaks(&session)) {
-        print_plan(&session, &plan, over);
+        status = print_plan(&session, &plan, over, &repeat, err);
     }
     if (!status && late.status) { /* the plan is written, this is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);
@@ -301,6 +368,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         murk_over_release(over);
         free(over);
     }
+    murk_repeat_release(&repeat);
     murk_plan_release(&plan);
     murk_session_end(&session);
     return status;

@@ -34,6 +34,10 @@ const murk_option murk_option_table[] = {
      "coverage matrix, which --matrix reads, and candidates.csv), or-library "
      "(matrix.txt, the same as OR-Library text), lp (problem.lp, the problem "
      "for an outside solver)"},
+    {MURK_OPTION_REPEAT, "--repeat", NULL, "N", "place",
+     "do the whole job with N seeds, from --seed on: how far results differ, "
+     "and how far the plan (that of the first seed) may be from the best; "
+     "repeat.csv has a row a seed"},
     {MURK_OPTION_PHOTON, "--photon", NULL, "N", "replay",
      "index of the emitted photon, from 0"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense",

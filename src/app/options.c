@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define THREADS_MAX 256
+#define REPEATS_MAX 10000
 
 const murk_command murk_commands[] = {
     {"check", "SCENE", "read a scene, validate it, say what is in it",
@@ -27,7 +28,8 @@ const murk_command murk_commands[] = {
      "Traces, finds which candidate sees which stored photon and how clearly, "
      "chooses the sensors, and measures the choice on a second, independent "
      "map. With -o writes DIR/plan.json (last), sensors.csv, coverage.csv, "
-     "plan.ply and all that trace writes. With --matrix it chooses columns of "
+     "plan.ply and all that trace writes; with --repeat DIR/repeat.csv. With "
+     "--matrix it chooses columns of "
      "a given "
      "coverage matrix, so that most of the rows' weight is covered; "
      "DIR/plan.json is then all it writes by itself, with null where a matrix "
@@ -233,6 +235,8 @@ static murk_status apply(murk_options *out, const murk_option *option,
         break;
     case MURK_OPTION_EXPORT:
         return read_exports(out, name, value, err);
+    case MURK_OPTION_REPEAT:
+        return need_count(name, value, 1, REPEATS_MAX, &out->repeat, err);
     case MURK_OPTION_PHOTON:
         out->has_photon = true;
         return need_count(name, value, 0, UINT32_MAX - UINT64_C(1),

@@ -36,6 +36,7 @@ struct murk_options {
     const char *sensors; /* --sensors */
     const char *matrix;  /* --matrix */
     unsigned exports;    /* --export: murk_export bits */
+    uint64_t repeat;     /* --repeat; 0: not given */
     bool has_photon;
     uint64_t photon; /* --photon */
     unsigned threads;

@@ -102,6 +102,11 @@ static murk_status read_wish(murk_matrix_plan *p, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "--light",
                          "a matrix has no light; leave it out with --matrix");
     }
+    if (options->repeat) {
+        return murk_fail(err, MURK_BAD_VALUE, "--repeat",
+                         "a matrix is one sample, other seeds have no other; "
+                         "leave it out with --matrix");
+    }
     for (size_t i = 0; i < options->n_overrides; ++i) {
         const murk_override *o = &options->overrides[i];
         char key[64], name[96];

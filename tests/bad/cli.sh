@@ -312,6 +312,46 @@ interrupted 1 trace "$dir/good.yaml" --emit 4e9 --set photons.maps=none
 interrupted 2 place scenes/fog-yard.yaml --emit 200000 # while it looks
 interrupted 2 place scenes/fog-yard.yaml --emit 1000 --count 20 --set placement.restarts=1000000 # while it searches
 
+# ---- repeated runs: what is finished is kept ----
+expect 2 "--repeat: 0, must be a whole number 1..10000" place "$dir/good.yaml" --repeat 0
+expect 2 "--repeat: 2.5, must be" place "$dir/good.yaml" --repeat 2.5
+expect 2 "--repeat: needs a value" place "$dir/good.yaml" --repeat
+expect 2 "--repeat: not an option of murk sense" sense "$dir/good.yaml" --repeat 2
+expect 2 "--repeat: 3 seeds from 4294967294 on" place "$dir/good.yaml" --seed 4294967294 --repeat 3 -o "$dir/out"
+expect 2 "--repeat: not supported yet over conditions" place "$dir/good.yaml" --repeat 2 \
+    --set 'conditions={clear: {}}' --set placement.over=mean
+printf '1,1\n1,0\n' >"$dir/matrix.csv"
+expect 2 "--repeat: a matrix is one sample" place --matrix "$dir/matrix.csv" --count 1 --repeat 2
+
+# kept_after FOLDER: its plan is whole, with as many runs as repeat.csv has rows
+kept_after() {
+    runs=$(sed -n '/"repeat": {/,/}/s/.*"runs": \([0-9]*\).*/\1/p' "$1/plan.json" | head -n 1)
+    rows=$(($(wc -l <"$1/repeat.csv") - 1))
+    [ "$runs" -ge 1 ] && [ "$runs" -lt 10000 ] && [ "$runs" -eq $rows ] ||
+        fail "kept $runs runs in plan.json, $rows in repeat.csv"
+    [ -z "$(ls -A "$1" | grep staged)" ] || fail "left $(ls -A "$1")"
+    rm -rf "$1"
+}
+# a target that the first seed's candidates just meet, and a later one's do not
+within_limits place "$dir/good.yaml" -q --repeat 9 --target 0.926 -o "$dir/runs" \
+    --set sensors.types.0.range_m=0.7 --set placement.restarts=1 --set placement.nodes=0 2>"$dir/stderr"
+got=$?
+[ $got -eq 2 ] && [ "$(wc -l <"$dir/stderr")" -eq 1 ] && grep -q "seed [2-9]: target 0.926 cannot" "$dir/stderr" ||
+    fail "a later seed's failure: exit $got, $(cat "$dir/stderr")"
+kept_after "$dir/runs"
+"$murk" place "$dir/good.yaml" -q --repeat 10000 -o "$dir/runs" 2>"$dir/stderr" &
+pid=$!
+for _ in 1 2 3 4 5 6 7 8 9 10; do # the first run's plan is there before the others end
+    sleep 1
+    [ ! -e "$dir/runs/plan.json" ] || break
+done
+kill -INT $pid
+wait $pid
+got=$?
+[ $got -eq 130 ] && [ "$(cat "$dir/stderr")" = "murk: interrupted" ] ||
+    fail "interrupted while repeating: exit $got, $(cat "$dir/stderr")"
+kept_after "$dir/runs"
+
 # targets
 expect 2 "cannot be reached: all" place "$dir/good.yaml" --target 1 --set sensors.types.0.range_m=0.5
 expect 2 "must be more than 0 and at most 1" place "$dir/good.yaml" --target 2

@@ -106,6 +106,14 @@ JITTER = {"jitter_m": number(0), "jitter_deg": number(0, 180), "draws": whole(2)
 CANDIDATES = {"asked": count, "usable": count, "doubtful": count,
               "duplicates": count, "forbidden": count, "too_close": count,
               "unreached": count}
+SPREAD = {"median": number(0), "minimum": number(0), "maximum": number(0)}
+REPEAT = {"asked": whole(1), "runs": whole(1), "first_seed": whole(0), "sensors": SPREAD,
+          "in_sample": SPREAD, "held_out": SPREAD,
+          "upper": SPREAD | {"mean": fraction, "standard_error": number(0)},
+          "plan": {"coverage": fraction, "standard_error": number(0)},
+          "gap": {"value": number(-1, 1), "lower": number(-1, 1), "upper": number(-1, 2),
+                  "confidence": fraction, "runs": whole(2)},
+          "best_seed": whole(0), "target_met": null}
 PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
     "candidates": CANDIDATES | {"after_presolve": count},
     "targets": null,

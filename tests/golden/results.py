@@ -225,6 +225,92 @@ def test_jitter(murk):
     near(jitter["mean"], plan["coverage"]["in_sample"], 1e-12, "turned all round")
 
 
+def spread(values):
+    values = sorted(values)
+    half = len(values) // 2
+    middle = values[half] if len(values) % 2 else (values[half - 1] + values[half]) / 2
+    return {"median": middle, "minimum": values[0], "maximum": values[-1]}
+
+
+REPEAT_COLUMNS = ("seed", "sensors", "in_sample", "held_out", "held_out_standard_error",
+                  "upper", "proven_optimal", "plan", "plan_standard_error")
+STUDENT_975 = {2: 4.302653, 3: 3.182446}
+
+
+def test_repeat(murk):
+    """Each run is the job of its seed by itself, the plan that of the first; what
+    is said of all of them, computed again."""
+    scene = murk.write("open.yaml", OPEN)
+    alone = [murk.run("place", scene, "--seed", str(seed), "-o", murk.path(f"seed{seed}"))
+             for seed in (3, 4, 5)]
+    plan = murk.run("place", scene, "--repeat", "3", "-o", murk.path("repeat"))
+    check(plan == murk.read("repeat", "plan.json"), "repeated plan.json is not the printed")
+    fits(plan["repeat"], kinds.REPEAT, "repeat")
+    repeat = plan["repeat"]
+    check({k: v for k, v in plan.items() if k not in ("repeat", "run")} ==
+          {k: v for k, v in alone[0].items() if k != "run"}, "repeating changes the plan")
+    for name in ("light.murk", "sensors.csv", "coverage.csv", "plan.ply"):
+        with open(murk.path("repeat", name), "rb") as one, \
+                open(murk.path("seed3", name), "rb") as other:
+            check(one.read() == other.read(), "repeating changes", name)
+
+    rows = murk.rows(",".join(REPEAT_COLUMNS), "repeat", "repeat.csv")
+    check([int(r[0]) for r in rows] == [3, 4, 5], "seeds", rows)
+    for row, one in zip(rows, alone):
+        coverage, bound = one["coverage"], one["bound"]
+        check(int(row[1]) == len(one["sensors"]), row)
+        for value, want in zip(row[2:6], (coverage["in_sample"], coverage["held_out"],
+                                          coverage["held_out_standard_error"],
+                                          bound["upper"])):
+            near(float(value), want, 1e-15, "a run is not the job of its seed:", row)
+        check(row[6] == str(bound["proven_optimal"]).lower(), row)
+    check(rows[0][7:] == rows[0][3:5], "the first run's own second map", rows[0])
+    for row, one in list(zip(rows, alone))[1:]:  # the plan in another seed's light
+        folder = murk.path(f"seed{row[0]}")
+        there = murk.run("sense", os.path.join(folder, "scene.yaml"), "--sensors",
+                         murk.path("seed3", "sensors.csv"), "--light",
+                         os.path.join(folder, "light.murk"))["coverage"]
+        near(float(row[7]), there["in_sample"], 1e-15, "the plan under another seed")
+        near(float(row[8]), there["standard_error"], 1e-15, "its error")
+
+    for column, name in ((1, "sensors"), (2, "in_sample"), (3, "held_out"), (5, "upper")):
+        for key, want in spread([float(r[column]) for r in rows]).items():
+            near(repeat[name][key], want, 1e-12, "repeat", name, key)
+    check(repeat["best_seed"] == max((float(r[3]), int(r[0])) for r in rows)[1], repeat)
+    uppers, plans = [float(r[5]) for r in rows], [float(r[7]) for r in rows]
+    near(repeat["upper"]["mean"], sum(uppers) / 3, 1e-12, "mean upper")
+    near(repeat["plan"]["coverage"], sum(plans) / 3, 1e-12, "the plan's coverage")
+    check_gap(repeat["gap"], [u - p for u, p in zip(uppers, plans)])
+
+    aimed = murk.run("place", scene, "--repeat", "4", "--target", "0.5")
+    check(aimed["repeat"]["gap"] is None and 0 <= aimed["repeat"]["target_met"] <= 4 and
+          aimed["repeat"]["sensors"]["maximum"] >= aimed["target"]["fewest_possible"],
+          aimed["repeat"])
+    unseen = murk.run("place", scene, "--repeat", "2", "--set", "placement.hold_out=false")
+    check(unseen["repeat"]["held_out"]["median"] is None and
+          unseen["repeat"]["gap"]["runs"] == 1 and unseen["repeat"]["gap"]["lower"] is None,
+          unseen["repeat"])
+    explore = ["--set", "placement.knowledge=explore", "--set", "placement.start_m=[1.5,1.5,1.5]"]
+    murk.run("place", scene, *explore, "--repeat", "2", "-o", murk.path("explored"))
+    alone = murk.run("place", scene, *explore, "--seed", "4")
+    row = murk.rows(",".join(REPEAT_COLUMNS), "explored", "repeat.csv")[1]
+    near(float(row[2]), alone["coverage"]["in_sample"], 1e-15, "explored again")
+    near(float(row[5]), alone["bound"]["upper"], 1e-15, "explored again, bound")
+    # light from a file is the first run's
+    light = murk.run("place", scene, "--repeat", "3", "--light", murk.path("seed3", "light.murk"))
+    check(light["repeat"] == repeat, "another repeat with the first run's light")
+
+
+def check_gap(gap, differences):
+    n = len(differences)
+    mean = sum(differences) / n
+    error = math.sqrt(sum((d - mean) ** 2 for d in differences) / (n * (n - 1)))
+    near(gap["value"], mean, 1e-12, "gap")
+    near(gap["lower"], mean - STUDENT_975[n - 1] * error, 1e-6 * error, "gap, lower")
+    near(gap["upper"], mean + STUDENT_975[n - 1] * error, 1e-6 * error, "gap, upper")
+    check(gap["runs"] == n and gap["confidence"] == 0.95, gap)
+
+
 def check_ledger(ledger, power_w, where):
     emitted = ledger["emitted_w"]
     for name in ("emitted_w",) + kinds.COLUMNS:
@@ -626,6 +712,7 @@ def main():
         test_replay(murk)
         test_phases(murk)
         test_jitter(murk)
+        test_repeat(murk)
     print("all results are as described" if not failures else f"{failures} failed")
     return failures != 0
 

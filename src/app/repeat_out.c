@@ -1,0 +1,161 @@
+#include "app/repeat_out.h"
+
+#include "app/coverage_out.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define CSV_LINE_MAX 256
+
+/* ---- JSON ---- */
+
+static cJSON *add_spread(cJSON *object, const char *key, murk_spread s)
+{
+    cJSON *item = cJSON_AddObjectToObject(object, key);
+    murk_json_number(item, "median", s.median);
+    murk_json_number(item, "minimum", s.least);
+    murk_json_number(item, "maximum", s.most);
+    return item;
+}
+
+static void add_gap(cJSON *object, const murk_gap *gap)
+{
+    if (gap->runs == 0) {
+        cJSON_AddNullToObject(object, "gap");
+        return;
+    }
+    cJSON *item = cJSON_AddObjectToObject(object, "gap");
+    murk_json_number(item, "value", gap->value);
+    murk_json_number(item, "lower", gap->lower);
+    murk_json_number(item, "upper", gap->upper);
+    murk_json_number(item, "confidence", 0.95);
+    cJSON_AddNumberToObject(item, "runs", (double)gap->runs);
+}
+
+murk_status murk_json_repeat(cJSON *root, const murk_repeat *repeat,
+                             murk_error *err)
+{
+    murk_repeat_summary s;
+    const murk_status status = murk_repeat_sum_up(&s, repeat, err);
+    if (status) {
+        return status;
+    }
+    cJSON *object = cJSON_AddObjectToObject(root, "repeat");
+    cJSON_AddNumberToObject(object, "asked", (double)repeat->asked);
+    cJSON_AddNumberToObject(object, "runs", (double)repeat->runs);
+    cJSON_AddNumberToObject(object, "first_seed", repeat->run[0].seed);
+    add_spread(object, "sensors", s.sensors);
+    add_spread(object, "in_sample", s.in_sample);
+    add_spread(object, "held_out", s.held_out);
+    cJSON *upper = add_spread(object, "upper", s.upper);
+    murk_json_number(upper, "mean", s.upper_mean.value);
+    murk_json_number(upper, "standard_error", s.upper_mean.standard_error);
+    cJSON *plan = cJSON_AddObjectToObject(object, "plan");
+    murk_json_number(plan, "coverage", s.plan.value);
+    murk_json_number(plan, "standard_error", s.plan.standard_error);
+    add_gap(object, &s.gap);
+    if (s.best < repeat->runs) {
+        cJSON_AddNumberToObject(object, "best_seed", repeat->run[s.best].seed);
+    } else {
+        cJSON_AddNullToObject(object, "best_seed");
+    }
+    if (repeat->target > 0) {
+        cJSON_AddNumberToObject(object, "target_met", (double)s.met);
+    } else {
+        cJSON_AddNullToObject(object, "target_met");
+    }
+    return MURK_OK;
+}
+
+/* ---- CSV ---- */
+
+/* ",VALUE", or "," where there is none; returns the characters written. */
+static size_t put(char *to, size_t room, double value)
+{
+    char text[32] = "";
+    if (isfinite(value)) {
+        murk_number_text(text, value);
+    }
+    return (size_t)snprintf(to, room, ",%s", text);
+}
+
+murk_status murk_add_repeat_csv(murk_results *results,
+                                const murk_repeat *repeat, murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    const size_t room = (repeat->runs + 1) * CSV_LINE_MAX;
+    char *text = malloc(room);
+    size_t at = 0;
+    if (text) {
+        at = (size_t)snprintf(text, room,
+                              "seed,sensors,in_sample,held_out,"
+                              "held_out_standard_error,upper,proven_optimal,"
+                              "plan,plan_standard_error\n");
+    }
+    for (size_t i = 0; text && i < repeat->runs; ++i) {
+        const murk_repeat_run *run = &repeat->run[i];
+        at += (size_t)snprintf(text + at, room - at, "%lu,%zu",
+                               (unsigned long)run->seed, run->sensors);
+        at += put(text + at, room - at, run->in_sample);
+        at += put(text + at, room - at, run->held_out.value);
+        at += put(text + at, room - at, run->held_out.standard_error);
+        at += put(text + at, room - at, run->upper);
+        at += (size_t)snprintf(text + at, room - at, ",%s",
+                               run->proven_optimal ? "true" : "false");
+        at += put(text + at, room - at, run->plan.value);
+        at += put(text + at, room - at, run->plan.standard_error);
+        at += (size_t)snprintf(text + at, room - at, "\n");
+    }
+    const murk_status status =
+        murk_results_add_text(results, "repeat.csv", text, err);
+    free(text);
+    return status;
+}
+
+/* ---- the summary ---- */
+
+static void print_spread(const char *name, murk_spread s)
+{
+    if (isfinite(s.median)) {
+        printf("            %-12s %8.4f %8.4f %8.4f\n", name, s.median, s.least,
+               s.most);
+    }
+}
+
+murk_status murk_print_repeat(const murk_repeat *repeat, murk_error *err)
+{
+    murk_repeat_summary s;
+    const murk_status status = murk_repeat_sum_up(&s, repeat, err);
+    if (status) {
+        return status;
+    }
+    printf("repeat      %zu of %zu runs, seeds %lu..%lu; the plan is the "
+           "first's\n",
+           repeat->runs, repeat->asked, (unsigned long)repeat->run[0].seed,
+           (unsigned long)repeat->run[repeat->runs - 1].seed);
+    printf("            %-12s %8s %8s %8s\n", "", "median", "least", "most");
+    print_spread("in sample", s.in_sample);
+    print_spread("held out", s.held_out);
+    print_spread("upper bound", s.upper);
+    if (s.sensors.least < s.sensors.most) {
+        printf("            %-12s %8.4g %8.0f %8.0f\n", "sensors",
+               s.sensors.median, s.sensors.least, s.sensors.most);
+    }
+    if (repeat->target > 0 && isfinite(s.held_out.median)) {
+        printf("            %zu of %zu meet the target, held out\n", s.met,
+               repeat->runs);
+    }
+    if (isfinite(s.plan.standard_error)) {
+        printf("            the plan covers %.4f +- %.4f, by maps that did not "
+               "choose it\n",
+               s.plan.value, s.plan.standard_error);
+    }
+    if (isfinite(s.gap.lower)) {
+        printf("            statistical gap to the best plan: %.4f (95 %%: "
+               "%.4f..%.4f)\n",
+               s.gap.value, s.gap.lower, s.gap.upper);
+    }
+    return MURK_OK;
+}
