@@ -2,19 +2,31 @@
 
 #include "base/interrupt.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The Polyak step aims at the best known plan, which the bound may never
- * reach: the step shrinks by SHRINK after PATIENCE rounds without gain, and
- * steps below LEAST_STEP change nothing that matters. */
+/* A step goes from where the bound was lowest, down the mean of all slopes
+ * met, the later ones counting more: by Polyak's length, which aims at the best
+ * known plan, times a factor that grows while that gains and shrinks after
+ * PATIENCE rounds that did not. Steps below LEAST_STEP change nothing that
+ * matters. */
 #define FIRST_STEP 0.5
-#define SHRINK     0.8
-#define PATIENCE   8
+#define GROW       1.1
+#define SHRINK     0.66
+#define PATIENCE   5
 #define LEAST_STEP 1e-4
 
-/* Share of the last direction kept: damps the zigzag of plain subgradients. */
-#define MEMORY 0.7F
+/* The last slopes' share of the mean: of the first rounds all count alike,
+ * later it falls slowly. */
+#define ROUNDS_ALIKE    3
+#define LATER_SHARE     0.03
+#define ROUNDS_PER_FALL 50
+#define FALL            0.8
+
+/* Slopes count in these units where a sum must not depend on its order. */
+#define SLOPE_UNIT 0x1p-10F
+#define SLOPE_MOST 63.0F
 
 murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
                             murk_error *err)
@@ -24,13 +36,13 @@ murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
     *out = (murk_bound){.oracle = oracle,
                         .threshold = calloc(slots, sizeof *out->threshold),
                         .lowest = calloc(slots, sizeof *out->lowest),
-                        .direction = calloc(slots, sizeof *out->direction),
+                        .mean = calloc(slots, sizeof *out->mean),
                         .down = calloc(slots, sizeof *out->down),
                         .gain = calloc(n, sizeof *out->gain),
                         .live = calloc(n, sizeof *out->live),
                         .top = calloc(n, sizeof *out->top)};
     murk_status status = murk_thresholds_init(&out->thresholds, oracle, err);
-    if (!status && (!out->threshold || !out->lowest || !out->direction ||
+    if (!status && (!out->threshold || !out->lowest || !out->mean ||
                     !out->down || !out->gain || !out->live || !out->top ||
                     !murk_cover_init(&out->cover, oracle->layout, false))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
@@ -53,7 +65,7 @@ void murk_bound_release(murk_bound *bound)
 {
     free(bound->threshold);
     free(bound->lowest);
-    free(bound->direction);
+    free(bound->mean);
     free(bound->down);
     free(bound->gain);
     free(bound->live);
@@ -147,29 +159,71 @@ static void leave_out_by_rules(murk_bound *b, uint64_t base, uint64_t lower)
     b->live_count = kept;
 }
 
-/* One projected step down the subgradient w * down, in the metric of the
- * weights, so that merging equal photons would change nothing. */
-static void step_down(murk_bound *b, size_t chosen, double excess, double step,
-                      bool is_first)
+static double share_of(size_t round)
 {
-    const murk_layout *layout = b->oracle->layout;
+    const double early = ROUNDS_ALIKE / (double)(ROUNDS_ALIKE + round);
+    const double late =
+        LATER_SHARE * pow(FALL, (double)(round / ROUNDS_PER_FALL));
+    return early > late ? early : late;
+}
+
+/* Forgets slopes and step, not the thresholds. */
+static void begin_descent(murk_bound *b)
+{
+    memset(b->mean, 0, b->oracle->layout->slots * sizeof *b->mean);
+    b->round = b->since_gain = 0;
+    b->step = FIRST_STEP;
+}
+
+/* Takes the present slopes into their mean. */
+static void take_slopes(murk_bound *b, size_t chosen)
+{
+    const size_t slots = b->oracle->layout->slots;
+    const float share = (float)share_of(b->round++);
     b->looks += b->oracle->matrix ? 0 : chosen;
     murk_thresholds_slopes(&b->thresholds, b->top, chosen, b->down);
-    double norm = 0;
-    for (size_t i = 0; i < layout->slots; ++i) {
-        float down = b->down[i];
-        if (!is_first) {
-            down += MEMORY * (b->direction[i] - down);
-        }
-        b->direction[i] = down;
-        norm += (double)layout->weight[i] * (double)(down * down);
+    for (size_t i = 0; i < slots; ++i) {
+        b->mean[i] += share * (b->down[i] - b->mean[i]);
     }
-    if (!(norm > 0)) {
-        return;
-    }
-    const float length = (float)(step * excess / norm);
+}
+
+/* Where the mean leads out of a threshold's range it leads nowhere. */
+static inline float way_down(const murk_bound *b, size_t slot)
+{
+    const float down = b->mean[slot], at = b->lowest[slot];
+    const bool is_out = down > 0 ? at < b->thresholds.floor[slot] + 0.5F
+                                 : at > MURK_CLEAR - 0.5F;
+    return is_out ? 0 : down;
+}
+
+/* sum w way_down^2, of whole numbers: the same for any order of the slots, and
+ * however photons of equal views are put together. */
+static double square_of_way(const murk_bound *b)
+{
+    const murk_layout *layout = b->oracle->layout;
+    uint64_t low = 0, high = 0;
     for (size_t i = 0; i < layout->slots; ++i) {
-        const float to = b->threshold[i] - length * b->direction[i];
+        float down = way_down(b, i) / SLOPE_UNIT;
+        down = down < 0 ? -down : down;
+        const uint64_t whole = (uint64_t)(down < SLOPE_MOST / SLOPE_UNIT
+                                              ? down + 0.5F
+                                              : SLOPE_MOST / SLOPE_UNIT);
+        const uint64_t term = layout->weight[i] * (whole * whole);
+        low += term & UINT32_MAX;
+        high += term >> 32;
+    }
+    return ((double)high * 0x1p32 + (double)low) * (double)SLOPE_UNIT *
+           (double)SLOPE_UNIT;
+}
+
+/* One projected step from where the bound was lowest, in the metric of the
+ * weights, so that merging equal photons changes nothing. */
+static void step_down(murk_bound *b, double excess)
+{
+    const double square = square_of_way(b);
+    const float length = square > 0 ? (float)(b->step * excess / square) : 0;
+    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
+        const float to = b->lowest[i] - length * way_down(b, i);
         const float least = b->thresholds.floor[i];
         b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR
                           : to > least    ? to
@@ -193,31 +247,47 @@ static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
     return sum;
 }
 
+/* The bound at the present thresholds; b->top[chosen] make it. */
+static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
+{
+    b->base = murk_thresholds_take(&b->thresholds, b->threshold);
+    murk_thresholds_gains(&b->thresholds, b->live, b->live_count, b->gain);
+    b->evaluations += b->live_count;
+    b->looks += b->oracle->matrix ? 0 : b->live_count;
+    return sum_top(b, n, chosen);
+}
+
+static void drop_hopeless(murk_bound *b, size_t n, size_t chosen,
+                          uint64_t lower)
+{
+    if (b->standing) {
+        leave_out_by_rules(b, b->base, lower);
+    } else {
+        leave_out(b, b->base, n, chosen, lower);
+    }
+}
+
 /* Lowers the bound over the live candidates. */
 static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 {
     const murk_oracle *o = b->oracle;
     const size_t slots = o->layout->slots;
-    uint64_t upper = o->ceiling;
-    uint64_t lowest = UINT64_MAX;
-    double step = FIRST_STEP;
-    size_t since_gain = 0;
+    uint64_t upper = o->ceiling, lowest = UINT64_MAX;
+    size_t chosen = 0;
     memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
     for (size_t round = 0; round < rounds && upper > lower; ++round) {
-        if (murk_interrupted() || step < LEAST_STEP) {
+        if (murk_interrupted() || (round > 0 && b->step < LEAST_STEP)) {
             break;
         }
-        b->base = murk_thresholds_take(&b->thresholds, b->threshold);
-        murk_thresholds_gains(&b->thresholds, b->live, b->live_count, b->gain);
-        b->evaluations += b->live_count;
-        b->looks += o->matrix ? 0 : b->live_count;
-        size_t chosen = 0;
-        uint64_t now = sum_top(b, n, &chosen);
-        ++since_gain;
+        uint64_t now = evaluate(b, n, &chosen);
         if (now < lowest) {
+            b->step *= lowest < UINT64_MAX ? GROW : 1;
             lowest = now;
-            since_gain = 0;
+            b->since_gain = 0;
             memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
+        } else if (++b->since_gain >= PATIENCE) {
+            b->step *= SHRINK;
+            b->since_gain = 0;
         }
         /* of plans worth more than lower, all are made of the live */
         now -= now % o->grain;
@@ -229,19 +299,16 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (round + 1 == rounds && !b->thresholds.stand) {
             break;
         }
-        if (b->standing) {
-            leave_out_by_rules(b, b->base, lower);
-        } else {
-            leave_out(b, b->base, n, chosen, lower);
+        drop_hopeless(b, n, chosen, lower);
+        if (round + 1 < rounds) {
+            take_slopes(b, chosen);
+            step_down(b, (double)(lowest - lower));
         }
-        if (since_gain >= PATIENCE) {
-            step *= SHRINK;
-            since_gain = 0;
-            memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
-            continue; /* the next round measures there again */
-        }
-        const double excess = (double)now - (double)lower;
-        step_down(b, chosen, excess, step, round == 0);
+    }
+    if (b->thresholds.stand && upper > lower && rounds > 0) {
+        memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
+        evaluate(b, n, &chosen);
+        drop_hopeless(b, n, chosen, lower);
     }
     memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
     return upper > lower ? upper : lower;
@@ -290,6 +357,10 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
     if (plan) {
         start_at_plan(b, plan, plan_count);
     }
+    if (plan || b->last_count != n) {
+        begin_descent(b);
+    }
+    b->last_count = n;
     b->standing = NULL;
     if (o->book) {
         return tighten_by_rules(b, n, lower, rounds);
@@ -306,6 +377,10 @@ uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
                                    const murk_cover *stand, size_t rounds)
 {
     raise_to(b, stand);
+    if (b->last_count != n) {
+        begin_descent(b);
+    }
+    b->last_count = 0;
     return descend(b, n, lower, rounds);
 }
 

@@ -10,16 +10,18 @@
  * is sum (w - u) + top-n sum b u with u = w (1 - t). Where more than the
  * clearest view counts, or views are independent chances, both sums are others
  * (placement/thresholds.h). Thresholds are whole numbers, so the bound is an
- * exact integer and holds in spite of rounding. Subgradient steps lower it;
- * candidates that provably are in no plan better than the best known are left
- * out on the way.
+ * exact integer and holds in spite of rounding. Subgradient steps lower it,
+ * by the volume algorithm: from where it was lowest, down the mean of the
+ * slopes met. Candidates that provably are in no plan better than the best
+ * known are left out on the way.
  *
  * Under rules the top n become the best that the rules allow, or a little more
  * (placement/relaxed.h); fixed sensors are in every set, by thresholds that do
  * not go below what they see.
  *
  * Source: Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977) 789,
- * doi:10.1287/mnsc.23.8.789; step length: Polyak, USSR Comput. Math. Math.
+ * doi:10.1287/mnsc.23.8.789; Barahona and Anbil, Math. Program. 87 (2000) 385,
+ * doi:10.1007/s101070050002; step length: Polyak, USSR Comput. Math. Math.
  * Phys. 9 (1969) 14, doi:10.1016/0041-5553(69)90061-5. */
 #ifndef MURK_PLACEMENT_BOUND_H
 #define MURK_PLACEMENT_BOUND_H
@@ -31,8 +33,11 @@ typedef struct murk_bound {
     const murk_oracle *oracle;
     float *threshold; /* [slots] where the last call stopped */
     float *lowest;    /* [slots] where its bound was lowest */
-    float *direction; /* [slots] */
-    float *down;      /* [slots] slopes */
+    float *mean;      /* [slots] of slopes, of `round` rounds so far */
+    size_t round, since_gain;
+    double step;
+    size_t last_count; /* that these belong to; 0: to none */
+    float *down;       /* [slots] slopes */
     murk_thresholds thresholds;
     murk_cover cover; /* of the plan it starts from, or of the fixed */
     uint64_t *gain;   /* [candidates] above the thresholds */
@@ -51,10 +56,10 @@ murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
                             murk_error *err);
 void murk_bound_release(murk_bound *bound);
 
-/* Starts the thresholds at the plan's cover (NULL: keeps them), and makes at
- * most `rounds` evaluations, each a weighing of the live candidates. `lower`
- * is the value of a known plan of n. Returns an upper bound for plans of n, at
- * least `lower`, and stops early when it meets it. */
+/* Starts the thresholds at the plan's cover (NULL: goes on from where the last
+ * call stopped), and makes at most `rounds` evaluations, each a weighing of the
+ * live candidates. `lower` is the value of a known plan of n. Returns an upper
+ * bound for plans of n, at least `lower`, and stops early when it meets it. */
 uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds);

@@ -8,7 +8,7 @@
 
 /* Bounds made at the root, and at each node below it. */
 #define ROUNDS_AT_ROOT 60
-#define ROUNDS_BELOW   60
+#define ROUNDS_BELOW   30
 
 /* Rows of clarities, and of chances, take so many times as long as rows of
  * bits. */
@@ -367,6 +367,10 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         stand_fixed(&e);
     }
     const uint64_t highest = explore(&e, 0, bound->threshold, ROUNDS_AT_ROOT);
+    if (n > e.fixed + 1) {
+        memcpy(bound->threshold, root->threshold,
+               oracle->layout->slots * sizeof *bound->threshold);
+    }
     if (e.lacks_memory) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to search %zu sensors", n);

@@ -43,8 +43,9 @@ typedef struct murk_exact {
 
 /* Improves plan[size], worth `value`, by at most `nodes` of work; size is n,
  * or with a budget at most n. The bound must have been tightened for plans of
- * n last, and gives `upper`; needs a matrix. judge NULL: plans are worth their
- * value; with one, plan stays as it is. Fails when out of memory. */
+ * n last, and gives `upper`; its thresholds are then the root's. Needs a
+ * matrix. judge NULL: plans are worth their value; with one, plan stays as it
+ * is. Fails when out of memory. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,

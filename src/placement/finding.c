@@ -83,12 +83,18 @@ static uint64_t plan_greedily(murk_finding *p, size_t n)
     return value;
 }
 
-/* The bound from so many rounds, and from greedy's scans. */
+/* The bound from so many rounds, and from greedy's scans. Where there are many
+ * rounds, they go on from the thresholds of the count before, which differ
+ * little; a single one does best at the plan's own. */
 static uint64_t tighten(murk_finding *p, size_t n, uint64_t value,
                         const uint32_t *plan, size_t rounds)
 {
-    const uint64_t upper = murk_bound_tighten(
-        &p->bound, n, value, rounds ? plan : NULL, p->size, rounds);
+    if (rounds == 0 || (p->oracle->matrix && p->has_thresholds)) {
+        plan = NULL;
+    }
+    p->has_thresholds = p->has_thresholds || plan;
+    const uint64_t upper =
+        murk_bound_tighten(&p->bound, n, value, plan, p->size, rounds);
     return !p->book && p->reach[n - 1] < upper ? p->reach[n - 1] : upper;
 }
 
@@ -121,8 +127,7 @@ static murk_curve_point find_best(murk_finding *p, size_t n,
         upper = tighten(p, n, value, plan, before);
         value = murk_starts_try(&p->starts, plan, &p->size, n, value, upper,
                                 most, made);
-        const uint64_t again =
-            tighten(p, n, value, before ? NULL : plan, rounds - before);
+        const uint64_t again = tighten(p, n, value, plan, rounds - before);
         upper = again < upper ? again : upper;
     }
     return (murk_curve_point){p->size, value, upper};

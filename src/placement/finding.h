@@ -27,6 +27,7 @@ typedef struct murk_finding {
     size_t spare_size;
     bool is_greedy_done; /* under rules: without a dead end */
     size_t rounds;       /* of the bound */
+    bool has_thresholds; /* the bound, from an earlier count or call */
     murk_place_result *result;
 } murk_finding;
 

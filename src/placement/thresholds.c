@@ -219,9 +219,4 @@ void murk_thresholds_slopes(murk_thresholds *t, const murk_ranked *chosen,
     } else {
         slopes_of_clearest(t, chosen, n, down);
     }
-    for (size_t i = 0; i < t->oracle->layout->slots; ++i) {
-        if (down[i] > 0 && t->rounded.best[i] == t->floor[i]) {
-            down[i] = 0;
-        }
-    }
 }

@@ -56,7 +56,7 @@ void murk_thresholds_gains(const murk_thresholds *thresholds,
                            const uint32_t *candidate, size_t n, uint64_t *gain);
 
 /* down[slots]: what the bound falls, per weight, as a threshold does, where
- * chosen[n] join. 0 at the floor, where it would rise. */
+ * chosen[n] join. */
 void murk_thresholds_slopes(murk_thresholds *thresholds,
                             const murk_ranked *chosen, size_t n, float *down);
 

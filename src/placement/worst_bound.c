@@ -109,6 +109,7 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
     const murk_status status =
         murk_layout_reweigh(&b->layout, views->oracle->layout, b->weight, err);
     if (!status) {
+        b->bound.last_count = 0; /* its slopes were of other weights */
         b->oracle.ceiling = b->layout.whole;
         b->oracle.grain =
             (uint64_t)b->layout.common * (b->oracle.all_clear ? MURK_CLEAR : 1);
