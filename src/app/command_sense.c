@@ -123,6 +123,10 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
                                       session.traced, options->threads, err);
     }
     if (!status) {
+        status = murk_goals_check_seen(session.stage->goals,
+                                       murk_goals_seen(sight), err);
+    }
+    if (!status) {
         status = murk_coverage_measure(&of.coverage, sight, sensor, n, err);
     }
     if (!status) {

@@ -193,9 +193,13 @@ static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
 murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
                                   murk_error *err)
 {
+    uint64_t seen = 0;
     murk_status status = check_memory(all, threads, err);
     for (size_t c = 0; !status && c < all->n; ++c) {
         status = light_one(all, c, threads, err);
+        seen |= status ? 0 : murk_goals_seen(all->condition[c].sight);
     }
-    return status;
+    return status ? status
+                  : murk_goals_check_seen(all->condition[0].stage->goals, seen,
+                                          err);
 }

@@ -254,22 +254,27 @@ const murk_hulls *murk_goals_target_hull(const murk_goals *goals)
     return goals->target_hull;
 }
 
-murk_status murk_goals_check_sight(const murk_goals *goals,
-                                   const murk_sight *sight, murk_error *err)
+uint64_t murk_goals_seen(const murk_sight *sight)
 {
-    const murk_interest *interest = murk_sight_described(sight)->interest;
-    uint64_t found = 0;
-    for (size_t i = 0; interest && i < murk_sight_photons(sight); ++i) {
-        found |= murk_sight_regions(sight, i);
+    uint64_t seen = 0;
+    for (size_t i = 0; i < murk_sight_photons(sight); ++i) {
+        seen |= murk_sight_regions(sight, i);
     }
-    for (size_t r = 0; interest && r < interest->n; ++r) {
-        if (!(found >> r & 1)) {
-            return murk_fail(
-                err, MURK_RUN_FAILED, interest->region[r].where,
-                "%s is empty: none of the %zu %s lies in it",
-                interest->region[r].name, murk_sight_photons(sight),
-                goals->scene->placement.targets.given ? "targets"
-                                                      : "stored photons");
+    return seen;
+}
+
+murk_status murk_goals_check_seen(const murk_goals *goals, uint64_t seen,
+                                  murk_error *err)
+{
+    const murk_interest *interest = &goals->interest;
+    for (size_t r = 0; r < interest->n; ++r) {
+        if (!(seen >> r & 1)) {
+            return murk_fail(err, MURK_RUN_FAILED, interest->region[r].where,
+                             "%s is empty: none of the %s lies in it",
+                             interest->region[r].name,
+                             goals->scene->placement.targets.given
+                                 ? "targets"
+                                 : "stored photons");
         }
     }
     return MURK_OK;

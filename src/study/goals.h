@@ -28,9 +28,12 @@ const murk_interest *murk_goals_interest(const murk_goals *goals);
 /* Built, of one region, number 0; NULL where targets have no mesh. */
 const murk_hulls *murk_goals_target_hull(const murk_goals *goals);
 
-/* Fails with MURK_RUN_FAILED where nothing that this sight sees lies in a
- * region of interest. */
-murk_status murk_goals_check_sight(const murk_goals *goals,
-                                   const murk_sight *sight, murk_error *err);
+/* The regions of interest that something seen lies in, bit i for region i. */
+uint64_t murk_goals_seen(const murk_sight *sight);
+
+/* Fails with MURK_RUN_FAILED at the place of one that is not among them: by one
+ * sight, or several together (over conditions, smoke may be in one only). */
+murk_status murk_goals_check_seen(const murk_goals *goals, uint64_t seen,
+                                  murk_error *err);
 
 #endif

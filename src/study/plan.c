@@ -84,9 +84,6 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
         murk_sight_own_maps(sight, targets.surface, targets.volume);
         targets = (murk_targets){0};
     }
-    if (!status && traced->stream == 0) { /* others only confirm */
-        status = murk_goals_check_sight(stage->goals, sight, err);
-    }
     if (!status) {
         *out = sight;
         sight = NULL;
@@ -331,6 +328,10 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     plan->map_s = traced->map_s;
     murk_status status = murk_plan_sight_told(&sight, &plan->targets, stage,
                                               traced, threads, err);
+    if (!status) {
+        status =
+            murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
+    }
     if (!status) {
         status = choose(plan, stage, sight, err);
         if (status && err && !err->where[0]) {

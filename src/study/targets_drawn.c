@@ -16,6 +16,7 @@
 #include "sensing/open_space.h"
 #include "study/extent.h"
 #include "study/free_space.h"
+#include "study/machine.h"
 
 #include <stdlib.h>
 
@@ -200,11 +201,28 @@ static murk_estimate price(murk_target_pile *pile, uint64_t points,
         sides * each, n > 1 ? size * sqrt(fmax(0, variance) / (n - 1)) : NAN};
 }
 
+/* Records grow by half their room, and move. */
+#define ROOM_TIMES 2.5
+
+static murk_status check_memory(const amount *a, const char *where,
+                                murk_error *err)
+{
+    const double points = (double)(a->keeps < a->draws ? a->keeps : a->draws);
+    const double bytes = ROOM_TIMES * sizeof(murk_photon) * points;
+    const double have = murk_machine_memory_bytes();
+    return bytes <= have
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, where,
+                           "%.3g points take about %.3g GB; this machine has "
+                           "%.3g GB free",
+                           points, bytes / 1e9, have / 1e9);
+}
+
 static murk_status draw_all(murk_target_pile *pile, murk_target_draw *out,
                             drawing *d, const amount *a, double size,
                             const char *where, murk_error *err)
 {
-    murk_status status = MURK_OK;
+    murk_status status = check_memory(a, where, err);
     uint64_t draws = 0;
     uint64_t *points = &out->points;
     *out = (murk_target_draw){0};

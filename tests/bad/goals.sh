@@ -76,6 +76,15 @@ interest 2 "medium steam is in no region" '{name: a, medium: steam}'
 # empty once it is: the inside of the crate, and the crate in the smoke
 interest 1 "a is empty: none of the" '{name: a, sphere: {center_m: [1.5, 1.5, 0.5], radius_m: 0.2}}'
 interest 1 "placement.interest.1: b is empty" '{name: a, material: wall}, {name: b, material: crate, box: {min_m: [0, 0, 2], max_m: [4, 4, 3]}}'
+# smoke that is in one condition only is no mistake; in none, it is
+smoke='placement.interest=[{name: a, medium: smoke}]'
+over() {
+    timeout 60 "$murk" place "$dir/hall.yaml" --quiet --set "$smoke" --set placement.over=mean --set "$1"
+}
+over 'conditions={fire: {}, clear: {media.smoke.extinction_per_m: 0}}' ||
+    { echo "a region in one condition is refused"; failed=1; }
+expect 1 "a is empty: none of the stored photons" --set "$smoke" --set placement.over=mean \
+    --set 'conditions={clear: {media.smoke.extinction_per_m: 0}}'
 # nothing has weight
 expect 2 "all 0, one must be more than 0" --set placement.elsewhere=0
 interest 1 "have no weight" '{name: a, material: wall, weight: 0}, {name: b, medium: smoke, weight: 0}, {name: c, weight: 0, material: crate}'
