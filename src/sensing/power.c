@@ -39,7 +39,24 @@ static size_t end_of(const murk_photon_map *map, size_t first)
     return n - first < BATCH_PHOTONS ? n : first + BATCH_PHOTONS;
 }
 
+static murk_vec3 place_of(const murk_photon *photon)
+{
+    return murk_vec((double)photon->position_m[0],
+                    (double)photon->position_m[1],
+                    (double)photon->position_m[2]);
+}
+
 /* ---- what lies around ---- */
+
+/* The emitted photon that says nothing of this place. */
+static uint64_t path_of(const murk_power *power, const murk_photon *of)
+{
+    const murk_power_desc *desc = &power->desc;
+    const bool is_own = murk_photon_is_volume(of)
+                            ? desc->volume_map == desc->light.volume_map
+                            : desc->surface_map == desc->light.surface_map;
+    return is_own ? of->emitted : MURK_VICINITY_ALL;
+}
 
 static void survey_surface(void *context, unsigned worker, uint64_t batch)
 {
@@ -52,7 +69,8 @@ static void survey_surface(void *context, unsigned worker, uint64_t batch)
     for (size_t i = first; i < end; ++i) {
         const murk_photon *of = &murk_photon_map_photons(map)[i];
         const murk_vec3 normal = murk_direction_unpack(of->normal);
-        const murk_around a = murk_vicinity_find(power->surface, i, found);
+        const murk_around a = murk_vicinity_find(power->surface, place_of(of),
+                                                 path_of(power, of), found);
         const murk_photon *photon =
             murk_vicinity_photons(power->surface, a.level);
         double sum_w = 0;
@@ -74,7 +92,8 @@ static bool survey_place(const murk_power *power, size_t i, uint32_t *found,
                          chunk *c)
 {
     const murk_photon *of = &murk_photon_map_photons(power->desc.volume_map)[i];
-    const murk_around a = murk_vicinity_find(power->volume, i, found);
+    const murk_around a = murk_vicinity_find(power->volume, place_of(of),
+                                             path_of(power, of), found);
     const murk_photon *photon = murk_vicinity_photons(power->volume, a.level);
     const size_t at = i % BATCH_PHOTONS, begin = c->begin[at];
     size_t kept = 0;
@@ -131,8 +150,9 @@ static murk_status check(const murk_power_desc *desc, murk_error *err)
             "%g m, must be more than 0 and at most %g m%s", desc->radius_m,
             most, domain->is_periodic ? ", half the domain's period" : "");
     }
-    const murk_photon *photon = murk_photon_map_photons(desc->volume_map);
-    for (size_t i = 0; i < murk_photon_map_count(desc->volume_map); ++i) {
+    const murk_photon_map *map = desc->light.volume_map;
+    const murk_photon *photon = murk_photon_map_photons(map);
+    for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
         if (photon[i].material >= murk_media_count(desc->media)) {
             return murk_fail(err, MURK_BAD_FILE, "volume map",
                              "record %zu: medium %d of %zu cannot be", i,
@@ -153,14 +173,16 @@ static murk_status no_memory(const murk_power_desc *desc, murk_error *err)
 static murk_status set_aside(murk_power *power, murk_error *err)
 {
     const murk_power_desc *desc = &power->desc;
-    murk_status status = murk_vicinity_create(
-        &power->surface, desc->surface_map, desc->domain, desc->photons_emitted,
-        desc->radius_m, MURK_POWER_SURFACE_MOST, desc->threads, err);
+    const murk_power_light *light = &desc->light;
+    murk_status status =
+        murk_vicinity_create(&power->surface, light->surface_map, desc->domain,
+                             light->photons_emitted, desc->radius_m,
+                             MURK_POWER_SURFACE_MOST, desc->threads, err);
     if (!status) {
-        status =
-            murk_vicinity_create(&power->volume, desc->volume_map, desc->domain,
-                                 desc->photons_emitted, desc->radius_m,
-                                 MURK_POWER_VOLUME_MOST, desc->threads, err);
+        status = murk_vicinity_create(&power->volume, light->volume_map,
+                                      desc->domain, light->photons_emitted,
+                                      desc->radius_m, MURK_POWER_VOLUME_MOST,
+                                      desc->threads, err);
     }
     if (status) {
         return status;

@@ -8,7 +8,8 @@
  *     volume    j = (powers within r, each times p(w_k . w)) / (4/3 pi r^3)
  *               [W/m3/sr] in direction w to the sensor, w_k the direction of
  *               the arriving light and p the phase function of its medium.
- * Which photons count is for sensing/vicinity.h: not those of the same path.
+ * Which photons count is for sensing/vicinity.h: where photons are judged, not
+ * those of their own path.
  * Near edges and corners a ball reaches beyond the surface or the medium, so L
  * and j are too low there within r; a spot smaller than r is spread over it.
  *
@@ -47,31 +48,39 @@
 
 typedef struct murk_power murk_power;
 
+/* The light that is stored, and by how many photons. */
+typedef struct murk_power_light {
+    const murk_photon_map *surface_map, *volume_map;
+    uint64_t photons_emitted;
+} murk_power_light;
+
 typedef struct murk_power_desc {
-    const murk_photon_map *surface_map, *volume_map; /* borrowed, as the rest */
+    /* Places to be judged: the light's own maps, or others. Borrowed, as the
+     * rest is. */
+    const murk_photon_map *surface_map, *volume_map;
+    murk_power_light light;
     const murk_media *media;
     const murk_domain *domain;
-    uint64_t photons_emitted;
     double radius_m; /* above 0; in a periodic domain at most half a period */
     unsigned threads;
 } murk_power_desc;
 
-/* Takes up to 40 bytes a photon of the surface map and 550 of the volume map;
- * over threads, with progress. Fails with
+/* Takes up to 550 bytes a place of the volume map, 4 of the surface map, and 40
+ * a photon of the light's; over threads, with progress. Fails with
  * MURK_BAD_VALUE (radius), MURK_BAD_FILE (a record of no medium),
  * MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_power_create(murk_power **out, const murk_power_desc *desc,
                               murk_error *err);
 void murk_power_destroy(murk_power *power); /* NULL is fine */
 
-/* L at photon i of the surface map [W/m2/sr]. */
+/* L at place i of the surface map [W/m2/sr]. */
 double murk_power_radiance(const murk_power *power, size_t i);
 
-/* j at photon i of the volume map, for light that goes on along unit `toward`
+/* j at place i of the volume map, for light that goes on along unit `toward`
  * [W/m3/sr]. */
 double murk_power_source(const murk_power *power, size_t i, murk_vec3 toward);
 
-/* s of photon i of its map by one way [W]. */
+/* s of place i of its map by one way [W]. */
 double murk_power_signal_w(const murk_power *power,
                            const murk_sensor_type *type,
                            const murk_field *field, const murk_photon *photon,

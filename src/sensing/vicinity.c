@@ -112,27 +112,24 @@ static size_t count(const murk_vicinity *v, murk_vec3 center)
     return n;
 }
 
-murk_around murk_vicinity_find(const murk_vicinity *v, size_t i,
-                               uint32_t *found)
+murk_around murk_vicinity_find(const murk_vicinity *v, murk_vec3 place,
+                               uint64_t emitted, uint32_t *found)
 {
-    const murk_photon *of = &murk_photon_map_photons(v->map[0])[i];
-    const float *x = of->position_m;
-    const murk_vec3 center = {(double)x[0], (double)x[1], (double)x[2]};
     murk_around around = {.level = 0};
-    for (size_t n = count(v, center);
+    for (size_t n = count(v, place);
          n > v->most && around.level + 1 < v->levels; n /= 2) {
         ++around.level;
     }
     const size_t all = murk_photons_nearby(v->map[around.level], v->domain,
-                                           center, v->radius_m, found);
+                                           place, v->radius_m, found);
     const murk_photon *photon = murk_vicinity_photons(v, around.level);
     for (size_t k = 0; k < all; ++k) {
-        if (photon[found[k]].emitted != of->emitted) {
+        if (photon[found[k]].emitted != emitted) {
             found[around.n++] = found[k];
         }
     }
     const uint64_t told = v->emitted[around.level];
-    const uint64_t others = told - (of->emitted < told);
+    const uint64_t others = told - (emitted < told);
     around.factor = others > 0 ? (double)v->emitted[0] / (double)others : 0;
     return around;
 }

@@ -1,13 +1,13 @@
-/* Which photons of a map lie around each of them: what a place is judged by.
- * Internal to the room.
+/* Which photons of a map lie around a place: what it is judged by. Internal to
+ * the room.
  *
- * All within a radius, of other emitted photons: that one's path is stored here
- * says nothing of how much is. Where more than some `most` lie there, only
- * those of the first half, quarter, .. of all emitted photons are looked at,
- * and stand for the others: any first ones of them are shared out among lights
- * in proportion. So work is bounded however many lie together, as where a beam
- * meets a wall, and a sum over them, times its factor, is without bias.
- * Immutable after creation. */
+ * All within a radius. Where a photon is stored, those of other emitted photons
+ * alone: that one's path is stored there says nothing of how much is. Where
+ * more than some `most` lie there, only those of the first half, quarter, .. of
+ * all emitted photons are looked at, and stand for the others: any first ones
+ * of them are shared out among lights in proportion. So work is bounded however
+ * many lie together, as where a beam meets a wall, and a sum over them, times
+ * its factor, is without bias. Immutable after creation. */
 #ifndef MURK_SENSING_VICINITY_H
 #define MURK_SENSING_VICINITY_H
 
@@ -32,10 +32,13 @@ typedef struct murk_around {
     double factor; /* on sums of power */
 } murk_around;
 
-/* Around photon i of the map: writes numbers to found[], which has room for
+#define MURK_VICINITY_ALL UINT64_MAX
+
+/* Around a place, in the domain, but for what `emitted` left (or
+ * MURK_VICINITY_ALL): writes numbers to found[], which has room for
  * murk_vicinity_room(). */
-murk_around murk_vicinity_find(const murk_vicinity *vicinity, size_t i,
-                               uint32_t *found);
+murk_around murk_vicinity_find(const murk_vicinity *vicinity, murk_vec3 place,
+                               uint64_t emitted, uint32_t *found);
 size_t murk_vicinity_room(const murk_vicinity *vicinity);
 
 /* The photons of a level. */

@@ -53,9 +53,9 @@ static place place_of(const murk_photon *photon, size_t n, uint64_t emitted,
                .volume = map_of(photon, is_volume ? n : 0)};
     const murk_power_desc desc = {.surface_map = p.surface,
                                   .volume_map = p.volume,
+                                  .light = {p.surface, p.volume, emitted},
                                   .media = p.media,
                                   .domain = domain,
-                                  .photons_emitted = emitted,
                                   .radius_m = radius_m,
                                   .threads = threads};
     murk_error err = {0};
@@ -206,12 +206,43 @@ static void test_a_spot_is_looked_at_in_part(void)
     CHECK(murk_vicinity_create(&v, p.surface, &room, N, 0.1, 100, 1, &err) ==
           MURK_OK);
     uint32_t *found = malloc(murk_vicinity_room(v) * sizeof *found);
-    const murk_around around = murk_vicinity_find(v, 5, found);
+    const murk_around around =
+        murk_vicinity_find(v, murk_vec(1, 2, 0), 5, found);
     CHECK(around.n > 40 && around.n <= 100);
     free(found);
     murk_vicinity_destroy(v);
     leave(&p);
     free(photon);
+}
+
+/* Places of another map are judged by all paths of the light. */
+static void test_places_that_are_no_photons(void)
+{
+    const murk_vec3 up = {0, 0, 1};
+    const murk_photon light[] = {a_photon(murk_vec(0, 0, 0), up, 0),
+                                 a_photon(murk_vec(.2, 0, 0), up, 1)};
+    const murk_photon at[] = {a_photon(murk_vec(.1, 0, 0), up, 0),
+                              a_photon(murk_vec(3, 0, 0), up, 1)};
+    place p = {.media = cloud_of(0),
+               .surface = map_of(light, 2),
+               .volume = map_of(NULL, 0)};
+    murk_photon_map *places = map_of(at, 2);
+    const murk_power_desc desc = {.surface_map = places,
+                                  .volume_map = p.volume,
+                                  .light = {p.surface, p.volume, 2},
+                                  .media = p.media,
+                                  .domain = &room,
+                                  .radius_m = 0.5,
+                                  .threads = 1};
+    murk_error err = {0};
+    CHECK(murk_power_create(&p.power, &desc, &err) == MURK_OK);
+    const size_t lit =
+        murk_photon_map_photons(places)[0].position_m[0] > 1 ? 1 : 0;
+    CHECK_NEAR(murk_power_radiance(p.power, lit) * MURK_PI * MURK_PI * .25, 2,
+               1e-6);
+    CHECK(murk_power_radiance(p.power, 1 - lit) == 0);
+    murk_photon_map_destroy(places);
+    leave(&p);
 }
 
 static void test_periodic_sides_are_near_each_other(void)
@@ -238,8 +269,8 @@ static void test_bad_radii_are_refused(void)
         place p = {.surface = map_of(NULL, 0), .volume = map_of(NULL, 0)};
         const murk_power_desc desc = {.surface_map = p.surface,
                                       .volume_map = p.volume,
+                                      .light = {p.surface, p.volume, 1},
                                       .domain = domain[i],
-                                      .photons_emitted = 1,
                                       .radius_m = radius[i],
                                       .threads = 1};
         murk_error err = {0};
@@ -322,6 +353,7 @@ int main(void)
     test_a_cloud_of_known_source();
     test_what_counts_as_light_of_a_place();
     test_a_spot_is_looked_at_in_part();
+    test_places_that_are_no_photons();
     test_periodic_sides_are_near_each_other();
     test_bad_radii_are_refused();
     test_signals_by_hand();
