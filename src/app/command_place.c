@@ -71,7 +71,8 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     static const char *const detection_names[] = {
         [MURK_SCENE_WEIGHTED] = "weighted",
         [MURK_SCENE_INDEPENDENT] = "independent",
-        [MURK_SCENE_THRESHOLD] = "threshold"};
+        [MURK_SCENE_THRESHOLD] = "threshold",
+        [MURK_SCENE_POWER] = "power"};
     static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
                                                 [MURK_SCENE_BLOCK] = "block",
                                                 [MURK_SCENE_REFRACT] =
@@ -87,6 +88,8 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     murk_json_number(object, "threshold",
                      wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold
                                                              : NAN);
+    murk_json_number(object, "power_radius_m",
+                     plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
     cJSON_AddNumberToObject(object, "redundancy", (double)wish->redundancy);
     cJSON_AddStringToObject(object, "visibility",
                             wish->by_normal ? "normal" : "ray");

@@ -39,7 +39,7 @@ static const murk_word DETECTION_WORDS[] = {
     {"weighted", MURK_SCENE_WEIGHTED, false},
     {"independent", MURK_SCENE_INDEPENDENT, false},
     {"threshold", MURK_SCENE_THRESHOLD, false},
-    {"power", 0, true},
+    {"power", MURK_SCENE_POWER, false},
     WORDS_END,
 };
 
@@ -87,6 +87,8 @@ static const murk_key PLACEMENT_ROWS[] = {
         AT(murk_scene, placement.detection)),
     ROW("threshold", NUMBER, .above = true, .most = 1, .preset = "0.05",
         AT(murk_scene, placement.threshold)),
+    ROW("power_radius_m", NUMBER, SIZE_M,
+        AT(murk_scene, placement.power_radius_m)),
     ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
         AT(murk_scene, placement.by_normal)),
     ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
@@ -136,12 +138,14 @@ static murk_status check_placement(murk_walk *walk, const murk_yaml *map,
                               "elsewhere and the weights of interest are all "
                               "0, one must be more than 0");
     }
-    if (placement->detection == MURK_SCENE_INDEPENDENT &&
+    const bool by_power = placement->detection == MURK_SCENE_POWER;
+    if ((placement->detection == MURK_SCENE_INDEPENDENT || by_power) &&
         placement->redundancy > 1) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "redundancy is %llu with detection: independent, "
-                              "must be 1: all views count there",
-                              (unsigned long long)placement->redundancy);
+                              "redundancy is %llu with detection: %s, must be "
+                              "1: all views count there",
+                              (unsigned long long)placement->redundancy,
+                              by_power ? "power" : "independent");
     }
     return MURK_OK;
 }

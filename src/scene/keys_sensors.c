@@ -131,6 +131,7 @@ static const murk_word BANDS_WORDS[] = {
 };
 
 #define HAS_VIEW .variants = BIT(DIRECTED)
+#define POWER    .above = true
 #define COUNT_OF .most = 1e6, .unit = "sensors"
 
 static const murk_key TYPE_ROWS[] = {
@@ -151,6 +152,16 @@ static const murk_key TYPE_ROWS[] = {
         AT(murk_scene_sensor_type, toward)),
     ROW("acceptance_deg", NUMBER, .most = 180, .unit = "degrees", .preset = "0",
         .factor = MURK_PI / 180, AT(murk_scene_sensor_type, acceptance_rad)),
+    ROW("aperture_m2", NUMBER, POWER, .most = 1e9, .unit = "m2",
+        .preset = "1e-4", AT(murk_scene_sensor_type, aperture_m2)),
+    ROW("quantum_efficiency", NUMBER, POWER, .most = 1, .preset = "0.5",
+        AT(murk_scene_sensor_type, quantum_efficiency)),
+    ROW("exposure_s", NUMBER, POWER, .most = 1e9, .unit = "s", .preset = "0.01",
+        AT(murk_scene_sensor_type, exposure_s)),
+    ROW("target_m2", NUMBER, POWER, .most = 1e9, .unit = "m2", .preset = "1e-4",
+        AT(murk_scene_sensor_type, target_m2)),
+    ROW("target_m3", NUMBER, POWER, .most = 1e9, .unit = "m3", .preset = "1e-6",
+        AT(murk_scene_sensor_type, target_m3)),
     ROW("bands", NUMBER_LIST, .above = true, .most = 1e9, .unit = "nm",
         .words = BANDS_WORDS, .preset = "all",
         AT(murk_scene_sensor_type, bands_nm)),

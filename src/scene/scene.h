@@ -255,8 +255,10 @@ typedef struct murk_scene_sensor_type {
     murk_scene_numbers headings_deg, tilts_deg; /* n 0: sees all round */
     double acceptance_rad;                      /* half angle; 0: none */
     bool toward;                                /* arrival: toward */
-    murk_scene_numbers bands_nm;                /* n 0: all */
-    uint32_t bands;                             /* the same by bits; 0: all */
+    double aperture_m2, quantum_efficiency, exposure_s; /* detection: power */
+    double target_m2, target_m3;
+    murk_scene_numbers bands_nm; /* n 0: all */
+    uint32_t bands;              /* the same by bits; 0: all */
     double cost;
     uint64_t least_count, max_count;
 } murk_scene_sensor_type;
@@ -355,16 +357,18 @@ typedef enum murk_scene_through {
 typedef enum murk_scene_detection {
     MURK_SCENE_WEIGHTED,
     MURK_SCENE_INDEPENDENT,
-    MURK_SCENE_THRESHOLD
+    MURK_SCENE_THRESHOLD,
+    MURK_SCENE_POWER
 } murk_scene_detection;
 
 typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
     murk_scene_detection detection;
-    double threshold;    /* of transmittance, for detection: threshold */
-    uint64_t redundancy; /* views of a photon that count */
-    bool by_normal;      /* visibility: normal; false: ray */
+    double threshold;      /* of transmittance, for detection: threshold */
+    double power_radius_m; /* for detection: power; 0: not given */
+    uint64_t redundancy;   /* views of a photon that count */
+    bool by_normal;        /* visibility: normal; false: ray */
     murk_scene_through through;
     murk_scene_knowledge knowledge;
     bool has_start;

@@ -14,6 +14,7 @@ typedef struct look {
     murk_sight *sight;
     murk_vec3 sensor;
     double range_m, reach_m; /* of the type; of what may appear in it */
+    const murk_sensor_type *type;
     murk_field field;
     bool is_picky;  /* something but the range limits the view */
     uint32_t bands; /* seen, by bits */
@@ -71,8 +72,32 @@ static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
     }
 }
 
-static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
+/* The clarity of a photon, number i of its map, seen along these lines. */
+static uint16_t clarity_along(const look *l, const murk_photon *p, size_t i,
+                              const murk_sightline *line, size_t lines)
 {
+    const murk_sight *sight = l->sight;
+    double through = 0, signal_w = 0;
+    for (size_t k = 0; k < lines; ++k) {
+        through = fmax(through, line[k].transmittance);
+    }
+    if (!sight->power || lines == 0) {
+        return murk_sight_clarity(sight, through);
+    }
+    for (size_t k = 0; k < lines; ++k) {
+        signal_w += murk_power_signal_w(sight->power, l->type, &l->field, p, i,
+                                        &line[k]);
+    }
+    return murk_sight_clarity(
+        sight, murk_power_chance(l->type, signal_w,
+                                 sight->desc.power.band_nm[p->band]));
+}
+
+/* By the straight line from where sightlines to it start. */
+static uint16_t clarity_of(const look *l, const murk_photon *p, size_t i,
+                           murk_vec3 from)
+{
+    const int band = p->band;
     const murk_sight *sight = l->sight;
     const murk_vec3 to =
         murk_nearest_image(&sight->desc.domain, l->sensor, from);
@@ -84,7 +109,15 @@ static uint16_t clarity_of(const look *l, murk_vec3 from, int band)
     if (sight->has_media && through > 0) {
         through *= murk_passage_transmittance(&l->passages, band, from);
     }
-    return murk_sight_clarity(sight, through);
+    if (!sight->power) {
+        return murk_sight_clarity(sight, through);
+    }
+    const murk_vec3 way = murk_sub(from, to);
+    const murk_sightline line = {.transmittance = through,
+                                 .way = way,
+                                 .leaving = murk_scale(-1, murk_unit(way)),
+                                 .gain = 1};
+    return clarity_along(l, p, i, &line, 1);
 }
 
 /* Takes up n photons (numbers within their map, sightlines from `from`) in
@@ -100,7 +133,7 @@ static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
         }
         if (l->clarity) {
             const uint16_t clarity =
-                clarity_of(l, from[i], photon[number[i]].band);
+                clarity_of(l, &photon[number[i]], number[i], from[i]);
             if (clarity == 0) {
                 continue;
             }
@@ -134,22 +167,19 @@ static bool is_beyond(const look *l, murk_vec3 at, murk_vec3 sensor)
 /* Takes up a photon that lies in another index than the sensor, if it is seen.
  * `from` is its place, off its surface. */
 static void keep_across(look *l, const murk_photon *p, const murk_side *facing,
-                        murk_vec3 from, double index, uint32_t number)
+                        murk_vec3 from, double index, uint32_t first,
+                        uint32_t number)
 {
     murk_sightline line[MURK_WAYS_MAX];
     const size_t lines =
         l->bands >> p->band & 1
             ? murk_across_look(&l->across, p, facing, from, index, line)
             : 0;
-    double through = 0;
-    for (size_t i = 0; i < lines; ++i) {
-        through = fmax(through, line[i].transmittance);
-    }
-    const uint16_t clarity = murk_sight_clarity(l->sight, through);
+    const uint16_t clarity = clarity_along(l, p, number, line, lines);
     if (clarity > 0) {
         l->clarity[l->seen] = clarity;
         l->all_clear = l->all_clear && clarity == MURK_CLEAR;
-        l->photon[l->seen++] = number;
+        l->photon[l->seen++] = first + number;
     }
 }
 
@@ -181,7 +211,7 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
             if (index != l->passages.index) {
                 keep_seen(l, photon, first, number, from, filled);
                 filled = 0;
-                keep_across(l, p, facing, start, index, first + found[i]);
+                keep_across(l, p, facing, start, index, first, found[i]);
                 continue;
             }
             if (is_beyond(l, at, sensor)) {
@@ -242,6 +272,7 @@ void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
               .sensor = pose->position,
               .range_m = range_m,
               .reach_m = range_m,
+              .type = type,
               .field = murk_field_of(type, pose, desc->north),
               .is_picky = type->view != MURK_VIEW_SPHERE || type->bands ||
                           type->toward || type->least_range_m > 0,

@@ -139,16 +139,28 @@ static void survey_volume(void *context, unsigned worker, uint64_t batch)
 
 /* ---- creation ---- */
 
-static murk_status check(const murk_power_desc *desc, murk_error *err)
+murk_status murk_power_check_radius(double radius_m, const murk_domain *domain,
+                                    const char *where, murk_error *err)
 {
-    const murk_domain *domain = desc->domain;
     const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
     const double most = domain->is_periodic ? fmin(size.x, size.y) / 2 : 1e9;
-    if (!(desc->radius_m > 0 && desc->radius_m <= most)) {
-        return murk_fail(
-            err, MURK_BAD_VALUE, "placement.power_radius_m",
-            "%g m, must be more than 0 and at most %g m%s", desc->radius_m,
-            most, domain->is_periodic ? ", half the domain's period" : "");
+    if (!(radius_m > 0 && radius_m <= most)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "power_radius_m is %g m, must be more than 0 and at "
+                         "most %g m%s",
+                         radius_m, most,
+                         domain->is_periodic ? ", half the domain's period"
+                                             : "");
+    }
+    return MURK_OK;
+}
+
+static murk_status check(const murk_power_desc *desc, murk_error *err)
+{
+    const murk_status status =
+        murk_power_check_radius(desc->radius_m, desc->domain, "placement", err);
+    if (status) {
+        return status;
     }
     const murk_photon_map *map = desc->light.volume_map;
     const murk_photon *photon = murk_photon_map_photons(map);
@@ -332,4 +344,24 @@ double murk_power_chance(const murk_sensor_type *type, double signal_w,
     const double counts_per_j =
         type->quantum_efficiency * wavelength_nm * 1e-9 / MURK_PLANCK_LIGHT;
     return -expm1(-type->exposure_s * counts_per_j * signal_w);
+}
+
+murk_status murk_power_check_type(const murk_sensor_type *type, murk_error *err)
+{
+    const struct {
+        const char *name;
+        double value, most;
+    } wish[] = {{"aperture_m2", type->aperture_m2, 1e9},
+                {"quantum_efficiency", type->quantum_efficiency, 1},
+                {"exposure_s", type->exposure_s, 1e9},
+                {"target_m2", type->target_m2, 1e9},
+                {"target_m3", type->target_m3, 1e9}};
+    for (size_t i = 0; i < sizeof wish / sizeof *wish; ++i) {
+        if (!(wish[i].value > 0 && wish[i].value <= wish[i].most)) {
+            return murk_fail(err, MURK_BAD_VALUE, "sensors.types",
+                             "%s is %g, must be more than 0 and at most %g",
+                             wish[i].name, wish[i].value, wish[i].most);
+        }
+    }
+    return MURK_OK;
 }

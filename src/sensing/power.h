@@ -36,6 +36,7 @@
 #include "medium/media.h"
 #include "photonmap/map.h"
 #include "sensing/across.h"
+#include "sensing/power_wish.h"
 #include "sensing/sensor.h"
 
 /* Photons around each that are looked at, on average at most. Volume estimates
@@ -48,12 +49,6 @@
 
 typedef struct murk_power murk_power;
 
-/* The light that is stored, and by how many photons. */
-typedef struct murk_power_light {
-    const murk_photon_map *surface_map, *volume_map;
-    uint64_t photons_emitted;
-} murk_power_light;
-
 typedef struct murk_power_desc {
     /* Places to be judged: the light's own maps, or others. Borrowed, as the
      * rest is. */
@@ -61,7 +56,7 @@ typedef struct murk_power_desc {
     murk_power_light light;
     const murk_media *media;
     const murk_domain *domain;
-    double radius_m; /* above 0; in a periodic domain at most half a period */
+    double radius_m; /* as murk_power_check_radius() lets it */
     unsigned threads;
 } murk_power_desc;
 
@@ -85,6 +80,11 @@ double murk_power_signal_w(const murk_power *power,
                            const murk_sensor_type *type,
                            const murk_field *field, const murk_photon *photon,
                            size_t i, const murk_sightline *line);
+
+/* MURK_BAD_VALUE when aperture, efficiency, exposure or targets are out of
+ * range. */
+murk_status murk_power_check_type(const murk_sensor_type *type,
+                                  murk_error *err);
 
 /* p of a signal at a wavelength. */
 double murk_power_chance(const murk_sensor_type *type, double signal_w,

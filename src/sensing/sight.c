@@ -89,8 +89,8 @@ static murk_status set_aside(murk_sight *sight, murk_error *err)
 {
     const size_t n = sight->photons, found = scratch_photons(sight);
     const unsigned threads = sight->desc.threads;
-    const bool attenuates =
-        sight->has_media || sight->has_sheets || sight->interfaces;
+    const bool attenuates = sight->has_media || sight->has_sheets ||
+                            sight->interfaces || sight->desc.power.radius_m > 0;
     sight->weight = malloc(n * sizeof *sight->weight + 1);
     sight->worker = calloc(threads, sizeof *sight->worker);
     const bool has_regions = sight->desc.interest && sight->desc.interest->n;
@@ -139,6 +139,30 @@ static murk_status see_media(murk_sight *sight, murk_error *err)
         }
     }
     return status;
+}
+
+/* Makes sight->power where it is wished for. */
+static murk_status judge_by_power(murk_sight *sight, murk_error *err)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    if (!(desc->power.radius_m > 0)) {
+        return MURK_OK;
+    }
+    const murk_power_light own = {desc->surface_map, desc->volume_map,
+                                  desc->photons_emitted};
+    const bool is_own = !desc->power.light.surface_map;
+    const murk_power_desc wish = {.surface_map = desc->surface_map,
+                                  .volume_map = desc->volume_map,
+                                  .light = is_own ? own : desc->power.light,
+                                  .media = desc->media,
+                                  .domain = &sight->desc.domain,
+                                  .radius_m = desc->power.radius_m,
+                                  .threads = desc->threads};
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < desc->types && !status; ++k) {
+        status = murk_power_check_type(&desc->type[k], err);
+    }
+    return status ? status : murk_power_create(&sight->power, &wish, err);
 }
 
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
@@ -206,6 +230,10 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     if (status) {
         goto done;
     }
+    status = judge_by_power(sight, err);
+    if (status) {
+        goto done;
+    }
     *out = sight;
     sight = NULL;
 done:
@@ -223,6 +251,7 @@ void murk_sight_destroy(murk_sight *sight)
         free(sight->worker[i].clarity);
     }
     free(sight->worker);
+    murk_power_destroy(sight->power);
     free(sight->interfaces);
     free(sight->regions);
     free(sight->weight);

@@ -28,6 +28,7 @@
 #include "photonmap/map.h"
 #include "placement/problem.h"
 #include "sensing/interest.h"
+#include "sensing/power_wish.h"
 #include "sensing/sensor.h"
 
 typedef enum murk_visibility {
@@ -66,6 +67,9 @@ typedef struct murk_sight_desc {
     unsigned redundancy;           /* views of a photon that count, 0 or 1: one;
                                       up to MURK_REDUNDANCY_MOST, and one with
                                       independent chances */
+    murk_power_wish power;         /* by what is taken up, with combining
+                                      INDEPENDENT: clarity is the chance of
+                                      sensing/power.h. Not with a threshold */
     unsigned threads;
     const char *where; /* of the wish, for messages; NULL: none */
 } murk_sight_desc;

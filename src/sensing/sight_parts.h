@@ -2,6 +2,7 @@
 #ifndef MURK_SENSING_SIGHT_PARTS_H
 #define MURK_SENSING_SIGHT_PARTS_H
 
+#include "sensing/power.h"
 #include "sensing/refract.h"
 #include "sensing/sight.h"
 
@@ -22,6 +23,7 @@ struct murk_sight {
     bool has_sheets;             /* that let light through */
     bool has_interfaces;         /* where the index changes */
     murk_interfaces *interfaces; /* to see through; NULL: not wanted, or none */
+    murk_power *power;           /* NULL: clarity is by transmittance */
     uint32_t *weight;
     uint64_t *regions; /* of interest, [photons]; NULL: none */
     size_t photons;

@@ -16,9 +16,46 @@ typedef struct seen_maps {
     uint64_t emitted;
 } seen_maps;
 
+/* Of the domain's diagonal: where the scene leaves power_radius_m to murk. It
+ * does not depend on how many photons there are, so neither do estimates. */
+#define POWER_RADIUS 0.02
+
+double murk_plan_power_radius_m(const murk_stage *stage)
+{
+    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_domain *domain = &stage->world.domain;
+    const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
+    if (wish->detection != MURK_SCENE_POWER) {
+        return 0;
+    }
+    if (wish->power_radius_m > 0) {
+        return wish->power_radius_m;
+    }
+    const double own = POWER_RADIUS * murk_length(size);
+    return domain->is_periodic ? fmin(own, fmin(size.x, size.y) / 2) : own;
+}
+
+static murk_power_wish power_of(const murk_stage *stage,
+                                const murk_traced *traced)
+{
+    murk_power_wish out = {
+        .radius_m = murk_plan_power_radius_m(stage),
+        .light = {traced->surface, traced->volume, traced->emitted}};
+    memcpy(out.band_nm, stage->scene->band_nm, sizeof out.band_nm);
+    return out;
+}
+
+static murk_combining combining_of(const murk_scene_placement *wish)
+{
+    return wish->detection == MURK_SCENE_INDEPENDENT ||
+                   wish->detection == MURK_SCENE_POWER
+               ? MURK_COMBINE_INDEPENDENT
+               : MURK_COMBINE_CLEAREST;
+}
+
 static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
-                              const seen_maps *maps, unsigned threads,
-                              murk_error *err)
+                              const murk_traced *traced, const seen_maps *maps,
+                              unsigned threads, murk_error *err)
 {
     const murk_scene_placement *wish = &stage->scene->placement;
     const bool blocks = wish->through == MURK_SCENE_BLOCK;
@@ -49,10 +86,9 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
         .interest = murk_goals_interest(stage->goals),
         .threshold =
             wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold : 0,
-        .combining = wish->detection == MURK_SCENE_INDEPENDENT
-                         ? MURK_COMBINE_INDEPENDENT
-                         : MURK_COMBINE_CLEAREST,
+        .combining = combining_of(wish),
         .redundancy = (unsigned)wish->redundancy,
+        .power = power_of(stage, traced),
         .threads = threads,
         .where = wish->where};
     const murk_status status = murk_sight_create(out, &desc, err);
@@ -78,7 +114,7 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
     }
     *facts = targets.facts;
     if (!status) {
-        status = sight_onto(&sight, stage, &maps, threads, err);
+        status = sight_onto(&sight, stage, traced, &maps, threads, err);
     }
     if (!status && has_targets) {
         murk_sight_own_maps(sight, targets.surface, targets.volume);
@@ -117,9 +153,28 @@ murk_place_desc murk_plan_desc(const murk_scene *scene)
     return desc;
 }
 
+/* What sight would refuse after light is traced. */
+static murk_status check_sensing(const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_sensors *wish = &stage->scene->sensors;
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < wish->types && !status; ++k) {
+        if (wish->type[k].acceptance_rad > 0) {
+            status = murk_media_check_acceptance(stage->media, err);
+        }
+    }
+    const double radius_m = murk_plan_power_radius_m(stage);
+    if (!status && radius_m > 0) {
+        status = murk_power_check_radius(radius_m, &stage->world.domain,
+                                         stage->scene->placement.where, err);
+    }
+    return status;
+}
+
 static murk_status validate(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_sensors *wish = &stage->scene->sensors;
+    const bool by_power = stage->scene->placement.detection == MURK_SCENE_POWER;
     if (!wish->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
@@ -130,21 +185,12 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
                          "or sensors.target or --target C, or sensors.budget "
                          "or --budget B");
     }
-    for (size_t k = 0; k < wish->types; ++k) {
-        if (wish->type[k].acceptance_rad > 0) {
-            const murk_status status =
-                murk_media_check_acceptance(stage->media, err);
-            if (status) {
-                return status;
-            }
-        }
-    }
     if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE &&
-        !stage->scene->placement.targets.given) {
+        (!stage->scene->placement.targets.given || by_power)) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
                          "maps: none, but placing needs stored photons");
     }
-    return MURK_OK;
+    return check_sensing(stage, err);
 }
 
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
@@ -342,6 +388,7 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     if (status) {
         goto done;
     }
+    plan->power_radius_m = murk_plan_power_radius_m(stage);
     plan->sensor = calloc(plan->place.count, sizeof *plan->sensor);
     if (!plan->sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,

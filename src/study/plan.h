@@ -24,6 +24,10 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
                                  const murk_traced *traced, unsigned threads,
                                  murk_error *err);
 
+/* With detection: power, the radius of its estimates, as the scene has it or 2
+ * % of the domain's diagonal; else 0. */
+double murk_plan_power_radius_m(const murk_stage *stage);
+
 /* The least value (weight * clarity) of a plan that covers the share, 0..1, of
  * the whole; a share within rounding of a value means it. */
 uint64_t murk_plan_value_of(double share, const murk_problem *problem);
@@ -65,7 +69,8 @@ typedef struct murk_plan {
                                               NULL: none held out */
     murk_estimate confirmed;               /* with a target: on a third map */
     murk_robust robust;
-    uint64_t queries, shadow_rays;                     /* spent on choosing */
+    double power_radius_m;         /* of detection: power; 0: another */
+    uint64_t queries, shadow_rays; /* spent on choosing */
     uint64_t blocked_by_interfaces, totally_reflected; /* then, sightlines */
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;

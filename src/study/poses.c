@@ -25,15 +25,21 @@ murk_sensor_type *murk_poses_types(const murk_scene *scene)
     murk_sensor_type *out = calloc(wish->types + 1, sizeof *out);
     for (size_t k = 0; out && k < wish->types; ++k) {
         const murk_scene_sensor_type *type = &wish->type[k];
-        out[k] = (murk_sensor_type){.least_range_m = type->least_range_m,
-                                    .range_m = type->range_m,
-                                    .view = VIEW_OF[type->view],
-                                    .cone_rad = type->cone_rad,
-                                    .hfov_rad = type->hfov_rad,
-                                    .vfov_rad = type->vfov_rad,
-                                    .acceptance_rad = type->acceptance_rad,
-                                    .toward = type->toward,
-                                    .bands = type->bands};
+        out[k] =
+            (murk_sensor_type){.least_range_m = type->least_range_m,
+                               .range_m = type->range_m,
+                               .view = VIEW_OF[type->view],
+                               .cone_rad = type->cone_rad,
+                               .hfov_rad = type->hfov_rad,
+                               .vfov_rad = type->vfov_rad,
+                               .acceptance_rad = type->acceptance_rad,
+                               .aperture_m2 = type->aperture_m2,
+                               .quantum_efficiency = type->quantum_efficiency,
+                               .exposure_s = type->exposure_s,
+                               .target_m2 = type->target_m2,
+                               .target_m3 = type->target_m3,
+                               .toward = type->toward,
+                               .bands = type->bands};
     }
     return out;
 }

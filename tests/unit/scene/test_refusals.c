@@ -316,8 +316,9 @@ static const refusal REFUSALS[] = {
     {"sensors: {types: [{name: a, range_m: 1, headings: 4}]}\n", VALUE,
      "fog.yaml:2:41: sensors.types.0.headings",
      "not a key of a sensor type (all round), must be one of name, range_m, "
-     "least_range_m, view, arrival, acceptance_deg, bands, cost, least_count, "
-     "max_count"},
+     "least_range_m, view, arrival, acceptance_deg, aperture_m2, "
+     "quantum_efficiency, exposure_s, target_m2, target_m3, bands, cost, "
+     "least_count, max_count"},
     {"sensors: {types: [{name: a, range_m: 1}], count: 1, candidates: "
      "{spacing_m: -1}}\n",
      VALUE, "fog.yaml:2:77: sensors.candidates.spacing_m",
@@ -405,9 +406,15 @@ static const refusal REFUSALS[] = {
     /* placement and the rest */
     {"placement: {method: bset}\n", VALUE, "fog.yaml:2:21: placement.method",
      "bset, must be best, spoq, greedy, exact"},
-    {"placement: {detection: power}\n", LATER,
+    {"placement: {detection: radar}\n", VALUE,
      "fog.yaml:2:24: placement.detection",
-     "power is not supported yet, must be weighted, independent, threshold"},
+     "radar, must be weighted, independent, threshold, power"},
+    {"placement: {redundancy: 2, detection: power}\n", VALUE,
+     "fog.yaml:2:1: placement",
+     "redundancy is 2 with detection: power, must be 1: all views count there"},
+    {"placement: {power_radius_m: 0}\n", VALUE,
+     "fog.yaml:2:29: placement.power_radius_m",
+     "0, must be more than 0 and at most 1e9 m"},
     {"placement: {redundancy: 17}\n", VALUE,
      "fog.yaml:2:25: placement.redundancy", "17, must be 1..16"},
     {"placement: {redundancy: 2, detection: independent}\n", VALUE,

@@ -261,6 +261,28 @@ static void test_periodic_sides_are_near_each_other(void)
     leave(&q);
 }
 
+static void test_threads_do_not_matter(void)
+{
+    enum { N = 5000 };
+    murk_photon photon[N];
+    for (uint32_t i = 0; i < N; ++i) {
+        const murk_random4 u = murk_random(SEED, MURK_SCATTER, i, 2, 0);
+        photon[i] = a_photon(murk_vec(u.u[0], u.u[1], u.u[2]),
+                             murk_vec(0, 0, 0), i / 3);
+        photon[i].direction = murk_direction_pack(murk_vec(1, 0, 0));
+        photon[i].band = i % 2;
+    }
+    const murk_vec3 toward = murk_unit(murk_vec(1, 2, 3));
+    place one = place_of(photon, N, N / 3 + 1, 0.2, &room, 0.5, 1);
+    place five = place_of(photon, N, N / 3 + 1, 0.2, &room, 0.5, 5);
+    for (size_t i = 0; i < N; ++i) {
+        CHECK(murk_power_source(one.power, i, toward) ==
+              murk_power_source(five.power, i, toward));
+    }
+    leave(&one);
+    leave(&five);
+}
+
 static void test_bad_radii_are_refused(void)
 {
     const murk_domain *domain[] = {&room, &room, &room, &tiled};
@@ -276,7 +298,7 @@ static void test_bad_radii_are_refused(void)
         murk_error err = {0};
         CHECK(murk_power_create(&p.power, &desc, &err) == MURK_BAD_VALUE);
         CHECK(p.power == NULL);
-        CHECK_MENTIONS(err.where, "power_radius_m");
+        CHECK_MENTIONS(err.text, "power_radius_m");
         leave(&p);
     }
 }
@@ -355,6 +377,7 @@ int main(void)
     test_a_spot_is_looked_at_in_part();
     test_places_that_are_no_photons();
     test_periodic_sides_are_near_each_other();
+    test_threads_do_not_matter();
     test_bad_radii_are_refused();
     test_signals_by_hand();
     test_nothing_takes_more_than_there_is();
