@@ -211,6 +211,7 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
     murk_status status = murk_plan_check(stage, threads, err);
+    plan->power_radius_m = murk_plan_power_radius_m(stage);
     if (!status) {
         status = murk_sites_find(&plan->candidates, stage, threads, err);
     }
@@ -388,7 +389,6 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     if (status) {
         goto done;
     }
-    plan->power_radius_m = murk_plan_power_radius_m(stage);
     plan->sensor = calloc(plan->place.count, sizeof *plan->sensor);
     if (!plan->sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
