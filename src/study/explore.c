@@ -30,112 +30,26 @@ typedef struct exploring {
     uint32_t here; /* the place last gone to */
 } exploring;
 
-/* ---- where it begins ---- */
-
-typedef struct far_place {
-    double distance_m;
-    uint32_t place;
-} far_place;
-
-static int by_distance(const void *a, const void *b)
-{
-    const far_place *x = a, *y = b;
-    if (x->distance_m != y->distance_m) {
-        return x->distance_m < y->distance_m ? -1 : 1;
-    }
-    return (x->place > y->place) - (x->place < y->place);
-}
-
-/* False where there is none. */
-static bool find_nearest(uint32_t *start, murk_outlook *outlook,
-                         const murk_candidates *sites, far_place *order,
-                         murk_vec3 from)
-{
-    for (size_t k = 0; k < sites->usable; ++k) {
-        order[k] = (far_place){murk_length(murk_sub(sites->position[k], from)),
-                               (uint32_t)k};
-    }
-    qsort(order, sites->usable, sizeof *order, by_distance);
-    for (size_t k = 0; k < sites->usable && !murk_interrupted(); ++k) {
-        if (murk_outlook_is_open(outlook, from,
-                                 sites->position[order[k].place])) {
-            *start = order[k].place;
-            return true;
-        }
-    }
-    return false;
-}
-
-murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
-                               const murk_candidates *sites,
-                               const murk_poses *poses, murk_error *err)
-{
-    const murk_scene_placement *wish = &stage->scene->placement;
-    const murk_domain *domain = &stage->world.domain;
-    const murk_vec3 x = wish->start, a = domain->box.min, b = domain->box.max;
-    if (!wish->has_start && poses->fixed == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "start_m: not given, but knowledge is explore, which "
-                         "begins at start_m, [x, y, z] in m, or at a fixed "
-                         "sensor");
-    }
-    if (!wish->has_start) {
-        *start = poses->site[poses->count - poses->fixed];
-        return MURK_OK;
-    }
-    if (!murk_box_contains(&domain->box, x)) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "start_m: [%.9g, %.9g, %.9g] m lies outside the "
-                         "domain, [%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
-                         x.x, x.y, x.z, a.x, a.y, a.z, b.x, b.y, b.z);
-    }
-    far_place *order = calloc(sites->usable + 1, sizeof *order);
-    if (!order) {
-        return murk_fail(err, MURK_NO_MEMORY, wish->where,
-                         "no memory for %zu candidates", sites->usable);
-    }
-    const murk_sight_desc seen = {.surfaces = stage->surfaces,
-                                  .domain = *domain};
-    murk_outlook outlook;
-    murk_outlook_init(&outlook, &seen, stage->scene->bands);
-    const bool is_found = find_nearest(start, &outlook, sites, order, x);
-    free(order);
-    return is_found ? MURK_OK
-                    : murk_fail(err, MURK_BAD_VALUE, wish->where,
-                                "start_m: no straight open way leads from "
-                                "[%.9g, %.9g, %.9g] m to any of the %zu usable "
-                                "candidates: inside of something, or out of "
-                                "their sight",
-                                x.x, x.y, x.z, sites->usable);
-}
-
 /* ---- what may be next ---- */
 
-static size_t gather(exploring *e)
+/* *seen: poses in seen space, those that stand too. */
+static size_t gather(exploring *e, size_t *seen)
 {
     size_t n = 0;
     const bool is_first = e->out->stops == 0;
     const size_t candidates = e->poses->count - e->poses->fixed;
+    *seen = 0;
     for (uint32_t j = 0; j < candidates; ++j) {
         const uint32_t place = e->poses->site[j];
-        if ((is_first ? place == e->start
-                      : murk_explored_joins(&e->explored, place, e->start)) &&
-            murk_standing_admits(&e->standing, j, false)) {
-            e->open[n++] = j;
+        if (is_first ? place == e->start
+                     : murk_explored_joins(&e->explored, place, e->start)) {
+            ++*seen;
+            if (murk_standing_admits(&e->standing, j, false)) {
+                e->open[n++] = j;
+            }
         }
     }
     return n;
-}
-
-/* Whether any pose could still join, seen or not. */
-static bool is_full(const exploring *e)
-{
-    for (uint32_t j = 0; j < e->poses->count; ++j) {
-        if (murk_standing_admits(&e->standing, j, false)) {
-            return false;
-        }
-    }
-    return true;
 }
 
 static void count_opened(void *context, uint64_t batch)
@@ -242,9 +156,12 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
 static bool choose(exploring *e, uint32_t *next)
 {
     uint64_t gain = 0;
-    const size_t n = gather(e);
+    size_t seen;
+    const size_t n = gather(e, &seen);
     if (n == 0) {
-        e->out->end = is_full(e) ? MURK_EXPLORE_RULES : MURK_EXPLORE_NOTHING;
+        e->out->end = seen > e->out->steps - e->out->fixed
+                          ? MURK_EXPLORE_RULES
+                          : MURK_EXPLORE_NOTHING;
         return false;
     }
     *next = murk_stepping_best(&e->stepping, e->open, n, &gain);
@@ -278,7 +195,8 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
             e->out->end = MURK_EXPLORE_TARGET;
             return MURK_OK;
         }
-        if (!desc->target && e->standing.size == desc->count) {
+        if (!desc->target && desc->count > 0 &&
+            e->standing.size == desc->count) {
             e->out->end = MURK_EXPLORE_COUNT;
             return MURK_OK;
         }
@@ -305,7 +223,7 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
 
 static const char *why(murk_explore_end end)
 {
-    return end == MURK_EXPLORE_RULES      ? "the rules let no other sensor join"
+    return end == MURK_EXPLORE_RULES ? "the rules let nobody join in seen space"
            : end == MURK_EXPLORE_STATIONS ? "that is the most"
                                           : "nothing in seen space adds to it";
 }

@@ -28,7 +28,8 @@
 typedef enum murk_explore_end {
     MURK_EXPLORE_COUNT,   /* as many as were asked for */
     MURK_EXPLORE_TARGET,  /* reached */
-    MURK_EXPLORE_RULES,   /* none may join: budget, counts, spacing, sites */
+    MURK_EXPLORE_RULES,   /* nobody in seen space may join: budget, counts,
+                             spacing, sites */
     MURK_EXPLORE_NOTHING, /* none adds coverage or brings places into view */
     MURK_EXPLORE_STATIONS /* MURK_EXPLORE_MOST */
 } murk_explore_end;

@@ -1,84 +1,6 @@
 /* Exploring: what is seen from where, and that nothing else is used. The seed
  * is fixed: nothing here is random. */
-#include "check.h"
-#include "stage_text.h"
-#include "study/plan.h"
-
-#include <stdio.h>
-
-/* A corridor 2 m wide: 10 m along y, then round the corner 8 m along x. Sites a
- * metre apart in its middle: (1, 1..9) and (2..9, 9), all at 1.5 m. */
-#define WALLS                                                         \
-    "{box: {min_m: [0, 0, 0], max_m: [10, 10, 3]}, material: wall}, " \
-    "{box: {min_m: [2, -0.05, -0.05], max_m: [10.05, 8, 3.05]}, "     \
-    "material: wall}"
-#define CORRIDOR                                                           \
-    "murk: 1\n"                                                            \
-    "domain: {min_m: [-0.1, -0.1, -0.1], max_m: [10.1, 10.1, 3.1]}\n"      \
-    "geometry: [" WALLS "]\n"                                              \
-    "materials: {wall: {diffuse: 0.5}, lit: {diffuse: 0.5}, glass: "       \
-    "{transmit: 0.9}}\n"                                                   \
-    "lights: [{type: point, position_m: [1, 1, 2.5], power_w: 1}, {type: " \
-    "point, position_m: [9, 9, 2.5], power_w: 1}]\n"                       \
-    "photons: {emit: 2000}\n"                                              \
-    "sensors: {types: [{name: node, range_m: 30}], count: 8, candidates: " \
-    "{grid: {min_m: [1, 1, 1.5], max_m: [9, 9, 1.5], size: [9, 9, 1]}}}\n" \
-    "placement: {hold_out: false, knowledge: explore, start_m: [1, 1.2, "  \
-    "1]}\n"
-#define SITES 17
-
-/* How far nodes see, where they are to walk. */
-#define NEAR "sensors.types.0.range_m=3.5"
-
-typedef struct made {
-    murk_stage *stage;
-    murk_plan plan;
-    murk_status status;
-    murk_error err;
-} made;
-
-static made explore_with(const char *text, const char *const *overrides,
-                         unsigned threads)
-{
-    made m = {.stage = stage_text_create(text, overrides)};
-    murk_traced *traced = NULL;
-    CHECK(m.stage != NULL);
-    if (!m.stage) {
-        m.status = MURK_BAD_VALUE;
-        return m;
-    }
-    m.status = murk_plan_prepare(&m.plan, m.stage, threads, &m.err);
-    if (!m.status) {
-        m.status = murk_light_trace(&traced, m.stage, 0, threads, &m.err);
-    }
-    if (!m.status) {
-        m.status = murk_plan_make(&m.plan, m.stage, traced, threads, &m.err);
-    }
-    murk_traced_destroy(traced);
-    return m;
-}
-
-static made explore(const char *override)
-{
-    const char *const list[] = {override, NULL};
-    return explore_with(CORRIDOR, list, 2);
-}
-
-static void unmake(made *m)
-{
-    murk_plan_release(&m->plan);
-    stage_text_destroy(m->stage);
-}
-
-static murk_vec3 station(const made *m, size_t step)
-{
-    return m->plan.poses->pose[m->plan.explore.step[step].candidate].position;
-}
-
-static bool is_at(murk_vec3 p, double x, double y)
-{
-    return fabs(p.x - x) < 1e-9 && fabs(p.y - y) < 1e-9;
-}
+#include "corridor.h"
 
 /* From (1, 1) the way to (2, 9) passes the corner's edge, (2, 8), at x = 1.875;
  * that to (3, 9) would pass it at 2.75. */
@@ -169,13 +91,10 @@ static void test_fog_hides_places(void)
     unmake(&m);
 }
 
-/* A pane across the first leg: light and sight go through, nobody else does. */
+/* Light and sight go through it, nobody else does. */
 static void test_a_pane_is_not_walked_through(void)
 {
-    const char *const list[] = {
-        "geometry=[" WALLS ", {rect: {corner_m: [-0.05, 5.5, -0.05], edge1_m: "
-        "[2.1, 0, 0], edge2_m: [0, 0, 3.1]}, material: glass}]",
-        NULL};
+    const char *const list[] = {"geometry=[" WALLS PANE "]", NULL};
     made m = explore_with(CORRIDOR, list, 2);
     const murk_explore *e = &m.plan.explore;
     CHECK_TEXT(m.err.text, "");
