@@ -312,7 +312,8 @@ murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads,
                                murk_error *err)
 {
-    if (!stage->scene->placement.targets.given) {
+    const murk_scene_placement *wish = &stage->scene->placement;
+    if (!wish->targets.given || wish->detection == MURK_SCENE_POWER) {
         return murk_light_trace(out, stage, stream, threads, err);
     }
     *out = murk_traced_create(stage, stream, err);

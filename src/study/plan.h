@@ -45,7 +45,8 @@ uint64_t murk_plan_matrix_bytes(void);
 #define MURK_HELD_OUT_STREAM 1u
 #define MURK_CONFIRM_STREAM  2u
 
-/* Light of another stream; where targets take its place, none is needed. */
+/* Light of another stream; where targets take its place none is needed, unless
+ * it decides how well they are noticed (detection: power). */
 murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads,
                                murk_error *err);

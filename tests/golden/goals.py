@@ -178,6 +178,23 @@ def test_over_conditions(murk):
              region["name"], "over conditions")
 
 
+def test_targets_by_power(murk):
+    """What is noticed of targets hangs on the light of either map: a second draw
+    of both says the same."""
+    scene = murk.write("room.yaml", ROOM)
+    dim = ("--set", "sensors.types=[{name: node, range_m: 2.2, aperture_m2: 1e-6, "
+           "exposure_s: 1e-10, target_m2: 0.01, target_m3: 0.01}]",
+           "--set", "placement.detection=power", "--count", "1")
+    targets = ("--set", "placement.targets={surfaces: {points: 3000}}", "--emit", "30000")
+    plan = murk.run("place", scene, *dim, *targets)["coverage"]
+    check(0.002 < plan["in_sample"] < 0.5, "power of no use to compare", plan["in_sample"])
+    # the light itself is no surer than some percent
+    check(abs(plan["held_out"] / plan["in_sample"] - 1) < 0.25, "power held out:", plan)
+    dark = murk.run("place", scene, *dim, *targets, "--set",
+                    "lights.0.power_w=[2, 0.6]")["coverage"]
+    check(dark["held_out"] < 0.5 * plan["held_out"], "a fifth of the light:", dark)
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         murk = results.Murk(os.path.abspath(sys.argv[1]), folder)
@@ -185,6 +202,7 @@ def main():
         test_drawn_targets(murk)
         test_listed_targets(murk)
         test_over_conditions(murk)
+        test_targets_by_power(murk)
     print("all goals are as described" if not results.failures
           else f"{results.failures} failed")
     return results.failures != 0
