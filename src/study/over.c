@@ -63,11 +63,6 @@ murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
                          "over: worst needs what every candidate sees, so "
                          "knowledge must be known");
     }
-    if (wish->jitter_m > 0 || wish->jitter_rad > 0) {
-        return murk_fail(err, MURK_UNSUPPORTED, wish->where,
-                         "over: jitter_m and jitter_deg are not supported yet "
-                         "over conditions, must be 0");
-    }
     murk_status status = murk_conditions_create(&out->conditions, scene, err);
     for (size_t c = 0; !status && c < scene->n_conditions; ++c) {
         status =
@@ -139,6 +134,65 @@ static murk_status measure_all(murk_over *over, size_t c, murk_sight *sight,
     return status;
 }
 
+/* ---- jitter ---- */
+
+/* The chosen plan's draws in condition c, set down in the first one's world, so
+ * that they are the same in all. */
+static murk_status shake(murk_over *over, const murk_plan *plan, size_t c,
+                         murk_sight *sight, murk_error *err)
+{
+    const murk_stage *stage = over->conditions->condition[0].stage;
+    const size_t draws = murk_robust_draws(stage->scene);
+    return draws == 0
+               ? MURK_OK
+               : murk_robust_shake(over->shaken + c * draws, &over->unmoved,
+                                   stage, sight, plan->sensor,
+                                   over->plan[over->chosen].count, err);
+}
+
+static murk_status make_room_for_jitter(murk_over *over, murk_error *err)
+{
+    const murk_scene *scene = over->conditions->scene;
+    const size_t n = murk_robust_draws(scene) * over->conditions->n;
+    over->shaken = n ? calloc(n, sizeof *over->shaken) : NULL;
+    return over->shaken || n == 0
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for %zu draws of jitter", n);
+}
+
+/* Each draw over conditions is the mean or the worst, as plans are. */
+static murk_status sum_up_jitter(murk_over *over, murk_plan *plan,
+                                 murk_error *err)
+{
+    const murk_conditions *all = over->conditions;
+    const size_t draws = murk_robust_draws(all->scene);
+    murk_estimate *covered = malloc(draws * sizeof *covered + 1);
+    if (!covered) {
+        return murk_fail(err, MURK_NO_MEMORY, all->scene->path,
+                         "no memory for %zu draws of jitter", draws);
+    }
+    for (size_t d = 0; d < draws; ++d) {
+        murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
+        size_t worst;
+        for (size_t c = 0; c < all->n; ++c) {
+            of[c] = over->shaken[c * draws + d];
+        }
+        covered[d] = murk_over_estimate(all, of, all->scene->placement.over,
+                                        over->has_held_out, &worst);
+    }
+    const murk_status status =
+        draws == 0
+            ? MURK_OK
+            : murk_robust_sum_up(&plan->robust, covered, draws, over->unmoved,
+                                 over->has_held_out
+                                     ? plan->held_out.value
+                                     : plan->in_sample.total.value,
+                                 over->has_held_out, err);
+    free(covered);
+    return status;
+}
+
 /* The chosen plan alone, or all, in other light of a condition. */
 static murk_status measure_on(murk_over *over, murk_plan *plan, size_t c,
                               uint32_t stream, murk_estimate *confirmed,
@@ -159,6 +213,9 @@ static murk_status measure_on(murk_over *over, murk_plan *plan, size_t c,
         status = confirmed ? measure_plan(over, over->chosen, sight, NULL,
                                           confirmed, err)
                            : measure_all(over, c, sight, true, held_out, err);
+    }
+    if (!status && !confirmed) {
+        status = shake(over, plan, c, sight, err);
     }
     murk_sight_destroy(sight);
     murk_traced_destroy(other);
@@ -263,9 +320,19 @@ static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
                                    plan->sensor, chosen->count,
                                    &plan->in_sample, err);
     }
+    if (!status) {
+        status = make_room_for_jitter(over, err);
+    }
     const bool is_more = murk_plan_can_see_anew(all->scene);
-    if (!status && is_more && all->scene->placement.hold_out) {
+    const bool holds_out = is_more && all->scene->placement.hold_out;
+    for (size_t c = 0; !status && !holds_out && c < all->n; ++c) {
+        status = shake(over, plan, c, all->condition[c].sight, err);
+    }
+    if (!status && holds_out) {
         status = measure_held_out(over, plan, threads, err);
+    }
+    if (!status) {
+        status = sum_up_jitter(over, plan, err);
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
         status = confirm(over, plan, threads, err);
@@ -302,6 +369,7 @@ void murk_over_release(murk_over *over)
     for (size_t c = 0; c < MURK_SCENE_CONDITIONS_MAX; ++c) {
         murk_coverage_release(&over->coverage[c]);
     }
+    free(over->shaken);
     murk_conditions_destroy(over->conditions);
     *over = (murk_over){0};
 }

@@ -32,6 +32,9 @@ typedef struct murk_over {
     bool has_held_out;
     murk_coverage coverage[MURK_SCENE_CONDITIONS_MAX]; /* of the chosen one, in
                                                           sample */
+    murk_estimate *shaken; /* [conditions * draws] the chosen one's, by
+                              condition, where jitter is asked for */
+    size_t unmoved;        /* of each condition's draws */
 } murk_over;
 
 /* What a plan is worth over conditions: the mean by weight, or the least of

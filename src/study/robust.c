@@ -81,31 +81,19 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Of coverage[draws], which it sorts; photons_error is the mean of the draws'
- * own errors. The mean's error by photons is no more than that (Minkowski's
- * inequality: all draws look at the same photons). */
-static void sum_up(murk_jittered *out, double *coverage, double photons_error)
+size_t murk_robust_draws(const murk_scene *scene)
 {
-    const size_t n = out->draws;
-    const murk_ranks rank = murk_quantile_ranks(n, QUANTILE, MISS);
-    out->mean = murk_mean_estimate(coverage, n);
-    out->mean.standard_error = hypot(out->mean.standard_error, photons_error);
-    qsort(coverage, n, sizeof *coverage, by_value);
-    out->quantile = coverage[rank.value - 1];
-    out->quantile_lower = rank.lower ? coverage[rank.lower - 1] : NAN;
-    out->quantile_upper = rank.upper ? coverage[rank.upper - 1] : NAN;
+    const murk_scene_placement *wish = &scene->placement;
+    return wish->jitter_m > 0 || wish->jitter_rad > 0
+               ? (size_t)wish->jitter_draws
+               : 0;
 }
 
-murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
-                               murk_sight *sight, const murk_pose *pose,
-                               const murk_coverage *coverage, bool on_held_out,
-                               murk_error *err)
+murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
+                              const murk_stage *stage, murk_sight *sight,
+                              const murk_pose *pose, size_t n, murk_error *err)
 {
     const murk_scene_placement *wish = &stage->scene->placement;
-    const size_t n = robust->sensors, draws = (size_t)wish->jitter_draws;
-    if ((wish->jitter_m == 0 && wish->jitter_rad == 0) || n == 0) {
-        return MURK_OK;
-    }
     const murk_jitter jitter = {.step_m = wish->jitter_m,
                                 .turn_rad = wish->jitter_rad,
                                 .seed = stage->scene->seed,
@@ -113,29 +101,78 @@ murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
                                 .domain = &stage->world.domain,
                                 .north = stage->scene->north};
     const murk_sensor_type *type = murk_sight_described(sight)->type;
-    murk_jittered out = {.draws = draws,
-                         .on_held_out = on_held_out,
-                         .as_planned = coverage->total.value};
-    murk_pose *moved = malloc(n * sizeof *moved);
-    double *covered = malloc(draws * sizeof *covered);
-    double errors = 0;
-    murk_status status = moved && covered ? MURK_OK : no_memory(n, err);
+    const size_t draws = murk_robust_draws(stage->scene);
+    murk_pose *moved = malloc(n * sizeof *moved + 1);
+    murk_status status = moved ? MURK_OK : no_memory(n, err);
+    *unmoved = 0;
     murk_progress_begin("jitter", draws, "draws");
     for (size_t d = 0; d < draws && !status; ++d) {
         murk_coverage c = {0};
-        out.unmoved += murk_jitter_draw(moved, pose, n, type, &jitter, d);
+        *unmoved += murk_jitter_draw(moved, pose, n, type, &jitter, d);
         status = murk_coverage_measure(&c, sight, moved, n, err);
-        covered[d] = c.total.value;
-        errors += c.total.standard_error;
+        covered[d] = c.total;
+        if (wish->targets.points) {
+            covered[d].standard_error = 0; /* a list is all there is */
+        }
         murk_coverage_release(&c);
         murk_progress_add(1);
     }
     murk_progress_end();
-    if (!status) {
-        sum_up(&out, covered, errors / (double)draws);
-        robust->jittered = out;
-    }
     free(moved);
+    return status;
+}
+
+/* The mean's error by photons is no more than the mean of the draws' own
+ * (Minkowski's inequality: all draws look at the same photons). */
+murk_status murk_robust_sum_up(murk_robust *robust,
+                               const murk_estimate *covered, size_t draws,
+                               size_t unmoved, double as_planned,
+                               bool on_held_out, murk_error *err)
+{
+    double *x = malloc(draws * sizeof *x), errors = 0;
+    if (!x) {
+        return no_memory(robust->sensors, err);
+    }
+    for (size_t d = 0; d < draws; ++d) {
+        x[d] = covered[d].value;
+        errors += covered[d].standard_error;
+    }
+    const murk_ranks rank = murk_quantile_ranks(draws, QUANTILE, MISS);
+    murk_jittered out = {.draws = draws,
+                         .on_held_out = on_held_out,
+                         .as_planned = as_planned,
+                         .mean = murk_mean_estimate(x, draws),
+                         .unmoved = unmoved};
+    out.mean.standard_error =
+        hypot(out.mean.standard_error, errors / (double)draws);
+    qsort(x, draws, sizeof *x, by_value);
+    out.quantile = x[rank.value - 1];
+    out.quantile_lower = rank.lower ? x[rank.lower - 1] : NAN;
+    out.quantile_upper = rank.upper ? x[rank.upper - 1] : NAN;
+    robust->jittered = out;
+    free(x);
+    return MURK_OK;
+}
+
+murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
+                               murk_sight *sight, const murk_pose *pose,
+                               const murk_coverage *coverage, bool on_held_out,
+                               murk_error *err)
+{
+    const size_t draws = murk_robust_draws(stage->scene);
+    if (draws == 0 || robust->sensors == 0) {
+        return MURK_OK;
+    }
+    murk_estimate *covered = malloc(draws * sizeof *covered);
+    size_t unmoved = 0;
+    murk_status status =
+        covered ? murk_robust_shake(covered, &unmoved, stage, sight, pose,
+                                    robust->sensors, err)
+                : no_memory(robust->sensors, err);
+    if (!status) {
+        status = murk_robust_sum_up(robust, covered, draws, unmoved,
+                                    coverage->total.value, on_held_out, err);
+    }
     free(covered);
     return status;
 }

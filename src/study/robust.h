@@ -47,6 +47,22 @@ murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
                                murk_sight *sight, const murk_pose *pose,
                                const murk_coverage *coverage, bool on_held_out,
                                murk_error *err);
+
+/* The same in two steps, for a plan over several sights. Draws that the scene
+ * asks for; 0: none. */
+size_t murk_robust_draws(const murk_scene *scene);
+
+/* covered[draws] of n sensors set down by this stage's surfaces, on one sight;
+ * the same draws on any sight. */
+murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
+                              const murk_stage *stage, murk_sight *sight,
+                              const murk_pose *pose, size_t n, murk_error *err);
+
+/* `jittered` from what each draw covers, and the plan as it is. */
+murk_status murk_robust_sum_up(murk_robust *robust,
+                               const murk_estimate *covered, size_t draws,
+                               size_t unmoved, double as_planned,
+                               bool on_held_out, murk_error *err);
 void murk_robust_release(murk_robust *robust);
 
 /* The sensor, from 0, without which coverage falls most, and by how much; the

@@ -224,6 +224,29 @@ def test_jitter(murk):
     check(jitter["measured"] == "in_sample" and jitter["draws"] == 100, jitter)
     near(jitter["mean"], plan["coverage"]["in_sample"], 1e-12, "turned all round")
 
+    # over conditions: of one, as without; of two, between them or the worse
+    def over(kind, conditions, *more):
+        shaken = murk.run("place", scene, "--set", "placement.jitter_m=0.4",
+                          "--set", "placement.jitter_draws=80", "--set",
+                          f"conditions={{{conditions}}}", "--set", f"placement.over={kind}",
+                          *more)
+        return shaken["robustness"]["jitter"]
+
+    plain = murk.run("place", scene, "--set", "placement.jitter_m=0.4",
+                     "--set", "placement.jitter_draws=80")["robustness"]["jitter"]
+    for kind in ("mean", "worst"):
+        check(over(kind, "one: {}") == plain, "jitter over one condition", kind)
+    fixed = ["--set", "sensors.count=2", "--set", "sensors.fixed=[{type: node, position_m: "
+             "[1.5, 2, 1.5]}, {type: node, position_m: [2.5, 2, 1.5]}]"]
+    thick = "b: {media.fog.extinction_per_m: [2, 3]}"
+    both = over("mean", "a: {}, " + thick, *fixed)
+    worst = over("worst", "a: {}, " + thick, *fixed)
+    apart = [over("mean", "a: {}, " + thick, "--set",
+                  f"placement.condition_weights={{{other}: 0}}", *fixed) for other in "ba"]
+    near(both["mean"], (apart[0]["mean"] + apart[1]["mean"]) / 2, 1e-12, "mean over two")
+    near(worst["mean"], min(a["mean"] for a in apart), 1e-12, "worst of two")
+    check(abs(apart[0]["mean"] - apart[1]["mean"]) > 0.1, "no teeth", apart)
+
 
 def spread(values):
     values = sorted(values)
