@@ -275,7 +275,7 @@ static murk_status fill(murk_place_result *place, const exploring *e,
                                  .cost = e->standing.cost,
                                  .whole = e->stepping.layout.whole,
                                  .evaluations = e->stepping.looks,
-                                 .looks = e->stepping.looks};
+                                 .looks = murk_sight_queries(e->sight)};
     return MURK_OK;
 }
 

@@ -3,11 +3,12 @@
  *
  * What the explorer knows: the start, what its stations and the fixed sensors
  * see, and which places (sensing/outlook.h) they see. A place that is seen may
- * be tried, which costs a query for each pose there; nothing is known of the
- * others. Next comes the pose there that adds most coverage (with a budget:
- * most per cost) under the rules; where none adds any, the one that brings most
- * unseen places into view, since a corner may have to be turned first; where
- * none does, it ends. Ties go to the lowest number.
+ * be tried, which costs a query for each pose there (one, where the problem
+ * remembers its looks); nothing is known of the others. Next comes the pose
+ * there that adds most coverage (with a budget: most per cost) under the rules;
+ * where none adds any, the one that brings most unseen places into view, since
+ * a corner may have to be turned first; where none does, it ends. Ties go to
+ * the lowest number.
  *
  * The first station is at the start. Between stations the way is the shortest
  * over places seen by then, in straight open steps (study/route.h).

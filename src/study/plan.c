@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "medium/acceptance.h"
 #include "study/machine.h"
+#include "study/remembered.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -248,20 +249,27 @@ static void note_spent(murk_plan *plan, const murk_sight *sight)
     plan->totally_reflected = murk_sight_totally_reflected(sight);
 }
 
-/* The queries of the bound are not the explorer's. */
+/* What has been tried is remembered. The queries of the bound are not the
+ * explorer's. */
 static murk_status explore(murk_plan *plan, const murk_stage *stage,
                            murk_sight *sight, const murk_problem *problem,
                            murk_place_desc *desc, murk_error *err)
 {
+    murk_remembered tried = {0};
+    murk_status status = murk_remembered_init(&tried, problem, err);
     desc->rules = &plan->poses->rules;
-    murk_status status =
-        murk_explore_run(&plan->explore, &plan->place, stage, sight, problem,
-                         plan->candidates, plan->poses, plan->start, desc, err);
+    if (!status) {
+        status = murk_explore_run(&plan->explore, &plan->place, stage, sight,
+                                  &tried.problem, plan->candidates, plan->poses,
+                                  plan->start, desc, err);
+    }
     note_spent(plan, sight);
     if (!status) {
-        status = murk_explore_bound(&plan->place, &plan->explore, problem, desc,
-                                    murk_plan_matrix_bytes(), err);
+        status =
+            murk_explore_bound(&plan->place, &plan->explore, &tried.problem,
+                               desc, murk_plan_matrix_bytes(), err);
     }
+    murk_remembered_release(&tried);
     return status;
 }
 
