@@ -49,6 +49,18 @@ void murk_exports_add(murk_results *results, unsigned exports,
     }
 }
 
+unsigned murk_exports_possible(unsigned exports, murk_combining combining,
+                               murk_error *late)
+{
+    if (combining == MURK_COMBINE_INDEPENDENT && exports & MURK_EXPORT_LP) {
+        exports &= ~(unsigned)MURK_EXPORT_LP;
+        (void)murk_fail(late, MURK_UNSUPPORTED, "problem.lp",
+                        "independent chances make no linear problem, "
+                        "detection must be weighted or threshold");
+    }
+    return exports;
+}
+
 typedef struct candidate_list {
     const murk_poses *poses;
     const murk_scene *scene;
@@ -99,14 +111,8 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
         problem.redundancy = seen.problem.redundancy;
         goal.target = murk_plan_value_of(wish->target, &problem);
     }
-    unsigned exports = session->options->exports;
-    if (seen.problem.combining == MURK_COMBINE_INDEPENDENT &&
-        exports & MURK_EXPORT_LP) {
-        exports &= ~(unsigned)MURK_EXPORT_LP;
-        (void)murk_fail(late, MURK_UNSUPPORTED, "problem.lp",
-                        "independent chances make no linear problem, "
-                        "detection must be weighted or threshold");
-    }
+    const unsigned exports = murk_exports_possible(
+        session->options->exports, seen.problem.combining, late);
     murk_exports_add(&session->results, exports, matrix, &goal, late);
     if (exports & MURK_EXPORT_MATRIX) {
         const candidate_list list = {plan->poses, session->scene};

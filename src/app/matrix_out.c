@@ -20,7 +20,7 @@ static const char *format_name(murk_matrix_format format)
 /* A value in weights as the file gives them. */
 static double as_given(const murk_matrix_plan *p, uint64_t value)
 {
-    return (double)value / MURK_CLEAR / p->matrix->unit;
+    return (double)value / MURK_CLEAR / p->matrix->unit / p->redundancy;
 }
 
 static void add_nulls(cJSON *object, const char *const *key, size_t n)
@@ -83,7 +83,7 @@ static void add_coverage(cJSON *root, const murk_matrix_plan *p)
     murk_json_number(object, "ceiling",
                      murk_share(place->ceiling, place->whole));
     murk_json_number(object, "sum_of_views",
-                     murk_share(p->covers.sum, place->whole));
+                     murk_share(p->covers.sum, place->whole / p->redundancy));
     cJSON *list = cJSON_AddArrayToObject(root, "seen_by_at_least");
     for (size_t k = 0; k < place->count; ++k) {
         cJSON_AddItemToArray(
@@ -111,7 +111,11 @@ static void add_placement(cJSON *root, const murk_matrix_plan *p)
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
     cJSON_AddStringToObject(object, "method",
                             murk_method_names[p->desc.method]);
-    cJSON_AddStringToObject(object, "detection", "weighted");
+    cJSON_AddStringToObject(
+        object, "detection",
+        p->combining == MURK_COMBINE_INDEPENDENT ? "independent" : "weighted");
+    cJSON_AddNullToObject(object, "threshold");
+    cJSON_AddNumberToObject(object, "redundancy", p->redundancy);
     cJSON_AddNullToObject(object, "visibility");
     cJSON_AddNullToObject(object, "through");
     cJSON_AddStringToObject(object, "knowledge", "known");

@@ -18,6 +18,8 @@ typedef struct murk_matrix_plan {
     murk_session session; /* without scene, stage and light */
     murk_sparse_matrix *matrix;
     murk_place_desc desc;
+    murk_combining combining;
+    unsigned redundancy;   /* >= 1 */
     double target, budget; /* 0: not asked for */
     murk_rules rules;      /* with a budget */
     int64_t *cost;         /* [matrix->columns] of the rules */

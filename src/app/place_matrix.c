@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "scene/number.h"
+#include "sensing/views.h"
 #include "study/machine.h"
 #include "study/poses.h"
 
@@ -81,13 +82,26 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
         if (!count_in(value, 0, NODES_MOST, &p->desc.nodes)) {
             return bad_key(name, value, "a whole number 0..1e15", err);
         }
+    } else if (strcmp(key, "placement.redundancy") == 0) {
+        if (!count_in(value, 1, MURK_REDUNDANCY_MOST, &n)) {
+            return bad_key(name, value, "a whole number 1..16", err);
+        }
+        p->redundancy = (unsigned)n;
+    } else if (strcmp(key, "placement.detection") == 0) {
+        p->combining = strcmp(value, "independent") == 0
+                           ? MURK_COMBINE_INDEPENDENT
+                           : MURK_COMBINE_CLEAREST;
+        if (strcmp(value, "weighted") != 0 && !p->combining) {
+            return bad_key(name, value, "weighted | independent", err);
+        }
     } else if (strcmp(key, "placement.method") == 0) {
         return set_method(p, name, value, err);
     } else {
         return murk_fail(err, MURK_BAD_VALUE, name,
                          "with --matrix there is no such key; there are seed, "
                          "sensors.count, sensors.target, sensors.budget, "
-                         "placement.method, "
+                         "placement.method, placement.detection, "
+                         "placement.redundancy, "
                          "placement.restarts, placement.nodes");
     }
     return MURK_OK;
@@ -98,6 +112,7 @@ static murk_status read_wish(murk_matrix_plan *p, murk_error *err)
     const murk_options *options = p->session.options;
     p->desc = murk_place_defaults();
     p->desc.count = 0;
+    p->redundancy = 1;
     if (options->light) {
         return murk_fail(err, MURK_BAD_VALUE, "--light",
                          "a matrix has no light; leave it out with --matrix");
@@ -172,69 +187,71 @@ static murk_status fit_wish(murk_matrix_plan *p, const murk_problem *problem,
 
 /* ---- the plan ---- */
 
-/* How well one row is covered so far. */
-typedef struct view {
-    uint16_t best, second;
-    uint32_t columns; /* that cover it at all */
-    uint32_t first;   /* the chosen one that has `best` first */
-} view;
-
-static void take_up(murk_covering *c, view *rows, const murk_sparse_matrix *m,
-                    size_t chosen, size_t column)
+static murk_status set_aside(murk_matrix_plan *p, murk_views *views,
+                             murk_error *err)
 {
-    for (size_t k = m->begin[column]; k < m->begin[column + 1]; ++k) {
-        view *v = &rows[m->row[k]];
-        const uint16_t clarity = m->clarity[k];
-        c->alone[chosen] += (uint64_t)m->weight[m->row[k]] * clarity;
-        ++v->columns;
-        if (clarity > v->best) {
-            v->second = v->best;
-            v->best = clarity;
-            v->first = (uint32_t)chosen;
-        } else if (clarity > v->second) {
-            v->second = clarity;
-        }
-    }
+    const size_t n = p->place.count;
+    p->covers = (murk_covering){.alone = calloc(n, sizeof(uint64_t)),
+                                .only = calloc(n, sizeof(uint64_t)),
+                                .seen_by = calloc(n + 1, sizeof(uint64_t))};
+    return murk_views_init(views, p->matrix->rows, p->combining,
+                           p->redundancy) &&
+                   p->covers.alone && p->covers.only && p->covers.seen_by
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, p->session.options->matrix,
+                           "no memory for the plan");
 }
 
-static murk_status measure(murk_matrix_plan *p, murk_error *err)
+/* What the chosen columns cover, alone and together. */
+static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
+                           murk_error *err)
 {
     const murk_sparse_matrix *m = p->matrix;
     const size_t n = p->place.count;
     murk_covering *c = &p->covers;
-    view *rows = calloc(m->rows, sizeof *rows);
-    *c = (murk_covering){.alone = calloc(n, sizeof *c->alone),
-                         .only = calloc(n, sizeof *c->only),
-                         .seen_by = calloc(n + 1, sizeof *c->seen_by)};
-    if (!rows || !c->alone || !c->only || !c->seen_by) {
-        free(rows);
-        return murk_fail(err, MURK_NO_MEMORY, p->session.options->matrix,
-                         "no memory for the plan");
+    murk_views views = {0};
+    const murk_status status = set_aside(p, &views, err);
+    if (status) {
+        murk_views_release(&views);
+        return status;
     }
     for (size_t k = 0; k < n; ++k) {
-        take_up(c, rows, m, k, p->place.sensor[k]);
+        murk_look look;
+        problem->look(problem->context, 0, p->place.sensor[k], &look);
+        for (size_t i = 0; i < look.seen; ++i) {
+            c->alone[k] += (uint64_t)m->weight[look.photon[i]] *
+                           (look.clarity ? look.clarity[i] : MURK_CLEAR);
+        }
+        murk_views_add(&views, (uint32_t)k, &look);
         c->sum += c->alone[k];
     }
+    for (size_t k = 0; k < n && views.dose; ++k) {
+        murk_look look;
+        problem->look(problem->context, 0, p->place.sensor[k], &look);
+        c->only[k] = murk_views_only_of(&views, m->weight, &look);
+    }
+    if (!views.dose) {
+        murk_views_only(&views, m->weight, c->only);
+    }
     for (size_t i = 0; i < m->rows; ++i) {
-        const view *v = &rows[i];
         c->whole_rows += m->weight[i];
-        if (v->columns) {
-            c->seen_by[v->columns - 1] += m->weight[i];
-            c->only[v->first] +=
-                (uint64_t)m->weight[i] * (uint64_t)(v->best - v->second);
+        if (views.sensors[i]) {
+            c->seen_by[views.sensors[i] - 1] += m->weight[i];
         }
     }
     for (size_t k = n - 1; k > 0; --k) {
         c->seen_by[k - 1] += c->seen_by[k];
     }
-    free(rows);
+    murk_views_release(&views);
     return MURK_OK;
 }
 
 static murk_status choose(murk_matrix_plan *p, murk_error *err)
 {
-    const murk_problem problem =
+    murk_problem problem =
         murk_sparse_matrix_problem(p->matrix, p->session.options->threads);
+    problem.combining = p->combining;
+    problem.redundancy = p->redundancy;
     murk_matrix *matrix = NULL;
     murk_status status = fit_wish(p, &problem, err);
     const double most = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
@@ -253,7 +270,7 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
         snprintf(err->where, sizeof err->where, "%.300s",
                  p->session.options->matrix);
     }
-    return status ? status : measure(p, err);
+    return status ? status : measure(p, &problem, err);
 }
 
 static murk_status load(murk_matrix_plan *p, murk_error *err)
@@ -286,9 +303,10 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     murk_error late = {0};
     if (!status && options->exports) {
         const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,
-                                   p.desc.target, p.desc.rules, 1};
-        murk_exports_add(&p.session.results, options->exports, p.matrix, &goal,
-                         &late);
+                                   p.desc.target, p.desc.rules, p.redundancy};
+        const unsigned exports =
+            murk_exports_possible(options->exports, p.combining, &late);
+        murk_exports_add(&p.session.results, exports, p.matrix, &goal, &late);
     }
     if (!status) {
         status = murk_session_finish(&p.session, "plan.json",

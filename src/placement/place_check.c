@@ -1,5 +1,7 @@
 #include "placement/place_check.h"
 
+#define WEIGHT_MOST ((UINT64_C(1) << 47) - 1) /* problem.h */
+
 static murk_status check_views(const murk_problem *problem, murk_error *err)
 {
     const size_t layers = murk_problem_layers(problem);
@@ -13,6 +15,17 @@ static murk_status check_views(const murk_problem *problem, murk_error *err)
                          "redundancy is %zu, must be 1 where views are "
                          "independent chances: all of them count",
                          layers);
+    }
+    uint64_t weight = 0;
+    for (size_t i = 0; i < problem->photons; ++i) {
+        weight += problem->weight[i];
+    }
+    if (weight > WEIGHT_MOST / layers) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "weights add up to %llu, must be %llu at most with "
+                         "redundancy %zu",
+                         (unsigned long long)weight,
+                         (unsigned long long)(WEIGHT_MOST / layers), layers);
     }
     return MURK_OK;
 }

@@ -1,5 +1,5 @@
 /* What several sensors see of each photon together, as plans count it
- * (placement/problem.h). Internal to the room. */
+ * (placement/problem.h). */
 #ifndef MURK_SENSING_VIEWS_H
 #define MURK_SENSING_VIEWS_H
 

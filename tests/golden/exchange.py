@@ -111,6 +111,17 @@ def test_the_matrix_gives_the_same_plan(murk):
     check_same_plan(murk, "fog", plan, again)
     check(not os.path.exists(murk.path("fog", "matrix.txt")), "a file that nobody asked for")
 
+    worth = {plan["coverage"]["in_sample"]}
+    for mode in ("placement.redundancy=2", "placement.detection=independent"):
+        plan, _ = murk.place("mode", murk.scene(0.4), "--set", mode, "--export", "matrix")
+        again, _ = murk.place("again", "--matrix", murk.path("mode", "matrix.csv"), "--count", "3",
+                              "--set", mode)
+        check_same_plan(murk, "mode", plan, again)
+        for key in ("detection", "redundancy"):
+            check(plan["placement"][key] == again["placement"][key], mode, key)
+        worth.add(plan["coverage"]["in_sample"])
+    check(len(worth) == 3, "modes that change nothing:", worth)
+
 
 def test_what_cannot_be_written_costs_no_plan(murk):
     plan, said = murk.place("dim", murk.scene(0.4), "--export", "or-library,lp", code=1)
