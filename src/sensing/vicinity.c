@@ -7,41 +7,81 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 2^32 emitted photons are halved no more often. */
-#define LEVELS 33
+/* Each holds at most three quarters of the one before: 2^32 records come to one
+ * in 78. */
+#define LEVELS 80
+
+/* Of the records that a half of the emitted photons left, at most: else few
+ * paths left them, and records are halved themselves. */
+#define MOST_KEPT 0.75
 
 struct murk_vicinity {
     const murk_domain *domain;
     const murk_photon_map *map[LEVELS];
     murk_photon_map *half[LEVELS]; /* owned; half[0] is none */
     uint64_t emitted[LEVELS];      /* photons, of which a level tells */
+    double each[LEVELS];           /* records that one of a level stands for */
     int levels;
     double radius_m;
     size_t most;
 };
 
-/* The records of the first emitted photons alone. */
+/* Of the first emitted photons alone, or every second record. */
+typedef struct thinning {
+    uint64_t emitted;
+    bool by_record;
+} thinning;
+
+static bool is_kept(const thinning *t, const murk_photon *photon, size_t i)
+{
+    return t->by_record ? i % 2 == 0 : photon[i].emitted < t->emitted;
+}
+
+static size_t count_kept(const murk_photon_map *map, const thinning *t)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    size_t kept = 0;
+    for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
+        kept += is_kept(t, photon, i);
+    }
+    return kept;
+}
+
 static murk_status thin(murk_photon_map **out, const murk_photon_map *map,
-                        uint64_t emitted, unsigned threads, murk_error *err)
+                        const thinning *t, unsigned threads, murk_error *err)
 {
     const murk_photon *photon = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
-    size_t kept = 0;
-    for (size_t i = 0; i < n; ++i) {
-        kept += photon[i].emitted < emitted;
-    }
-    murk_photon *copy = malloc(kept * sizeof *copy + 1);
+    murk_photon *copy = malloc(count_kept(map, t) * sizeof *copy + 1);
     if (!copy) {
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for half of %zu photons", n);
     }
-    kept = 0;
+    size_t kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (photon[i].emitted < emitted) {
+        if (is_kept(t, photon, i)) {
             copy[kept++] = photon[i];
         }
     }
     return murk_photon_map_create(out, copy, kept, threads, err);
+}
+
+/* Adds the next level. */
+static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
+{
+    const int level = v->levels;
+    const murk_photon_map *map = v->map[level - 1];
+    thinning t = {.emitted = (v->emitted[level - 1] + 1) / 2};
+    const double most = MOST_KEPT * (double)murk_photon_map_count(map);
+    t.by_record = (double)count_kept(map, &t) > most;
+    v->emitted[level] = t.by_record ? v->emitted[level - 1] : t.emitted;
+    v->each[level] = v->each[level - 1] * (t.by_record ? 2 : 1);
+    const murk_status status = thin(&v->half[level], map, &t, threads, err);
+    if (!status) {
+        v->map[level] = v->half[level];
+        ++v->levels;
+    }
+    return status;
 }
 
 murk_status murk_vicinity_create(murk_vicinity **out,
@@ -60,18 +100,15 @@ murk_status murk_vicinity_create(murk_vicinity **out,
     v->most = most;
     v->map[0] = map;
     v->emitted[0] = photons_emitted;
+    v->each[0] = 1;
     v->levels = 1;
-    while (v->levels < LEVELS && v->emitted[v->levels - 1] > 1 &&
+    while (v->levels < LEVELS &&
            murk_photon_map_count(v->map[v->levels - 1]) > most) {
-        const int level = v->levels++;
-        v->emitted[level] = (v->emitted[level - 1] + 1) / 2;
-        const murk_status status = thin(&v->half[level], v->map[level - 1],
-                                        v->emitted[level], threads, err);
+        const murk_status status = halve(v, threads, err);
         if (status) {
             murk_vicinity_destroy(v);
             return status;
         }
-        v->map[level] = v->half[level];
     }
     *out = v;
     return MURK_OK;
@@ -112,14 +149,24 @@ static size_t count(const murk_vicinity *v, murk_vec3 center)
     return n;
 }
 
+/* By how many lie there in all, not by how many of a level do: the level must
+ * not depend on which of them are left. */
+static int level_for(const murk_vicinity *v, size_t n)
+{
+    const double all = (double)murk_photon_map_count(v->map[0]);
+    int level = 0;
+    while (level + 1 < v->levels &&
+           (double)n * (double)murk_photon_map_count(v->map[level]) >
+               (double)v->most * all) {
+        ++level;
+    }
+    return level;
+}
+
 murk_around murk_vicinity_find(const murk_vicinity *v, murk_vec3 place,
                                uint64_t emitted, uint32_t *found)
 {
-    murk_around around = {.level = 0};
-    for (size_t n = count(v, place);
-         n > v->most && around.level + 1 < v->levels; n /= 2) {
-        ++around.level;
-    }
+    murk_around around = {.level = level_for(v, count(v, place))};
     const size_t all = murk_photons_nearby(v->map[around.level], v->domain,
                                            place, v->radius_m, found);
     const murk_photon *photon = murk_vicinity_photons(v, around.level);
@@ -130,6 +177,8 @@ murk_around murk_vicinity_find(const murk_vicinity *v, murk_vec3 place,
     }
     const uint64_t told = v->emitted[around.level];
     const uint64_t others = told - (emitted < told);
-    around.factor = others > 0 ? (double)v->emitted[0] / (double)others : 0;
+    around.factor = others > 0 ? v->each[around.level] * (double)v->emitted[0] /
+                                     (double)others
+                               : 0;
     return around;
 }

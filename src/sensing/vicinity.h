@@ -5,9 +5,11 @@
  * alone: that one's path is stored there says nothing of how much is. Where
  * more than some `most` lie there, only those of the first half, quarter, .. of
  * all emitted photons are looked at, and stand for the others: any first ones
- * of them are shared out among lights in proportion. So work is bounded however
- * many lie together, as where a beam meets a wall, and a sum over them, times
- * its factor, is without bias. Immutable after creation. */
+ * of them are shared out among lights in proportion. Where few paths left that
+ * many, every second record of theirs is left out, as often as it takes. So
+ * work is bounded however many lie together, as where a beam meets a wall, and
+ * a sum over them, times its factor, is without bias. Immutable after creation.
+ */
 #ifndef MURK_SENSING_VICINITY_H
 #define MURK_SENSING_VICINITY_H
 
@@ -16,8 +18,8 @@
 
 typedef struct murk_vicinity murk_vicinity;
 
-/* Borrows map and domain. Copies of halves take at most as much memory as the
- * map. Fails with MURK_NO_MEMORY. */
+/* Borrows map and domain. Copies of parts take about as much memory as the
+ * map, at most three times. Fails with MURK_NO_MEMORY. */
 murk_status murk_vicinity_create(murk_vicinity **out,
                                  const murk_photon_map *map,
                                  const murk_domain *domain,
@@ -28,7 +30,7 @@ void murk_vicinity_destroy(murk_vicinity *vicinity); /* NULL is fine */
 
 typedef struct murk_around {
     size_t n;
-    int level;     /* of halving: the numbers found are of this level */
+    int level;     /* of thinning: the numbers found are of this level */
     double factor; /* on sums of power */
 } murk_around;
 

@@ -11,7 +11,7 @@
 #include "world.h"
 
 #define SEED   7
-#define CHECKS 6
+#define CHECKS 7
 
 static const murk_domain room = {.box = {{-5, -5, -5}, {5, 5, 5}}};
 static const murk_domain tiled = {.box = {{-5, -5, -5}, {5, 5, 5}},
@@ -215,6 +215,33 @@ static void test_a_spot_is_looked_at_in_part(void)
     free(photon);
 }
 
+/* Ten paths that left two thousand records each, all over a plate. */
+static void test_few_paths_with_many_records(void)
+{
+    enum { N = 20000 };
+    murk_photon *photon = malloc(N * sizeof *photon);
+    for (uint32_t i = 0; i < N; ++i) {
+        const murk_random4 u = murk_random(SEED, MURK_SCATTER, i, 3, 0);
+        photon[i] = a_photon(murk_vec(10 * u.u[0] - 5, 10 * u.u[1] - 5, 0),
+                             murk_vec(0, 0, 1), i % 10);
+    }
+    murk_photon_map *map = map_of(photon, N);
+    murk_vicinity *v = NULL;
+    murk_error err = {0};
+    CHECK(murk_vicinity_create(&v, map, &room, 10, 2, 100, 1, &err) == MURK_OK);
+    uint32_t *found = malloc(murk_vicinity_room(v) * sizeof *found);
+    const murk_around around =
+        murk_vicinity_find(v, murk_vec(0, 0, 0), MURK_VICINITY_ALL, found);
+    const double want = N * MURK_PI * 4 / 100;
+    CHECK(around.n > 20 && around.n < 200);
+    CHECK_WITHIN(limit(), (double)around.n * around.factor, want,
+                 want / sqrt((double)around.n));
+    free(found);
+    murk_vicinity_destroy(v);
+    murk_photon_map_destroy(map);
+    free(photon);
+}
+
 /* Places of another map are judged by all paths of the light. */
 static void test_places_that_are_no_photons(void)
 {
@@ -375,6 +402,7 @@ int main(void)
     test_a_cloud_of_known_source();
     test_what_counts_as_light_of_a_place();
     test_a_spot_is_looked_at_in_part();
+    test_few_paths_with_many_records();
     test_places_that_are_no_photons();
     test_periodic_sides_are_near_each_other();
     test_threads_do_not_matter();

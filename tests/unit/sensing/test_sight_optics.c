@@ -47,7 +47,8 @@ typedef struct scene {
 } scene;
 
 static scene scene_of(murk_media *media, const murk_photon *photon, size_t n,
-                      const murk_sensor_type *type, size_t types, bool refracts)
+                      const murk_sensor_type *type, size_t types, bool refracts,
+                      double power_radius_m)
 {
     murk_photon *part[2] = {malloc(n * sizeof *photon + 1),
                             malloc(n * sizeof *photon + 1)};
@@ -61,18 +62,20 @@ static scene scene_of(murk_media *media, const murk_photon *photon, size_t n,
         s.map[k] = map_of(part[k], count[k]);
         free(part[k]);
     }
-    const murk_sight_desc desc = {.surfaces = s.surfaces,
-                                  .media = media,
-                                  .domain = pool,
-                                  .surface_map = s.map[0],
-                                  .volume_map = s.map[1],
-                                  .photons_emitted = PHOTONS,
-                                  .type = type,
-                                  .types = types,
-                                  .through_sheets = true,
-                                  .refracts = refracts,
-                                  .weights = {.surface = 1, .volume = 1},
-                                  .threads = 1};
+    const murk_sight_desc desc = {
+        .surfaces = s.surfaces,
+        .media = media,
+        .domain = pool,
+        .surface_map = s.map[0],
+        .volume_map = s.map[1],
+        .photons_emitted = PHOTONS,
+        .type = type,
+        .types = types,
+        .through_sheets = true,
+        .refracts = refracts,
+        .weights = {.surface = 1, .volume = 1},
+        .power = {.radius_m = power_radius_m, .band_nm = {500, 500}},
+        .threads = 1};
     murk_error err = {0};
     CHECK(murk_sight_create(&s.sight, &desc, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
@@ -143,7 +146,7 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
         place[i] = murk_vec((double)x[0], (double)x[1], (double)x[2]);
     }
     const murk_sensor_type all = {.range_m = INFINITY};
-    scene s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, true);
+    scene s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, true, 0);
     const murk_vec3 eye[2] = {{1, -2, 0.75}, {-2, 1, -1.5}};
     size_t across = 0, noticed = 0;
     for (int e = 0; e < 2; ++e) {
@@ -182,7 +185,7 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
     CHECK(murk_sight_blocked_by_interfaces(s.sight) == 0);
     leave(&s);
 
-    s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, false);
+    s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, false, 0);
     const murk_pose pose = {.position = eye[0]};
     murk_look look;
     murk_sight_look(s.sight, 0, &pose, &look);
@@ -204,7 +207,7 @@ static void test_range_is_apparent(void)
                                   a_photon(murk_vec(0, 0, -0.7), none, 5)};
     const murk_sensor_type type[] = {{.range_m = 3},
                                      {.range_m = 3, .least_range_m = 1.5}};
-    scene s = scene_of(pond(0, 0), photon, 6, type, 2, true);
+    scene s = scene_of(pond(0, 0), photon, 6, type, 2, true, 0);
     const murk_vec3 above = {0, 0, 1}, below = {1, 0, -1};
     /* 1 + depth / 1.34 at most 3: depth 2.68, though 3.65 m away. */
     CHECK(seen_by(&s, 0, above, 0, 0) > 0);
@@ -230,7 +233,7 @@ static void test_view_is_apparent(void)
     const murk_sensor_type type[] = {
         {.range_m = 9, .view = MURK_VIEW_CONE, .cone_rad = 2 * angle - 0.01},
         {.range_m = 9, .view = MURK_VIEW_CONE, .cone_rad = 2 * angle + 0.01}};
-    scene s = scene_of(pond(0, 0), &photon, 1, type, 2, true);
+    scene s = scene_of(pond(0, 0), &photon, 1, type, 2, true, 0);
     CHECK(seen_by(&s, 0, eye, -MURK_PI / 2, 0) == 0);
     CHECK(seen_by(&s, 1, eye, -MURK_PI / 2, 0) > 0);
     leave(&s);
@@ -249,7 +252,7 @@ static void test_side_and_arrival_are_those_of_the_leg(void)
     photon[3].direction = murk_direction_pack(murk_unit(toward));
     const murk_sensor_type type[] = {{.range_m = 9},
                                      {.range_m = 9, .toward = true}};
-    scene s = scene_of(pond(0, 0), photon, 4, type, 2, true);
+    scene s = scene_of(pond(0, 0), photon, 4, type, 2, true, 0);
     const murk_vec3 straight = murk_sub(eye, at);
     CHECK(murk_dot(away, straight) > 0 && murk_dot(toward, straight) < 0);
     CHECK(seen_by(&s, 0, eye, 0, 0) == 0);
@@ -281,7 +284,7 @@ static void test_acceptance_is_of_the_type(void)
     photon[1].band = 1;
     const murk_sensor_type type[] = {
         {.range_m = 9}, {.range_m = 9, .acceptance_rad = acceptance}};
-    scene s = scene_of(media, photon, 2, type, 2, false);
+    scene s = scene_of(media, photon, 2, type, 2, false, 0);
     for (uint32_t band = 0; band < 2; ++band) {
         const double extinction = fog.extinction_per_m.band[band];
         const double scattered = extinction * fog.albedo.band[band];
@@ -299,6 +302,38 @@ static void test_acceptance_is_of_the_type(void)
     leave(&s);
 }
 
+/* ---- power ---- */
+
+/* A plate lit from above at the bottom of a pool, seen from right above. From
+ * the water's side the eye is h 1.34 over the face, so an aperture A fills A /
+ * (d + 1.34 h)^2 of the directions that light leaves the plate in. In the air
+ * it is the same with d instead of what water makes of it. */
+static void test_power_through_water_is_what_leaves_toward_the_eye(void)
+{
+    const double d = 2, h = 1.5, area = 1e-3;
+    const murk_vec3 up = {0, 0, 1}, eye = {0, 0, h};
+    const murk_photon photon[] = {a_photon(murk_vec(0, 0, -d), up, 0),
+                                  a_photon(murk_vec(0, .1, -d), up, 1)};
+    const double radiance = PHOTONS / (PHOTONS - 1.) / (MURK_PI * MURK_PI);
+    const double through = 1 - pow((WATER - 1) / (WATER + 1), 2);
+    const double signal = through * radiance * 0.02 * area /
+                          (pow(d + WATER * h, 2) + area / MURK_PI);
+    const double per_w = 0.5 * 500e-9 / 6.62607015e-34 / 299792458;
+    const double exposure = 1 / (signal * per_w);
+    const murk_sensor_type type = {.range_m = 9,
+                                   .aperture_m2 = area,
+                                   .quantum_efficiency = 0.5,
+                                   .exposure_s = exposure,
+                                   .target_m2 = 0.02,
+                                   .target_m3 = 1};
+    scene s = scene_of(pond(0, 0), photon, 2, &type, 1, true, 1);
+    /* rounding, and A / pi, which is of the eye's side there: 1.6e-5 of s */
+    CHECK_NEAR(seen_by(&s, 0, eye, 0, 0), MURK_CLEAR * (1 - exp(-1)), 1);
+    leave(&s);
+    /* Teeth: without (1 / 1.34)^2 nearly twice as much would come. */
+    CHECK(1 - exp(-WATER * WATER) > 1.3 * (1 - exp(-1)));
+}
+
 int main(void)
 {
     test_clarity_is_fermats_way_times_fresnel();
@@ -306,5 +341,6 @@ int main(void)
     test_view_is_apparent();
     test_side_and_arrival_are_those_of_the_leg();
     test_acceptance_is_of_the_type();
+    test_power_through_water_is_what_leaves_toward_the_eye();
     return check_done();
 }
