@@ -1,6 +1,7 @@
 #include "app/candidates_out.h"
 #include "app/check_sensors.h"
 #include "app/goals_out.h"
+#include "app/over_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
@@ -388,6 +389,7 @@ static void print_findings(const findings *f)
         printf("candidates  none: the scene has no sensors\n");
     }
     murk_print_asked_goals(f->session->scene);
+    murk_over_print_asked(f->session->scene);
     murk_print_asked_tallies(f->session);
     printf("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
            "volume (from a pilot of %llu photons)\n",

@@ -327,3 +327,20 @@ void murk_over_print(const murk_over *over)
     print_regret(over);
     print_over(over);
 }
+
+void murk_over_print_asked(const murk_scene *scene)
+{
+    static const char *const over[] = {
+        [MURK_SCENE_OVER_NONE] = "placement is of the scene as it stands",
+        [MURK_SCENE_OVER_MEAN] = "placement is over their mean",
+        [MURK_SCENE_OVER_WORST] = "placement is over the worst of them"};
+    for (size_t c = 0; c < scene->n_conditions; ++c) {
+        printf("%s%s", c ? ", " : "conditions  ", scene->conditions[c].name);
+        if (scene->conditions[c].weight != 1) {
+            printf(" (weight %.6g)", scene->conditions[c].weight);
+        }
+    }
+    if (scene->n_conditions > 0) {
+        printf("; %s\n", over[scene->placement.over]);
+    }
+}

@@ -20,4 +20,7 @@ void murk_over_json(cJSON *root, const murk_over *over);
  * about. */
 void murk_over_print(const murk_over *over);
 
+/* For check: the conditions that the scene names; nothing where it has none. */
+void murk_over_print_asked(const murk_scene *scene);
+
 #endif

@@ -177,6 +177,14 @@ murk_status murk_place_worst(murk_place_result *out,
     if (!status) {
         status = begin(&w, problem, matrix, blocks, &result, err);
     }
+    if (!status && desc->target > murk_worst_ceiling(&w)) {
+        status = murk_fail(
+            err, MURK_BAD_VALUE, "",
+            "target %.6g cannot be reached in the worst condition: all %zu "
+            "usable candidates together see %.6g of it",
+            (double)desc->target / (double)MURK_SHARE_ONE, w.oracle.candidates,
+            (double)murk_worst_ceiling(&w) / (double)MURK_SHARE_ONE);
+    }
     if (status) {
         goto done;
     }

@@ -78,24 +78,30 @@ static void climb(murk_worst_run *w, const murk_climb *by, size_t n)
     }
 }
 
-/* The highest level that greedy reaches in every block. */
-static void saturate(murk_worst_run *w, size_t n)
+/* Greedy towards one level in every block; MURK_SHARE_ONE: the mean. */
+static void climb_to(murk_worst_run *w, size_t n, uint64_t level)
 {
-    murk_climb by = {.level = MURK_SHARE_ONE};
+    murk_climb by = {.level = level};
     for (size_t c = 0; c < w->blocks; ++c) {
         by.factor[c] = 1;
     }
-    climb(w, &by, n); /* the mean */
+    climb(w, &by, n);
+}
+
+/* The highest level that greedy reaches in every block. */
+static void saturate(murk_worst_run *w, size_t n)
+{
+    climb_to(w, n, MURK_SHARE_ONE);
     uint64_t low = w->has_plan ? w->value : 0, high = w->upper;
     for (int k = 0; k < LEVELS_MOST && high > low &&
                     high - low > LEVEL_FINEST && !murk_interrupted();
          ++k) {
-        by.level = low + (high - low) / 2;
-        climb(w, &by, n);
-        if (w->has_plan && w->value >= by.level) {
+        const uint64_t level = low + (high - low) / 2;
+        climb_to(w, n, level);
+        if (w->has_plan && w->value >= level) {
             low = w->value;
         } else {
-            high = by.level;
+            high = level;
         }
     }
 }
@@ -233,22 +239,19 @@ uint64_t murk_worst_ceiling(const murk_worst_run *w)
 }
 
 /* The best plan of n that the method finds, and its bound. */
-murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
-                             const uint32_t *from, murk_error *err)
+
+/* A plan to begin with: by the method, or any; and that of one sensor fewer,
+ * with one more. */
+static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
 {
     const murk_place_method method = w->desc->method;
-    murk_status status = find_spare(w, n, err);
-    w->has_plan = false;
-    w->value = 0;
-    w->upper = murk_worst_ceiling(w);
-    if (status || murk_interrupted()) {
-        return status;
-    }
     if (method == MURK_PLACE_SPOQ) {
         draw(w, n, 0);
         ++w->result->restarts;
         relocate_and_keep(
             w, n, murk_worst_value(&w->search, w->trial, w->search.size));
+    } else if (w->desc->target) {
+        climb_to(w, n, w->desc->target);
     } else {
         saturate(w, n);
         spend(w, n);
@@ -259,20 +262,60 @@ murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
         relocate_and_keep(
             w, n, murk_worst_value(&w->search, w->trial, w->search.size));
     }
-    if (from && method == MURK_PLACE_BEST) { /* that of one fewer, and one */
+    if (from && method == MURK_PLACE_BEST) {
         const murk_climb least = {.is_least = true};
         memcpy(w->trial, from, (n - 1) * sizeof *from);
         const uint64_t value =
             murk_worst_greedy(&w->search, &least, w->trial, n - 1, n);
         relocate_and_keep(w, n, value);
     }
-    const size_t steps = is_plan_asked ? STEPS : STEPS_CURVE;
+}
+
+/* With a target: whether n sensors may reach it, by a bound that is not made
+ * lower than that takes. */
+static murk_status ask_target(murk_worst_run *w, size_t n, bool *may_reach,
+                              murk_error *err)
+{
+    const uint64_t below = w->desc->target - 1;
+    *may_reach = true;
+    if (!w->desc->target || w->value > below) {
+        return MURK_OK;
+    }
+    uint64_t upper = w->upper;
+    const murk_status status =
+        murk_worst_bound_tighten(&w->bound, n, below, w->plan, w->size,
+                                 STEPS_CURVE, ROUNDS, &upper, err);
+    *may_reach = upper > below;
+    w->upper = upper < w->upper ? upper : w->upper;
+    return status;
+}
+
+murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
+                             const uint32_t *from, murk_error *err)
+{
+    bool may_reach = true;
+    murk_status status = find_spare(w, n, err);
+    w->has_plan = false;
+    w->value = 0;
+    w->upper = murk_worst_ceiling(w);
+    if (!status && !murk_interrupted()) {
+        begin(w, n, from);
+        status = ask_target(w, n, &may_reach, err);
+    }
+    if (status || !may_reach || murk_interrupted()) {
+        return status;
+    }
+    const bool is_best = w->desc->method == MURK_PLACE_BEST;
+    if (w->desc->target && is_best) {
+        saturate(w, n);
+    }
     status = murk_worst_bound_tighten(&w->bound, n, w->value, w->plan, w->size,
-                                      steps, ROUNDS, &w->upper, err);
+                                      is_plan_asked ? STEPS : STEPS_CURVE,
+                                      ROUNDS, &w->upper, err);
     if (status || murk_interrupted()) {
         return status;
     }
-    if (method == MURK_PLACE_BEST && w->value < w->upper) {
+    if (is_best && w->value < w->upper) {
         climb_each_block(w, n);
         saturate(w, n); /* the bound is known now */
         try_starts(w, n,
