@@ -212,6 +212,8 @@ static double square_of_way(const murk_bound *b)
         low += term & UINT32_MAX;
         high += term >> 32;
     }
+    high += low >> 32;
+    low &= UINT32_MAX;
     return ((double)high * 0x1p32 + (double)low) * (double)SLOPE_UNIT *
            (double)SLOPE_UNIT;
 }

@@ -46,7 +46,7 @@ typedef struct exact {
 
 static void count_work(exact *e, uint64_t candidates)
 {
-    e->weighings += candidates * e->oracle->layout->slots *
+    e->weighings += candidates * e->oracle->problem->photons *
                     (e->oracle->all_clear       ? 1
                      : e->oracle->layout->doses ? WORK_OF_CHANCES
                                                 : WORK_OF_CLARITIES);

@@ -4,9 +4,13 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/tally.h"
+#include "placement/merge.h"
 
 #include <assert.h>
 #include <stdlib.h>
+
+/* With fewer photons rows are short enough: calls would outweigh words. */
+#define PHOTONS_WORTH_MERGING 16384
 
 /* Candidates that the pilot looks at before memory is committed. */
 #define PILOT_LOOKS 32
@@ -15,6 +19,7 @@ typedef struct filling {
     const murk_problem *problem;
     murk_matrix *matrix;
     uint64_t most_bytes;
+    _Atomic uint64_t *print; /* [photons], NULL: none is taken */
     murk_tally bytes;
     murk_tally out_of_memory; /* rows that could not be had */
 } filling;
@@ -77,6 +82,9 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
     }
     murk_look look;
     f->problem->look(f->problem->context, worker, (size_t)batch, &look);
+    if (f->print) {
+        murk_merge_note(f->print, (size_t)batch, &look);
+    }
     murk_row *row = &f->matrix->row[batch];
     if (murk_row_store(row, &f->matrix->layout, &look)) {
         murk_tally_add(&f->bytes, (int64_t)(row->memory_bytes + sizeof *row));
@@ -87,10 +95,13 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
 }
 
 static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
-                        uint64_t most_bytes, murk_error *err)
+                        uint64_t most_bytes, _Atomic uint64_t *print,
+                        murk_error *err)
 {
-    filling f = {
-        .problem = problem, .matrix = matrix, .most_bytes = most_bytes};
+    filling f = {.problem = problem,
+                 .matrix = matrix,
+                 .print = print,
+                 .most_bytes = most_bytes};
     murk_progress_begin("sense", problem->candidates, "candidates");
     murk_crew_run_workers(problem->threads, problem->candidates, fill_row, &f);
     murk_progress_end();
@@ -126,8 +137,23 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
                                uint64_t most_bytes, murk_error *err)
 {
+    const bool is_worth =
+        problem->photons >= PHOTONS_WORTH_MERGING && !problem->is_reweighed;
+    return murk_matrix_make(
+        out, problem, most_bytes,
+        is_worth ? MURK_MERGE_WHERE_IT_PAYS : MURK_MERGE_NEVER, err);
+}
+
+murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
+                             uint64_t most_bytes, murk_merging merging,
+                             murk_error *err)
+{
     assert(out && problem && problem->threads > 0);
     murk_status status = MURK_OK;
+    /* without it nothing is merged */
+    _Atomic uint64_t *print = merging == MURK_MERGE_NEVER
+                                  ? NULL
+                                  : calloc(problem->photons + 1, sizeof *print);
     murk_matrix *matrix = calloc(1, sizeof *matrix);
     if (matrix) {
         matrix->candidates = problem->candidates;
@@ -145,7 +171,11 @@ murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
         status = pilot(problem, &matrix->layout, most_bytes, err);
     }
     if (!status) {
-        status = fill(matrix, problem, most_bytes, err);
+        status = fill(matrix, problem, most_bytes, print, err);
+    }
+    if (!status && print) {
+        status = murk_merge(matrix, problem, print,
+                            merging == MURK_MERGE_ALWAYS, err);
     }
     if (status) {
         goto done;
@@ -153,6 +183,7 @@ murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
     *out = matrix;
     matrix = NULL;
 done:
+    free(print);
     murk_matrix_destroy(matrix);
     return status;
 }

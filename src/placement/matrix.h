@@ -14,4 +14,16 @@ struct murk_matrix {
     size_t memory_bytes;
 };
 
+/* Whether photons that all see alike are put together (placement/merge.h). */
+typedef enum murk_merging {
+    MURK_MERGE_NEVER,
+    MURK_MERGE_WHERE_IT_PAYS,
+    MURK_MERGE_ALWAYS
+} murk_merging;
+
+/* murk_matrix_create(), which merges where it pays. */
+murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
+                             uint64_t most_bytes, murk_merging merging,
+                             murk_error *err);
+
 #endif

@@ -48,6 +48,8 @@ typedef struct murk_problem {
                  murk_look *look);
     void *context;
     unsigned threads;
+    bool is_reweighed; /* its matrix will be: photons that all see alike are
+                          kept apart (murk_matrix_reweigh) */
     murk_combining combining;
     unsigned redundancy; /* views of a photon that count, 0 or 1: one, up to
                             MURK_REDUNDANCY_MOST; with INDEPENDENT all do, and

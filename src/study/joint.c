@@ -118,6 +118,7 @@ murk_status murk_joint_create(murk_joint **out, murk_sight *const *sight,
     }
     j->problem = j->part[0].problem; /* how views combine, and threads */
     j->problem.photons = j->blocks.first[n];
+    j->problem.is_reweighed = true;
     j->problem.look = look;
     j->problem.context = j;
     murk_status status = MURK_OK;

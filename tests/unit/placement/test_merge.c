@@ -1,0 +1,120 @@
+/* Photons that all candidates see alike, put together or not: the same plans,
+ * bounds, curves and work, in every bit, by every method and in every way that
+ * views combine. */
+#include "placement/merge.h"
+
+#include "check.h"
+#include "made_up.h"
+
+#include <string.h>
+
+/* Five photons in a row are seen alike, some with the same weight. */
+static made_up *make_alike(uint32_t seed, uint32_t levels, uint32_t weights)
+{
+    made_up *m = made_up_create(seed, 3000, 20, 0.2, levels, weights, 2);
+    for (size_t j = 0; j < m->problem.candidates; ++j) {
+        uint16_t *row = m->clarity + j * m->problem.photons;
+        for (size_t i = 0; i < m->problem.photons; ++i) {
+            row[i] = row[i / 5 * 5];
+        }
+    }
+    return m;
+}
+
+static murk_place_result place(const made_up *m, const murk_matrix *matrix,
+                               const murk_place_desc *desc)
+{
+    murk_error err = {0};
+    murk_place_result r = {0};
+    CHECK(murk_place_known(&r, &m->problem, matrix, desc, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    return r;
+}
+
+static bool same(const murk_place_result *a, const murk_place_result *b)
+{
+    return a->count == b->count && a->value == b->value &&
+           a->upper == b->upper && a->ceiling == b->ceiling &&
+           a->whole == b->whole && a->after_presolve == b->after_presolve &&
+           a->nodes == b->nodes && a->is_cut == b->is_cut &&
+           a->evaluations == b->evaluations && a->restarts == b->restarts &&
+           a->curve_points == b->curve_points &&
+           memcmp(a->sensor, b->sensor, a->count * sizeof *a->sensor) == 0 &&
+           memcmp(a->curve, b->curve, a->curve_points * sizeof *a->curve) == 0;
+}
+
+static void check_methods(const made_up *m)
+{
+    murk_matrix *apart = NULL, *merged = NULL;
+    murk_error err = {0};
+    CHECK(murk_matrix_make(&apart, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
+                           &err) == MURK_OK);
+    CHECK(murk_matrix_make(&merged, &m->problem, UINT64_MAX, MURK_MERGE_ALWAYS,
+                           &err) == MURK_OK);
+    CHECK(merged->layout.photons < apart->layout.photons);
+    CHECK(merged->pairs == apart->pairs);
+    for (int method = 0; method < 4; ++method) {
+        for (int is_cut = 0; is_cut < 2; ++is_cut) {
+            murk_place_desc desc = murk_place_defaults();
+            desc.method = (murk_place_method)method;
+            desc.count = 4;
+            desc.restarts = 3;
+            desc.nodes = is_cut ? 2 : 100000;
+            murk_place_result a = place(m, apart, &desc);
+            murk_place_result b = place(m, merged, &desc);
+            CHECK(same(&a, &b));
+            murk_place_release(&a);
+            murk_place_release(&b);
+        }
+    }
+    murk_matrix_destroy(apart);
+    murk_matrix_destroy(merged);
+}
+
+/* Teeth: where prints of different views are the same, nothing is merged. */
+static void test_prints_are_checked(void)
+{
+    made_up *m = make_alike(1, 1, 1);
+    m->clarity[5] = m->clarity[5] ? 0 : MURK_CLEAR;
+    check_methods(m); /* one photon less has its like */
+    murk_matrix *matrix = NULL;
+    murk_error err = {0};
+    CHECK(murk_matrix_make(&matrix, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
+                           &err) == MURK_OK);
+    _Atomic uint64_t *print = calloc(m->problem.photons, sizeof *print);
+    CHECK(murk_merge(matrix, &m->problem, print, true, &err) == MURK_OK);
+    CHECK(matrix->layout.photons == m->problem.photons);
+    free(print);
+    murk_matrix_destroy(matrix);
+    made_up_destroy(m);
+}
+
+int main(void)
+{
+    static const struct {
+        uint32_t levels, weights;
+        murk_combining combining;
+        unsigned redundancy;
+    } kinds[] = {
+        {1, 1, MURK_COMBINE_CLEAREST, 1},
+        {1, 3, MURK_COMBINE_CLEAREST, 1},
+        {50, 2, MURK_COMBINE_CLEAREST, 1},
+        {1, 20, MURK_COMBINE_CLEAREST, 1},
+        {1, 2, MURK_COMBINE_CLEAREST, 2},
+        {9, 2, MURK_COMBINE_CLEAREST, 3},
+        {9, 2, MURK_COMBINE_INDEPENDENT, 1},
+        {1, 1, MURK_COMBINE_INDEPENDENT, 1},
+    };
+    for (size_t kind = 0; kind < sizeof kinds / sizeof kinds[0]; ++kind) {
+        for (uint32_t seed = 1; seed < 2; ++seed) {
+            made_up *m =
+                make_alike(seed, kinds[kind].levels, kinds[kind].weights);
+            m->problem.combining = kinds[kind].combining;
+            m->problem.redundancy = kinds[kind].redundancy;
+            check_methods(m);
+            made_up_destroy(m);
+        }
+    }
+    test_prints_are_checked();
+    return check_done();
+}
