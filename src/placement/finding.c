@@ -85,11 +85,14 @@ static uint64_t plan_greedily(murk_finding *p, size_t n)
 
 /* The bound from so many rounds, and from greedy's scans. Where there are many
  * rounds, they go on from the thresholds of the count before, which differ
- * little; a single one does best at the plan's own. */
+ * little; a single one does best at the plan's own. Of independent chances the
+ * thresholds of another count lead nowhere: all begin at the plan's. */
 static uint64_t tighten(murk_finding *p, size_t n, uint64_t value,
                         const uint32_t *plan, size_t rounds)
 {
-    if (rounds == 0 || (p->oracle->matrix && p->has_thresholds)) {
+    const bool may_go_on = p->has_thresholds && (!p->oracle->layout->doses ||
+                                                 p->bound.last_count == n);
+    if (rounds == 0 || (p->oracle->matrix && may_go_on)) {
         plan = NULL;
     }
     p->has_thresholds = p->has_thresholds || plan;
