@@ -237,15 +237,16 @@ static murk_status add_files(murk_session *session, const murk_plan *plan,
 /* The plan is shown before other seeds are run: hours of them may end in a
  * failure or an interrupt, which is told late, too. */
 static murk_status repeat_all(murk_session *session, const murk_plan *plan,
-                              murk_repeat *repeat, murk_error *late,
-                              murk_error *err)
+                              const murk_over *over, murk_repeat *repeat,
+                              murk_error *late, murk_error *err)
 {
     const murk_options *options = session->options;
+    const murk_repeat_first first = {plan, session->stage, over};
     const murk_status status = murk_session_keep(
-        session, "plan.json", plan_json(session, plan, NULL), err);
+        session, "plan.json", plan_json(session, plan, over), err);
     if (!status) {
-        (void)murk_repeat_make(repeat, session->stage, plan,
-                               (size_t)options->repeat, options->threads, late);
+        (void)murk_repeat_make(repeat, &first, (size_t)options->repeat,
+                               options->threads, late);
     }
     return status;
 }
@@ -280,10 +281,13 @@ static murk_status check_repeat(const murk_session *session, murk_error *err)
                          "most",
                          (unsigned long long)runs, (unsigned long)scene->seed);
     }
-    if (runs > 0 && scene->placement.over != MURK_SCENE_OVER_NONE) {
-        return murk_fail(err, MURK_UNSUPPORTED, "--repeat",
-                         "not supported yet over conditions: placement.over "
-                         "must be null");
+    const bool is_over = scene->placement.over != MURK_SCENE_OVER_NONE;
+    for (size_t c = 0; runs > 0 && is_over && c < scene->n_conditions; ++c) {
+        if (scene->conditions[c].scene->seed != scene->seed) {
+            return murk_fail(err, MURK_BAD_VALUE, scene->conditions[c].where,
+                             "seed: one of its own, which other runs of "
+                             "--repeat would share; leave it out");
+        }
     }
     return MURK_OK;
 }
@@ -356,7 +360,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         status = add_files(&session, &plan, over, &late, err);
     }
     if (!status && options->repeat) {
-        status = repeat_all(&session, &plan, &repeat, &late, err);
+        status = repeat_all(&session, &plan, over, &repeat, &late, err);
     }
     if (!status) {
         status = finish(&session, &plan, over, &repeat, err);

@@ -46,9 +46,75 @@ void murk_conditions_destroy(murk_conditions *all)
         if (!one->borrows_light) {
             murk_traced_destroy(one->traced);
         }
-        murk_stage_destroy(one->stage);
+        if (one->borrowed) {
+            free(one->stage);
+            free(one->borrowed);
+        } else {
+            murk_stage_destroy(one->stage);
+        }
     }
+    free(all->again);
     free(all);
+}
+
+/* A copy for free(); what it points to stays the other's. NULL when out of
+ * memory. */
+static murk_scene *scene_again(const murk_scene *scene, uint32_t later)
+{
+    murk_scene *out = malloc(sizeof *out);
+    if (out) {
+        *out = *scene;
+        out->seed += later;
+        out->placement.jitter_m = out->placement.jitter_rad = 0;
+    }
+    return out;
+}
+
+static murk_status condition_again(murk_condition *out,
+                                   const murk_condition *from, uint32_t later,
+                                   murk_error *err)
+{
+    out->wish = from->wish;
+    out->borrowed = scene_again(from->stage->scene, later);
+    out->stage = malloc(sizeof *out->stage);
+    if (!out->stage || !out->borrowed) {
+        free(out->borrowed);
+        free(out->stage);
+        *out = (murk_condition){0};
+        return murk_fail(err, MURK_NO_MEMORY, from->wish->where,
+                         "no memory for conditions");
+    }
+    *out->stage = *from->stage;
+    out->stage->scene = out->borrowed;
+    return MURK_OK;
+}
+
+murk_status murk_conditions_again(murk_conditions **out,
+                                  const murk_conditions *from, uint32_t later,
+                                  murk_error *err)
+{
+    murk_conditions *all = calloc(1, sizeof *all);
+    murk_status status = MURK_OK;
+    if (all) {
+        all->again = scene_again(from->scene, later);
+    }
+    if (!all || !all->again) {
+        free(all);
+        return murk_fail(err, MURK_NO_MEMORY, from->scene->path,
+                         "no memory for conditions");
+    }
+    all->scene = all->again;
+    for (size_t c = 0; !status && c < from->n; ++c) {
+        status = condition_again(&all->condition[c], &from->condition[c], later,
+                                 err);
+        all->n += !status;
+    }
+    if (status) {
+        murk_conditions_destroy(all);
+        return status;
+    }
+    *out = all;
+    return MURK_OK;
 }
 
 /* ---- candidates ---- */

@@ -14,14 +14,16 @@
 typedef struct murk_condition {
     const murk_scene_condition *wish;
     murk_stage *stage;
-    murk_traced *traced; /* the light that chooses */
-    bool borrows_light;  /* an earlier condition's */
+    murk_scene *borrowed; /* of a stage whose parts are another's; else NULL */
+    murk_traced *traced;  /* the light that chooses */
+    bool borrows_light;   /* an earlier condition's */
     murk_sight *sight;
     murk_target_facts targets; /* points 0: photons are seen */
 } murk_condition;
 
 typedef struct murk_conditions {
     const murk_scene *scene; /* borrowed */
+    murk_scene *again;       /* it, of murk_conditions_again(); else NULL */
     size_t n;
     murk_condition condition[MURK_SCENE_CONDITIONS_MAX];
     double trace_s, map_s;
@@ -32,6 +34,13 @@ typedef struct murk_conditions {
 murk_status murk_conditions_create(murk_conditions **out,
                                    const murk_scene *scene, murk_error *err);
 void murk_conditions_destroy(murk_conditions *conditions); /* NULL is fine */
+
+/* The same worlds under seeds that are `later` by so much, for another job, and
+ * without jitter; nothing is lit yet. Borrows what `from` is built of: destroy
+ * it first. Fails with MURK_NO_MEMORY. */
+murk_status murk_conditions_again(murk_conditions **out,
+                                  const murk_conditions *from, uint32_t later,
+                                  murk_error *err);
 
 /* The candidates that are usable in every condition, by their places. Counts
  * of why others are not are those of the first; those that only a later one

@@ -49,60 +49,125 @@ static murk_status measure(murk_estimate *out, const murk_plan *plan,
     return status;
 }
 
-/* The same world under another seed. Where sensors may stand does not depend on
- * seeds, so candidates and poses are the first plan's. */
-static murk_status run_again(murk_repeat_run *out, const murk_stage *stage,
-                             const murk_plan *first, uint32_t seed,
+/* Where sensors may stand does not depend on seeds, so candidates and poses are
+ * the first plan's. */
+static murk_plan plan_again(const murk_plan *first)
+{
+    return (murk_plan){.candidates = first->candidates,
+                       .poses = first->poses,
+                       .start = first->start};
+}
+
+static void release_again(murk_plan *plan)
+{
+    plan->candidates = NULL;
+    plan->poses = NULL;
+    murk_plan_release(plan);
+}
+
+/* The same world under another seed. */
+static murk_status run_again(murk_repeat_run *out,
+                             const murk_repeat_first *first, uint32_t later,
                              unsigned threads, murk_error *err)
 {
-    murk_scene scene = *stage->scene;
-    scene.seed = seed;
+    murk_scene scene = *first->stage->scene;
+    scene.seed += later;
     scene.placement.jitter_m = scene.placement.jitter_rad = 0;
-    murk_stage again = *stage;
+    murk_stage again = *first->stage;
     again.scene = &scene;
     murk_traced *traced = NULL;
-    murk_plan plan = {.candidates = first->candidates,
-                      .poses = first->poses,
-                      .start = first->start};
+    murk_plan plan = plan_again(first->plan);
     murk_status status = murk_plan_see_anew(&traced, &again, 0, threads, err);
     if (!status) {
         status = murk_plan_make(&plan, &again, traced, threads, err);
     }
     if (!status) {
-        *out = run_of(&plan, seed);
+        *out = run_of(&plan, scene.seed);
     }
     if (!status && murk_plan_can_see_anew(&scene)) {
-        status = measure(&out->plan, first, &again, traced, threads, err);
+        status = measure(&out->plan, first->plan, &again, traced, threads, err);
     }
-    plan.candidates = NULL; /* borrowed */
-    plan.poses = NULL;
-    murk_plan_release(&plan);
+    release_again(&plan);
     murk_traced_destroy(traced);
     return status;
 }
 
-murk_status murk_repeat_make(murk_repeat *out, const murk_stage *stage,
-                             const murk_plan *first, size_t asked,
-                             unsigned threads, murk_error *err)
+/* The plan's coverage over conditions as they are lit and seen. */
+static murk_status measure_over(murk_estimate *out, const murk_plan *plan,
+                                const murk_conditions *all, murk_error *err)
 {
+    murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
+    murk_status status = MURK_OK;
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        murk_coverage coverage = {0};
+        status = murk_coverage_measure(&coverage, all->condition[c].sight,
+                                       plan->sensor, plan->place.count, err);
+        of[c] = coverage.total;
+        murk_coverage_release(&coverage);
+    }
+    if (!status) {
+        size_t worst;
+        *out = murk_over_estimate(all, of, all->scene->placement.over, false,
+                                  &worst);
+    }
+    return status;
+}
+
+static murk_status run_over_again(murk_repeat_run *out,
+                                  const murk_repeat_first *first,
+                                  uint32_t later, unsigned threads,
+                                  murk_error *err)
+{
+    murk_over *over = calloc(1, sizeof *over);
+    if (!over) {
+        return no_memory(1, err);
+    }
+    murk_plan plan = plan_again(first->plan);
+    murk_status status = murk_conditions_again(
+        &over->conditions, first->over->conditions, later, err);
+    if (!status) {
+        status = murk_over_make(over, &plan, threads, err);
+    }
+    if (!status) {
+        *out = run_of(&plan, over->conditions->scene->seed);
+    }
+    if (!status && murk_plan_can_see_anew(over->conditions->scene)) {
+        status = measure_over(&out->plan, first->plan, over->conditions, err);
+    }
+    murk_over_release(over);
+    free(over);
+    release_again(&plan);
+    return status;
+}
+
+murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
+                             size_t asked, unsigned threads, murk_error *err)
+{
+    const murk_scene *scene =
+        first->stage ? first->stage->scene : first->over->conditions->scene;
     *out = (murk_repeat){.run = calloc(asked, sizeof *out->run),
                          .asked = asked,
-                         .target = stage->scene->sensors.target};
+                         .target = scene->sensors.target,
+                         .has_gap =
+                             !(scene->sensors.target > 0) &&
+                             scene->placement.over != MURK_SCENE_OVER_WORST};
     if (!out->run) {
         return no_memory(asked, err);
     }
-    out->run[0] = run_of(first, stage->scene->seed);
+    out->run[0] = run_of(first->plan, scene->seed);
     out->run[0].plan = out->run[0].held_out;
     murk_status status = MURK_OK;
     for (out->runs = 1; out->runs < asked && !status;) {
-        const uint32_t seed = stage->scene->seed + (uint32_t)out->runs;
+        const uint32_t later = (uint32_t)out->runs;
+        murk_repeat_run *run = &out->run[out->runs];
         murk_error told = {0};
         murk_progress_part(out->runs + 1, asked);
-        status =
-            run_again(&out->run[out->runs], stage, first, seed, threads, &told);
+        status = first->stage
+                     ? run_again(run, first, later, threads, &told)
+                     : run_over_again(run, first, later, threads, &told);
         if (status) {
             status = murk_fail(err, status, told.where, "seed %lu: %s",
-                               (unsigned long)seed, told.text);
+                               (unsigned long)scene->seed + later, told.text);
         } else {
             ++out->runs;
         }
@@ -190,7 +255,7 @@ murk_status murk_repeat_sum_up(murk_repeat_summary *out,
     s.plan = murk_mean_estimate(x, measured);
     size_t pairs = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (isfinite(repeat->run[i].plan.value) && !(repeat->target > 0)) {
+        if (isfinite(repeat->run[i].plan.value) && repeat->has_gap) {
             x[pairs++] = repeat->run[i].upper - repeat->run[i].plan.value;
         }
     }

@@ -13,7 +13,7 @@
 #ifndef MURK_STUDY_REPEAT_H
 #define MURK_STUDY_REPEAT_H
 
-#include "study/plan.h"
+#include "study/over.h"
 
 #define MURK_REPEATS_MAX 10000
 
@@ -31,14 +31,23 @@ typedef struct murk_repeat {
     murk_repeat_run *run; /* [asked], the first `runs` of them finished */
     size_t runs, asked;
     double target; /* asked of every run; 0: none */
+    bool has_gap;  /* a run's bound says what plans are truly worth: not with a
+                      target, where runs take different numbers of sensors; nor
+                      for the worst of conditions, where the best of a sample
+                      may read low */
 } murk_repeat;
 
-/* Runs asked - 1 more jobs, asked >= 1, from the first one's stage and plan. On
- * a failure (of a run, or MURK_INTERRUPTED) *out has what was finished before.
- * Release it also then. */
-murk_status murk_repeat_make(murk_repeat *out, const murk_stage *stage,
-                             const murk_plan *first, size_t asked,
-                             unsigned threads, murk_error *err);
+/* The first run: a plan in a stage, or over conditions. */
+typedef struct murk_repeat_first {
+    const murk_plan *plan;
+    const murk_stage *stage; /* NULL: conditions */
+    const murk_over *over;
+} murk_repeat_first;
+
+/* Runs asked - 1 more jobs, asked >= 1. On a failure (of a run, or
+ * MURK_INTERRUPTED) *out has what was finished before. Release it also then. */
+murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
+                             size_t asked, unsigned threads, murk_error *err);
 void murk_repeat_release(murk_repeat *repeat);
 
 typedef struct murk_spread {
@@ -47,9 +56,7 @@ typedef struct murk_spread {
 
 /* 95 % confidence, if differences are normal. They are skewed where most
  * samples choose the same plan: 12 runs of such worlds held the mean 91 times
- * in a hundred, and the best plan lay below the upper end every time. With a
- * target there is none: runs differ in how many sensors they take, and bounds
- * are for as many. */
+ * in a hundred, and the best plan lay below the upper end every time. */
 typedef struct murk_gap {
     size_t runs; /* that have both of its parts; below 2 there are no limits */
     double value, lower, upper; /* mean of upper - plan, +- Student's t for

@@ -318,8 +318,8 @@ expect 2 "--repeat: 2.5, must be" place "$dir/good.yaml" --repeat 2.5
 expect 2 "--repeat: needs a value" place "$dir/good.yaml" --repeat
 expect 2 "--repeat: not an option of murk sense" sense "$dir/good.yaml" --repeat 2
 expect 2 "--repeat: 3 seeds from 4294967294 on" place "$dir/good.yaml" --seed 4294967294 --repeat 3 -o "$dir/out"
-expect 2 "--repeat: not supported yet over conditions" place "$dir/good.yaml" --repeat 2 \
-    --set 'conditions={clear: {}}' --set placement.over=mean
+expect 2 "conditions.clear: seed: one of its own" place "$dir/good.yaml" --repeat 2 \
+    --set 'conditions={clear: {seed: 8}}' --set placement.over=mean
 printf '1,1\n1,0\n' >"$dir/matrix.csv"
 expect 2 "--repeat: a matrix is one sample" place --matrix "$dir/matrix.csv" --count 1 --repeat 2
 

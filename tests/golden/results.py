@@ -319,6 +319,19 @@ def test_repeat(murk):
     row = murk.rows(",".join(REPEAT_COLUMNS), "explored", "repeat.csv")[1]
     near(float(row[2]), alone["coverage"]["in_sample"], 1e-15, "explored again")
     near(float(row[5]), alone["bound"]["upper"], 1e-15, "explored again, bound")
+    for kind in ("mean", "worst"):
+        over = ["--set", "conditions={a: {}, b: {media.fog.extinction_per_m: [1, 2]}}",
+                "--set", f"placement.over={kind}"]
+        first = murk.run("place", scene, *over, "--repeat", "2", "-o", murk.path(kind))
+        alone = murk.run("place", scene, *over, "--seed", "4")
+        row = murk.rows(",".join(REPEAT_COLUMNS), kind, "repeat.csv")[1]
+        for value, want in zip(row[2:6], (alone["coverage"]["in_sample"],
+                                          alone["coverage"]["held_out"],
+                                          alone["coverage"]["held_out_standard_error"],
+                                          alone["bound"]["upper"])):
+            near(float(value), want, 1e-15, "a run over conditions:", kind, row)
+        check((first["repeat"]["gap"] is None) == (kind == "worst"), first["repeat"])
+        check(abs(float(row[7]) - first["coverage"]["held_out"]) < 0.1, kind, row)
     # light from a file is the first run's
     light = murk.run("place", scene, "--repeat", "3", "--light", murk.path("seed3", "light.murk"))
     check(light["repeat"] == repeat, "another repeat with the first run's light")

@@ -129,7 +129,8 @@ static void test_gap(void)
     for (uint64_t w = 0; w < WORLDS; ++w) {
         murk_repeat_run run[RUNS];
         murk_repeat_summary s = {0};
-        const murk_repeat repeat = {.run = run, .runs = RUNS, .asked = RUNS};
+        const murk_repeat repeat = {
+            .run = run, .runs = RUNS, .asked = RUNS, .has_gap = true};
         const int plan = run_all(run, w, true);
         CHECK(!murk_repeat_sum_up(&s, &repeat, NULL));
         const double off = s.gap.value - (upper - mean_truth);
@@ -164,7 +165,8 @@ static void test_interval(void)
             run[k].plan.value = 0.7;
         }
         murk_repeat_summary s = {0};
-        const murk_repeat repeat = {.run = run, .runs = 4, .asked = 4};
+        const murk_repeat repeat = {
+            .run = run, .runs = 4, .asked = 4, .has_gap = true};
         CHECK(!murk_repeat_sum_up(&s, &repeat, NULL));
         const double off = fabs(s.gap.value - 0.1);
         holds += s.gap.lower <= 0.1 && 0.1 <= s.gap.upper;
@@ -206,7 +208,7 @@ static void test_by_hand(void)
                                .upper = 1,
                                .held_out = {.65, .1},
                                .plan = {.8, .1}}};
-    murk_repeat r = {.run = run, .runs = 4, .asked = 9};
+    murk_repeat r = {.run = run, .runs = 4, .asked = 9, .has_gap = true};
     murk_repeat_summary s = {0};
     CHECK(!murk_repeat_sum_up(&s, &r, NULL));
     CHECK_NEAR(s.in_sample.median, .8, 1e-15);
@@ -231,10 +233,12 @@ static void test_by_hand(void)
 
     r.runs = 4; /* a target: no gap, and how many meet it */
     r.target = .65;
+    r.has_gap = false;
     CHECK(!murk_repeat_sum_up(&s, &r, NULL));
     CHECK(s.gap.runs == 0 && isnan(s.gap.lower));
     CHECK(s.met == 3);
 
+    r.has_gap = true;
     r.target = 0; /* nothing held out: the first run's map has no second */
     for (int i = 0; i < 4; ++i) {
         run[i].held_out = none;
