@@ -148,6 +148,7 @@ cJSON *murk_matrix_plan_json(const murk_matrix_plan *p)
                             (double)p->place.after_presolve);
     add_sensors(root, p);
     add_coverage(root, p);
+    cJSON_AddNullToObject(root, "robustness"); /* no places; and one sample */
     murk_json_bound(root, &p->place);
     add_placement(root, p);
     return root;
