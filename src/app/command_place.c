@@ -19,6 +19,7 @@
 static void add_candidates(cJSON *root, const murk_plan *plan)
 {
     cJSON *object = murk_json_candidates(root, plan->candidates);
+    cJSON_AddNumberToObject(object, "poses", (double)plan->poses->count);
     cJSON_AddNumberToObject(object, "after_presolve",
                             (double)plan->place.after_presolve);
 }
@@ -343,6 +344,10 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     murk_status status = murk_session_read(&session, options, err);
     if (!status) {
         status = check_repeat(&session, err);
+    }
+    if (!status) {
+        status = murk_exports_check(options->exports,
+                                    murk_plan_combining(session.scene), err);
     }
     if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
         over = calloc(1, sizeof *over);

@@ -49,16 +49,14 @@ void murk_exports_add(murk_results *results, unsigned exports,
     }
 }
 
-unsigned murk_exports_possible(unsigned exports, murk_combining combining,
-                               murk_error *late)
+murk_status murk_exports_check(unsigned exports, murk_combining combining,
+                               murk_error *err)
 {
-    if (combining == MURK_COMBINE_INDEPENDENT && exports & MURK_EXPORT_LP) {
-        exports &= ~(unsigned)MURK_EXPORT_LP;
-        (void)murk_fail(late, MURK_UNSUPPORTED, "problem.lp",
-                        "independent chances make no linear problem, "
-                        "detection must be weighted or threshold");
-    }
-    return exports;
+    return combining == MURK_COMBINE_INDEPENDENT && exports & MURK_EXPORT_LP
+               ? murk_fail(err, MURK_BAD_VALUE, "--export",
+                           "lp, but independent chances make no linear "
+                           "problem; detection must be weighted or threshold")
+               : MURK_OK;
 }
 
 typedef struct candidate_list {
@@ -76,10 +74,11 @@ static murk_status write_candidates(const char *path, const void *context,
         return status;
     }
     FILE *to = murk_file_stream(file);
-    fputs("column,x_m,y_m,z_m,type,heading_deg,tilt_deg\n", to);
+    fputs("column,x_m,y_m,z_m,type,heading_deg,tilt_deg,cost\n", to);
     for (size_t j = 0; j < list->poses->count; ++j) {
-        murk_write_pose(to, j + 1, list->scene, &list->poses->pose[j]);
-        fputc('\n', to);
+        const murk_pose *pose = &list->poses->pose[j];
+        murk_write_pose(to, j + 1, list->scene, pose);
+        fprintf(to, ",%.10g\n", list->scene->sensors.type[pose->type].cost);
     }
     return murk_file_commit(&file, err);
 }
@@ -111,8 +110,7 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
         problem.redundancy = seen.problem.redundancy;
         goal.target = murk_plan_value_of(wish->target, &problem);
     }
-    const unsigned exports = murk_exports_possible(
-        session->options->exports, seen.problem.combining, late);
+    const unsigned exports = session->options->exports;
     murk_exports_add(&session->results, exports, matrix, &goal, late);
     if (exports & MURK_EXPORT_MATRIX) {
         const candidate_list list = {plan->poses, session->scene};

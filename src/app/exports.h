@@ -13,10 +13,10 @@ void murk_exports_add(murk_results *results, unsigned exports,
                       const murk_sparse_matrix *matrix,
                       const murk_lp_goal *goal, murk_error *late);
 
-/* Those of `exports` that views so combined allow: of independent chances there
- * is no LP file, which is told in *late. */
-unsigned murk_exports_possible(unsigned exports, murk_combining combining,
-                               murk_error *late);
+/* Whether views so combined allow `exports`: of independent chances there is no
+ * LP file. To be asked before any work is done. */
+murk_status murk_exports_check(unsigned exports, murk_combining combining,
+                               murk_error *err);
 
 /* Adds plan.ply, and what --export asks for, of a scene's plan. Looks again
  * from its sensors, and for --export from all candidates. */

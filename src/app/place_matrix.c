@@ -278,6 +278,9 @@ static murk_status load(murk_matrix_plan *p, murk_error *err)
     const murk_options *options = p->session.options;
     murk_status status = read_wish(p, err);
     if (!status) {
+        status = murk_exports_check(options->exports, p->combining, err);
+    }
+    if (!status) {
         status = murk_sparse_matrix_read(&p->matrix, options->matrix, err);
     }
     if (!status) {
@@ -304,9 +307,8 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     if (!status && options->exports) {
         const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,
                                    p.desc.target, p.desc.rules, p.redundancy};
-        const unsigned exports =
-            murk_exports_possible(options->exports, p.combining, &late);
-        murk_exports_add(&p.session.results, exports, p.matrix, &goal, &late);
+        murk_exports_add(&p.session.results, options->exports, p.matrix, &goal,
+                         &late);
     }
     if (!status) {
         status = murk_session_finish(&p.session, "plan.json",

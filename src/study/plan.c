@@ -46,8 +46,9 @@ static murk_power_wish power_of(const murk_stage *stage,
     return out;
 }
 
-static murk_combining combining_of(const murk_scene_placement *wish)
+murk_combining murk_plan_combining(const murk_scene *scene)
 {
+    const murk_scene_placement *wish = &scene->placement;
     return wish->detection == MURK_SCENE_INDEPENDENT ||
                    wish->detection == MURK_SCENE_POWER
                ? MURK_COMBINE_INDEPENDENT
@@ -87,7 +88,7 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
         .interest = murk_goals_interest(stage->goals),
         .threshold =
             wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold : 0,
-        .combining = combining_of(wish),
+        .combining = murk_plan_combining(stage->scene),
         .redundancy = (unsigned)wish->redundancy,
         .power = power_of(stage, traced),
         .threads = threads,

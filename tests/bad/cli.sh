@@ -87,6 +87,7 @@ expect 2 "emit" place "$dir/good.yaml" --emit 10 --store 10
 expect 2 "needs a value" place "$dir/good.yaml" --emit
 expect 2 "not an option of murk trace" trace "$dir/good.yaml" --count 3
 expect 2 "must be more than 0" place "$dir/good.yaml" --budget 0
+expect 2 "make no linear problem" place "$dir/good.yaml" -o "$dir/none" --export lp --set placement.detection=independent
 expect 2 "KEY=VALUE" place "$dir/good.yaml" --set seed
 expect 2 "must be text | json" place "$dir/good.yaml" --format xml
 expect 2 "replay needs --photon" replay "$dir/good.yaml"

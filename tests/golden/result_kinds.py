@@ -115,7 +115,7 @@ REPEAT = {"asked": whole(1), "runs": whole(1), "first_seed": whole(0), "sensors"
                   "confidence": fraction, "runs": whole(2)},
           "best_seed": whole(0), "target_met": null}
 PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
-    "candidates": CANDIDATES | {"after_presolve": count},
+    "candidates": CANDIDATES | {"poses": count, "after_presolve": count},
     "targets": null,
     "coverage": {"in_sample": fraction, "held_out": fraction,
                  "held_out_standard_error": fraction, "surface": fraction,

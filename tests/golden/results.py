@@ -164,7 +164,8 @@ def check_plan(plan, where):
     near(values[-1], total, 1e-6, where, "end of the curve")
     near(curve[-1]["upper"], upper, 1e-6, where, "the curve's last bound")
     candidates = plan["candidates"]
-    check(candidates["after_presolve"] <= candidates["usable"] <= candidates["asked"],
+    check(candidates["after_presolve"] <= candidates["poses"] and
+          candidates["usable"] <= min(candidates["asked"], candidates["poses"]),
           where, candidates)
     dropped = [candidates[cause] for cause in
                ("duplicates", "forbidden", "too_close", "unreached")]
