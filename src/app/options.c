@@ -281,6 +281,14 @@ static const murk_option *find_option(const char *text, size_t length)
     return NULL;
 }
 
+/* One of a letter, whose value follows at once; NULL: it is none. */
+static const murk_option *find_short(const char *text)
+{
+    const bool may_be = text[0] == '-' && text[1] != '-' && strlen(text) > 2;
+    const murk_option *option = may_be ? find_option(text, 2) : NULL;
+    return option && option->argument ? option : NULL;
+}
+
 /* One option and its value, which stands behind "=" or in the next argument;
  * *i moves past it. */
 static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
@@ -291,6 +299,10 @@ static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
     const size_t length = equals ? (size_t)(equals - text) : strlen(text);
     const murk_option *option = find_option(text, length);
     if (!option) {
+        option = find_short(text);
+        if (option) { /* -j2 */
+            return apply(out, option, text + 2, err);
+        }
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%.*s: no such option (murk --help)", (int)length,
                          text);
@@ -323,6 +335,7 @@ static murk_status check_belonging(const murk_options *out, int argc,
         const size_t length =
             equals ? (size_t)(equals - argv[i]) : strlen(argv[i]);
         const murk_option *option = find_option(argv[i], length);
+        option = option ? option : find_short(argv[i]);
         if (!option) {
             continue;
         }

@@ -80,6 +80,8 @@ expect 2 "no such option" place "$dir/good.yaml" --sed 3
 expect 2 "--seed: -1" place "$dir/good.yaml" --seed -1
 expect 2 "--seed: 4294967296" place "$dir/good.yaml" --seed 4294967296
 expect 2 "--threads: 0" place "$dir/good.yaml" --threads 0
+expect 2 "--threads: 0" place "$dir/good.yaml" -j0
+expect 2 "-x2: no such option" place "$dir/good.yaml" -x2
 expect 2 "--emit: 12abc" place "$dir/good.yaml" --emit 12abc
 expect 2 "--emit: nan" place "$dir/good.yaml" --emit nan
 expect 2 "--emit: 1152921504606846976" place "$dir/good.yaml" --emit 1152921504606846976
