@@ -20,6 +20,7 @@ scene() {
     cat
 }
 
+command=place
 # refused EXIT PART-OF-MESSAGE CONDITIONS OPTIONS...
 refused() {
     want=$1
@@ -30,12 +31,12 @@ refused() {
     (
         ulimit -t 10
         ulimit -v 2000000
-        MALLOC_ARENA_MAX=2 timeout 60 "$murk" place "$dir/bad.yaml" -o "$dir/out" "$@"
+        MALLOC_ARENA_MAX=2 timeout 60 "$murk" "$command" "$dir/bad.yaml" -o "$dir/out" "$@"
     ) >"$dir/stdout" 2>"$dir/stderr"
     got=$?
     lines=$(grep -cv '^murk: warning:' "$dir/stderr")
     if [ "$got" -ne "$want" ] || [ "$lines" -ne 1 ] || ! grep -qF -- "$part" "$dir/stderr"; then
-        echo "$conditions $*"
+        echo "$command $conditions $*"
         echo "  exit $got, want $want; want one line with: $part"
         sed 's/^/  /' "$dir/stderr"
         failed=1
@@ -75,6 +76,12 @@ over='--set placement.over=worst'
       max_m: [3.9, 3.9, 2.9]}}, {box: {min_m: [0.12, 0.12, 0.12], max_m: [3.88, 3.88, 2.4]}}],
       lights.0.position_m: [2, 2, 2.8]}}' $over --set 'sensors.candidates={grid: {min_m: [1, 1, 1],
       max_m: [3, 3, 2], size: [3, 3, 2]}}'
+    command=sense
+    printf 'type,x_m,y_m,z_m\nnode,2,2,1\n' >"$dir/sensors.csv"
+    for by in mean worst; do
+        refused 2 'over: sense measures one scene' "$good" --sensors "$dir/sensors.csv" \
+            --set placement.over=$by
+    done
 }
 [ "$failed" -eq 0 ] && echo "every one is refused in one line"
 exit "$failed"
