@@ -3,8 +3,8 @@ matrix, and greedy in the unknown one, with what each may take and must reach.
 
 usage: scale.py MURK [known|unknown]
 
-Time is limited as processor time (two processors for ten minutes), so that the
-verdict is murk's and not that of what else runs; wall time is printed.
+Time is limited twice: ten minutes by the clock, which is what a user of two
+processors waits, and as processor time, which what else runs does not change.
 """
 
 import json
@@ -14,6 +14,7 @@ import sys
 import time
 
 SCENE = "tests/nightly/warehouse.yaml"
+CLOCK_S = 600
 CASES = {
     # 100,000 photons, 20,024 places that see 5 % of them, 20 sensors
     "known": ([], dict(photons=100000, places=20000, bytes=4e9, cpu_s=1200, gap=0.05)),
@@ -40,16 +41,18 @@ def run(murk, name):
     plan = json.loads(done.stdout)
     took = plan["run"]["peak_memory_bytes"]
     gap = plan["bound"]["gap"]
-    print("%s: %d photons, %d places, coverage %.4f, gap %.2f %%, %.0f s of processor, "
-          "%.0f s by the clock, %.2f GB"
+    print("%s: %d photons, %d places, coverage %.4f, gap %.2f %%, %.0f s of processor (at most "
+          "%d), %.0f s by the clock (at most %d), %.2f GB"
           % (name, plan["photons"]["surface"], plan["candidates"]["usable"],
-             plan["coverage"]["in_sample"], 100 * gap, cpu_s, wall_s, took * 1e-9))
+             plan["coverage"]["in_sample"], 100 * gap, cpu_s, most["cpu_s"], wall_s, CLOCK_S,
+             took * 1e-9))
     checks = [
         ("photons", plan["photons"]["surface"] >= most["photons"]),
         ("places", plan["candidates"]["usable"] >= most["places"]),
         ("sensors", len(plan["sensors"]) == 20),
         ("memory", took <= most["bytes"]),
         ("processor time", cpu_s <= most["cpu_s"]),
+        ("time by the clock", wall_s <= CLOCK_S),
         ("gap", 0 <= gap < most["gap"]),
     ]
     return ["%s: %s" % (name, what) for what, holds in checks if not holds]
