@@ -109,11 +109,36 @@ static void test_fixed_sensors_see_but_do_not_walk(void)
     unmake(&m);
 }
 
+/* Nodes see more than the cameras that are asked for: a path that begins with
+ * one covers more than any plan of so few that must have two cameras. */
+static void test_bounds_hold_before_least_counts_are_met(void)
+{
+    const char *const list[] = {
+        "sensors={types: [{name: node, range_m: 6}, {name: camera, range_m: 3, "
+        "least_count: 2, view: {cone_deg: 60}}], count: 3, " SITED "}",
+        NULL};
+    made m = explore_with(CORRIDOR, list, 2);
+    const murk_place_result *place = &m.plan.place;
+    CHECK_TEXT(m.err.text, "");
+    CHECK(place->count == 3 && place->curve_points == 3);
+    for (size_t k = 0; k < place->curve_points; ++k) {
+        const murk_curve_point *point = &place->curve[k];
+        CHECK(point->count == k + 1);
+        CHECK(point->value == m.plan.explore.step[k].value);
+        CHECK(point->upper >= point->value);
+    }
+    CHECK(place->upper >= place->value);
+    CHECK(place->curve_points == 0 ||
+          place->curve[place->curve_points - 1].upper == place->upper);
+    unmake(&m);
+}
+
 int main(void)
 {
     test_targets_end_it();
     test_budgets_go_by_cost();
     test_rules_are_kept();
     test_fixed_sensors_see_but_do_not_walk();
+    test_bounds_hold_before_least_counts_are_met();
     return check_done();
 }
