@@ -74,6 +74,11 @@ static void weigh(murk_joint *j, const double *shares)
             whole[c] += j->part[c].problem.weight[i];
         }
     }
+    if (j->blocks.n == 1) { /* as its own sight counts: nothing is rounded */
+        memcpy(j->weight, j->part[0].problem.weight,
+               j->problem.photons * sizeof *j->weight);
+        return;
+    }
     const double scale = scale_of(j, shares, whole);
     for (size_t c = 0; c < j->blocks.n; ++c) {
         const double factor = scale * shares[c] / whole[c];

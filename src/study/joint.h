@@ -6,7 +6,8 @@
  * weight in the mean, and rounded: that moves a photon's by half a unit, less
  * than 2^-20 of its condition's mean photon up to 2^25 photons in all, unless
  * conditions' weights or photons of one condition differ by so much that the
- * lightest lose digits to the 32 bits of the heaviest. */
+ * lightest lose digits to the 32 bits of the heaviest. One condition alone
+ * keeps its weights. */
 #ifndef MURK_STUDY_JOINT_H
 #define MURK_STUDY_JOINT_H
 

@@ -295,6 +295,15 @@ static murk_status confirm(murk_over *over, murk_plan *plan, unsigned threads,
 
 /* ---- all ---- */
 
+/* As the joint problem counts it, as do the bound and the curve: from the
+ * conditions' own coverages it differs by what the rounding of weights moves,
+ * which may be more than what is left to the bound. */
+static void read_in_sample(murk_plan *plan)
+{
+    plan->in_sample.total.value =
+        (double)plan->place.value / (double)plan->place.whole;
+}
+
 static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
                            murk_error *err)
 {
@@ -333,6 +342,7 @@ static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
     }
     if (!status) {
         status = sum_up_jitter(over, plan, err);
+        read_in_sample(plan); /* losses compare what is measured alike */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
         status = confirm(over, plan, threads, err);
