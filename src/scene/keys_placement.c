@@ -89,6 +89,8 @@ static const murk_key PLACEMENT_ROWS[] = {
         AT(murk_scene, placement.threshold)),
     ROW("power_radius_m", NUMBER, SIZE_M,
         AT(murk_scene, placement.power_radius_m)),
+    ROW("power_neighbours", COUNT, .least = 12, .most = 128, .preset = "64",
+        AT(murk_scene, placement.power_neighbours)),
     ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
         AT(murk_scene, placement.by_normal)),
     ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,

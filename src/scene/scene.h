@@ -365,10 +365,11 @@ typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
     murk_scene_detection detection;
-    double threshold;      /* of transmittance, for detection: threshold */
-    double power_radius_m; /* for detection: power; 0: not given */
-    uint64_t redundancy;   /* views of a photon that count */
-    bool by_normal;        /* visibility: normal; false: ray */
+    double threshold;          /* of transmittance, for detection: threshold */
+    double power_radius_m;     /* for detection: power; 0: not given */
+    uint64_t power_neighbours; /* where no radius is given */
+    uint64_t redundancy;       /* views of a photon that count */
+    bool by_normal;            /* visibility: normal; false: ray */
     murk_scene_through through;
     murk_scene_knowledge knowledge;
     bool has_start;

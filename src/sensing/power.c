@@ -3,12 +3,16 @@
 #include "base/crew.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "sensing/neighbours.h"
 #include "sensing/vicinity.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
 #define BATCH_PHOTONS 1024
+
+/* Of the largest radius: neighbours nearer than that are one spot. */
+#define LEAST_RADIUS 1e-3
 
 /* The light around a batch's photons of the volume map: photon i's is
  * list[begin[i]] to list[begin[i + 1]]. */
@@ -25,7 +29,9 @@ struct murk_power {
     float *radiance; /* [surface photons] */
     chunk **chunk;   /* [chunks], by batches of the volume map */
     size_t chunks;
-    uint32_t **found; /* [threads], while it is made */
+    uint32_t *few;    /* [batches of surface, then volume] places */
+    uint32_t **found; /* [threads], while it is made; so is */
+    murk_neighbours_desk **desk;
 };
 
 static size_t batches_of(const murk_photon_map *map)
@@ -48,6 +54,15 @@ static murk_vec3 place_of(const murk_photon *photon)
 
 /* ---- what lies around ---- */
 
+/* The radius within which all count. Where the neighbours decide, that is where
+ * these lie next to each other: single precision tells it in domains of up to
+ * some 1e5 times the least distance. */
+static double within_m(const murk_power_desc *desc)
+{
+    return desc->neighbours > 0 ? LEAST_RADIUS * desc->radius_m
+                                : desc->radius_m;
+}
+
 /* The emitted photon that says nothing of this place. */
 static uint64_t path_of(const murk_power *power, const murk_photon *of)
 {
@@ -58,65 +73,99 @@ static uint64_t path_of(const murk_power *power, const murk_photon *of)
     return is_own ? of->emitted : MURK_VICINITY_ALL;
 }
 
+/* What tells of a place: its numbers are found[0..n). */
+typedef struct gathered {
+    size_t n;
+    int level; /* of its vicinity */
+    double radius_m, factor;
+} gathered;
+
+/* As far as enough reach, but where that is next to nothing (a beam's spot):
+ * there, and with a radius that is given, all within it. */
+static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
+                       unsigned worker, const murk_photon *of)
+{
+    const murk_power_desc *desc = &power->desc;
+    const bool is_volume = murk_photon_is_volume(of);
+    const uint64_t path = path_of(power, of);
+    uint32_t *found = power->found[worker];
+    if (desc->neighbours > 0) {
+        const murk_neighbours neighbours = {
+            .map = is_volume ? desc->light.volume_map : desc->light.surface_map,
+            .domain = desc->domain,
+            .k = desc->neighbours,
+            .most_m = desc->radius_m};
+        const uint64_t emitted = desc->light.photons_emitted;
+        const uint64_t others = emitted - (path < emitted);
+        gathered g = {.factor =
+                          others > 0 ? (double)emitted / (double)others : 0};
+        g.n = murk_neighbours_find(&neighbours, power->desk[worker], of, path,
+                                   found, &g.radius_m);
+        if (g.radius_m >= within_m(desc)) {
+            return g;
+        }
+    }
+    const murk_around a =
+        murk_vicinity_find(vicinity, place_of(of), path, found);
+    const murk_photon *photon = murk_vicinity_photons(vicinity, a.level);
+    gathered g = {
+        .level = a.level, .radius_m = within_m(desc), .factor = a.factor};
+    for (size_t k = 0; k < a.n; ++k) {
+        if (murk_neighbours_alike(of, &photon[found[k]])) {
+            found[g.n++] = found[k];
+        }
+    }
+    return g;
+}
+
 static void survey_surface(void *context, unsigned worker, uint64_t batch)
 {
     murk_power *power = context;
     const murk_photon_map *map = power->desc.surface_map;
     const size_t first = (size_t)batch * BATCH_PHOTONS,
                  end = end_of(map, first);
-    const double r = power->desc.radius_m;
-    uint32_t *found = power->found[worker];
+    const uint32_t *found = power->found[worker];
     for (size_t i = first; i < end; ++i) {
-        const murk_photon *of = &murk_photon_map_photons(map)[i];
-        const murk_vec3 normal = murk_direction_unpack(of->normal);
-        const murk_around a = murk_vicinity_find(power->surface, place_of(of),
-                                                 path_of(power, of), found);
+        const gathered g = gather(power, power->surface, worker,
+                                  &murk_photon_map_photons(map)[i]);
         const murk_photon *photon =
-            murk_vicinity_photons(power->surface, a.level);
+            murk_vicinity_photons(power->surface, g.level);
         double sum_w = 0;
-        for (size_t k = 0; k < a.n; ++k) {
-            const murk_photon *p = &photon[found[k]];
-            if (p->band == of->band &&
-                murk_dot(normal, murk_direction_unpack(p->normal)) > 0) {
-                sum_w += (double)p->power_w;
-            }
+        for (size_t k = 0; k < g.n; ++k) {
+            sum_w += (double)photon[found[k]].power_w;
         }
         power->radiance[i] =
-            (float)(a.factor * sum_w / (MURK_PI * MURK_PI * r * r));
+            (float)(g.factor * sum_w /
+                    (MURK_PI * MURK_PI * g.radius_m * g.radius_m));
+        power->few[batch] += g.n < MURK_POWER_FEW;
     }
     murk_progress_add(end - first);
 }
 
 /* False without memory. */
-static bool survey_place(const murk_power *power, size_t i, uint32_t *found,
-                         chunk *c)
+static bool survey_place(murk_power *power, size_t i, unsigned worker, chunk *c)
 {
-    const murk_photon *of = &murk_photon_map_photons(power->desc.volume_map)[i];
-    const murk_around a = murk_vicinity_find(power->volume, place_of(of),
-                                             path_of(power, of), found);
-    const murk_photon *photon = murk_vicinity_photons(power->volume, a.level);
+    const gathered g =
+        gather(power, power->volume, worker,
+               &murk_photon_map_photons(power->desc.volume_map)[i]);
     const size_t at = i % BATCH_PHOTONS, begin = c->begin[at];
-    size_t kept = 0;
-    for (size_t k = 0; k < a.n; ++k) {
-        if (photon[found[k]].band == of->band) {
-            found[kept++] = found[k];
-        }
-    }
-    if (begin + kept > UINT32_MAX) {
+    if (begin + g.n > UINT32_MAX) {
         return false;
     }
-    uint32_t *more = realloc(c->list, (begin + kept + 1) * sizeof *more);
+    uint32_t *more = realloc(c->list, (begin + g.n + 1) * sizeof *more);
     if (!more) {
         return false;
     }
-    for (size_t k = 0; k < kept; ++k) {
-        more[begin + k] = found[k];
+    for (size_t k = 0; k < g.n; ++k) {
+        more[begin + k] = power->found[worker][k];
     }
-    const double r = power->desc.radius_m;
+    const double r = g.radius_m;
     c->list = more;
-    c->begin[at + 1] = (uint32_t)(begin + kept);
-    c->level[at] = (uint8_t)a.level;
-    c->factor[at] = (float)(a.factor / (4 / 3. * MURK_PI * r * r * r));
+    c->begin[at + 1] = (uint32_t)(begin + g.n);
+    c->level[at] = (uint8_t)g.level;
+    c->factor[at] = (float)(g.factor / (4 / 3. * MURK_PI * r * r * r));
+    power->few[batches_of(power->desc.surface_map) + i / BATCH_PHOTONS] +=
+        g.n < MURK_POWER_FEW;
     return true;
 }
 
@@ -127,7 +176,7 @@ static void survey_volume(void *context, unsigned worker, uint64_t batch)
     const size_t end = end_of(power->desc.volume_map, first);
     chunk *c = calloc(1, sizeof *c);
     for (size_t i = first; c && i < end; ++i) {
-        if (!survey_place(power, i, power->found[worker], c)) {
+        if (!survey_place(power, i, worker, c)) {
             free(c->list);
             free(c);
             c = NULL;
@@ -188,12 +237,12 @@ static murk_status set_aside(murk_power *power, murk_error *err)
     const murk_power_light *light = &desc->light;
     murk_status status =
         murk_vicinity_create(&power->surface, light->surface_map, desc->domain,
-                             light->photons_emitted, desc->radius_m,
+                             light->photons_emitted, within_m(desc),
                              MURK_POWER_SURFACE_MOST, desc->threads, err);
     if (!status) {
         status = murk_vicinity_create(&power->volume, light->volume_map,
                                       desc->domain, light->photons_emitted,
-                                      desc->radius_m, MURK_POWER_VOLUME_MOST,
+                                      within_m(desc), MURK_POWER_VOLUME_MOST,
                                       desc->threads, err);
     }
     if (status) {
@@ -206,10 +255,16 @@ static murk_status set_aside(murk_power *power, murk_error *err)
     power->radiance = malloc(
         murk_photon_map_count(desc->surface_map) * sizeof *power->radiance + 1);
     power->found = calloc(desc->threads, sizeof *power->found);
-    bool has_room = power->chunk && power->radiance && power->found;
+    power->desk = calloc(desc->threads, sizeof *power->desk);
+    power->few = calloc(batches_of(desc->surface_map) + power->chunks + 1,
+                        sizeof *power->few);
+    bool has_room = power->chunk && power->radiance && power->found &&
+                    power->desk && power->few;
     for (unsigned i = 0; has_room && i < desc->threads; ++i) {
-        power->found[i] = malloc((a > b ? a : b) * sizeof *power->found[i] + 1);
-        has_room = power->found[i];
+        power->found[i] = malloc(
+            ((a > b ? a : b) + desc->neighbours) * sizeof *power->found[i] + 1);
+        power->desk[i] = murk_neighbours_desk_create(desc->neighbours + 1);
+        has_room = power->found[i] && power->desk[i];
     }
     return has_room ? MURK_OK : no_memory(desc, err);
 }
@@ -219,8 +274,13 @@ static void release_found(murk_power *power)
     for (unsigned i = 0; power->found && i < power->desc.threads; ++i) {
         free(power->found[i]);
     }
+    for (unsigned i = 0; power->desk && i < power->desc.threads; ++i) {
+        murk_neighbours_desk_destroy(power->desk[i]);
+    }
     free(power->found);
+    free(power->desk);
     power->found = NULL;
+    power->desk = NULL;
 }
 
 static murk_status survey(murk_power *power, murk_error *err)
@@ -289,12 +349,23 @@ void murk_power_destroy(murk_power *power)
     release_found(power);
     free(power->chunk);
     free(power->radiance);
+    free(power->few);
     murk_vicinity_destroy(power->surface);
     murk_vicinity_destroy(power->volume);
     free(power);
 }
 
 /* ---- asking ---- */
+
+size_t murk_power_few(const murk_power *power)
+{
+    const size_t batches = batches_of(power->desc.surface_map) + power->chunks;
+    size_t few = 0;
+    for (size_t i = 0; i < batches; ++i) {
+        few += power->few[i];
+    }
+    return few;
+}
 
 double murk_power_radiance(const murk_power *power, size_t i)
 {

@@ -8,8 +8,9 @@
  *     volume    j = (powers within r, each times p(w_k . w)) / (4/3 pi r^3)
  *               [W/m3/sr] in direction w to the sensor, w_k the direction of
  *               the arriving light and p the phase function of its medium.
- * Which photons count is for sensing/vicinity.h: where photons are judged, not
- * those of their own path.
+ * Which photons count, and how far the radius reaches, is for
+ * sensing/neighbours.h or, with a fixed radius, sensing/vicinity.h: where
+ * photons are judged, not those of their own path.
  * Near edges and corners a ball reaches beyond the surface or the medium, so L
  * and j are too low there within r; a spot smaller than r is spread over it.
  *
@@ -56,7 +57,9 @@ typedef struct murk_power_desc {
     murk_power_light light;
     const murk_media *media;
     const murk_domain *domain;
-    double radius_m; /* as murk_power_check_radius() lets it */
+    double radius_m;   /* as murk_power_check_radius() lets it */
+    size_t neighbours; /* 0: all within radius_m; else, at least 2, as far as
+                          so many reach, radius_m at most */
     unsigned threads;
 } murk_power_desc;
 
@@ -67,6 +70,9 @@ typedef struct murk_power_desc {
 murk_status murk_power_create(murk_power **out, const murk_power_desc *desc,
                               murk_error *err);
 void murk_power_destroy(murk_power *power); /* NULL is fine */
+
+/* Places that fewer than MURK_POWER_FEW photons tell of. */
+size_t murk_power_few(const murk_power *power);
 
 /* L at place i of the surface map [W/m2/sr]. */
 double murk_power_radiance(const murk_power *power, size_t i);

@@ -7,6 +7,10 @@
 #include "base/vector.h"
 #include "photonmap/map.h"
 
+/* A place with fewer photons around it is judged badly: its error is a third or
+ * more. */
+#define MURK_POWER_FEW 10
+
 /* The light that is stored, and by how many photons. */
 typedef struct murk_power_light {
     const murk_photon_map *surface_map, *volume_map;
@@ -15,7 +19,8 @@ typedef struct murk_power_light {
 
 /* What a sight needs to judge by power. */
 typedef struct murk_power_wish {
-    double radius_m; /* 0: it does not */
+    double radius_m;   /* 0: it does not */
+    size_t neighbours; /* as murk_power_desc has both */
     double band_nm[MURK_BANDS_MAX];
     murk_power_light light; /* maps NULL: those looked at */
 } murk_power_wish;

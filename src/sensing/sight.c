@@ -157,6 +157,7 @@ static murk_status judge_by_power(murk_sight *sight, murk_error *err)
                                   .media = desc->media,
                                   .domain = &sight->desc.domain,
                                   .radius_m = desc->power.radius_m,
+                                  .neighbours = desc->power.neighbours,
                                   .threads = desc->threads};
     murk_status status = MURK_OK;
     for (size_t k = 0; k < desc->types && !status; ++k) {
@@ -329,6 +330,11 @@ double murk_sight_power_w(const murk_sight *sight, size_t i)
 const murk_sight_desc *murk_sight_described(const murk_sight *sight)
 {
     return &sight->desc;
+}
+
+size_t murk_sight_power_few(const murk_sight *sight)
+{
+    return sight->power ? murk_power_few(sight->power) : 0;
 }
 
 uint64_t murk_sight_queries(const murk_sight *sight)

@@ -122,6 +122,10 @@ double murk_sight_power_w(const murk_sight *sight, size_t i);
 /* What it was made from. */
 const murk_sight_desc *murk_sight_described(const murk_sight *sight);
 
+/* Photons that are judged by the power of fewer than MURK_POWER_FEW others; 0
+ * where power is not what judges. */
+size_t murk_sight_power_few(const murk_sight *sight);
+
 /* Counters since creation: looks (each asks both maps), and sightlines tested
  * against surfaces. */
 uint64_t murk_sight_queries(const murk_sight *sight);

@@ -1,5 +1,6 @@
 #include "study/plan.h"
 
+#include "base/log.h"
 #include "base/progress.h"
 #include "medium/acceptance.h"
 #include "study/machine.h"
@@ -17,9 +18,12 @@ typedef struct seen_maps {
     uint64_t emitted;
 } seen_maps;
 
-/* Of the domain's diagonal: where the scene leaves power_radius_m to murk. It
- * does not depend on how many photons there are, so neither do estimates. */
-#define POWER_RADIUS 0.02
+/* Of the domain's diagonal, the largest radius where the scene leaves
+ * power_radius_m to murk. */
+#define POWER_RADIUS 0.1
+
+/* Of the photons: more that are judged by next to nothing are worth a word. */
+#define FEW_SHARE 0.05
 
 double murk_plan_power_radius_m(const murk_stage *stage)
 {
@@ -36,14 +40,38 @@ double murk_plan_power_radius_m(const murk_stage *stage)
     return domain->is_periodic ? fmin(own, fmin(size.x, size.y) / 2) : own;
 }
 
+size_t murk_plan_power_neighbours(const murk_stage *stage)
+{
+    const murk_scene_placement *wish = &stage->scene->placement;
+    return wish->detection == MURK_SCENE_POWER && !(wish->power_radius_m > 0)
+               ? (size_t)wish->power_neighbours
+               : 0;
+}
+
 static murk_power_wish power_of(const murk_stage *stage,
                                 const murk_traced *traced)
 {
     murk_power_wish out = {
         .radius_m = murk_plan_power_radius_m(stage),
+        .neighbours = murk_plan_power_neighbours(stage),
         .light = {traced->surface, traced->volume, traced->emitted}};
     memcpy(out.band_nm, stage->scene->band_nm, sizeof out.band_nm);
     return out;
+}
+
+/* Of the first stream's light: the others' is alike. */
+static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
+                        const murk_traced *traced, size_t all)
+{
+    const size_t few = murk_sight_power_few(sight);
+    if (traced->stream == 0 && (double)few > FEW_SHARE * (double)all) {
+        murk_warn(stage->scene->placement.where,
+                  "detection: power: %zu of %zu photons (%.0f %%) have fewer "
+                  "than %d neighbours within %g m and are judged badly: more "
+                  "photons or a larger power_radius_m",
+                  few, all, 100 * (double)few / (double)all, MURK_POWER_FEW,
+                  murk_plan_power_radius_m(stage));
+    }
 }
 
 murk_combining murk_plan_combining(const murk_scene *scene)
@@ -94,6 +122,11 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
         .threads = threads,
         .where = wish->where};
     const murk_status status = murk_sight_create(out, &desc, err);
+    if (!status) {
+        warn_of_few(*out, stage, traced,
+                    murk_photon_map_count(maps->surface) +
+                        murk_photon_map_count(maps->volume));
+    }
     free(types);
     return status;
 }
@@ -214,6 +247,7 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
 {
     murk_status status = murk_plan_check(stage, threads, err);
     plan->power_radius_m = murk_plan_power_radius_m(stage);
+    plan->power_neighbours = murk_plan_power_neighbours(stage);
     if (!status) {
         status = murk_sites_find(&plan->candidates, stage, threads, err);
     }

@@ -24,9 +24,13 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
                                  const murk_traced *traced, unsigned threads,
                                  murk_error *err);
 
-/* With detection: power, the radius of its estimates, as the scene has it or 2
- * % of the domain's diagonal; else 0. */
+/* With detection: power, the radius of its estimates, as the scene has it, or
+ * 10 % of the domain's diagonal, which is then the largest; else 0. */
 double murk_plan_power_radius_m(const murk_stage *stage);
+
+/* By how many neighbours places are judged; 0: by a fixed radius, or not by
+ * power. */
+size_t murk_plan_power_neighbours(const murk_stage *stage);
 
 /* The least value (weight * clarity) of a plan that covers the share, 0..1, of
  * the whole; a share within rounding of a value means it. */
@@ -74,6 +78,7 @@ typedef struct murk_plan {
     murk_estimate confirmed;               /* with a target: on a third map */
     murk_robust robust;
     double power_radius_m;         /* of detection: power; 0: another */
+    size_t power_neighbours;       /* likewise; 0: the radius is fixed */
     uint64_t queries, shadow_rays; /* spent on choosing */
     uint64_t blocked_by_interfaces, totally_reflected; /* then, sightlines */
     double trace_s, map_s, sense_s, place_s;

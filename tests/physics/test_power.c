@@ -3,6 +3,7 @@
  * many photons coverage moves by no more than its error.
  *
  * The checks share a 1e-6 chance of a false alarm (Sidak); seeds are fixed. */
+#include "base/log.h"
 #include "base/stats.h"
 #include "check.h"
 #include "sensing/power.h"
@@ -11,7 +12,7 @@
 
 #include <stdlib.h>
 
-#define CHECKS 3
+#define CHECKS 5
 
 static double limit(void)
 {
@@ -134,6 +135,24 @@ static const char hall_text[] =
     "  target_m3: 0.1}]}\n"
     "placement: {detection: power, power_radius_m: 0.7}\n";
 
+/* Much the same hall, and nothing said of apertures, times or radii. */
+static const char default_text[] =
+    "murk: 1\n"
+    "bands_nm: [550]\n"
+    "domain: {min_m: [0, 0, 0], max_m: [10, 8, 4]}\n"
+    "geometry:\n"
+    "  - {box: {min_m: [0.01, 0.01, 0.01], max_m: [9.99, 7.99, 3.99]},"
+    " material: wall}\n"
+    "  - {box: {min_m: [4.4, 0.02, 0.02], max_m: [4.6, 5, 3.98]},"
+    " material: wall}\n"
+    "materials: {wall: {diffuse: 0.6}}\n"
+    "media: {fog: {extinction_per_m: 0.1, albedo: 0.9, phase: {hg: 0.7}}}\n"
+    "regions: [{medium: fog}]\n"
+    "lights:\n"
+    "  - {type: point, position_m: [2, 7, 3], power_w: 10}\n"
+    "sensors: {types: [{name: eye, range_m: 4}]}\n"
+    "placement: {detection: power}\n";
+
 static const murk_pose sensors[2] = {{.position = {2, 6, 2}},
                                      {.position = {8, 3, 2}}};
 
@@ -171,9 +190,68 @@ static void test_more_photons_change_nothing_but_the_error(void)
     CHECK(sigmas_off(few.value, longer.value, error) > limit());
 }
 
+/* ---- at the defaults ---- */
+
+#define DEFAULT_SEEDS 16
+
+typedef struct spread {
+    double mean, error; /* as the seeds scatter, of the mean */
+} spread;
+
+static spread spread_of(const char *emit, const char *radius)
+{
+    double sum = 0, sum2 = 0;
+    for (unsigned seed = 1; seed <= DEFAULT_SEEDS; ++seed) {
+        char seed_text[32];
+        snprintf(seed_text, sizeof seed_text, "seed=%u", seed);
+        const char *const overrides[] = {emit, seed_text, radius, NULL};
+        const double one = measure(default_text, sensors, 2, overrides).value;
+        sum += one;
+        sum2 += one * one;
+    }
+    const double mean = sum / DEFAULT_SEEDS;
+    const double variance = (sum2 - sum * mean) / (DEFAULT_SEEDS - 1);
+    return (spread){mean, sqrt(variance / DEFAULT_SEEDS)};
+}
+
+/* The errors of both come from 16 seeds each, 30 degrees of freedom: the
+ * normal limit is widened as Student's law is (Peiser, 1943, doi:
+ * 10.1214/aoms/1177731544). */
+static double widened(double z)
+{
+    const double freedom = 2. * (DEFAULT_SEEDS - 1);
+    return z + (z * z * z + z) / (4 * freedom) +
+           (5 * pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
+}
+
+static void test_the_defaults_judge_the_place_and_not_the_packet(void)
+{
+    const char *const few_text = "photons.emit=2500";
+    const char *const many_text = "photons.emit=10000";
+    const char *const small = "placement.power_radius_m=0.2";
+    const spread few = spread_of(few_text, NULL);
+    const spread many = spread_of(many_text, NULL);
+    const spread few_small = spread_of(few_text, small);
+    const spread many_small = spread_of(many_text, small);
+    const double error = hypot(few.error, many.error);
+    printf("defaults: %.5f +- %.5f with 2500, %.5f +- %.5f with 10000; within "
+           ".2 m %.5f and %.5f\n",
+           few.mean, few.error, many.mean, many.error, few_small.mean,
+           many_small.mean);
+    CHECK(few.mean > 0.2 && few.mean < 0.9);
+    CHECK_WITHIN(widened(limit()), few.mean, many.mean, error);
+    /* Teeth: within a small radius few photons lie when few are traced. */
+    CHECK(sigmas_off(few_small.mean, many_small.mean,
+                     hypot(few_small.error, many_small.error)) >
+          widened(limit()));
+}
+
 int main(void)
 {
+    /* of small radii, which are asked for here */
+    murk_warn_to(NULL);
     test_a_plate_is_noticed_by_its_radiance();
     test_more_photons_change_nothing_but_the_error();
+    test_the_defaults_judge_the_place_and_not_the_packet();
     return check_done();
 }

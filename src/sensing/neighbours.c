@@ -1,0 +1,134 @@
+#include "sensing/neighbours.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#define IMAGES 9 /* of a place in a periodic domain */
+
+/* Photons looked at around one, by k: first, and at most. Work is bounded where
+ * many lie near that are of other bands or sides. */
+#define FIRST_LOOK 2
+#define LAST_LOOK  32
+
+typedef struct near_one {
+    double distance2_m2;
+    uint32_t number;
+} near_one;
+
+struct murk_neighbours_desk {
+    uint32_t *found;
+    double *distance2_m2;
+    near_one *nearest; /* of all images */
+};
+
+murk_neighbours_desk *murk_neighbours_desk_create(size_t k)
+{
+    const size_t room = LAST_LOOK * k;
+    murk_neighbours_desk *desk = calloc(1, sizeof *desk);
+    if (!desk) {
+        return NULL;
+    }
+    desk->found = calloc(room, sizeof *desk->found);
+    desk->distance2_m2 = calloc(room, sizeof *desk->distance2_m2);
+    desk->nearest = calloc(IMAGES * room, sizeof *desk->nearest);
+    if (!desk->found || !desk->distance2_m2 || !desk->nearest) {
+        murk_neighbours_desk_destroy(desk);
+        return NULL;
+    }
+    return desk;
+}
+
+void murk_neighbours_desk_destroy(murk_neighbours_desk *desk)
+{
+    if (desk) {
+        free(desk->found);
+        free(desk->distance2_m2);
+        free(desk->nearest);
+        free(desk);
+    }
+}
+
+static int by_distance(const void *a, const void *b)
+{
+    const near_one *x = a, *y = b;
+    const int farther = (x->distance2_m2 > y->distance2_m2) -
+                        (x->distance2_m2 < y->distance2_m2);
+    return farther ? farther
+                   : (x->number > y->number) - (x->number < y->number);
+}
+
+/* The m nearest, over all images of the place: what lies beyond half a period
+ * may be there twice. */
+static size_t look(const murk_neighbours *neighbours,
+                   murk_neighbours_desk *desk, murk_vec3 place, size_t m)
+{
+    const murk_domain *domain = neighbours->domain;
+    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
+    const int images = domain->is_periodic ? IMAGES : 1;
+    size_t all = 0;
+    for (int image = 0; image < images; ++image) {
+        const double i = images > 1 ? image % 3 - 1 : 0;
+        const double j = images > 1 ? image / 3 - 1 : 0;
+        const murk_vec3 center = {place.x + i * period.x,
+                                  place.y + j * period.y, place.z};
+        const size_t n = murk_photon_map_nearest(
+            neighbours->map, center, m, desk->found, desk->distance2_m2);
+        for (size_t k = 0; k < n; ++k) {
+            desk->nearest[all++] =
+                (near_one){desk->distance2_m2[k], desk->found[k]};
+        }
+    }
+    if (images > 1) {
+        qsort(desk->nearest, all, sizeof *desk->nearest, by_distance);
+    }
+    return all < m ? all : m;
+}
+
+bool murk_neighbours_alike(const murk_photon *of, const murk_photon *photon)
+{
+    return of->band == photon->band &&
+           (murk_photon_is_volume(of) ||
+            murk_dot(murk_direction_unpack(of->normal),
+                     murk_direction_unpack(photon->normal)) > 0);
+}
+
+size_t murk_neighbours_find(const murk_neighbours *neighbours,
+                            murk_neighbours_desk *desk, const murk_photon *of,
+                            uint64_t emitted, uint32_t *found, double *radius_m)
+{
+    assert(neighbours->k >= 2 && neighbours->most_m > 0);
+    const murk_photon *photon = murk_photon_map_photons(neighbours->map);
+    const murk_vec3 place = {(double)of->position_m[0],
+                             (double)of->position_m[1],
+                             (double)of->position_m[2]};
+    const double most2_m2 = neighbours->most_m * neighbours->most_m;
+    const size_t last = LAST_LOOK * neighbours->k;
+    for (size_t m = FIRST_LOOK * neighbours->k;; m *= 2) {
+        const size_t n = look(neighbours, desk, place, m);
+        const bool ends = n < m || m >= last;
+        size_t kept = 0;
+        for (size_t i = 0; i < n; ++i) {
+            const near_one *one = &desk->nearest[i];
+            const murk_photon *p = &photon[one->number];
+            if (one->distance2_m2 > most2_m2) {
+                *radius_m = neighbours->most_m;
+                return kept;
+            }
+            const bool counts =
+                p->emitted != emitted && murk_neighbours_alike(of, p);
+            const bool is_last = ends && n == m && i + 1 == n;
+            if (is_last || (counts && kept + 1 == neighbours->k)) {
+                *radius_m = sqrt(one->distance2_m2);
+                return kept;
+            }
+            if (counts) {
+                found[kept++] = one->number;
+            }
+        }
+        if (ends) {
+            *radius_m = neighbours->most_m;
+            return kept;
+        }
+    }
+}
