@@ -19,8 +19,9 @@ function holds(condition, what) {
 /^\*\*Table 1: 1000 photons/ { table = 1 }
 /^\| [2-5] / {
     ++rows
-    paper = paper $2 + 0 ":" $3 + 0 ":" $13 + 0 " "
-    holds(NF == 14, "12 columns")
+    paper = paper $2 + 0 ":" $3 + 0 ":" $14 + 0 " "
+    holds(NF == 15, "13 columns")
+    holds($13 + 0 <= $12 + 0, "choosing takes no more than seeing and choosing")
     holds($6 + 0 <= $7 + 0, "best is no worse than SPOQ")
     holds($7 + 0 <= $8 + 0, "no better than the optimum")
     holds($7 + 0 > last + 0, "more observers see more")
