@@ -1,9 +1,11 @@
 #!/bin/sh
 # Bad conditions: one line on standard error that names the place, the right
 # exit code, nothing written, within 10 seconds of processor time and 2 GB.
-# usage: conditions.sh MURK
+# Under a sanitizer, which sets aside more, memory is not limited.
+# usage: conditions.sh MURK [SANITIZER]
 set -u
 murk=$1
+sanitizer=${2:-}
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 failed=0
@@ -30,7 +32,7 @@ refused() {
     echo "$conditions" | scene >"$dir/bad.yaml"
     (
         ulimit -t 10
-        ulimit -v 2000000
+        [ -n "$sanitizer" ] || ulimit -v 2000000
         MALLOC_ARENA_MAX=2 timeout 60 "$murk" "$command" "$dir/bad.yaml" -o "$dir/out" "$@"
     ) >"$dir/stdout" 2>"$dir/stderr"
     got=$?
