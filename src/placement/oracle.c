@@ -196,20 +196,44 @@ done:
     return status;
 }
 
-/* Among those worth the same, so that the cheaper dominates. */
-static void put_cheaper_first(const murk_oracle *o, uint32_t *order)
+/* By cost, then by rank, in which order[] has them. */
+typedef struct costed {
+    uint64_t cost;
+    size_t rank;
+    uint32_t candidate;
+} costed;
+
+static int by_cost(const void *a, const void *b)
 {
-    for (size_t k = 1; k < o->candidates; ++k) {
-        const uint32_t j = order[k];
-        const uint64_t cost = murk_rulebook_cost(o->book, j);
-        size_t at = k;
-        for (; at > 0 && o->alone[order[at - 1]] == o->alone[j] &&
-               murk_rulebook_cost(o->book, order[at - 1]) > cost;
-             --at) {
-            order[at] = order[at - 1];
-        }
-        order[at] = j;
+    const costed *x = a, *y = b;
+    if (x->cost != y->cost) {
+        return x->cost < y->cost ? -1 : 1;
     }
+    return (x->rank > y->rank) - (x->rank < y->rank);
+}
+
+/* Among those worth the same, so that the cheaper dominates. False when out of
+ * memory. */
+static bool put_cheaper_first(const murk_oracle *o, uint32_t *order)
+{
+    costed *same = malloc((o->candidates + 1) * sizeof *same);
+    for (size_t first = 0; same && first < o->candidates;) {
+        size_t n = 0;
+        while (first + n < o->candidates &&
+               o->alone[order[first + n]] == o->alone[order[first]]) {
+            const uint32_t j = order[first + n];
+            same[n] = (costed){murk_rulebook_cost(o->book, j), n, j};
+            ++n;
+        }
+        qsort(same, n, sizeof *same, by_cost);
+        for (size_t k = 0; k < n; ++k) {
+            order[first + k] = same[k].candidate;
+        }
+        first += n;
+    }
+    const bool is_done = same != NULL;
+    free(same);
+    return is_done;
 }
 
 /* How many must dominate a candidate that no plan needs. It may take the place
@@ -263,8 +287,10 @@ static murk_status rank(murk_oracle *o, size_t most, bool keep_dominated,
     for (size_t k = 0; k < n; ++k) {
         order[k] = o->ranked[k].candidate;
     }
-    if (o->book) {
-        put_cheaper_first(o, order);
+    if (o->book && !put_cheaper_first(o, order)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to rank %zu candidates", n);
+        goto done;
     }
     const size_t needed = dominators_needed(o, most);
     if (needed > 1) {
