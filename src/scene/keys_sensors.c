@@ -235,7 +235,7 @@ static const murk_keys FIXED = {
     .check = check_fixed,
     WHERE(murk_scene_fixed_sensor, where),
     ITEMS(murk_scene_fixed_sensor, sensors.fixed, sensors.n_fixed),
-    .most_items = 100000,
+    .most_items = 10000,
     .key = FIXED_ROWS,
 };
 

@@ -90,6 +90,47 @@ static size_t fill_site(murk_poses *p, const murk_scene_sensors *wish,
     return at - first;
 }
 
+typedef struct place {
+    murk_vec3 at;
+    size_t pose;
+} place;
+
+static int by_place(const void *a, const void *b)
+{
+    const place *x = a, *y = b;
+    const double d[3] = {x->at.x - y->at.x, x->at.y - y->at.y,
+                         x->at.z - y->at.z};
+    for (int i = 0; i < 3; ++i) {
+        if (d[i] != 0) {
+            return d[i] < 0 ? -1 : 1;
+        }
+    }
+    return (x->pose > y->pose) - (x->pose < y->pose);
+}
+
+/* Those that stand, from pose `first` on, where another may stand have its
+ * site. */
+static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
+{
+    place *order = malloc((p->count + 1) * sizeof *order);
+    if (!order) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for the candidates");
+    }
+    for (size_t j = 0; j < p->count; ++j) {
+        order[j] = (place){p->pose[j].position, j};
+    }
+    qsort(order, p->count, sizeof *order, by_place);
+    for (size_t k = 1; k < p->count; ++k) {
+        const murk_vec3 a = order[k - 1].at, b = order[k].at;
+        if (order[k].pose >= first && a.x == b.x && a.y == b.y && a.z == b.z) {
+            p->site[order[k].pose] = p->site[order[k - 1].pose];
+        }
+    }
+    free(order);
+    return MURK_OK;
+}
+
 static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
                                const murk_domain *domain, uint32_t sites,
                                murk_error *err)
@@ -112,15 +153,8 @@ static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
                                          .heading_rad = fixed->heading_rad,
                                          .tilt_rad = fixed->tilt_rad};
         p->site[first + k] = sites + (uint32_t)k;
-        for (size_t j = 0; j < first + k; ++j) {
-            const murk_vec3 y = p->pose[j].position;
-            if (x.x == y.x && x.y == y.y && x.z == y.z) {
-                p->site[first + k] = p->site[j];
-                break;
-            }
-        }
     }
-    return MURK_OK;
+    return wish->one_per_site ? join_sites(p, first, err) : MURK_OK;
 }
 
 /* ---- rules ---- */
