@@ -21,6 +21,22 @@ static double coordinate(double min, double max, size_t i, size_t n)
     return i + 1 == n ? max : min + (max - min) * (double)i / (double)(n - 1);
 }
 
+murk_candidate_grid murk_candidate_grid_over(const murk_box *box, size_t points)
+{
+    const murk_vec3 extent = murk_sub(box->max, box->min);
+    const double most = (double)points;
+    const double step = cbrt(extent.x * extent.y * extent.z / most);
+    const double n[3] = {fmin(fmax(1, round(extent.x / step)), most),
+                         fmin(fmax(1, round(extent.y / step)), most),
+                         fmin(fmax(1, round(extent.z / step)), most)};
+    const murk_vec3 half = {extent.x / n[0] / 2, extent.y / n[1] / 2,
+                            extent.z / n[2] / 2};
+    return (murk_candidate_grid){
+        .min = murk_add(box->min, half),
+        .max = murk_sub(box->max, half),
+        .size = {(size_t)n[0], (size_t)n[1], (size_t)n[2]}};
+}
+
 murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
                                     size_t index)
 {

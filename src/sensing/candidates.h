@@ -42,6 +42,11 @@ typedef struct murk_candidate_grid {
     double clearance_m;
 } murk_candidate_grid;
 
+/* In the middles of about `points` equal cells of the box, as nearly cubes as
+ * it allows; no clearance. */
+murk_candidate_grid murk_candidate_grid_over(const murk_box *box,
+                                             size_t points);
+
 /* Where the grid has its point `index`, below the product of sizes; x fastest,
  * then y, z. */
 murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,

@@ -6,22 +6,6 @@
 #define POINTS_EACH 16
 #define POINTS_ALL  4096
 
-/* In the middles of equal cells, as nearly cubes as the domain allows. */
-static murk_candidate_grid grid_over(const murk_box *box)
-{
-    const murk_vec3 size = murk_sub(box->max, box->min);
-    const double step = cbrt(size.x * size.y * size.z / POINTS_ALL);
-    const double n[3] = {fmin(fmax(1, round(size.x / step)), POINTS_ALL),
-                         fmin(fmax(1, round(size.y / step)), POINTS_ALL),
-                         fmin(fmax(1, round(size.z / step)), POINTS_ALL)};
-    const murk_vec3 half = {size.x / n[0] / 2, size.y / n[1] / 2,
-                            size.z / n[2] / 2};
-    return (murk_candidate_grid){
-        .min = murk_add(box->min, half),
-        .max = murk_sub(box->max, half),
-        .size = {(size_t)n[0], (size_t)n[1], (size_t)n[2]}};
-}
-
 /* Over where the scene wants candidates, as finely as it does, within bounds.
  */
 static bool grid_of_sensors(const murk_stage *stage, murk_candidate_grid *out)
@@ -57,7 +41,7 @@ murk_status murk_stage_free_space(murk_open_space **out,
         }
     }
     murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS] = {
-        grid_over(&stage->world.domain.box)};
+        murk_candidate_grid_over(&stage->world.domain.box, POINTS_ALL)};
     const size_t grids = 1 + grid_of_sensors(stage, &grid[1]);
     const murk_status status = murk_open_space_create(
         out, grid, grids, stage->surfaces, &reach, threads, where, err);

@@ -8,8 +8,7 @@
 
 #define LAID_POINTS 1000 /* of a grid that the scene leaves to murk */
 
-/* The scene's grid, or one in the middles of about LAID_POINTS equal cells of
- * the domain, as nearly cubes as the domain allows. */
+/* The scene's grid, or one over the domain. */
 static murk_candidate_grid grid_of(const murk_stage *stage)
 {
     const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
@@ -21,19 +20,10 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
                                               wish->grid_size[2]},
                                      .clearance_m = wish->clearance_m};
     }
-    const murk_box *box = &stage->world.domain.box;
-    const murk_vec3 size = murk_sub(box->max, box->min);
-    const double step = cbrt(size.x * size.y * size.z / LAID_POINTS);
-    const double n[3] = {fmin(fmax(1, round(size.x / step)), LAID_POINTS),
-                         fmin(fmax(1, round(size.y / step)), LAID_POINTS),
-                         fmin(fmax(1, round(size.z / step)), LAID_POINTS)};
-    const murk_vec3 half = {size.x / n[0] / 2, size.y / n[1] / 2,
-                            size.z / n[2] / 2};
-    return (murk_candidate_grid){
-        .min = murk_add(box->min, half),
-        .max = murk_sub(box->max, half),
-        .size = {(size_t)n[0], (size_t)n[1], (size_t)n[2]},
-        .clearance_m = wish->clearance_m};
+    murk_candidate_grid grid =
+        murk_candidate_grid_over(&stage->world.domain.box, LAID_POINTS);
+    grid.clearance_m = wish->clearance_m;
+    return grid;
 }
 
 /* ---- mounts ---- */
