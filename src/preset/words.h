@@ -1,0 +1,49 @@
+/* The words of presets: how users say what a medium is. They are keys of a
+ * medium in a scene, beside `preset`. A new word is a row here, and one in
+ * scene/keys_media.c. */
+#ifndef MURK_PRESET_WORDS_H
+#define MURK_PRESET_WORDS_H
+
+#include <stdbool.h>
+
+#define MURK_WORD_NUMBERS_MAX 3
+
+/* id, name, unit, numbers */
+#define MURK_WORD_ROWS(X)                                              \
+    X(VISIBILITY, "visibility_m", "m", 1)                              \
+    X(MOR, "mor_m", "m", 1)                                            \
+    X(RAIN, "rain_mm_per_h", "mm/h", 1)                                \
+    X(SOOT, "soot_g_per_m3", "g/m3", 1)                                \
+    X(DROPLETS, "droplets_per_cm3", "1/cm3", 1)                        \
+    X(LIQUID_WATER, "liquid_water_g_per_m3", "g/m3", 1)                \
+    X(DROPLET_SHAPE, "droplet_shape", "a, b, c of r^a exp(-b r^c)", 3) \
+    X(CHLOROPHYLL, "chlorophyll_mg_per_m3", "mg/m3", 1)                \
+    X(SEDIMENT, "sediment_g_per_m3", "g/m3", 1)                        \
+    X(CDOM, "cdom_per_m", "1/m at 440 nm", 1)                          \
+    X(BEAM_ATTENUATION, "beam_attenuation_per_m", "1/m", 1)            \
+    X(TEMPERATURE, "temperature_c", "degrees C", 1)                    \
+    X(SALINITY, "salinity_psu", "psu", 1)                              \
+    X(PRESSURE, "pressure_hpa", "hPa", 1)
+
+typedef enum murk_word_id {
+#define X(id, name, unit, numbers) MURK_WORD_##id,
+    MURK_WORD_ROWS(X)
+#undef X
+        MURK_WORDS
+} murk_word_id;
+
+/* What a user said of a medium. Laws get it with the preset's defaults filled
+ * in, `given` set for them too, and with mor_m turned into visibility_m. */
+typedef struct murk_words {
+    bool given[MURK_WORDS];
+    double value[MURK_WORDS][MURK_WORD_NUMBERS_MAX];
+} murk_words;
+
+const char *murk_word_name(murk_word_id word);
+const char *murk_word_unit(murk_word_id word);
+int murk_word_numbers(murk_word_id word);
+
+/* The word of that name, or -1. */
+int murk_word_find(const char *name);
+
+#endif
