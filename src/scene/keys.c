@@ -80,6 +80,7 @@ static const murk_key SCENE_ROWS[] = {
         AT(murk_scene, seed)),
     ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", .lights = true,
         AT(murk_scene, north)),
+    ROW("site", MAP, .keys = &murk_site_keys, .lights = true),
     ROW("domain", MAP, .keys = &DOMAIN_KEYS, .lights = true,
         FLAG(murk_scene, has_domain)),
     ROW("materials", NAMED, .keys = &murk_material_keys, .preset = "{}",

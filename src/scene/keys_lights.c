@@ -4,7 +4,19 @@
 static murk_status check_light(murk_walk *walk, const murk_yaml *map,
                                void *item)
 {
-    const murk_scene_light *light = item;
+    murk_scene_light *light = item;
+    if (light->type >= MURK_SCENE_LIGHT_SUN) {
+        return murk_check_sky(walk, map, light);
+    }
+    if (light->schedule.when != MURK_SCENE_ALWAYS &&
+        light->schedule.when != MURK_SCENE_NEVER &&
+        !walk->scene->site.has_time) {
+        return murk_walk_fail(
+            walk, MURK_BAD_VALUE, murk_yaml_get(map, "schedule"), false,
+            "a schedule by the time of a scene that has none, "
+            "must have site.time (or site.date and "
+            "site.clock)");
+    }
     if (light->type == MURK_SCENE_LIGHT_RECT) {
         return murk_check_edges(walk, map, light->edge1, light->edge2);
     }
@@ -17,14 +29,21 @@ static murk_status check_light(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static const char *const LIGHT_VARIANTS[] = {"sphere", "rect", "point", "beam",
-                                             "directional"};
+static const char *const LIGHT_VARIANTS[] = {
+    "sphere", "rect", "point", "beam",     "directional",
+    "sun",    "moon", "sky",   "night_sky"};
 
 #define SPHERE      BIT(MURK_SCENE_LIGHT_SPHERE)
 #define RECT        BIT(MURK_SCENE_LIGHT_RECT)
 #define POINT       BIT(MURK_SCENE_LIGHT_POINT)
 #define BEAM        BIT(MURK_SCENE_LIGHT_BEAM)
 #define DIRECTIONAL BIT(MURK_SCENE_LIGHT_DIRECTIONAL)
+#define SUN         BIT(MURK_SCENE_LIGHT_SUN)
+#define MOON        BIT(MURK_SCENE_LIGHT_MOON)
+#define SKY         BIT(MURK_SCENE_LIGHT_SKY)
+#define NIGHT_SKY   BIT(MURK_SCENE_LIGHT_NIGHT_SKY)
+#define BY_TIME     (SUN | MOON | SKY)
+#define LAMPS       (SPHERE | RECT | POINT | BEAM)
 
 static const murk_word TYPE_WORDS[] = {
     {"sphere", MURK_SCENE_LIGHT_SPHERE, false},
@@ -32,12 +51,32 @@ static const murk_word TYPE_WORDS[] = {
     {"point", MURK_SCENE_LIGHT_POINT, false},
     {"beam", MURK_SCENE_LIGHT_BEAM, false},
     {"directional", MURK_SCENE_LIGHT_DIRECTIONAL, false},
-    {"sun", 0, true},
-    {"moon", 0, true},
-    {"sky", 0, true},
-    {"night_sky", 0, true},
+    {"sun", MURK_SCENE_LIGHT_SUN, false},
+    {"moon", MURK_SCENE_LIGHT_MOON, false},
+    {"sky", MURK_SCENE_LIGHT_SKY, false},
+    {"night_sky", MURK_SCENE_LIGHT_NIGHT_SKY, false},
     WORDS_END,
 };
+
+static const murk_word COVER_WORDS[] = {
+    {"clear", MURK_SCENE_CLEAR, false},
+    {"intermediate", MURK_SCENE_INTERMEDIATE, false},
+    {"overcast", MURK_SCENE_OVERCAST, false},
+    WORDS_END,
+};
+
+static murk_status read_time(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node, void *item)
+{
+    return murk_read_time(walk, key, node, &((murk_scene_light *)item)->site);
+}
+
+static murk_status read_schedule(murk_walk *walk, const murk_key *key,
+                                 murk_yaml *node, void *item)
+{
+    return murk_read_schedule(walk, key, node,
+                              &((murk_scene_light *)item)->schedule);
+}
 
 static const murk_key LIGHT_ROWS[] = {
     ROW("type", WORD, NEEDED, .words = TYPE_WORDS),
@@ -62,17 +101,38 @@ static const murk_key LIGHT_ROWS[] = {
     ROW("divergence_deg", NUMBER, .most = 90, .unit = "degrees",
         .variants = BEAM, .preset = "0", .factor = MURK_PI / 180,
         AT(murk_scene_light, divergence_rad)),
-    ROW("power_w", SHARED, NEEDED, .most = 1e15, .unit = "W",
-        .variants = SPHERE | RECT | POINT | BEAM,
+    ROW("power_w", SHARED, NEEDED, .most = 1e15, .unit = "W", .variants = LAMPS,
         AT(murk_scene_light, power_w)),
     ROW("irradiance_w_per_m2", SHARED, NEEDED, .most = 1e15, .unit = "W/m2",
         .variants = DIRECTIONAL, AT(murk_scene_light, power_w)),
-    LATER("schedule"),
-    LATER("latitude_deg"),
-    LATER("longitude_deg"),
-    LATER("altitude_m"),
-    LATER("time"),
-    LATER("linke_turbidity"),
+    ROW("irradiance_w_per_m2", SHARED, .most = 1e15, .unit = "W/m2",
+        .variants = BY_TIME | NIGHT_SKY, AT(murk_scene_light, power_w),
+        FLAG(murk_scene_light, has_irradiance)),
+    ROW("latitude_deg", NUMBER, LATITUDE, .variants = BY_TIME,
+        AT(murk_scene_light, site.latitude_deg),
+        FLAG(murk_scene_light, site.has_latitude)),
+    ROW("longitude_deg", NUMBER, LONGITUDE, .variants = BY_TIME,
+        AT(murk_scene_light, site.longitude_deg),
+        FLAG(murk_scene_light, site.has_longitude)),
+    ROW("altitude_m", NUMBER, ALTITUDE, .variants = BY_TIME,
+        AT(murk_scene_light, site.altitude_m),
+        FLAG(murk_scene_light, site.has_altitude)),
+    ROW("time", OWN, .read = read_time, .variants = BY_TIME,
+        .allowed = MURK_TIME_ALLOWED),
+    ROW("linke_turbidity", NUMBER, .least = 1, .most = 20,
+        .variants = SUN | SKY, .preset = "3",
+        AT(murk_scene_light, linke_turbidity)),
+    ROW("cover", WORD, .variants = SKY, .preset = "clear", .words = COVER_WORDS,
+        AT(murk_scene_light, cover)),
+    ROW("cie_type", COUNT, .variants = SKY, .least = 1, .most = 15,
+        AT(murk_scene_light, cie_type)),
+    ROW("mag_per_arcsec2", NUMBER, .variants = NIGHT_SKY, .least = 10,
+        .most = 30, .unit = "mag/arcsec2", .preset = "21.6",
+        AT(murk_scene_light, mag_per_arcsec2)),
+    ROW("aim", LIST, .keys = &murk_portal_keys, .preset = "[]",
+        .variants = DIRECTIONAL | BY_TIME | NIGHT_SKY),
+    ROW("schedule", OWN, .read = read_schedule, .preset = "always",
+        .variants = LAMPS | DIRECTIONAL, .allowed = MURK_SCHEDULE_ALLOWED),
     END,
 };
 

@@ -40,17 +40,34 @@
 
 /* Larger lengths, powers and so on are slips of the pen; within these, squares
  * and products stay finite in double, and lengths in float. */
-#define LONG_M   .least = -1e9, .most = 1e9, .unit = "m"
-#define SIZE_M   .above = true, .most = 1e9, .unit = "m"
-#define ANY_UNIT .least = -1e9, .most = 1e9
-#define SHARE    .most = 1
+#define LONG_M    .least = -1e9, .most = 1e9, .unit = "m"
+#define SIZE_M    .above = true, .most = 1e9, .unit = "m"
+#define ANY_UNIT  .least = -1e9, .most = 1e9
+#define SHARE     .most = 1
+#define LATITUDE  .least = -90, .most = 90, .unit = "degrees"
+#define LONGITUDE .least = -180, .most = 360, .unit = "degrees"
+#define ALTITUDE  .least = -500, .most = 9000, .unit = "m"
+
+#define MURK_TIME_ALLOWED "a date and time, such as 2026-06-21T12:00:00Z"
+#define MURK_SCHEDULE_ALLOWED \
+    "always, night, never, or a list of spans such as [06:00, 22:00]"
 
 /* One table per part of a scene; keys.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
-    murk_target_keys;
+    murk_target_keys, murk_site_keys, murk_portal_keys;
+
+/* Keys that read themselves: into murk_scene_site, murk_scene_schedule. */
+murk_status murk_read_time(murk_walk *walk, const murk_key *key,
+                           murk_yaml *node, void *item);
+murk_status murk_read_schedule(murk_walk *walk, const murk_key *key,
+                               murk_yaml *node, void *item);
+
+/* Of a light of the sky: what it does not say itself, the scene's site does. */
+murk_status murk_check_sky(murk_walk *walk, const murk_yaml *map,
+                           murk_scene_light *light);
 
 /* Of meshes: x, y, z. */
 extern const murk_word murk_up_words[];

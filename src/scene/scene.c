@@ -319,6 +319,9 @@ void murk_scene_destroy(murk_scene *scene)
     free(scene->materials);
     free(scene->media);
     free(scene->regions);
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        free(scene->lights[i].portal);
+    }
     free(scene->lights);
     free(scene->tallies);
     free(scene->resolved);

@@ -8,6 +8,7 @@
 #define MURK_SCENE_SCENE_H
 
 #include "base/bands.h"
+#include "base/calendar.h"
 #include "base/status.h"
 #include "base/vector.h"
 
@@ -128,13 +129,60 @@ typedef struct murk_scene_region {
     double ior; /* 0: none */
 } murk_scene_region;
 
+/* Where on the earth, and when. Of the scene; and of a light of the sky, which
+ * has its own or else the scene's. */
+typedef struct murk_scene_site {
+    murk_scene_where where;
+    bool has_latitude, has_longitude, has_altitude, has_pressure, has_time;
+    double latitude_deg, longitude_deg; /* north and east positive */
+    double altitude_m;
+    double pressure_hpa; /* unless has_pressure: of the altitude */
+    double temperature_c;
+    double unix_s; /* seconds since 1970, UTC; unless has_time: not said */
+    int zone_min;  /* of local clocks, minutes east of Greenwich */
+    bool has_zone, has_date, has_clock;
+    murk_date date; /* local; the parts of the time where it is given so */
+    double clock_s;
+} murk_scene_site;
+
 typedef enum murk_scene_light_type {
     MURK_SCENE_LIGHT_SPHERE,
     MURK_SCENE_LIGHT_RECT,
     MURK_SCENE_LIGHT_POINT,
     MURK_SCENE_LIGHT_BEAM,
-    MURK_SCENE_LIGHT_DIRECTIONAL
+    MURK_SCENE_LIGHT_DIRECTIONAL,
+    MURK_SCENE_LIGHT_SUN, /* from here on of the sky */
+    MURK_SCENE_LIGHT_MOON,
+    MURK_SCENE_LIGHT_SKY,
+    MURK_SCENE_LIGHT_NIGHT_SKY
 } murk_scene_light_type;
+
+typedef enum murk_scene_shining {
+    MURK_SCENE_ALWAYS,
+    MURK_SCENE_NIGHT, /* while the sun is down */
+    MURK_SCENE_NEVER,
+    MURK_SCENE_BY_CLOCK
+} murk_scene_shining;
+
+#define MURK_SCENE_SPANS_MAX 16
+
+typedef struct murk_scene_schedule {
+    murk_scene_shining when;
+    size_t spans;
+    double from_s[MURK_SCENE_SPANS_MAX]; /* local, since midnight */
+    double to_s[MURK_SCENE_SPANS_MAX];   /* less than from_s: after midnight */
+} murk_scene_schedule;
+
+typedef enum murk_scene_cover {
+    MURK_SCENE_CLEAR,
+    MURK_SCENE_INTERMEDIATE,
+    MURK_SCENE_OVERCAST
+} murk_scene_cover;
+
+typedef struct murk_scene_portal { /* light passes towards edge1 x edge2 */
+    murk_scene_where where;
+    murk_vec3 corner, edge1, edge2;
+} murk_scene_portal;
 
 typedef struct murk_scene_light {
     murk_scene_where where;
@@ -142,7 +190,20 @@ typedef struct murk_scene_light {
     murk_vec3 position; /* center, corner, position or origin */
     murk_vec3 edge1, edge2, direction;
     double radius_m, divergence_rad;
-    murk_spectrum power_w; /* per band; directional: irradiance [W/m2] */
+    murk_spectrum power_w; /* per band; directional and sky: irradiance
+                              [W/m2] */
+    murk_scene_schedule schedule;
+    murk_scene_portal *portal; /* [portals]; 0: all that meets the domain */
+    size_t portals;
+    /* of the sky: */
+    murk_scene_site site;  /* its own, filled up from the scene's */
+    bool has_irradiance;   /* power_w was given; else it is modelled */
+    bool irradiance_total; /* power_w[0] is the total, to be spread by the
+                              source's spectrum */
+    double linke_turbidity;
+    murk_scene_cover cover; /* sky */
+    uint64_t cie_type;      /* sky: 1..15; 0: by its cover */
+    double mag_per_arcsec2; /* night sky, at the zenith */
 } murk_scene_light;
 
 typedef enum murk_scene_maps {
@@ -410,6 +471,7 @@ struct murk_scene {
     bool has_edges;
     uint32_t seed;
     murk_vec3 north; /* level, of length 1 */
+    murk_scene_site site;
     bool has_domain;
     murk_domain domain;
     murk_scene_where domain_where;

@@ -156,6 +156,10 @@ static murk_box light_box(const murk_scene_light *light)
     case MURK_SCENE_LIGHT_POINT:
         return box_of_sphere(light->position, 0);
     case MURK_SCENE_LIGHT_DIRECTIONAL:
+    case MURK_SCENE_LIGHT_SUN:
+    case MURK_SCENE_LIGHT_MOON:
+    case MURK_SCENE_LIGHT_SKY:
+    case MURK_SCENE_LIGHT_NIGHT_SKY:
         break;
     }
     return murk_box_empty();
@@ -187,7 +191,7 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
     }
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_scene_light *light = &scene->lights[i];
-        if (light->type == MURK_SCENE_LIGHT_DIRECTIONAL && is_empty(&solid)) {
+        if (light->type >= MURK_SCENE_LIGHT_DIRECTIONAL && is_empty(&solid)) {
             return murk_fail(err, MURK_BAD_VALUE, light->where,
                              "distant light needs a domain or geometry");
         }

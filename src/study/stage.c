@@ -218,33 +218,22 @@ done:
 
 static murk_status build_lights(murk_stage *stage, murk_error *err)
 {
-    static const murk_light_type type_of[] = {
-        [MURK_SCENE_LIGHT_SPHERE] = MURK_LIGHT_SPHERE,
-        [MURK_SCENE_LIGHT_RECT] = MURK_LIGHT_RECT,
-        [MURK_SCENE_LIGHT_POINT] = MURK_LIGHT_POINT,
-        [MURK_SCENE_LIGHT_BEAM] = MURK_LIGHT_BEAM,
-        [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_LIGHT_DIRECTIONAL};
     const murk_scene *scene = stage->scene;
     murk_light *light = calloc(scene->n_lights + 1, sizeof *light);
-    if (!light) {
+    stage->sky = calloc(scene->n_lights + 1, sizeof *stage->sky);
+    if (!light || !stage->sky) {
+        free(light);
         return murk_fail(err, MURK_NO_MEMORY, scene->path,
                          "no memory for the lights");
     }
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        const murk_scene_light *l = &scene->lights[i];
-        light[i] = (murk_light){.type = type_of[l->type],
-                                .position = l->position,
-                                .edge1 = l->edge1,
-                                .edge2 = l->edge2,
-                                .direction = l->direction,
-                                .radius_m = l->radius_m,
-                                .divergence_rad = l->divergence_rad,
-                                .power_w = l->power_w,
-                                .where = l->where};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->n_lights && !status; ++i) {
+        status = murk_sky_light(&light[i], &stage->sky[i], scene, i, err);
     }
-    const murk_status status =
-        murk_lights_create(&stage->lights, light, scene->n_lights, scene->bands,
-                           &stage->world.domain, err);
+    if (!status) {
+        status = murk_lights_create(&stage->lights, light, scene->n_lights,
+                                    scene->bands, &stage->world.domain, err);
+    }
     free(light);
     return status;
 }
@@ -325,7 +314,7 @@ static void warn_of_lit_sides(const murk_stage *stage)
     const murk_scene *scene = stage->scene;
     bool is_lit = false;
     for (size_t i = 0; i < scene->n_lights; ++i) {
-        is_lit |= scene->lights[i].type == MURK_SCENE_LIGHT_DIRECTIONAL;
+        is_lit |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
     }
     if (stage->world.domain.is_periodic || !is_lit ||
         !murk_media_any(stage->media)) {
@@ -447,6 +436,7 @@ void murk_stage_destroy(murk_stage *stage)
     }
     free(stage->light_key);
     free(stage->tally);
+    free(stage->sky);
     free(stage->region_mesh);
     free(stage->mesh);
     free(stage);

@@ -12,6 +12,7 @@
 #include "study/goals.h"
 #include "study/phases.h"
 #include "study/site_zones.h"
+#include "study/sky.h"
 #include "transport/trace.h"
 
 typedef struct murk_stage {
@@ -27,6 +28,7 @@ typedef struct murk_stage {
     murk_media *media;
     murk_hulls *hulls; /* NULL: no region is a mesh */
     murk_lights *lights;
+    murk_sky_facts *sky; /* [scene->n_lights] what they were made of */
     murk_goals *goals;
     murk_tally_desc *tally; /* [scene->n_tallies]; NULL for none */
     char *light_key; /* the scene's, and a checksum of each file it names: equal

@@ -1,0 +1,296 @@
+/* Where and when a scene is, what of its lights goes by that, and the portals
+ * at which distant light is aimed. */
+#include "scene/keys_rows.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/value.h"
+
+/* ---- the time ---- */
+
+static bool is_text(const murk_yaml *node)
+{
+    return node->kind == MURK_YAML_SCALAR && node->text[0] != '\0';
+}
+
+murk_status murk_read_time(murk_walk *walk, const murk_key *key,
+                           murk_yaml *node, void *item)
+{
+    murk_scene_site *site = item;
+    double local_s;
+    bool has_zone;
+    int zone_min;
+    if (!is_text(node) ||
+        !murk_time_read(node->text, &local_s, &has_zone, &zone_min)) {
+        return murk_value_wrong(walk, key, node);
+    }
+    if (!has_zone && !site->has_zone && !walk->scene->site.has_zone) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                              "%s without its offset from UTC, must end in Z "
+                              "or in one such as +02:00 (or site.time_zone be "
+                              "given)",
+                              node->text);
+    }
+    if (!has_zone) {
+        zone_min = site->has_zone ? site->zone_min : walk->scene->site.zone_min;
+    }
+    if (!site->has_zone) { /* clocks go by the zone that is given apart */
+        site->zone_min = zone_min;
+    }
+    site->unix_s = local_s - 60.0 * zone_min;
+    site->has_time = true;
+    node->is_quoted = true;
+    return MURK_OK;
+}
+
+static murk_status read_zone(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node, void *item)
+{
+    murk_scene_site *site = &((murk_scene *)item)->site;
+    if (!is_text(node) || !murk_zone_read(node->text, &site->zone_min)) {
+        return murk_value_wrong(walk, key, node);
+    }
+    site->has_zone = true;
+    node->is_quoted = true;
+    return MURK_OK;
+}
+
+static murk_status read_date(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node, void *item)
+{
+    murk_scene_site *site = &((murk_scene *)item)->site;
+    if (!is_text(node) || !murk_date_read(node->text, &site->date)) {
+        return murk_value_wrong(walk, key, node);
+    }
+    site->has_date = true;
+    node->is_quoted = true;
+    return MURK_OK;
+}
+
+static murk_status read_clock(murk_walk *walk, const murk_key *key,
+                              murk_yaml *node, void *item)
+{
+    murk_scene_site *site = &((murk_scene *)item)->site;
+    if (!is_text(node) || !murk_clock_read(node->text, &site->clock_s)) {
+        return murk_value_wrong(walk, key, node);
+    }
+    site->has_clock = true;
+    node->is_quoted = true;
+    return MURK_OK;
+}
+
+static murk_status read_site_time(murk_walk *walk, const murk_key *key,
+                                  murk_yaml *node, void *item)
+{
+    return murk_read_time(walk, key, node, &((murk_scene *)item)->site);
+}
+
+static murk_status check_site(murk_walk *walk, const murk_yaml *map, void *item)
+{
+    murk_scene_site *site = &((murk_scene *)item)->site;
+    if (!site->has_date && !site->has_clock) {
+        return MURK_OK;
+    }
+    if (!site->has_date || !site->has_clock || !site->has_zone) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "misses %s, must have date, clock and time_zone "
+                              "together",
+                              !site->has_date    ? "date"
+                              : !site->has_clock ? "clock"
+                                                 : "time_zone");
+    }
+    site->unix_s = 86400.0 * murk_date_days(site->date) + site->clock_s -
+                   60.0 * site->zone_min;
+    site->has_time = true;
+    return MURK_OK;
+}
+
+/* What the others need comes first. A date or a clock takes the place of a
+ * time, so that one of them may be set on the command line. */
+static const murk_key SITE_ROWS[] = {
+    ROW("latitude_deg", NUMBER, LATITUDE, AT(murk_scene, site.latitude_deg),
+        FLAG(murk_scene, site.has_latitude)),
+    ROW("longitude_deg", NUMBER, LONGITUDE, AT(murk_scene, site.longitude_deg),
+        FLAG(murk_scene, site.has_longitude)),
+    ROW("altitude_m", NUMBER, ALTITUDE, .preset = "0",
+        AT(murk_scene, site.altitude_m), FLAG(murk_scene, site.has_altitude)),
+    ROW("pressure_hpa", NUMBER, .least = 100, .most = 1200, .unit = "hPa",
+        AT(murk_scene, site.pressure_hpa), FLAG(murk_scene, site.has_pressure)),
+    ROW("temperature_c", NUMBER, .least = -90, .most = 60, .unit = "C",
+        .preset = "10", AT(murk_scene, site.temperature_c)),
+    ROW("time_zone", OWN, .read = read_zone,
+        .allowed = "an offset from UTC, such as +02:00 or Z"),
+    ROW("time", OWN, .group = 1, .read = read_site_time,
+        .allowed = MURK_TIME_ALLOWED),
+    ROW("date", OWN, .group = 1, .read = read_date,
+        .allowed = "a local date, such as 2026-06-21"),
+    ROW("clock", OWN, .read = read_clock,
+        .allowed = "a local time of day, 00:00..24:00, such as 06:30"),
+    END,
+};
+
+const murk_keys murk_site_keys = {
+    .noun = "site",
+    .check = check_site,
+    WHERE(murk_scene, site.where),
+    .key = SITE_ROWS,
+};
+
+/* ---- schedules ---- */
+
+static const murk_word SCHEDULE_WORDS[] = {
+    {"always", MURK_SCENE_ALWAYS, false},
+    {"night", MURK_SCENE_NIGHT, false},
+    {"never", MURK_SCENE_NEVER, false},
+    WORDS_END,
+};
+
+static murk_status read_span(murk_walk *walk, const murk_key *key,
+                             murk_yaml *node, double *from_s, double *to_s)
+{
+    const bool has_two = node->kind == MURK_YAML_LIST && node->n == 2;
+    if (!has_two || !is_text(node->child[0]) || !is_text(node->child[1]) ||
+        !murk_clock_read(node->child[0]->text, from_s) ||
+        !murk_clock_read(node->child[1]->text, to_s)) {
+        return murk_value_wrong(walk, key, node);
+    }
+    if (*from_s == *to_s) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                              "from %s to %s is no time, must not be equal",
+                              node->child[0]->text, node->child[1]->text);
+    }
+    node->child[0]->is_quoted = node->child[1]->is_quoted = true;
+    return MURK_OK;
+}
+
+murk_status murk_read_schedule(murk_walk *walk, const murk_key *key,
+                               murk_yaml *node, void *item)
+{
+    murk_scene_schedule *schedule = item;
+    if (node->kind == MURK_YAML_SCALAR) {
+        for (const murk_word *word = SCHEDULE_WORDS; word->text; ++word) {
+            if (strcmp(node->text, word->text) == 0) {
+                node->is_quoted = false;
+                schedule->when = (murk_scene_shining)word->value;
+                return MURK_OK;
+            }
+        }
+        return murk_value_wrong(walk, key, node);
+    }
+    if (node->kind != MURK_YAML_LIST || node->n == 0 ||
+        node->n > MURK_SCENE_SPANS_MAX) {
+        return murk_value_wrong(walk, key, node);
+    }
+    schedule->when = MURK_SCENE_BY_CLOCK;
+    for (size_t i = 0; i < node->n; ++i) {
+        const murk_status status =
+            read_span(walk, key, node->child[i], &schedule->from_s[i],
+                      &schedule->to_s[i]);
+        if (status) {
+            return status;
+        }
+    }
+    schedule->spans = node->n;
+    return MURK_OK;
+}
+
+/* ---- portals ---- */
+
+static murk_status check_portal(murk_walk *walk, const murk_yaml *map,
+                                void *item)
+{
+    const murk_scene_portal *portal = item;
+    return murk_check_edges(walk, map, portal->edge1, portal->edge2);
+}
+
+static const murk_key PORTAL_ROWS[] = {
+    ROW("corner_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_portal, corner)),
+    ROW("edge1_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_portal, edge1)),
+    ROW("edge2_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_portal, edge2)),
+    END,
+};
+
+const murk_keys murk_portal_keys = {
+    .noun = "portal",
+    .check = check_portal,
+    WHERE(murk_scene_portal, where),
+    .item_size = sizeof(murk_scene_portal),
+    .array_at = offsetof(murk_scene_light, portal),
+    .count_at = offsetof(murk_scene_light, portals),
+    .most_items = 1024,
+    .key = PORTAL_ROWS,
+};
+
+/* ---- lights of the sky ---- */
+
+/* Fills up what the light does not say itself. */
+static void inherit(murk_scene_site *own, const murk_scene_site *site)
+{
+    if (!own->has_latitude) {
+        own->has_latitude = site->has_latitude;
+        own->latitude_deg = site->latitude_deg;
+    }
+    if (!own->has_longitude) {
+        own->has_longitude = site->has_longitude;
+        own->longitude_deg = site->longitude_deg;
+    }
+    if (!own->has_altitude) {
+        own->altitude_m = site->altitude_m;
+    }
+    own->has_pressure = site->has_pressure;
+    own->pressure_hpa = site->pressure_hpa;
+    own->temperature_c = site->temperature_c;
+    if (!own->has_time) {
+        own->has_time = site->has_time;
+        own->unix_s = site->unix_s;
+        own->zone_min = site->zone_min;
+    }
+}
+
+static murk_status check_place_and_time(murk_walk *walk, const murk_yaml *map,
+                                        const murk_scene_site *site)
+{
+    const char *missing = !site->has_latitude    ? "latitude_deg"
+                          : !site->has_longitude ? "longitude_deg"
+                          : !site->has_time      ? "time"
+                                                 : NULL;
+    return missing
+               ? murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                "misses %s, must be here or in site", missing)
+               : MURK_OK;
+}
+
+/* A total can be spread over bands with edges only; lines have no width. */
+static murk_status check_irradiance(murk_walk *walk, const murk_yaml *map,
+                                    murk_scene_light *light)
+{
+    const murk_yaml *node = murk_yaml_get(map, "irradiance_w_per_m2");
+    light->irradiance_total = node && node->kind == MURK_YAML_SCALAR;
+    if (light->irradiance_total) { /* it was shared evenly */
+        double total = 0;
+        for (int b = 0; b < walk->scene->bands; ++b) {
+            total += light->power_w.band[b];
+        }
+        light->power_w.band[0] = total;
+    }
+    if (walk->scene->has_edges || (node && node->kind == MURK_YAML_LIST) ||
+        (node && walk->scene->bands == 1)) {
+        return MURK_OK;
+    }
+    return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                          "needs bands with edges (band_edges_nm) to spread "
+                          "its spectrum over, or irradiance_w_per_m2 for each "
+                          "line");
+}
+
+murk_status murk_check_sky(murk_walk *walk, const murk_yaml *map,
+                           murk_scene_light *light)
+{
+    inherit(&light->site, &walk->scene->site);
+    murk_status status = MURK_OK;
+    if (light->type != MURK_SCENE_LIGHT_NIGHT_SKY) {
+        status = check_place_and_time(walk, map, &light->site);
+    }
+    return status ? status : check_irradiance(walk, map, light);
+}
