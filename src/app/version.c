@@ -6,7 +6,7 @@ const murk_package murk_packages[] = {
     {"embree", MURK_BUILD_EMBREE}, {"openvdb", MURK_BUILD_OPENVDB},
     {"assimp", MURK_BUILD_ASSIMP}, {"libyaml", MURK_BUILD_YAML},
     {"xxhash", MURK_BUILD_XXHASH}, {"libmd", MURK_BUILD_MD},
-    {"cjson", MURK_BUILD_CJSON},
+    {"cjson", MURK_BUILD_CJSON},   {"libnova", MURK_BUILD_NOVA},
 };
 const size_t murk_packages_count = sizeof murk_packages / sizeof *murk_packages;
 
