@@ -1,4 +1,5 @@
-/* Warnings: things the user should know that stop nothing. */
+/* Warnings and notes: things the user should know that stop nothing. A note is
+ * of what is as it should be, and yet may surprise: a lamp that is off. */
 #ifndef MURK_BASE_LOG_H
 #define MURK_BASE_LOG_H
 
@@ -6,7 +7,11 @@
 void murk_warn(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Sends warnings elsewhere; NULL silences them. Set it before any thread
+/* The same with "murk: note: ". */
+void murk_note(const char *where, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Sends both elsewhere; NULL silences them. Set it before any thread
  * starts. */
 typedef void (*murk_warn_sink)(const char *where, const char *text);
 void murk_warn_to(murk_warn_sink sink);
