@@ -81,6 +81,8 @@ struct murk_keys {
     const char *const *variant_names; /* "point" */
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
+    /* Before defaults are filled in: what more the map gets. */
+    murk_status (*complete)(murk_walk *walk, murk_yaml *map);
     /* Once all members are filled: what involves several of them. */
     murk_status (*check)(murk_walk *walk, const murk_yaml *map, void *item);
     /* Items of lists and names: */

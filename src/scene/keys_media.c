@@ -5,13 +5,25 @@
 #include <string.h>
 
 #include "scene/frames.h"
+#include "scene/medium_preset.h"
 
-enum { MEDIUM_HOMOGENEOUS, MEDIUM_GRID, MEDIUM_PROFILE };
+enum {
+    MEDIUM_HOMOGENEOUS,
+    MEDIUM_GRID,
+    MEDIUM_PROFILE,
+    MEDIUM_PRESET,
+    MEDIUM_PRESET_GRID
+};
 
 static murk_status choose_medium(murk_walk *walk, const murk_yaml *map,
                                  int *variant)
 {
     (void)walk;
+    if (murk_yaml_get(map, "preset")) {
+        *variant =
+            murk_yaml_get(map, "vdb") ? MEDIUM_PRESET_GRID : MEDIUM_PRESET;
+        return MURK_OK;
+    }
     *variant = murk_yaml_get(map, "vdb")       ? MEDIUM_GRID
                : murk_yaml_get(map, "profile") ? MEDIUM_PROFILE
                                                : MEDIUM_HOMOGENEOUS;
@@ -151,6 +163,12 @@ static murk_status check_medium(murk_walk *walk, const murk_yaml *map,
             return status;
         }
     }
+    if (medium->preset) {
+        const murk_status status = murk_medium_preset_fill(walk, map, medium);
+        if (status) {
+            return status;
+        }
+    }
     if (!medium->albedo_grid || medium->albedo_vdb) {
         return MURK_OK;
     }
@@ -166,7 +184,8 @@ static murk_status check_medium(murk_walk *walk, const murk_yaml *map,
     return medium->albedo_vdb ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid", "profile"};
+static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid", "profile",
+                                              "preset", "preset in a grid"};
 
 static const murk_word INTERPOLATION_WORDS[] = {
     {"nearest", 0, false},
@@ -180,26 +199,64 @@ static const murk_word PHASE_WORDS[] = {
     WORDS_END,
 };
 
+#define GRIDS   BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
+#define PRESETS BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID)
+#define PLAIN   BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID) | BIT(MEDIUM_PROFILE)
+
+static const murk_key DROPLET_SHAPE_ITEMS[] = {
+    ROW("a", NUMBER, .most = 1e3),
+    ROW("b", NUMBER, .above = true, .most = 1e6),
+    ROW("c", NUMBER, .above = true, .most = 100),
+    END,
+};
+
+/* A word of presets (preset/words.h), which say themselves what they allow. */
+#define WORD_ROW(name, id, ...)                                \
+    ROW(name, NUMBER, .variants = PRESETS,                     \
+        AT(murk_scene_medium, words.value[MURK_WORD_##id][0]), \
+        FLAG(murk_scene_medium, words.given[MURK_WORD_##id]), __VA_ARGS__)
+#define AMOUNT .most = 1e9
+
 static const murk_key MEDIUM_ROWS[] = {
+    ROW("preset", TEXT, .variants = PRESETS, AT(murk_scene_medium, preset)),
+    WORD_ROW("visibility_m", VISIBILITY, .group = 2, SIZE_M),
+    WORD_ROW("mor_m", MOR, .group = 2, SIZE_M),
+    WORD_ROW("rain_mm_per_h", RAIN, AMOUNT, .unit = "mm/h"),
+    WORD_ROW("soot_g_per_m3", SOOT, AMOUNT, .unit = "g/m3"),
+    WORD_ROW("droplets_per_cm3", DROPLETS, AMOUNT, .unit = "1/cm3"),
+    WORD_ROW("liquid_water_g_per_m3", LIQUID_WATER, AMOUNT, .unit = "g/m3"),
+    ROW("droplet_shape", NUMBERS, .variants = PRESETS,
+        .items = DROPLET_SHAPE_ITEMS,
+        AT(murk_scene_medium, words.value[MURK_WORD_DROPLET_SHAPE]),
+        FLAG(murk_scene_medium, words.given[MURK_WORD_DROPLET_SHAPE])),
+    WORD_ROW("chlorophyll_mg_per_m3", CHLOROPHYLL, AMOUNT, .unit = "mg/m3"),
+    WORD_ROW("sediment_g_per_m3", SEDIMENT, AMOUNT, .unit = "g/m3"),
+    WORD_ROW("cdom_per_m", CDOM, AMOUNT, .unit = "1/m"),
+    WORD_ROW("beam_attenuation_per_m", BEAM_ATTENUATION, AMOUNT, .unit = "1/m"),
+    WORD_ROW("temperature_c", TEMPERATURE, .least = -100, .most = 100,
+             .unit = "degrees C"),
+    WORD_ROW("salinity_psu", SALINITY, .most = 100, .unit = "psu"),
+    WORD_ROW("pressure_hpa", PRESSURE, .most = 1e5, .unit = "hPa"),
     ROW("vdb", PATH, .group = 1, AT(murk_scene_medium, vdb)),
-    ROW("frame", COUNT, .variants = BIT(MEDIUM_GRID), .most = 999999999,
+    ROW("frame", COUNT, .variants = GRIDS, .most = 999999999,
         AT(murk_scene_medium, frame), FLAG(murk_scene_medium, has_frame)),
-    ROW("grid", TEXT, .variants = BIT(MEDIUM_GRID),
-        AT(murk_scene_medium, grid)),
-    ROW("interpolation", WORD, .variants = BIT(MEDIUM_GRID),
-        .preset = "nearest", .words = INTERPOLATION_WORDS,
-        AT(murk_scene_medium, is_linear)),
-    ROW("profile", MAP, .group = 1, .keys = &PROFILE),
+    ROW("grid", TEXT, .variants = GRIDS, AT(murk_scene_medium, grid)),
+    ROW("interpolation", WORD, .variants = GRIDS, .preset = "nearest",
+        .words = INTERPOLATION_WORDS, AT(murk_scene_medium, is_linear)),
+    ROW("profile", MAP, .group = 1, .variants = PLAIN, .keys = &PROFILE),
     ROW("extinction_per_m", SPECTRUM, NEEDED, .most = 1e9, .unit = "1/m",
         .variants = BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID),
         AT(murk_scene_medium, extinction_per_m)),
-    ROW("albedo", SPECTRUM, NEEDED, SHARE, .keys = &ALBEDO,
+    ROW("extinction_per_m", SPECTRUM, .most = 1e9, .unit = "1/m",
+        .variants = PRESETS, AT(murk_scene_medium, extinction_per_m)),
+    ROW("albedo", SPECTRUM, NEEDED, SHARE, .keys = &ALBEDO, .variants = PLAIN,
+        AT(murk_scene_medium, albedo)),
+    ROW("albedo", SPECTRUM, SHARE, .keys = &ALBEDO, .variants = PRESETS,
         AT(murk_scene_medium, albedo)),
     ROW("phase", PER_BAND, .keys = &PHASE, .preset = "isotropic",
-        .words = PHASE_WORDS, AT(murk_scene_medium, phase)),
-    LATER("preset"),
-    LATER("visibility_m"),
-    LATER("mor_m"),
+        .words = PHASE_WORDS, .variants = PLAIN, AT(murk_scene_medium, phase)),
+    ROW("phase", PER_BAND, .keys = &PHASE, .words = PHASE_WORDS,
+        .variants = PRESETS, AT(murk_scene_medium, phase)),
     END,
 };
 
@@ -207,6 +264,7 @@ const murk_keys murk_medium_keys = {
     .noun = "medium",
     .choose = choose_medium,
     .variant_names = MEDIUM_VARIANTS,
+    .complete = murk_medium_preset_complete,
     .check = check_medium,
     WHERE(murk_scene_medium, where),
     ITEMS(murk_scene_medium, media, n_media),

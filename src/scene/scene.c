@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "scene/conditions.h"
+#include "scene/medium_preset.h"
 #include "scene/override.h"
 #include "scene/print.h"
 #include "scene/walk.h"
@@ -148,7 +149,8 @@ static murk_status print_light_key(const murk_walk *walk, murk_scene *scene)
         }
     }
     scene->light_key = murk_print_file(walk->root, is_of_light);
-    return scene->light_key ? MURK_OK : MURK_NO_MEMORY;
+    return scene->light_key && murk_medium_preset_sign(scene) ? MURK_OK
+                                                              : MURK_NO_MEMORY;
 }
 
 /* ---- scenes ---- */
@@ -282,6 +284,7 @@ void murk_scene_destroy(murk_scene *scene)
         free(scene->geometry[i].file);
     }
     for (size_t i = 0; i < scene->n_media; ++i) {
+        free(scene->media[i].preset);
         free(scene->media[i].vdb);
         free(scene->media[i].grid);
         free(scene->media[i].albedo_vdb);
@@ -291,6 +294,7 @@ void murk_scene_destroy(murk_scene *scene)
         free(scene->media[i].profile_per_m.value);
         for (size_t k = 0; k < scene->media[i].n_phases; ++k) {
             free(scene->media[i].phase[k].table);
+            murk_mixture_destroy(scene->media[i].phase[k].mixture);
         }
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {

@@ -11,6 +11,7 @@
 #include "base/calendar.h"
 #include "base/status.h"
 #include "base/vector.h"
+#include "preset/preset.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -56,7 +57,8 @@ typedef enum murk_scene_phase_kind {
     MURK_SCENE_PHASE_RAYLEIGH,
     MURK_SCENE_PHASE_TWO_HG,
     MURK_SCENE_PHASE_FOURNIER_FORAND,
-    MURK_SCENE_PHASE_TABLE
+    MURK_SCENE_PHASE_TABLE,
+    MURK_SCENE_PHASE_MIXTURE /* of presets */
 } murk_scene_phase_kind;
 
 typedef struct murk_scene_phase {
@@ -66,6 +68,7 @@ typedef struct murk_scene_phase {
     double two_hg[3];          /* g1, g2, weight of g1 */
     double fournier_forand[2]; /* n, mu */
     char *table;               /* CSV file as it is to be opened; or NULL */
+    murk_mixture *mixture;     /* or NULL */
 } murk_scene_phase;
 
 #define MURK_SCENE_LIST_MAX 65536
@@ -85,9 +88,12 @@ typedef struct murk_scene_spectra {
     murk_spectrum *value;
 } murk_scene_spectra;
 
+/* With a preset, what the scene does not give itself is the preset's. */
 typedef struct murk_scene_medium {
     murk_scene_name name;
     murk_scene_where where;
+    char *preset;     /* name; NULL: none */
+    murk_words words; /* of the preset, with its defaults */
     murk_spectrum extinction_per_m, albedo;
     murk_scene_phase phase[MURK_BANDS_MAX];
     size_t n_phases;   /* 1: the same one in all bands; else one a band */

@@ -235,21 +235,19 @@ static murk_status find_nul(const cursor *at)
     return fail_at(at, line, "a NUL byte, must be text");
 }
 
-murk_status murk_table_read(murk_table **out, const char *path, murk_error *err)
+murk_status murk_table_parse(murk_table **out, const char *path, char *text,
+                             size_t size, murk_error *err)
 {
-    size_t size = 0, room = 0;
+    size_t room = 0;
     murk_table *table = calloc(1, sizeof *table);
-    murk_status status = MURK_OK;
     if (!table || !(table->path = strdup(path))) {
-        status = no_memory(path, err);
-        goto done;
+        free(table);
+        free(text);
+        return no_memory(path, err);
     }
-    status = murk_file_read(&table->text, &size, path, MOST_BYTES, err);
-    if (status) {
-        goto done;
-    }
+    table->text = text;
     cursor at = {path, table->text, table->text + size, 1, err};
-    status = find_nul(&at);
+    murk_status status = find_nul(&at);
     if (size >= 3 && memcmp(at.next, "\xEF\xBB\xBF", 3) == 0) {
         at.next += 3; /* byte order mark */
     }
@@ -271,9 +269,17 @@ murk_status murk_table_read(murk_table **out, const char *path, murk_error *err)
         *out = table;
         table = NULL;
     }
-done:
     murk_table_destroy(table);
     return status;
+}
+
+murk_status murk_table_read(murk_table **out, const char *path, murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    const murk_status status =
+        murk_file_read(&text, &size, path, MOST_BYTES, err);
+    return status ? status : murk_table_parse(out, path, text, size, err);
 }
 
 void murk_table_destroy(murk_table *table)

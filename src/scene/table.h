@@ -20,6 +20,10 @@ typedef struct murk_table {
  * cells. Cells may be quoted with ". *out is the caller's. */
 murk_status murk_table_read(murk_table **out, const char *path,
                             murk_error *err);
+/* The same from memory: takes the text, which has a '\0' behind its bytes, also
+ * where it fails; `path` is its name in messages. */
+murk_status murk_table_parse(murk_table **out, const char *path, char *text,
+                             size_t size, murk_error *err);
 void murk_table_destroy(murk_table *table); /* NULL is fine */
 
 /* The column of that name, or -1. */

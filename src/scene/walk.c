@@ -201,6 +201,7 @@ static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
     if (status || (status = murk_walk_check_groups(walk, keys, map)) ||
         (status = find_variant(walk, keys, map, &variant)) ||
         (status = murk_walk_check_variant(walk, keys, map, variant)) ||
+        (keys->complete && (status = keys->complete(walk, map))) ||
         (status = put_presets(walk, keys, map, variant))) {
         return status;
     }

@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "scene/table.h"
+#include "study/mixtures.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -94,11 +95,15 @@ static murk_status read_table(murk_phase_table **out, const char *path,
 static bool needs_table(const murk_scene_phase *phase)
 {
     return phase->kind == MURK_SCENE_PHASE_TABLE ||
+           phase->kind == MURK_SCENE_PHASE_MIXTURE ||
            phase->kind == MURK_SCENE_PHASE_FOURNIER_FORAND;
 }
 
 static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
 {
+    if (a->kind == MURK_SCENE_PHASE_MIXTURE) {
+        return a == b;
+    }
     return a->kind == b->kind &&
            (a->kind == MURK_SCENE_PHASE_TABLE
                 ? strcmp(a->table, b->table) == 0
@@ -109,6 +114,9 @@ static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
 static murk_status make_table(murk_phase_table **out,
                               const murk_scene_phase *phase, murk_error *err)
 {
+    if (phase->kind == MURK_SCENE_PHASE_MIXTURE) {
+        return murk_mixture_table(out, phase->mixture, phase->where, err);
+    }
     return phase->kind == MURK_SCENE_PHASE_TABLE
                ? read_table(out, phase->table, err)
                : murk_phase_table_fournier_forand(
@@ -158,6 +166,7 @@ static murk_phase phase_of(const murk_scene_phase *p, int band,
         return murk_phase_two_hg(p->two_hg[0], p->two_hg[1], p->two_hg[2]);
     case MURK_SCENE_PHASE_FOURNIER_FORAND:
     case MURK_SCENE_PHASE_TABLE:
+    case MURK_SCENE_PHASE_MIXTURE:
         return murk_phase_tabulated(table);
     case MURK_SCENE_PHASE_HG:
         break;
@@ -233,7 +242,8 @@ const char *murk_phases_kind(const murk_scene_medium *medium, int band)
         [MURK_SCENE_PHASE_RAYLEIGH] = "rayleigh",
         [MURK_SCENE_PHASE_TWO_HG] = "two_hg",
         [MURK_SCENE_PHASE_FOURNIER_FORAND] = "fournier_forand",
-        [MURK_SCENE_PHASE_TABLE] = "table"};
+        [MURK_SCENE_PHASE_TABLE] = "table",
+        [MURK_SCENE_PHASE_MIXTURE] = "table"};
     const murk_scene_phase *p =
         &medium->phase[medium->n_phases == 1 ? 0 : band];
     const bool is_isotropic =

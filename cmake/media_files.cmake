@@ -1,0 +1,18 @@
+# Writes the files of media/ (FILES, names below SOURCE, separated by spaces)
+# as arrays of bytes into the C source OUTPUT: src/preset/files.h.
+separate_arguments(FILES)
+list(SORT FILES)
+set(arrays "")
+set(rows "")
+set(number 0)
+foreach(name ${FILES})
+    file(READ ${SOURCE}/${name} bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n" bytes "${bytes}")
+    string(APPEND arrays "static const unsigned char file_${number}[] = {\n${bytes}0};\n")
+    string(APPEND rows "    {\"${name}\", (const char *)file_${number}, sizeof file_${number} - 1},\n")
+    math(EXPR number "${number} + 1")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"preset/files.h\"\n\n${arrays}
+const murk_media_file murk_media_files[] = {\n${rows}};
+const size_t murk_media_files_count = ${number};\n")

@@ -1,0 +1,95 @@
+#include "preset/check_words.h"
+
+#include "preset/visibility.h"
+
+#include <stdio.h>
+
+/* mor_m is what visibility_m is, for another contrast. */
+static murk_preset_word of_mor(const murk_preset_word *visibility)
+{
+    murk_preset_word mor = *visibility;
+    const double factor = murk_visibility_of_mor(1);
+    mor.least[0] /= factor;
+    mor.most[0] /= factor;
+    mor.has_preset = false;
+    return mor;
+}
+
+murk_preset_word murk_preset_word_of(const murk_preset *preset,
+                                     murk_word_id word)
+{
+    return word == MURK_WORD_MOR && preset->word[MURK_WORD_VISIBILITY].is_known
+               ? of_mor(&preset->word[MURK_WORD_VISIBILITY])
+               : preset->word[word];
+}
+
+static murk_status fail_unknown(const murk_preset *preset, const char *where,
+                                murk_error *err)
+{
+    char list[300] = "";
+    size_t length = 0;
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        if (murk_preset_word_of(preset, (murk_word_id)i).is_known) {
+            length += (size_t)snprintf(list + length, sizeof list - length,
+                                       "%s%s", length ? ", " : "",
+                                       murk_word_name((murk_word_id)i));
+        }
+    }
+    return murk_fail(err, MURK_BAD_VALUE, where,
+                     length ? "%s does not know it, must be one of %s"
+                            : "%s does not know it%s: it has no words",
+                     preset->name, list);
+}
+
+murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
+                                   const double *value, const char *where,
+                                   murk_error *err)
+{
+    const murk_preset_word range = murk_preset_word_of(preset, word);
+    if (!range.is_known) {
+        return fail_unknown(preset, where, err);
+    }
+    for (int k = 0; k < murk_word_numbers(word); ++k) {
+        if (!(value[k] >= range.least[k] && value[k] <= range.most[k])) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "%.9g, must be %.6g..%.6g %s for %s", value[k],
+                             range.least[k], range.most[k],
+                             murk_word_unit(word), preset->name);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,
+                                 const char *where, murk_error *err)
+{
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        if (words->given[i]) {
+            const murk_status status = murk_preset_check_word(
+                preset, (murk_word_id)i, words->value[i], where, err);
+            if (status) {
+                return status;
+            }
+        }
+    }
+    if (words->given[MURK_WORD_MOR]) {
+        if (words->given[MURK_WORD_VISIBILITY]) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "has visibility_m and mor_m, must have one of "
+                             "them");
+        }
+        words->given[MURK_WORD_VISIBILITY] = true;
+        words->value[MURK_WORD_VISIBILITY][0] =
+            murk_visibility_of_mor(words->value[MURK_WORD_MOR][0]);
+    }
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        const murk_preset_word *word = &preset->word[i];
+        if (word->is_known && word->has_preset && !words->given[i]) {
+            words->given[i] = true;
+            for (int k = 0; k < MURK_WORD_NUMBERS_MAX; ++k) {
+                words->value[i][k] = word->preset[k];
+            }
+        }
+    }
+    return MURK_OK;
+}

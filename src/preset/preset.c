@@ -1,0 +1,80 @@
+#include "preset/preset.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
+                                      size_t columns, bool by_wavelength,
+                                      murk_error *err)
+{
+    murk_preset_angles *made = calloc(1, sizeof *made);
+    if (made) {
+        made->angles = angles;
+        made->columns = columns;
+        made->angle_deg = calloc(angles, sizeof *made->angle_deg);
+        made->phase_per_sr =
+            columns <= SIZE_MAX / sizeof(double) / (angles ? angles : 1)
+                ? calloc(angles * columns, sizeof *made->phase_per_sr)
+                : NULL;
+        made->wavelength_nm =
+            by_wavelength ? calloc(columns, sizeof *made->wavelength_nm) : NULL;
+    }
+    if (!made || !made->angle_deg || !made->phase_per_sr ||
+        (by_wavelength && !made->wavelength_nm)) {
+        murk_preset_angles_destroy(made);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for a phase function");
+    }
+    *out = made;
+    return MURK_OK;
+}
+
+void murk_preset_angles_destroy(murk_preset_angles *angles)
+{
+    if (angles) {
+        free(angles->wavelength_nm);
+        free(angles->angle_deg);
+        free(angles->phase_per_sr);
+        free(angles);
+    }
+}
+
+static void release_part(murk_preset_part *part)
+{
+    free(part->table.wavelength_nm);
+    free(part->table.absorption_per_m);
+    free(part->table.scattering_per_m);
+    free(part->table.mean_cosine);
+    murk_preset_angles_destroy(part->angles);
+}
+
+void murk_preset_destroy(murk_preset *preset)
+{
+    if (!preset) {
+        return;
+    }
+    for (size_t i = 0; i < preset->sources; ++i) {
+        free(preset->source[i].what);
+        free(preset->source[i].from);
+        free(preset->source[i].quoted_by);
+    }
+    for (size_t i = 0; i < preset->doubts; ++i) {
+        free(preset->doubt[i]);
+    }
+    for (size_t i = 0; i < preset->parts; ++i) {
+        release_part(&preset->part[i]);
+    }
+    free(preset->source);
+    free(preset->doubt);
+    free(preset->name);
+    free(preset->about);
+    free(preset);
+}
+
+void murk_preset_result_release(murk_preset_result *result)
+{
+    for (int i = 0; i < MURK_BANDS_MAX; ++i) {
+        murk_mixture_destroy(result->mixture[i]);
+        result->mixture[i] = NULL;
+    }
+}

@@ -1,0 +1,286 @@
+#include "scene/medium_preset.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/file.h"
+#include "preset/check_words.h"
+#include "scene/number.h"
+#include "scene/presets.h"
+
+/* ---- words ---- */
+
+/* Where a key of the medium is, or what would be it. */
+static void where_of(murk_walk *walk, const murk_yaml *map, const char *key,
+                     bool at_key, murk_scene_where out)
+{
+    const murk_yaml *node = murk_yaml_get(map, key);
+    const size_t back = murk_walk_enter(walk, key);
+    murk_walk_where(node ? node : map, walk->key, at_key, out);
+    murk_walk_leave(walk, back);
+}
+
+static murk_status open_preset(murk_walk *walk, const murk_yaml *map,
+                               murk_preset **out)
+{
+    murk_scene_where where;
+    const murk_yaml *name = murk_yaml_get(map, "preset");
+    where_of(walk, map, "preset", false, where);
+    return murk_presets_read(out,
+                             name->kind == MURK_YAML_SCALAR ? name->text : "",
+                             where, walk->err);
+}
+
+static murk_yaml *number_node(double value, const char *source)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_yaml *node = murk_yaml_make(MURK_YAML_SCALAR, source);
+    murk_number_print(text, value);
+    if (node && !murk_yaml_set_text(node, text)) {
+        murk_yaml_destroy(node);
+        return NULL;
+    }
+    return node;
+}
+
+/* A default as the user would write it. */
+static murk_yaml *default_node(const murk_preset_word *word, int numbers,
+                               const char *source)
+{
+    if (numbers == 1) {
+        return number_node(word->preset[0], source);
+    }
+    murk_yaml *list = murk_yaml_make(MURK_YAML_LIST, source);
+    bool is_whole = list != NULL;
+    for (int k = 0; k < numbers && is_whole; ++k) {
+        murk_yaml *item = number_node(word->preset[k], source);
+        is_whole = item && murk_yaml_append(list, NULL, item);
+    }
+    if (!is_whole) {
+        murk_yaml_destroy(list);
+        return NULL;
+    }
+    return list;
+}
+
+static murk_status complete_word(murk_walk *walk, murk_yaml *map,
+                                 const murk_preset *preset, murk_word_id word)
+{
+    const char *name = murk_word_name(word);
+    const murk_preset_word range = murk_preset_word_of(preset, word);
+    if (murk_yaml_get(map, name)) {
+        if (range.is_known) {
+            return MURK_OK; /* its numbers are looked at once they are read */
+        }
+        murk_scene_where where;
+        const double none[MURK_WORD_NUMBERS_MAX] = {0};
+        where_of(walk, map, name, true, where);
+        return murk_preset_check_word(preset, word, none, where, walk->err);
+    }
+    const bool is_said_otherwise =
+        word == MURK_WORD_VISIBILITY && murk_yaml_get(map, "mor_m");
+    if (!range.is_known || !range.has_preset || is_said_otherwise) {
+        return MURK_OK;
+    }
+    murk_yaml *node =
+        default_node(&range, murk_word_numbers(word), walk->root->source);
+    return node && murk_yaml_put(map, name, node) ? MURK_OK
+                                                  : murk_walk_no_memory(walk);
+}
+
+murk_status murk_medium_preset_complete(murk_walk *walk, murk_yaml *map)
+{
+    if (!murk_yaml_get(map, "preset")) {
+        return MURK_OK;
+    }
+    murk_preset *preset = NULL;
+    murk_status status = open_preset(walk, map, &preset);
+    for (int i = 0; i < MURK_WORDS && !status; ++i) {
+        status = complete_word(walk, map, preset, (murk_word_id)i);
+    }
+    murk_preset_destroy(preset);
+    return status;
+}
+
+/* ---- numbers ---- */
+
+static murk_status check_ranges(murk_walk *walk, const murk_yaml *map,
+                                const murk_preset *preset,
+                                const murk_words *words)
+{
+    murk_status status = MURK_OK;
+    for (int i = 0; i < MURK_WORDS && !status; ++i) {
+        if (words->given[i]) {
+            murk_scene_where where;
+            const murk_word_id word = (murk_word_id)i;
+            where_of(walk, map, murk_word_name(word), false, where);
+            status = murk_preset_check_word(preset, word, words->value[i],
+                                            where, walk->err);
+        }
+    }
+    return status;
+}
+
+static murk_spectrum same_in_all(double g)
+{
+    return murk_spectrum_flat(g, MURK_BANDS_MAX);
+}
+
+/* A mixture in the plainest form that says the same; takes it where it stays
+ * one. */
+static void fill_phase(murk_scene_phase *out, murk_mixture **mixture)
+{
+    const murk_mixture_part *part = (*mixture)->part;
+    const size_t n = (*mixture)->n;
+    const bool are_hg = part[0].kind == MURK_PRESET_HG &&
+                        (n == 1 || part[1].kind == MURK_PRESET_HG);
+    if (n == 1 && are_hg) {
+        out->kind = MURK_SCENE_PHASE_HG;
+        out->mean_cosine = same_in_all(part[0].value[0]);
+    } else if (n == 2 && are_hg) {
+        out->kind = MURK_SCENE_PHASE_TWO_HG;
+        out->two_hg[0] = part[0].value[0];
+        out->two_hg[1] = part[1].value[0];
+        out->two_hg[2] = part[0].share;
+    } else if (n == 1 && part[0].kind == MURK_PRESET_RAYLEIGH) {
+        out->kind = MURK_SCENE_PHASE_RAYLEIGH;
+    } else if (n == 1 && part[0].kind == MURK_PRESET_TWO_HG) {
+        out->kind = MURK_SCENE_PHASE_TWO_HG;
+        memcpy(out->two_hg, part[0].value, sizeof out->two_hg);
+    } else if (n == 1 && part[0].kind == MURK_PRESET_FOURNIER_FORAND) {
+        out->kind = MURK_SCENE_PHASE_FOURNIER_FORAND;
+        memcpy(out->fournier_forand, part[0].value,
+               sizeof out->fournier_forand);
+    } else {
+        out->kind = MURK_SCENE_PHASE_MIXTURE;
+        out->mixture = *mixture;
+        *mixture = NULL;
+    }
+}
+
+static void fill(murk_scene_medium *medium, const murk_yaml *map,
+                 murk_preset_result *result, int bands)
+{
+    if (!murk_yaml_get(map, "extinction_per_m")) {
+        medium->extinction_per_m = result->extinction_per_m;
+    }
+    if (!murk_yaml_get(map, "albedo")) {
+        medium->albedo = result->albedo;
+    }
+    if (!murk_yaml_get(map, "phase")) {
+        medium->n_phases = (size_t)bands;
+        for (int band = 0; band < bands; ++band) {
+            murk_scene_phase *phase = &medium->phase[band];
+            memcpy(phase->where, medium->where, sizeof phase->where);
+            fill_phase(phase, &result->mixture[band]);
+        }
+    }
+}
+
+murk_status murk_medium_preset_fill(murk_walk *walk, const murk_yaml *map,
+                                    murk_scene_medium *medium)
+{
+    const murk_scene *scene = walk->scene;
+    const murk_preset_bands bands = {
+        .n = scene->bands,
+        .line_nm = scene->band_nm,
+        .edge_nm = scene->has_edges ? scene->band_edge_nm : NULL};
+    murk_preset *preset = NULL;
+    murk_preset_result result = {0};
+    murk_scene_where where;
+    where_of(walk, map, "preset", false, where);
+    murk_status status = open_preset(walk, map, &preset);
+    if (!status) {
+        status = check_ranges(walk, map, preset, &medium->words);
+    }
+    if (!status) {
+        status = murk_preset_evaluate(&result, preset, &medium->words, &bands,
+                                      where, walk->err);
+    }
+    if (!status) {
+        fill(medium, map, &result, scene->bands);
+    }
+    murk_preset_result_release(&result);
+    murk_preset_destroy(preset);
+    return status;
+}
+
+/* ---- the light's key ---- */
+
+static void put_numbers(FILE *out, const double *value, size_t n)
+{
+    char text[MURK_NUMBER_SIZE];
+    for (size_t i = 0; i < n; ++i) {
+        murk_number_print(text, value[i]);
+        fprintf(out, " %s", text);
+    }
+}
+
+static void put_mixture(FILE *out, const murk_mixture *mixture)
+{
+    for (size_t i = 0; i < mixture->n; ++i) {
+        const murk_mixture_part *part = &mixture->part[i];
+        uint64_t sum[2][2] = {{0}};
+        if (part->angles) {
+            const size_t bytes = part->angles * sizeof(double);
+            murk_checksum(part->angle_deg, bytes, sum[0]);
+            murk_checksum(part->phase_per_sr, bytes, sum[1]);
+        }
+        fprintf(out, " {%d", (int)part->kind);
+        put_numbers(out, &part->share, 1);
+        put_numbers(out, part->value, 3);
+        fprintf(out, " %016" PRIx64 "%016" PRIx64 "}", sum[0][1] ^ sum[0][0],
+                sum[1][1] ^ sum[1][0]);
+    }
+}
+
+static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
+{
+    fprintf(out, "preset %s:", medium->preset);
+    put_numbers(out, medium->extinction_per_m.band, bands);
+    put_numbers(out, medium->albedo.band, bands);
+    for (size_t k = 0; k < medium->n_phases; ++k) {
+        const murk_scene_phase *phase = &medium->phase[k];
+        fprintf(out, " %d", (int)phase->kind);
+        put_numbers(out, phase->mean_cosine.band, bands);
+        put_numbers(out, phase->two_hg, 3);
+        put_numbers(out, phase->fournier_forand, 2);
+        if (phase->mixture) {
+            put_mixture(out, phase->mixture);
+        }
+    }
+    fputc('\n', out);
+}
+
+bool murk_medium_preset_sign(murk_scene *scene)
+{
+    bool any = false;
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        any = any || scene->media[i].preset;
+    }
+    if (!any) {
+        return true;
+    }
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return false;
+    }
+    fputs(scene->light_key, out);
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        if (scene->media[i].preset) {
+            put_medium(out, &scene->media[i], (size_t)scene->bands);
+        }
+    }
+    const bool failed = ferror(out) != 0;
+    if (fclose(out) != 0 || failed) {
+        free(text);
+        return false;
+    }
+    free(scene->light_key);
+    scene->light_key = text;
+    return true;
+}

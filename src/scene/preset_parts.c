@@ -1,0 +1,183 @@
+/* The parts of a preset's file: law or table, and phase function. */
+#include "scene/preset_walk.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "preset/law.h"
+
+static const char *const PART_KEYS[] = {"law",    "table", "times",
+                                        "scaled", "phase", NULL};
+
+static bool is_part_key(const char *key)
+{
+    const char *const *known = PART_KEYS;
+    while (*known && strcmp(*known, key) != 0) {
+        ++known;
+    }
+    return *known != NULL;
+}
+
+/* What a law reads is known to the file, with a default where it must be. */
+static murk_status check_words(const murk_preset_walk *walk,
+                               const murk_yaml *node, const murk_law *law)
+{
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        const murk_preset_word *word = &walk->preset->word[i];
+        if ((law->needs & (1u << i)) && !(word->is_known && word->has_preset)) {
+            return murk_preset_fail(walk, node,
+                                    "the law %s needs the word %s with a "
+                                    "default",
+                                    law->name, murk_word_name((murk_word_id)i));
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status read_law(const murk_preset_walk *walk, const murk_yaml *map,
+                            const murk_yaml *node, murk_preset_part *part)
+{
+    const murk_law *law =
+        node->kind == MURK_YAML_SCALAR ? murk_law_find(node->text) : NULL;
+    if (!law) {
+        return murk_preset_fail(walk, node, "no law of that name");
+    }
+    part->law = law;
+    size_t n = 0;
+    for (; law->parameter[n].name; ++n) {
+        const murk_law_parameter *parameter = &law->parameter[n];
+        const murk_yaml *value = murk_yaml_get(map, parameter->name);
+        if (!value) {
+            return murk_preset_fail(walk, map, "misses %s", parameter->name);
+        }
+        const murk_status status =
+            murk_preset_number(walk, value, parameter->least, parameter->most,
+                               &part->parameter[n]);
+        if (status) {
+            return status;
+        }
+    }
+    for (size_t i = 0; i < map->n; ++i) {
+        bool is_known = is_part_key(map->key[i]);
+        for (size_t k = 0; k < n; ++k) {
+            is_known =
+                is_known || strcmp(law->parameter[k].name, map->key[i]) == 0;
+        }
+        if (!is_known) {
+            return murk_preset_fail(walk, map->child[i], "unknown key %.60s",
+                                    map->key[i]);
+        }
+    }
+    return check_words(walk, node, law);
+}
+
+/* ---- phase functions ---- */
+
+static murk_status read_phase_map(const murk_preset_walk *walk,
+                                  const murk_yaml *map, murk_preset_part *part)
+{
+    static const char *const known[] = {"hg", "two_hg", "fournier_forand",
+                                        "table", NULL};
+    murk_status status = murk_preset_check_keys(walk, map, known);
+    if (status) {
+        return status;
+    }
+    if (map->n != 1) {
+        return murk_preset_fail(walk, map,
+                                "must have one of hg, two_hg, "
+                                "fournier_forand, table");
+    }
+    const murk_yaml *node = map->child[0];
+    murk_preset_phase *phase = &part->phase;
+    if (strcmp(map->key[0], "hg") == 0) {
+        phase->kind = MURK_PRESET_HG;
+        return murk_preset_numbers(walk, node, 1, phase->value);
+    }
+    if (strcmp(map->key[0], "two_hg") == 0) {
+        phase->kind = MURK_PRESET_TWO_HG;
+        return murk_preset_numbers(walk, node, 3, phase->value);
+    }
+    if (strcmp(map->key[0], "fournier_forand") == 0) {
+        phase->kind = MURK_PRESET_FOURNIER_FORAND;
+        return murk_preset_numbers(walk, node, 2, phase->value);
+    }
+    phase->kind = MURK_PRESET_TABLE;
+    status = murk_preset_read_angles(walk, node, &part->angles);
+    phase->angles = part->angles;
+    return status;
+}
+
+static murk_status read_phase(const murk_preset_walk *walk,
+                              const murk_yaml *node, murk_preset_part *part)
+{
+    part->has_phase = true;
+    if (node->kind == MURK_YAML_MAP) {
+        return read_phase_map(walk, node, part);
+    }
+    const char *word = node->kind == MURK_YAML_SCALAR ? node->text : "";
+    const bool is_rayleigh = strcmp(word, "rayleigh") == 0;
+    part->phase.kind = is_rayleigh ? MURK_PRESET_RAYLEIGH : MURK_PRESET_HG;
+    return is_rayleigh || strcmp(word, "isotropic") == 0
+               ? MURK_OK
+               : murk_preset_fail(walk, node,
+                                  "must be isotropic, rayleigh or a map");
+}
+
+/* ---- the part ---- */
+
+static murk_status read_times(const murk_preset_walk *walk,
+                              const murk_yaml *node, murk_preset_part *part)
+{
+    part->times =
+        node->kind == MURK_YAML_SCALAR ? murk_word_find(node->text) : -1;
+    if (part->times < 0 || !walk->preset->word[part->times].has_preset ||
+        murk_word_numbers((murk_word_id)part->times) != 1) {
+        return murk_preset_fail(walk, node,
+                                "must be one of the preset's words that have "
+                                "a default");
+    }
+    return MURK_OK;
+}
+
+static murk_status read_scaled(const murk_preset_walk *walk,
+                               const murk_yaml *node, murk_preset_part *part)
+{
+    const murk_preset *preset = walk->preset;
+    if (!murk_yaml_bool(node, &part->scaled)) {
+        return murk_preset_fail(walk, node, "must be true or false");
+    }
+    return !part->scaled || (preset->word[MURK_WORD_VISIBILITY].is_known &&
+                             preset->wavelength_nm[0] <= MURK_VISIBILITY_NM &&
+                             preset->wavelength_nm[1] >= MURK_VISIBILITY_NM)
+               ? MURK_OK
+               : murk_preset_fail(walk, node,
+                                  "needs the word visibility_m and 550 nm "
+                                  "within wavelength_nm");
+}
+
+murk_status murk_preset_read_part(const murk_preset_walk *walk,
+                                  const murk_yaml *map, murk_preset_part *part)
+{
+    part->times = -1;
+    const murk_yaml *law = murk_yaml_get(map, "law");
+    const murk_yaml *table = murk_yaml_get(map, "table");
+    const murk_yaml *times = murk_yaml_get(map, "times");
+    const murk_yaml *scaled = murk_yaml_get(map, "scaled");
+    const murk_yaml *phase = murk_yaml_get(map, "phase");
+    if (map->kind != MURK_YAML_MAP || !law == !table) {
+        return murk_preset_fail(walk, map,
+                                "must be a map with either law or table");
+    }
+    murk_status status = law ? read_law(walk, map, law, part)
+                             : murk_preset_check_keys(walk, map, PART_KEYS);
+    if (!status && table) {
+        status = murk_preset_read_table(walk, table, &part->table);
+    }
+    if (!status && times) {
+        status = read_times(walk, times, part);
+    }
+    if (!status && scaled) {
+        status = read_scaled(walk, scaled, part);
+    }
+    return status || !phase ? status : read_phase(walk, phase, part);
+}
