@@ -1,5 +1,6 @@
 #include "light/moonlight.h"
 
+#include "light/clear_sky.h"
 #include "light/night_sky.h"
 #include "light/twilight.h"
 
@@ -127,21 +128,14 @@ static double diffuse(const murk_moon *moon, double extinction_mag)
     return sum * strength(moon, extinction_mag);
 }
 
-/* F. Kasten and A. T. Young, Appl. Opt. 28 (1989) 4735,
- * doi:10.1364/AO.28.004735. */
-static double air_mass(double elevation_deg)
-{
-    return 1 / (sin(radians(elevation_deg)) +
-                0.50572 * pow(elevation_deg + 6.07995, -1.6364));
-}
-
 murk_moonlight murk_moonlight_at(const murk_moon *moon, double extinction_mag)
 {
     murk_moonlight out = {0, 0};
     if (moon->elevation_deg > 0) {
         out.direct_lux =
             murk_moon_lux(moon->phase_angle_deg, moon->distance_m) *
-            pow(10, -0.4 * extinction_mag * air_mass(moon->elevation_deg));
+            pow(10, -0.4 * extinction_mag *
+                        murk_relative_airmass(90 - moon->elevation_deg));
     }
     if (moon->elevation_deg > MURK_TWILIGHT_END_DEG) {
         out.diffuse_lux = diffuse(moon, extinction_mag);

@@ -41,7 +41,7 @@ double murk_visual_extinction(double linke_turbidity, double altitude_m);
 double murk_moonlit_sky(const murk_moon *moon, double zenith_deg,
                         double separation_deg, double extinction_mag);
 
-/* Both parts at the ground. The disc's air mass is Kasten and Young's. */
+/* Both parts at the ground. The disc's air mass is light/clear_sky.h's. */
 murk_moonlight murk_moonlight_at(const murk_moon *moon, double extinction_mag);
 
 #endif
