@@ -44,12 +44,22 @@ static murk_status add(murk_lights *lights, size_t i, const murk_light *light,
 {
     murk_source *s = &lights->sources[i];
     const char *where = light->where ? light->where : "lights";
+    const bool aimed = murk_light_is_distant(light) && light->portals > 0;
+    const size_t portals = aimed ? light->portals : 0;
     char *copy = malloc(strlen(where) + 1);
-    if (!copy) {
+    murk_portal *portal = malloc((portals + 1) * sizeof *portal);
+    if (!copy || !portal) {
+        free(copy);
+        free(portal);
         return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a light");
     }
     s->light = *light;
     s->light.where = strcpy(copy, where);
+    if (portals > 0) {
+        memcpy(portal, light->portal, portals * sizeof *portal);
+    }
+    s->light.portal = portal;
+    s->light.portals = portals;
     lights->n = i + 1;
 
     double scale;
@@ -69,10 +79,9 @@ static murk_status add(murk_lights *lights, size_t i, const murk_light *light,
 static murk_status deal_out(murk_lights *lights, murk_error *err)
 {
     const size_t channels = lights->n * lights->bands;
-    if (!(lights->all_power_w > 0 && isfinite(lights->all_power_w))) {
+    if (!isfinite(lights->all_power_w)) {
         return murk_fail(err, MURK_BAD_VALUE, "lights",
-                         "power of all lights is %g W, must be above 0 W and "
-                         "finite",
+                         "power of all lights is %g W, must be finite",
                          lights->all_power_w);
     }
     double *weight = calloc(channels, sizeof *weight);
@@ -138,7 +147,7 @@ void murk_lights_destroy(murk_lights *lights)
 {
     if (lights) {
         for (size_t i = 0; i < lights->n; ++i) {
-            free((char *)(uintptr_t)lights->sources[i].light.where);
+            murk_source_release(&lights->sources[i]);
         }
         free(lights->sources);
         free(lights->power_w);
@@ -164,8 +173,14 @@ double murk_lights_power_w(const murk_lights *lights)
     return lights->all_power_w;
 }
 
+size_t murk_lights_lit(const murk_lights *lights)
+{
+    return lights->n_lit;
+}
+
 size_t murk_lights_channel_of(const murk_lights *lights, uint64_t photon)
 {
+    assert(lights->n_lit > 0);
     return lights->lit[murk_deal_one(lights->limit, lights->n_lit, photon)];
 }
 
@@ -184,18 +199,33 @@ murk_ray murk_lights_emit(const murk_lights *lights, uint32_t seed,
                           uint32_t stream, uint64_t photon)
 {
     const size_t channel = murk_lights_channel_of(lights, photon);
-    const murk_random4 random =
-        murk_random(seed, MURK_EMIT + MURK_STREAM * stream, photon, 0, 0);
+    const murk_source *source = &lights->sources[channel / lights->bands];
+    const uint32_t purpose = MURK_EMIT + MURK_STREAM * stream;
     const murk_box *box = &lights->domain.box;
-    return murk_source_emit(&lights->sources[channel / lights->bands], box,
-                            random.u);
+    double u[MURK_OPENINGS_NUMBERS] = {0};
+    const murk_random4 four = murk_random(seed, purpose, photon, 0, 0);
+    memcpy(u, four.u, sizeof four.u);
+    if (source->openings) {
+        const murk_random4 more = murk_random(seed, purpose, photon, 0, 1);
+        memcpy(u + 4, more.u, sizeof more.u);
+    }
+    return murk_source_emit(source, box, u);
+}
+
+bool murk_lights_portal_is_lit(const murk_lights *lights, size_t light,
+                               size_t portal)
+{
+    assert(light < lights->n);
+    const murk_source *source = &lights->sources[light];
+    assert(portal < source->light.portals);
+    return murk_openings_one_m2(source->openings, portal) > 0;
 }
 
 bool murk_lights_place(const murk_lights *lights, size_t light, murk_vec3 *out)
 {
     assert(light < lights->n);
     const murk_light *l = &lights->sources[light].light;
-    if (l->type == MURK_LIGHT_DIRECTIONAL) {
+    if (murk_light_is_distant(l)) {
         return false;
     }
     *out = l->position;

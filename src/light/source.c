@@ -1,6 +1,8 @@
 #include "light/source.h"
 
 #include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #define TWO_PI (2 * MURK_PI)
 
@@ -16,10 +18,9 @@
 static murk_status check_power(const murk_light *l, size_t bands,
                                murk_error *err)
 {
-    const bool distant = l->type == MURK_LIGHT_DIRECTIONAL;
+    const bool distant = murk_light_is_distant(l);
     const char *name = distant ? "irradiance_w_per_m2" : "power_w";
     const char *unit = distant ? "W/m2" : "W";
-    bool shines = false;
     for (size_t b = 0; b < bands; ++b) {
         const double power = l->power_w.band[b];
         if (!(power >= 0 && isfinite(power))) {
@@ -27,14 +28,18 @@ static murk_status check_power(const murk_light *l, size_t bands,
                              "%s is %g %s in band %zu, must be 0 %s or more",
                              name, power, unit, b, unit);
         }
-        shines = shines || power > 0;
-    }
-    if (!shines) {
-        return murk_fail(err, MURK_BAD_VALUE, l->where,
-                         "%s is 0 %s in every band, must be above 0 %s in one",
-                         name, unit, unit);
     }
     return MURK_OK;
+}
+
+static bool is_dark(const murk_light *l, size_t bands)
+{
+    for (size_t b = 0; b < bands; ++b) {
+        if (l->power_w.band[b] > 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static double largest_of(murk_vec3 v)
@@ -95,32 +100,42 @@ static murk_status prepare_sphere(murk_source *s, const murk_domain *domain,
                         l->where, err);
 }
 
-static murk_status prepare_rect(murk_source *s, const murk_domain *domain,
-                                murk_error *err)
+/* A parallelogram of a lamp or a portal; what: "the lamp's". */
+static murk_status check_sheet(const murk_portal *sheet,
+                               const murk_domain *domain, const char *what,
+                               const char *where, murk_error *err)
 {
-    const murk_light *l = &s->light;
-    const murk_vec3 normal = murk_cross(l->edge1, l->edge2);
-    const double least = CROSS_ROUNDINGS * DBL_EPSILON * murk_length(l->edge1) *
-                         murk_length(l->edge2);
-    if (!(murk_length(normal) > least)) {
-        return murk_fail(err, MURK_BAD_VALUE, l->where,
-                         "edge1_m [%g, %g, %g] and edge2_m [%g, %g, %g] span "
-                         "no area, must not be zero or parallel",
-                         l->edge1.x, l->edge1.y, l->edge1.z, l->edge2.x,
-                         l->edge2.y, l->edge2.z);
+    const murk_vec3 e = sheet->edge1, f = sheet->edge2;
+    const double least =
+        CROSS_ROUNDINGS * DBL_EPSILON * murk_length(e) * murk_length(f);
+    if (!(murk_length(murk_cross(e, f)) > least)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%s edge1_m [%g, %g, %g] and edge2_m [%g, %g, %g] "
+                         "span no area, must not be zero or parallel",
+                         what, e.x, e.y, e.z, f.x, f.y, f.z);
     }
-    s->normal = murk_unit(normal);
     const murk_vec3 none = {0, 0, 0};
+    char corner_of[64];
+    snprintf(corner_of, sizeof corner_of, "%s corner", what);
     for (int corner = 0; corner < 4; ++corner) {
-        murk_vec3 p = murk_along(l->position, corner % 2, l->edge1);
-        p = murk_along(p, corner / 2, l->edge2);
+        murk_vec3 p = murk_along(sheet->corner, corner % 2, e);
+        p = murk_along(p, corner / 2, f);
         const murk_status status =
-            check_inside(domain, p, none, "the lamp's corner", l->where, err);
+            check_inside(domain, p, none, corner_of, where, err);
         if (status) {
             return status;
         }
     }
     return MURK_OK;
+}
+
+static murk_status prepare_rect(murk_source *s, const murk_domain *domain,
+                                murk_error *err)
+{
+    const murk_light *l = &s->light;
+    const murk_portal sheet = {l->position, l->edge1, l->edge2};
+    s->normal = murk_unit(murk_cross(l->edge1, l->edge2));
+    return check_sheet(&sheet, domain, "the lamp's", l->where, err);
 }
 
 static murk_status prepare_beam(murk_source *s, const murk_domain *domain,
@@ -149,37 +164,110 @@ static murk_status prepare_beam(murk_source *s, const murk_domain *domain,
                         err);
 }
 
-/* Shares of the faces across x, y and z in the light that enters, and its
- * power for 1 W/m2. */
-static murk_status prepare_directional(murk_source *s,
-                                       const murk_domain *domain,
-                                       double *area_m2, murk_error *err)
+static murk_status check_portals(const murk_light *l, const murk_domain *domain,
+                                 murk_error *err)
 {
-    const murk_status status = prepare_direction(s, err);
-    if (status) {
-        return status;
+    if (l->portals > MURK_PORTALS_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, l->where,
+                         "%zu portals, must be %d or less", l->portals,
+                         MURK_PORTALS_MAX);
     }
+    if (l->portals > 0 && domain->is_periodic) {
+        return murk_fail(err, MURK_BAD_VALUE, l->where,
+                         "aimed at portals in a periodic domain, which light "
+                         "enters through its top only; its sides must be open");
+    }
+    for (size_t i = 0; i < l->portals; ++i) {
+        char what[32];
+        snprintf(what, sizeof what, "portal %zu:", i);
+        const murk_status status =
+            check_sheet(&l->portal[i], domain, what, l->where, err);
+        if (status) {
+            return status;
+        }
+    }
+    return MURK_OK;
+}
+
+/* Shares of the faces across x, y and z in the light that enters; returns its
+ * power for 1 W/m2. */
+static double share_faces(murk_source *s, const murk_domain *domain)
+{
     const murk_vec3 d = s->light.direction;
     const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
     double face[3] = {fabs(d.x) * size.y * size.z, fabs(d.y) * size.z * size.x,
                       fabs(d.z) * size.x * size.y};
     if (domain->is_periodic) {
-        if (!(d.z < 0)) {
-            return murk_fail(err, MURK_BAD_VALUE, s->light.where,
-                             "direction is [%g, %g, %g], must go down: light "
-                             "enters a periodic domain through its top only",
-                             d.x, d.y, d.z);
-        }
         face[0] = face[1] = 0;
     }
-    *area_m2 = face[0] + face[1] + face[2];
-    s->face_end[0] = face[0] / *area_m2;
-    s->face_end[1] = (face[0] + face[1]) / *area_m2;
+    const double area_m2 = face[0] + face[1] + face[2];
+    s->face_end[0] = face[0] / area_m2;
+    s->face_end[1] = (face[0] + face[1]) / area_m2;
     s->face_end[2] = 1;
-    return MURK_OK;
+    return area_m2;
 }
 
-static murk_status prepare(murk_source *s, const murk_domain *domain,
+static murk_status open_up(murk_source *s, const murk_domain *domain,
+                           double *area_m2, murk_error *err)
+{
+    const murk_status status =
+        murk_openings_create(&s->openings, &s->light, domain, err);
+    if (!status) {
+        *area_m2 = murk_openings_area_m2(s->openings);
+    }
+    return status;
+}
+
+static murk_status prepare_directional(murk_source *s,
+                                       const murk_domain *domain, bool dark,
+                                       double *area_m2, murk_error *err)
+{
+    const double radius = s->light.angular_radius_rad;
+    murk_status status = prepare_direction(s, err);
+    if (!status && !(radius >= 0 && radius <= MURK_DISC_RAD_MAX)) {
+        status = murk_fail(err, MURK_BAD_VALUE, s->light.where,
+                           "angular radius is %g rad, must be 0..%g rad",
+                           radius, MURK_DISC_RAD_MAX);
+    }
+    const murk_vec3 d = s->light.direction;
+    if (!status && domain->is_periodic && !dark && !(d.z < 0)) {
+        status = murk_fail(err, MURK_BAD_VALUE, s->light.where,
+                           "direction is [%g, %g, %g], must go down: light "
+                           "enters a periodic domain through its top only",
+                           d.x, d.y, d.z);
+    }
+    if (!status && (radius > 0 || s->light.portals > 0)) {
+        status = open_up(s, domain, area_m2, err);
+    } else if (!status) {
+        *area_m2 = share_faces(s, domain);
+    }
+    return status;
+}
+
+static murk_status prepare_dome(murk_source *s, const murk_domain *domain,
+                                double *area_m2, murk_error *err)
+{
+    const murk_dome *dome = &s->light.dome;
+    const double k[] = {dome->a, dome->b, dome->c, dome->d, dome->e};
+    for (size_t i = 0; i < sizeof k / sizeof *k; ++i) {
+        if (!isfinite(k[i])) {
+            return murk_fail(err, MURK_BAD_VALUE, s->light.where,
+                             "coefficient %c of the sky is %g, must be finite",
+                             "abcde"[i], k[i]);
+        }
+    }
+    const murk_vec3 sun = dome->towards;
+    if ((dome->c != 0 || dome->e != 0) &&
+        !(murk_is_finite(sun) && largest_of(sun) > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, s->light.where,
+                         "towards is [%g, %g, %g], must be finite and not "
+                         "zero: this sky is brightest about the sun",
+                         sun.x, sun.y, sun.z);
+    }
+    return open_up(s, domain, area_m2, err);
+}
+
+static murk_status prepare(murk_source *s, const murk_domain *domain, bool dark,
                            double *power_scale, murk_error *err)
 {
     const murk_vec3 none = {0, 0, 0};
@@ -192,7 +280,9 @@ static murk_status prepare(murk_source *s, const murk_domain *domain,
     case MURK_LIGHT_BEAM:
         return prepare_beam(s, domain, err);
     case MURK_LIGHT_DIRECTIONAL:
-        return prepare_directional(s, domain, power_scale, err);
+        return prepare_directional(s, domain, dark, power_scale, err);
+    case MURK_LIGHT_DOME:
+        return prepare_dome(s, domain, power_scale, err);
     case MURK_LIGHT_POINT:
         break;
     }
@@ -204,8 +294,19 @@ murk_status murk_source_prepare(murk_source *s, size_t bands,
                                 const murk_domain *domain, double *power_scale,
                                 murk_error *err)
 {
-    const murk_status status = check_power(&s->light, bands, err);
-    return status ? status : prepare(s, domain, power_scale, err);
+    murk_status status = check_power(&s->light, bands, err);
+    if (!status && murk_light_is_distant(&s->light)) {
+        status = check_portals(&s->light, domain, err);
+    }
+    const bool dark = is_dark(&s->light, bands);
+    return status ? status : prepare(s, domain, dark, power_scale, err);
+}
+
+void murk_source_release(murk_source *s)
+{
+    free((char *)(uintptr_t)s->light.where);
+    free((murk_portal *)(uintptr_t)s->light.portal);
+    murk_openings_destroy(s->openings);
 }
 
 static double held(double x, double least, double most)
@@ -237,7 +338,7 @@ static murk_vec3 cosine_law(murk_vec3 normal, double u_mu, double u_phi)
 static murk_ray emit_beam(const murk_source *s, const double u[4])
 {
     const murk_light *l = &s->light;
-    murk_ray ray = {l->position, l->direction};
+    murk_ray ray = {.origin = l->position, .direction = l->direction};
     murk_vec3 t, b;
     murk_frame(l->direction, &t, &b);
     if (l->radius_m > 0) {
@@ -270,36 +371,41 @@ static murk_ray emit_directional(const murk_source *s, const murk_box *box,
     } else {
         p.z = d.z > 0 ? box->min.z : box->max.z;
     }
-    return (murk_ray){p, d};
+    return (murk_ray){.origin = p, .direction = d};
 }
 
 static murk_ray start_of(const murk_source *s, const murk_box *box,
-                         const double u[4])
+                         const double u[MURK_OPENINGS_NUMBERS])
 {
     const murk_light *l = &s->light;
     switch (l->type) {
     case MURK_LIGHT_SPHERE: {
         const murk_vec3 normal = isotropic(u[0], u[1]);
-        return (murk_ray){murk_along(l->position, l->radius_m, normal),
-                          cosine_law(normal, u[2], u[3])};
+        return (murk_ray){.origin =
+                              murk_along(l->position, l->radius_m, normal),
+                          .direction = cosine_law(normal, u[2], u[3])};
     }
     case MURK_LIGHT_RECT: {
         const murk_vec3 p = murk_along(l->position, u[0], l->edge1);
-        return (murk_ray){murk_along(p, u[1], l->edge2),
-                          cosine_law(s->normal, u[2], u[3])};
+        return (murk_ray){.origin = murk_along(p, u[1], l->edge2),
+                          .direction = cosine_law(s->normal, u[2], u[3])};
     }
     case MURK_LIGHT_BEAM:
         return emit_beam(s, u);
     case MURK_LIGHT_DIRECTIONAL:
-        return emit_directional(s, box, u);
+        return s->openings ? murk_openings_emit(s->openings, u)
+                           : emit_directional(s, box, u);
+    case MURK_LIGHT_DOME:
+        return murk_openings_emit(s->openings, u);
     case MURK_LIGHT_POINT:
         break;
     }
-    return (murk_ray){l->position, isotropic(u[0], u[1])};
+    return (murk_ray){.origin = l->position,
+                      .direction = isotropic(u[0], u[1])};
 }
 
 murk_ray murk_source_emit(const murk_source *s, const murk_box *box,
-                          const double u[4])
+                          const double u[MURK_OPENINGS_NUMBERS])
 {
     murk_ray ray = start_of(s, box, u);
     ray.origin = inside(box, ray.origin);

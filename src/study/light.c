@@ -27,15 +27,6 @@ static murk_trace trace_of(const murk_stage *stage, uint32_t stream,
     return trace;
 }
 
-static size_t lit_channels(const murk_lights *lights)
-{
-    size_t lit = 0;
-    for (size_t c = 0; c < murk_lights_channels(lights); ++c) {
-        lit += murk_lights_channel_power_w(lights, c) > 0;
-    }
-    return lit;
-}
-
 /* ---- forecast ---- */
 
 murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
@@ -43,8 +34,11 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
                                 murk_error *err)
 {
     const murk_scene_photons *wish = &stage->scene->photons;
-    const uint64_t n =
-        wish->emit && wish->emit < PILOT_PHOTONS ? wish->emit : PILOT_PHOTONS;
+    const bool is_dark = murk_lights_lit(stage->lights) == 0;
+    const uint64_t n = is_dark ? 0
+                       : wish->emit && wish->emit < PILOT_PHOTONS
+                           ? wish->emit
+                           : PILOT_PHOTONS;
     murk_ledger *ledger = NULL;
     murk_harvest *h = NULL;
     murk_status status = murk_ending_check(stage, stream, err);
@@ -79,20 +73,22 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
         }
     }
     const double all = surface + volume;
-    const double grow = wish->emit ? (double)wish->emit / (double)n
-                        : all > 0  ? (double)wish->store / all
-                                   : 0;
+    const double grow = is_dark      ? 0
+                        : wish->emit ? (double)wish->emit / (double)n
+                        : all > 0    ? (double)wish->store / all
+                                     : 0;
     /* growing arrays hold up to 1.5 times what is in them, and twice that
      * while they move; the trees are built from what is left of it */
     const double records = all * grow;
-    *out = (murk_forecast){.pilot_photons = n,
-                           .surface = surface * grow,
-                           .volume = volume * grow,
-                           .emitted = wish->emit ? (double)wish->emit
-                                                 : (double)n * grow,
-                           .memory_bytes = 2.5 * sizeof(murk_photon) * records +
-                                           murk_photon_map_memory_for(records) -
-                                           sizeof(murk_photon) * records};
+    *out =
+        (murk_forecast){.pilot_photons = n,
+                        .surface = surface * grow,
+                        .volume = volume * grow,
+                        .emitted = wish->emit && !is_dark ? (double)wish->emit
+                                                          : (double)n * grow,
+                        .memory_bytes = 2.5 * sizeof(murk_photon) * records +
+                                        murk_photon_map_memory_for(records) -
+                                        sizeof(murk_photon) * records};
 done:
     murk_harvest_destroy(h);
     murk_ledger_destroy(ledger);
@@ -208,7 +204,7 @@ static murk_status trace_wave(job *j, bool *is_done, murk_error *err)
 static murk_status trace_all(job *j, murk_error *err)
 {
     const murk_scene_photons *wish = j->wish;
-    bool is_done = false;
+    bool is_done = murk_lights_lit(j->stage->lights) == 0; /* all is dark */
     murk_status status = MURK_OK;
     while (!is_done && !status) {
         if (j->traced->emitted >= emissions_max(wish)) {
@@ -249,7 +245,7 @@ static murk_status check_losses(const murk_traced *traced,
     for (int i = 0; i < MURK_LOSSES; ++i) {
         lost += (double)murk_tally_read(&traced->ledger->lost_photons[i]);
     }
-    const double share = lost / (double)traced->emitted;
+    const double share = lost > 0 ? lost / (double)traced->emitted : 0;
     if (share > MURK_LOST_SHARE_MAX) {
         return murk_fail(
             err, MURK_RUN_FAILED, stage->scene->path,
@@ -289,7 +285,7 @@ static murk_status build_map(murk_photon_map **out, murk_pile *pile,
 static murk_status check_emission(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_photons *wish = &stage->scene->photons;
-    const size_t channels = lit_channels(stage->lights);
+    const size_t channels = murk_lights_lit(stage->lights);
     if (wish->emit && wish->emit < channels) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "emit: %llu, must be at least %zu: one photon for "

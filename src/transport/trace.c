@@ -82,7 +82,8 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
     assert(trace->least_weight >= MURK_LEAST_WEIGHT_MIN &&
            trace->least_weight <= 1);
     assert(ledger->channels == murk_lights_channels(trace->world->lights));
-    if (trace->last <= trace->first) {
+    if (trace->last <= trace->first ||
+        murk_lights_lit(trace->world->lights) == 0) {
         return;
     }
     run r = {murk_course_of(trace), ledger};

@@ -150,8 +150,8 @@ int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,
 /* Sum over channels of |emitted - absorbed - escaped - lost|: 0 always. */
 int64_t murk_ledger_imbalance(const murk_ledger *ledger);
 
-/* Traces and adds to the ledger and the tallies. Ends early when interrupted:
- * ask murk_interrupted(). */
+/* Traces and adds to the ledger and the tallies; nothing where all lights are
+ * dark. Ends early when interrupted: ask murk_interrupted(). */
 void murk_trace_run(const murk_trace *trace, murk_ledger *ledger);
 
 #endif

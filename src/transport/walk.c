@@ -222,7 +222,7 @@ static void start(murk_walker *w, murk_ray ray)
     if (!r->any_surfaces) {
         return;
     }
-    if (light->type == MURK_LIGHT_DIRECTIONAL) {
+    if (murk_light_is_distant(light)) {
         murk_walker_enter(w);
         return;
     }
@@ -237,13 +237,25 @@ static void start(murk_walker *w, murk_ray ray)
     }
 }
 
+/* What another portal lets in escapes before it has done anything. */
+static murk_fate spend(murk_walker *w)
+{
+    ++w->number;
+    if (murk_walker_is_heard(w)) {
+        murk_event event = murk_walker_event(w, MURK_EVENT_ESCAPED);
+        event.direction_out = w->direction;
+        murk_walker_tell(w, &event);
+    }
+    return MURK_FATE_ESCAPED;
+}
+
 /* Where the chain of the tallies' planes begins: before the side that distant
  * light enters by. */
 static murk_station first_station(const murk_walker *w)
 {
     const murk_light *light =
         murk_lights_get(w->course->world->lights, w->light);
-    return light->type == MURK_LIGHT_DIRECTIONAL
+    return murk_light_is_distant(light)
                ? (murk_station){murk_along(w->position, -w->course->margin_m,
                                            w->direction),
                                 0}
@@ -294,8 +306,9 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
                      .band = (int)(channel % (size_t)world->bands),
                      .event_class = MURK_CLASS_FIRST};
     ++s->emitted[channel];
-    start(&w, murk_lights_emit(world->lights, r->trace->seed, r->trace->stream,
-                               photon));
+    const murk_ray ray = murk_lights_emit(world->lights, r->trace->seed,
+                                          r->trace->stream, photon);
+    start(&w, ray);
     if (murk_walker_is_heard(&w)) {
         murk_event event = murk_walker_event(&w, MURK_EVENT_EMITTED);
         event.direction_in = murk_vec(0, 0, 0);
@@ -305,7 +318,7 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
     if (s->scorer) {
         murk_score_start(s->scorer, channel, first_station(&w));
     }
-    const murk_fate fate = follow(&w);
+    const murk_fate fate = ray.is_spent ? spend(&w) : follow(&w);
     s->ended[channel][fate] += w.quanta;
     if (fate == MURK_FATE_SURFACES || fate == MURK_FATE_MEDIA) {
         murk_walker_keep(&w, w.absorber, w.quanta);

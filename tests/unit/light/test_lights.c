@@ -280,6 +280,30 @@ static void test_channels_have_their_power(void)
     murk_lights_destroy(lights);
 }
 
+/* Lamps switched off, a sun below a periodic domain: nothing is emitted, and
+ * nothing is wrong. */
+static void test_all_may_be_dark(void)
+{
+    murk_light both[2] = {light_of(MURK_LIGHT_POINT),
+                          light_of(MURK_LIGHT_DIRECTIONAL)};
+    both[0].power_w.band[0] = both[1].power_w.band[0] = 0;
+    both[1].direction = murk_vec(1, 0, 0.1);
+    murk_lights *lights = NULL;
+    CHECK(murk_lights_create(&lights, both, 2, 1, &slab, NULL) == MURK_OK);
+    CHECK(murk_lights_channels(lights) == 2);
+    CHECK(murk_lights_lit(lights) == 0);
+    CHECK(murk_lights_power_w(lights) == 0);
+    uint64_t count[2] = {7, 7};
+    murk_lights_deal(lights, 0, count);
+    CHECK(count[0] == 0 && count[1] == 0);
+    murk_lights_destroy(lights);
+    both[0].power_w.band[0] = 1;
+    CHECK(murk_lights_create(&lights, both, 2, 1, &slab, NULL) == MURK_OK);
+    CHECK(murk_lights_lit(lights) == 1);
+    CHECK(murk_lights_channel_of(lights, 0) == 0);
+    murk_lights_destroy(lights);
+}
+
 static void refused(const murk_light *light, const murk_domain *domain,
                     const char *part)
 {
@@ -301,8 +325,6 @@ static void test_bad_lights_are_named(void)
     refused(&l, &hall, "must be 0 W or more");
     l.power_w.band[0] = INFINITY;
     refused(&l, &hall, "must be 0 W or more");
-    l.power_w.band[0] = 0;
-    refused(&l, &hall, "power_w is 0 W in every band");
 
     l = light_of(MURK_LIGHT_POINT);
     l.position.z = 5.001;
@@ -344,6 +366,11 @@ static void test_bad_lights_are_named(void)
     l.direction = murk_vec(1, 0, INFINITY);
     refused(&l, &hall, "must be finite and not zero");
     l = light_of(MURK_LIGHT_DIRECTIONAL);
+    l.angular_radius_rad = 0.2;
+    refused(&l, &hall, "angular radius is 0.2 rad, must be 0..0.1 rad");
+    l.angular_radius_rad = NAN;
+    refused(&l, &hall, "must be 0..0.1 rad");
+    l = light_of(MURK_LIGHT_DIRECTIONAL);
     l.power_w.band[0] = -1;
     refused(&l, &hall, "irradiance_w_per_m2 is -1 W/m2");
 }
@@ -370,6 +397,7 @@ int main(int argc, char **argv)
     test_positions_stay_inside();
     test_streams_and_seeds_differ();
     test_channels_have_their_power();
+    test_all_may_be_dark();
     test_bad_lights_are_named();
     test_no_lights_are_refused();
     return check_done();
