@@ -73,37 +73,23 @@ static murk_status lay_samples(samples *at, const murk_preset *preset,
 
 /* ---- parts ---- */
 
-static double between(const murk_preset_table *table, const double *value,
-                      double nm)
-{
-    const double *at = table->wavelength_nm;
-    if (table->n == 1) {
-        return value[0];
-    }
-    size_t right = 1;
-    while (right + 1 < table->n && at[right] < nm) {
-        ++right;
-    }
-    const double share = (nm - at[right - 1]) / (at[right] - at[right - 1]);
-    return value[right - 1] * (1 - share) + value[right] * share;
-}
-
 static void read_table(murk_optics *out, const murk_preset_table *table,
                        const samples *at)
 {
     for (size_t i = 0; i < at->n; ++i) {
         if (table->absorption_per_m) {
             out->absorption_per_m[i] =
-                between(table, table->absorption_per_m, at->nm[i]);
+                murk_preset_table_at(table, table->absorption_per_m, at->nm[i]);
         }
         if (table->scattering_per_m) {
             out->scattering_per_m[i] =
-                between(table, table->scattering_per_m, at->nm[i]);
+                murk_preset_table_at(table, table->scattering_per_m, at->nm[i]);
         }
         if (table->mean_cosine) {
-            out->phase[i] = (murk_preset_phase){
-                .kind = MURK_PRESET_HG,
-                .value = {between(table, table->mean_cosine, at->nm[i])}};
+            out->phase[i] =
+                (murk_preset_phase){.kind = MURK_PRESET_HG,
+                                    .value = {murk_preset_table_at(
+                                        table, table->mean_cosine, at->nm[i])}};
         }
     }
     out->has_phase = table->mean_cosine != NULL;
@@ -153,6 +139,7 @@ static murk_status run_part(evaluation *e, size_t index, const char *where,
                                     .wavelength_nm = e->at.nm,
                                     .words = &e->words,
                                     .parameter = part->parameter,
+                                    .table = &part->table,
                                     .where = where};
         status = part->law->run(out, &call, err);
     } else {

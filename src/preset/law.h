@@ -11,10 +11,11 @@
 /* What a law is asked. */
 typedef struct murk_law_call {
     size_t n;
-    const double *wavelength_nm; /* [n], within the preset's range */
-    const murk_words *words;     /* with defaults; see words.h */
-    const double *parameter;     /* as murk_law.parameter lists them */
-    const char *where;           /* for messages: the medium's place */
+    const double *wavelength_nm;    /* [n], within the preset's range */
+    const murk_words *words;        /* with defaults; see words.h */
+    const double *parameter;        /* as murk_law.parameter lists them */
+    const murk_preset_table *table; /* where murk_law.by_table says so */
+    const char *where;              /* for messages: the medium's place */
 } murk_law_call;
 
 /* What it answers. Coefficients start at 0. */
@@ -39,6 +40,7 @@ struct murk_law {
     murk_status (*run)(murk_optics *out, const murk_law_call *call,
                        murk_error *err);
     murk_law_parameter parameter[MURK_PRESET_PARAMETERS_MAX + 1];
+    bool by_table;  /* needs a table with diffuse_attenuation_per_m */
     unsigned needs; /* words: the file must know them, with a default */
     unsigned may;   /* words: may be without default, or not known */
 };

@@ -39,12 +39,29 @@ void murk_preset_angles_destroy(murk_preset_angles *angles)
     }
 }
 
+double murk_preset_table_at(const murk_preset_table *table,
+                            const double *column, double wavelength_nm)
+{
+    const double *at = table->wavelength_nm;
+    if (table->n == 1) {
+        return column[0];
+    }
+    size_t right = 1;
+    while (right + 1 < table->n && at[right] < wavelength_nm) {
+        ++right;
+    }
+    const double share =
+        (wavelength_nm - at[right - 1]) / (at[right] - at[right - 1]);
+    return column[right - 1] * (1 - share) + column[right] * share;
+}
+
 static void release_part(murk_preset_part *part)
 {
     free(part->table.wavelength_nm);
     free(part->table.absorption_per_m);
     free(part->table.scattering_per_m);
     free(part->table.mean_cosine);
+    free(part->table.diffuse_attenuation_per_m);
     murk_preset_angles_destroy(part->angles);
 }
 

@@ -62,13 +62,19 @@ typedef struct murk_preset_table {
     size_t n;
     double *wavelength_nm; /* rising */
     double *absorption_per_m, *scattering_per_m;
-    double *mean_cosine; /* NULL: none; of Henyey-Greenstein */
+    double *mean_cosine;               /* NULL: none; of Henyey-Greenstein */
+    double *diffuse_attenuation_per_m; /* for a law that is by it; else NULL */
 } murk_preset_table;
+
+/* A column of a table at a wavelength: linear between rows; before the first
+ * and behind the last the line goes on. */
+double murk_preset_table_at(const murk_preset_table *table,
+                            const double *column, double wavelength_nm);
 
 typedef struct murk_preset_part {
     const murk_law *law;                          /* NULL: the table */
     double parameter[MURK_PRESET_PARAMETERS_MAX]; /* the law's, in its order */
-    murk_preset_table table;
+    murk_preset_table table;                      /* n 0: none */
     int times;      /* a murk_word that multiplies the part; -1: none */
     bool scaled;    /* to the visibility, where one is known */
     bool has_phase; /* else the law, or the table's mean cosine */

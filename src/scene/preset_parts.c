@@ -155,6 +155,19 @@ static murk_status read_scaled(const murk_preset_walk *walk,
                                   "within wavelength_nm");
 }
 
+/* Diffuse attenuation is a law's to understand; all else needs none. */
+static murk_status check_table(const murk_preset_walk *walk,
+                               const murk_yaml *node,
+                               const murk_preset_part *part)
+{
+    const bool is_by_table = part->law && part->law->by_table;
+    return is_by_table == (part->table.diffuse_attenuation_per_m != NULL)
+               ? MURK_OK
+               : murk_preset_fail(walk, node,
+                                  "diffuse_attenuation_per_m and a law that "
+                                  "is by it need each other");
+}
+
 murk_status murk_preset_read_part(const murk_preset_walk *walk,
                                   const murk_yaml *map, murk_preset_part *part)
 {
@@ -164,14 +177,19 @@ murk_status murk_preset_read_part(const murk_preset_walk *walk,
     const murk_yaml *times = murk_yaml_get(map, "times");
     const murk_yaml *scaled = murk_yaml_get(map, "scaled");
     const murk_yaml *phase = murk_yaml_get(map, "phase");
-    if (map->kind != MURK_YAML_MAP || !law == !table) {
-        return murk_preset_fail(walk, map,
-                                "must be a map with either law or table");
+    if (map->kind != MURK_YAML_MAP || (!law && !table)) {
+        return murk_preset_fail(walk, map, "must be a map with law or table");
     }
     murk_status status = law ? read_law(walk, map, law, part)
                              : murk_preset_check_keys(walk, map, PART_KEYS);
     if (!status && table) {
         status = murk_preset_read_table(walk, table, &part->table);
+    }
+    if (!status) {
+        status = check_table(walk, map, part);
+    }
+    if (!status && table && law && !part->law->by_table) {
+        status = murk_preset_fail(walk, table, "a law that is by no table");
     }
     if (!status && times) {
         status = read_times(walk, times, part);

@@ -41,7 +41,16 @@ static murk_status read_column(const murk_preset_walk *walk,
 
 /* ---- coefficients ---- */
 
-enum { NM, ABSORPTION, SCATTERING, EXTINCTION, ALBEDO, COSINE, COLUMNS };
+enum {
+    NM,
+    ABSORPTION,
+    SCATTERING,
+    EXTINCTION,
+    ALBEDO,
+    COSINE,
+    DIFFUSE,
+    COLUMNS
+};
 
 static const struct {
     const char *name;
@@ -52,6 +61,7 @@ static const struct {
                          {"extinction_per_m", 0, 1e9},
                          {"albedo", 0, 1},
                          {"mean_cosine", -.999999, .999999},
+                         {"diffuse_attenuation_per_m", 0, 1e9},
                          {NULL, 0, 0}};
 
 typedef struct columns {
@@ -141,7 +151,7 @@ static murk_status split(const murk_preset_walk *walk, const murk_yaml *node,
 {
     double **value = in->value;
     if (!value[EXTINCTION] && !value[ALBEDO]) {
-        return value[ABSORPTION] || value[SCATTERING]
+        return value[ABSORPTION] || value[SCATTERING] || value[DIFFUSE]
                    ? MURK_OK
                    : murk_preset_fail(walk, node, "has no coefficients");
     }
@@ -177,11 +187,13 @@ murk_status murk_preset_read_table(const murk_preset_walk *walk,
         status = split(walk, node, &in);
     }
     if (!status) {
-        *out = (murk_preset_table){.n = in.n,
-                                   .wavelength_nm = in.value[NM],
-                                   .absorption_per_m = in.value[ABSORPTION],
-                                   .scattering_per_m = in.value[SCATTERING],
-                                   .mean_cosine = in.value[COSINE]};
+        *out =
+            (murk_preset_table){.n = in.n,
+                                .wavelength_nm = in.value[NM],
+                                .absorption_per_m = in.value[ABSORPTION],
+                                .scattering_per_m = in.value[SCATTERING],
+                                .mean_cosine = in.value[COSINE],
+                                .diffuse_attenuation_per_m = in.value[DIFFUSE]};
         return MURK_OK;
     }
     for (int c = 0; c < COLUMNS; ++c) {
