@@ -9,4 +9,20 @@
 murk_status murk_law_kruse(murk_optics *, const murk_law_call *, murk_error *);
 murk_status murk_law_kim(murk_optics *, const murk_law_call *, murk_error *);
 
+/* water_laws.c */
+murk_status murk_law_water(murk_optics *, const murk_law_call *, murk_error *);
+murk_status murk_law_water_morel(murk_optics *, const murk_law_call *,
+                                 murk_error *);
+murk_status murk_law_chlorophyll(murk_optics *, const murk_law_call *,
+                                 murk_error *);
+murk_status murk_law_cdom(murk_optics *, const murk_law_call *, murk_error *);
+murk_status murk_law_cdom_of_chlorophyll(murk_optics *, const murk_law_call *,
+                                         murk_error *);
+murk_status murk_law_sediment(murk_optics *, const murk_law_call *,
+                              murk_error *);
+murk_status murk_law_in_green(murk_optics *, const murk_law_call *,
+                              murk_error *);
+murk_status murk_law_diffuse_attenuation(murk_optics *, const murk_law_call *,
+                                         murk_error *);
+
 #endif

@@ -1,0 +1,36 @@
+#include "preset/water_kd.h"
+
+#include <math.h>
+
+#define INDEX       1.34
+#define G_MOLECULES 1.8
+
+double murk_water_sun_cosine(double zenith_in_air_deg)
+{
+    const double sine = sin(zenith_in_air_deg * 3.14159265358979324 / 180);
+    return sqrt(1 - sine * sine / (INDEX * INDEX));
+}
+
+/* G b, both scatterers together. */
+static double turned(double particles, double molecules, double sun_cosine)
+{
+    return (.473 * sun_cosine - .218) * particles + G_MOLECULES * molecules;
+}
+
+double murk_water_kd(const murk_water_iop *water, double sun_cosine)
+{
+    const double a = water->absorption_per_m;
+    const double gb =
+        turned(water->particles_per_m, water->molecules_per_m, sun_cosine);
+    return sqrt(a * a + gb * a) / sun_cosine;
+}
+
+double murk_water_absorption_of_kd(double kd_per_m, double particles_per_m,
+                                   double molecules_per_m, double sun_cosine)
+{
+    const double k = kd_per_m * sun_cosine;
+    const double half =
+        turned(particles_per_m, molecules_per_m, sun_cosine) / 2;
+    /* the root of a^2 + 2 half a - k^2, without cancellation */
+    return k > 0 ? k * k / (half + hypot(half, k)) : 0;
+}

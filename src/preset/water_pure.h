@@ -1,0 +1,36 @@
+/* Water by itself: what its molecules, and the ions of sea salt, absorb and
+ * scatter.
+ *
+ * Absorption: Pope & Fry, Appl. Opt. 36 (1997) 8710, doi:10.1364/AO.36.008710:
+ * pure water at 22 degrees C, every 2.5 nm, linear between. Salt and
+ * temperature are left out: they tell mostly beyond 700 nm.
+ *
+ * Scattering: Zhang, Hu & He, Opt. Express 17 (2009) 5698,
+ * doi:10.1364/OE.17.005698, from fluctuations of density and of salt; or, by
+ * measurement, Morel (1974) as Boss & Pegau, Appl. Opt. 40 (2001) 5503,
+ * doi:10.1364/AO.40.005503, write him with salinity. */
+#ifndef MURK_PRESET_WATER_PURE_H
+#define MURK_PRESET_WATER_PURE_H
+
+#define MURK_WATER_LEAST_NM 380.0
+#define MURK_WATER_MOST_NM  727.5
+
+/* Light scattered at right angles that is polarised along the beam, as a share
+ * of the rest: Farinato & Rowell, J. Chem. Phys. 65 (1976) 593. */
+#define MURK_WATER_DEPOLARISATION 0.039
+
+/* [1/m], within the two wavelengths above. */
+double murk_water_absorption(double wavelength_nm);
+
+/* Total scattering [1/m] at 0..30 degrees C, 0..40 psu and normal pressure. */
+double murk_water_scattering(double wavelength_nm, double temperature_c,
+                             double salinity_psu);
+
+/* Likewise, at 20 degrees C. */
+double murk_water_scattering_morel(double wavelength_nm, double salinity_psu);
+
+/* Density of what such water scatters, of any scale: 1 + d mu^2 with
+ * d = (1 - depolarisation) / (1 + depolarisation). */
+double murk_water_phase(double mu);
+
+#endif
