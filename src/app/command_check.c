@@ -1,5 +1,6 @@
 #include "app/candidates_out.h"
 #include "app/check_sensors.h"
+#include "app/check_sky.h"
 #include "app/goals_out.h"
 #include "app/over_out.h"
 #include "app/session.h"
@@ -227,6 +228,7 @@ static cJSON *check_json(const findings *f)
                             (double)murk_lights_count(stage->lights));
     cJSON_AddNumberToObject(lights, "power_w",
                             murk_lights_power_w(stage->lights));
+    murk_json_sky(lights, stage);
     if (f->candidates) {
         murk_json_candidates(root, f->candidates);
     } else {
@@ -382,6 +384,7 @@ static void print_findings(const findings *f)
     printf("lights      %zu, %.6g W together\n",
            murk_lights_count(stage->lights),
            murk_lights_power_w(stage->lights));
+    murk_print_sky(stage);
     if (f->candidates) {
         murk_print_candidates(f->candidates);
         murk_print_sensor_types(f->session->scene, f->poses);

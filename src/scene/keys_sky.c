@@ -218,7 +218,7 @@ const murk_keys murk_portal_keys = {
     .item_size = sizeof(murk_scene_portal),
     .array_at = offsetof(murk_scene_light, portal),
     .count_at = offsetof(murk_scene_light, portals),
-    .most_items = 1024,
+    .most_items = 256,
     .key = PORTAL_ROWS,
 };
 

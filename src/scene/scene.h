@@ -207,7 +207,7 @@ typedef struct murk_scene_light {
     bool irradiance_total; /* power_w[0] is the total, to be spread by the
                               source's spectrum */
     double linke_turbidity;
-    murk_scene_cover cover; /* sky */
+    murk_scene_cover cover; /* sun, moon, sky */
     uint64_t cie_type;      /* sky: 1..15; 0: by its cover */
     double mag_per_arcsec2; /* night sky, at the zenith */
 } murk_scene_light;

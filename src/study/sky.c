@@ -1,8 +1,81 @@
 #include "study/sky.h"
 
+#include <assert.h>
 #include <math.h>
 
-#define DAY_S 86400.0
+#include "base/calendar.h"
+#include "base/log.h"
+#include "base/photometry.h"
+#include "light/clear_sky.h"
+#include "light/ephemeris.h"
+#include "light/moonlight.h"
+#include "light/night_sky.h"
+#include "light/solar_spectrum.h"
+#include "light/twilight.h"
+
+#define DAY_S     86400.0
+#define RAD       (MURK_PI / 180)
+#define RIGHT_DEG 90.0
+
+/* The sun's middle at sunrise and sunset, as almanacs count them: refraction
+ * at the horizon of 34' and a semidiameter of 16'. */
+#define SUNRISE_DEG (-50.0 / 60)
+
+/* What cloud over a share N of the sky leaves of the global irradiance, and
+ * how much of that comes from the sky: 1 - .75 N^3.4 and .3 + .7 N^2. Source:
+ * F. Kasten and G. Czeplak, Solar Energy 24 (1980) 177,
+ * doi:10.1016/0038-092X(80)90391-6. */
+typedef struct clouds {
+    double left, diffuse;
+} clouds;
+
+static clouds clouds_of(murk_scene_cover cover)
+{
+    static const double share[] = {[MURK_SCENE_CLEAR] = 0,
+                                   [MURK_SCENE_INTERMEDIATE] = .5,
+                                   [MURK_SCENE_OVERCAST] = 1};
+    const double n = share[cover];
+    return (clouds){1 - .75 * pow(n, 3.4), .3 + .7 * n * n};
+}
+
+/* ---- where things stand ---- */
+
+static murk_observer observer_of(const murk_scene_site *site)
+{
+    return (murk_observer){.latitude_deg = site->latitude_deg,
+                           .longitude_deg = site->longitude_deg,
+                           .altitude_m = site->altitude_m,
+                           .pressure_hpa =
+                               site->has_pressure ? site->pressure_hpa : 0,
+                           .temperature_c = site->temperature_c};
+}
+
+typedef murk_status (*body_finder)(murk_body *out, const murk_observer *,
+                                   double, murk_error *);
+
+static murk_status find(murk_body *out, body_finder at,
+                        const murk_scene_site *site, const char *where,
+                        murk_error *err)
+{
+    const murk_observer observer = observer_of(site);
+    murk_error told = {0};
+    const murk_status status =
+        at(out, &observer, murk_julian_date(site->unix_s), &told);
+    return status ? murk_fail(err, status, where, "%s", told.text) : MURK_OK;
+}
+
+/* From the ground to a body, for a scene's north. */
+static murk_vec3 towards(const murk_body *body, murk_vec3 north)
+{
+    const murk_vec3 east = murk_vec(north.y, -north.x, 0);
+    const double azimuth = body->azimuth_deg * RAD,
+                 elevation = body->elevation_deg * RAD;
+    murk_vec3 to = murk_vec(0, 0, sin(elevation));
+    to = murk_along(to, cos(elevation) * cos(azimuth), north);
+    return murk_along(to, cos(elevation) * sin(azimuth), east);
+}
+
+/* ---- schedules ---- */
 
 /* Whether the local clock is within one of the spans; one that ends before it
  * begins passes midnight. */
@@ -21,13 +94,27 @@ static bool is_within_spans(const murk_scene_schedule *schedule,
     return false;
 }
 
+static murk_status is_night(bool *out, const murk_scene *scene,
+                            const char *where, murk_error *err)
+{
+    murk_body sun;
+    if (!scene->site.has_latitude || !scene->site.has_longitude) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "schedule: night, must have site.latitude_deg and "
+                         "site.longitude_deg");
+    }
+    const murk_status status =
+        find(&sun, murk_sun_at, &scene->site, where, err);
+    if (!status) {
+        *out = sun.geometric_elevation_deg < SUNRISE_DEG;
+    }
+    return status;
+}
+
 static murk_status shines(bool *out, const murk_scene *scene,
                           const murk_scene_light *light, murk_error *err)
 {
     switch (light->schedule.when) {
-    case MURK_SCENE_ALWAYS:
-        *out = true;
-        break;
     case MURK_SCENE_NEVER:
         *out = false;
         break;
@@ -35,15 +122,241 @@ static murk_status shines(bool *out, const murk_scene *scene,
         *out = is_within_spans(&light->schedule, &scene->site);
         break;
     case MURK_SCENE_NIGHT:
-        return murk_fail(err, MURK_UNSUPPORTED, light->where,
-                         "schedule: night is not supported yet");
+        return is_night(out, scene, light->where, err);
+    case MURK_SCENE_ALWAYS:
+        *out = true;
+        break;
     }
     return MURK_OK;
 }
 
-murk_status murk_sky_light(murk_light *out, murk_sky_facts *facts,
-                           const murk_scene *scene, size_t light,
+/* ---- how much comes ---- */
+
+/* A model's irradiance over all wavelengths [W/m2], spread over the bands; or
+ * the light's own, where it has one. */
+static murk_spectrum spread(const murk_scene *scene,
+                            const murk_scene_light *light,
+                            const murk_solar_spectrum *spectrum,
+                            double irradiance)
+{
+    murk_spectrum out = light->power_w;
+    if (light->has_irradiance && !light->irradiance_total) {
+        return out;
+    }
+    double all = 0;
+    for (int b = 0; b < scene->bands; ++b) {
+        out.band[b] =
+            scene->has_edges
+                ? murk_solar_spectrum_share(spectrum, scene->band_edge_nm[b],
+                                            scene->band_edge_nm[b + 1])
+                : 1; /* one line, of a given total */
+        all += out.band[b];
+    }
+    const double scale = !light->has_irradiance ? irradiance
+                         : all > 0              ? light->power_w.band[0] / all
+                                                : 0;
+    for (int b = 0; b < scene->bands; ++b) {
+        out.band[b] *= scale;
+    }
+    return out;
+}
+
+/* Lumens in a watt of the whole spectrum. */
+static double lumen_per_watt(const murk_solar_spectrum *spectrum)
+{
+    const double from = 380, to = 780; /* what eyes see */
+    return murk_solar_spectrum_share(spectrum, from, to) *
+           murk_quantity_per_watt_of(MURK_PHOTOMETRIC, from, to,
+                                     murk_solar_spectrum_at, spectrum);
+}
+
+/* The spectrum of light from a body at this height. */
+static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
+                                       const murk_scene_light *light,
+                                       double elevation_deg)
+{
+    const murk_scene_site *site = &light->site;
+    murk_spectrum_air air = murk_spectrum_air_defaults();
+    murk_solar_spectrum out;
+    air.apparent_zenith_deg = RIGHT_DEG - elevation_deg;
+    air.linke_turbidity = light->linke_turbidity;
+    air.pressure_hpa = site->has_pressure
+                           ? site->pressure_hpa
+                           : murk_standard_pressure_hpa(site->altitude_m);
+    murk_solar_spectrum_make(&out, source, &air);
+    return out;
+}
+
+/* The sun and what a clear sky makes of it. */
+typedef struct daylight {
+    murk_body sun;
+    murk_clear_sky clear;
+    double pressure_hpa;
+} daylight;
+
+static murk_status look_up(daylight *out, const murk_scene_light *light,
                            murk_error *err)
+{
+    const murk_scene_site *site = &light->site;
+    const murk_status status =
+        find(&out->sun, murk_sun_at, site, light->where, err);
+    if (status) {
+        return status;
+    }
+    out->pressure_hpa = site->has_pressure
+                            ? site->pressure_hpa
+                            : murk_standard_pressure_hpa(site->altitude_m);
+    const double zenith = RIGHT_DEG - out->sun.elevation_deg;
+    out->clear = murk_clear_sky_at(
+        zenith, murk_absolute_airmass(zenith, out->pressure_hpa),
+        light->linke_turbidity, site->altitude_m,
+        murk_extraterrestrial_w_per_m2(out->sun.distance_m));
+    return MURK_OK;
+}
+
+/* Where a light's rays go from a body at this place. */
+static void aim_from(murk_light *out, const murk_body *body, murk_vec3 north)
+{
+    out->type = MURK_LIGHT_DIRECTIONAL;
+    out->direction = murk_scale(-1, towards(body, north));
+    out->angular_radius_rad = body->diameter_deg / 2 * RAD;
+}
+
+static murk_status sun_light(murk_light *out, murk_sky_facts *facts,
+                             const murk_scene *scene,
+                             const murk_scene_light *light, murk_error *err)
+{
+    daylight day;
+    const murk_status status = look_up(&day, light, err);
+    if (status) {
+        return status;
+    }
+    facts->azimuth_deg = day.sun.azimuth_deg;
+    facts->elevation_deg = day.sun.elevation_deg;
+    facts->is_on = day.sun.elevation_deg > 0;
+    aim_from(out, &day.sun, scene->north);
+    double direct = day.clear.direct_w_per_m2;
+    if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
+        const clouds c = clouds_of(light->cover);
+        direct =
+            fmin(direct, c.left * (1 - c.diffuse) * day.clear.global_w_per_m2 /
+                             sin(day.sun.elevation_deg * RAD));
+    }
+    const murk_solar_spectrum spectrum =
+        spectrum_of(MURK_SPECTRUM_DIRECT, light, day.sun.elevation_deg);
+    out->power_w = spread(scene, light, &spectrum, direct);
+    return MURK_OK;
+}
+
+static murk_moon moon_of(const murk_body *body)
+{
+    return (murk_moon){.phase_angle_deg = body->phase_angle_deg,
+                       .distance_m = body->distance_m,
+                       .elevation_deg = body->elevation_deg};
+}
+
+static murk_status moon_light(murk_light *out, murk_sky_facts *facts,
+                              const murk_scene *scene,
+                              const murk_scene_light *light, murk_error *err)
+{
+    murk_body body;
+    const murk_status status =
+        find(&body, murk_moon_at, &light->site, light->where, err);
+    if (status) {
+        return status;
+    }
+    const murk_moon moon = moon_of(&body);
+    const murk_moonlight moonlight = murk_moonlight_at(
+        &moon,
+        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    facts->azimuth_deg = body.azimuth_deg;
+    facts->elevation_deg = body.elevation_deg;
+    facts->is_on = body.elevation_deg > 0;
+    aim_from(out, &body, scene->north);
+    const clouds c = clouds_of(light->cover),
+                 none = clouds_of(MURK_SCENE_CLEAR);
+    const double seen = c.left * (1 - c.diffuse) / (1 - none.diffuse);
+    const murk_solar_spectrum spectrum =
+        spectrum_of(MURK_SPECTRUM_DIRECT, light, body.elevation_deg);
+    out->power_w =
+        spread(scene, light, &spectrum,
+               seen * moonlight.direct_lux / lumen_per_watt(&spectrum));
+    return MURK_OK;
+}
+
+/* Diffuse light of day and twilight on a level plane [W/m2]. */
+static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
+                                 const murk_solar_spectrum *spectrum)
+{
+    const clouds c = clouds_of(cover);
+    const double twilight =
+        murk_twilight_lux(day->sun.geometric_elevation_deg) /
+        lumen_per_watt(spectrum);
+    const double by_day = cover == MURK_SCENE_CLEAR
+                              ? day->clear.diffuse_w_per_m2
+                              : c.left * c.diffuse * day->clear.global_w_per_m2;
+    return fmax(by_day, c.left * twilight);
+}
+
+static murk_status sky_light(murk_light *out, murk_sky_facts *facts,
+                             const murk_scene *scene,
+                             const murk_scene_light *light, murk_error *err)
+{
+    static const int type_of[] = {[MURK_SCENE_CLEAR] = 12,
+                                  [MURK_SCENE_INTERMEDIATE] = 7,
+                                  [MURK_SCENE_OVERCAST] = 1};
+    const murk_spectrum_source source = light->cover == MURK_SCENE_CLEAR
+                                            ? MURK_SPECTRUM_CLEAR_SKY
+                                            : MURK_SPECTRUM_OVERCAST;
+    daylight day;
+    murk_body body;
+    murk_status status = look_up(&day, light, err);
+    if (!status) {
+        status = find(&body, murk_moon_at, &light->site, light->where, err);
+    }
+    if (status) {
+        return status;
+    }
+    const murk_moon moon = moon_of(&body);
+    const murk_moonlight moonlight = murk_moonlight_at(
+        &moon,
+        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    const murk_solar_spectrum spectrum = spectrum_of(
+        source, light, fmax(day.sun.elevation_deg, body.elevation_deg));
+    const double by_sun = scattered_w_per_m2(&day, light->cover, &spectrum);
+    const double by_moon = clouds_of(light->cover).left *
+                           moonlight.diffuse_lux / lumen_per_watt(&spectrum);
+    const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
+    facts->azimuth_deg = day.sun.azimuth_deg;
+    facts->elevation_deg = day.sun.elevation_deg;
+    out->type = MURK_LIGHT_DOME;
+    out->dome = murk_dome_cie(light->cie_type > 0 ? (int)light->cie_type
+                                                  : type_of[light->cover],
+                              towards(brighter, scene->north));
+    out->power_w = spread(scene, light, &spectrum, by_sun + by_moon);
+    return MURK_OK;
+}
+
+/* Airglow is a layer: brighter towards the horizon, where more air dims it
+ * again; an even sky of the same level irradiance stands for both. */
+static void night_light(murk_light *out, const murk_scene *scene,
+                        const murk_scene_light *light)
+{
+    const double lux = murk_night_sky_lux(
+        light->mag_per_arcsec2,
+        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    const murk_solar_spectrum spectrum =
+        spectrum_of(MURK_SPECTRUM_EXTRATERRESTRIAL, light, RIGHT_DEG);
+    out->type = MURK_LIGHT_DOME;
+    out->power_w =
+        spread(scene, light, &spectrum, lux / lumen_per_watt(&spectrum));
+}
+
+/* ---- all lights ---- */
+
+static murk_status lamp_light(murk_light *out, murk_sky_facts *facts,
+                              const murk_scene *scene,
+                              const murk_scene_light *light, murk_error *err)
 {
     static const murk_light_type type_of[] = {
         [MURK_SCENE_LIGHT_SPHERE] = MURK_LIGHT_SPHERE,
@@ -51,24 +364,65 @@ murk_status murk_sky_light(murk_light *out, murk_sky_facts *facts,
         [MURK_SCENE_LIGHT_POINT] = MURK_LIGHT_POINT,
         [MURK_SCENE_LIGHT_BEAM] = MURK_LIGHT_BEAM,
         [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_LIGHT_DIRECTIONAL};
-    const murk_scene_light *l = &scene->lights[light];
-    *facts = (murk_sky_facts){.is_on = true};
-    if (l->type >= MURK_SCENE_LIGHT_SUN) {
-        return murk_fail(err, MURK_UNSUPPORTED, l->where,
-                         "lights of the sky are not supported yet");
+    out->type = type_of[light->type];
+    out->position = light->position;
+    out->edge1 = light->edge1;
+    out->edge2 = light->edge2;
+    out->direction = light->direction;
+    out->radius_m = light->radius_m;
+    out->divergence_rad = light->divergence_rad;
+    out->power_w = light->power_w;
+    return shines(&facts->is_on, scene, light, err);
+}
+
+static double sum(const murk_spectrum *spectrum, int bands)
+{
+    double all = 0;
+    for (int b = 0; b < bands; ++b) {
+        all += spectrum->band[b];
     }
-    const murk_status status = shines(&facts->is_on, scene, l, err);
-    *out = (murk_light){.type = type_of[l->type],
-                        .position = l->position,
-                        .edge1 = l->edge1,
-                        .edge2 = l->edge2,
-                        .direction = l->direction,
-                        .radius_m = l->radius_m,
-                        .divergence_rad = l->divergence_rad,
-                        .power_w = l->power_w,
-                        .where = l->where};
+    return all;
+}
+
+murk_status murk_sky_light(murk_light *out, murk_sky_facts *facts,
+                           const murk_scene *scene, size_t light,
+                           murk_error *err)
+{
+    const murk_scene_light *l = &scene->lights[light];
+    murk_status status = MURK_OK;
+    *facts = (murk_sky_facts){
+        .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
+    *out = (murk_light){.where = l->where};
+    switch (l->type) {
+    case MURK_SCENE_LIGHT_SUN:
+        status = sun_light(out, facts, scene, l, err);
+        break;
+    case MURK_SCENE_LIGHT_MOON:
+        status = moon_light(out, facts, scene, l, err);
+        break;
+    case MURK_SCENE_LIGHT_SKY:
+        status = sky_light(out, facts, scene, l, err);
+        break;
+    case MURK_SCENE_LIGHT_NIGHT_SKY:
+        night_light(out, scene, l);
+        break;
+    case MURK_SCENE_LIGHT_SPHERE:
+    case MURK_SCENE_LIGHT_RECT:
+    case MURK_SCENE_LIGHT_POINT:
+    case MURK_SCENE_LIGHT_BEAM:
+    case MURK_SCENE_LIGHT_DIRECTIONAL:
+        status = lamp_light(out, facts, scene, l, err);
+        break;
+    }
+    if (status) {
+        return status;
+    }
     if (!facts->is_on) {
         out->power_w = murk_spectrum_flat(0, MURK_BANDS_MAX);
     }
-    return status;
+    facts->irradiance_w_per_m2 = l->type >= MURK_SCENE_LIGHT_DIRECTIONAL
+                                     ? sum(&out->power_w, scene->bands)
+                                     : NAN;
+    facts->is_on = sum(&out->power_w, scene->bands) > 0;
+    return MURK_OK;
 }

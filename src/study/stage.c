@@ -216,25 +216,67 @@ done:
     return status;
 }
 
+/* Those of all lights, one after the other; the caller's. */
+static murk_portal *portals_of(const murk_scene *scene)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        n += scene->lights[i].portals;
+    }
+    murk_portal *portal = calloc(n + 1, sizeof *portal);
+    n = 0;
+    for (size_t i = 0; portal && i < scene->n_lights; ++i) {
+        for (size_t k = 0; k < scene->lights[i].portals; ++k) {
+            const murk_scene_portal *p = &scene->lights[i].portal[k];
+            portal[n++] = (murk_portal){p->corner, p->edge1, p->edge2};
+        }
+    }
+    return portal;
+}
+
+static void note_of_set(const murk_stage *stage)
+{
+    const murk_scene *scene = stage->scene;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const murk_scene_light *l = &scene->lights[i];
+        const bool is_body =
+            l->type == MURK_SCENE_LIGHT_SUN || l->type == MURK_SCENE_LIGHT_MOON;
+        const double elevation = stage->sky[i].elevation_deg;
+        if (is_body && !(elevation > 0)) {
+            murk_note(l->where,
+                      "the %s is %.3g degrees below the horizon: no light "
+                      "from it",
+                      l->type == MURK_SCENE_LIGHT_SUN ? "sun" : "moon",
+                      -elevation);
+        }
+    }
+}
+
 static murk_status build_lights(murk_stage *stage, murk_error *err)
 {
     const murk_scene *scene = stage->scene;
     murk_light *light = calloc(scene->n_lights + 1, sizeof *light);
+    murk_portal *portal = portals_of(scene), *next = portal;
     stage->sky = calloc(scene->n_lights + 1, sizeof *stage->sky);
-    if (!light || !stage->sky) {
-        free(light);
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for the lights");
-    }
     murk_status status = MURK_OK;
+    if (!light || !portal || !stage->sky) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for the lights");
+        goto done;
+    }
     for (size_t i = 0; i < scene->n_lights && !status; ++i) {
         status = murk_sky_light(&light[i], &stage->sky[i], scene, i, err);
+        light[i].portal = next;
+        light[i].portals = scene->lights[i].portals;
+        next += light[i].portals;
     }
     if (!status) {
         status = murk_lights_create(&stage->lights, light, scene->n_lights,
                                     scene->bands, &stage->world.domain, err);
     }
+done:
     free(light);
+    free(portal);
     return status;
 }
 
@@ -391,6 +433,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     }
     warn_of_cuts(stage);
     warn_of_lit_sides(stage);
+    note_of_set(stage);
     stage->world.surfaces = stage->surfaces;
     stage->world.media = stage->media;
     stage->world.hulls = stage->hulls;
