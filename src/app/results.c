@@ -2,6 +2,7 @@
 
 #include "app/version.h"
 #include "study/machine.h"
+#include "study/units.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -318,12 +319,38 @@ static void add_absorbers(cJSON *object, const murk_traced *traced,
     }
 }
 
+/* What left the lights as users read it: "emitted_lm". Nothing for watts. */
+static void add_emitted(cJSON *object, const murk_traced *traced,
+                        const murk_scene *scene)
+{
+    if (scene->units == MURK_RADIOMETRIC) {
+        return;
+    }
+    const murk_units units = murk_units_of(scene);
+    char key[40];
+    double total = 0, band[MURK_BANDS_MAX] = {0};
+    for (size_t c = 0; c < traced->channels; ++c) {
+        const size_t b = c % (size_t)scene->bands;
+        const int64_t quanta = murk_tally_read(&traced->ledger->emitted[c]);
+        const double value =
+            channel_watts(traced, quanta, c) * units.per_watt.band[b];
+        total += value;
+        band[b] += value;
+    }
+    snprintf(key, sizeof key, "emitted_%s", units.suffix);
+    cJSON *both = cJSON_AddObjectToObject(object, key);
+    murk_json_number(both, "total", total);
+    cJSON_AddItemToObject(both, "bands",
+                          cJSON_CreateDoubleArray(band, scene->bands));
+}
+
 void murk_json_ledger(cJSON *object, const murk_traced *traced,
                       const murk_stage *stage)
 {
     const murk_ledger *ledger = traced->ledger;
     const int bands = stage->scene->bands;
     add_column(object, "emitted_w", traced, ledger->emitted, bands);
+    add_emitted(object, traced, stage->scene);
     add_column(object, "absorbed_surfaces_w", traced, ledger->absorbed_surfaces,
                bands);
     add_column(object, "absorbed_media_w", traced, ledger->absorbed_media,

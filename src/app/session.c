@@ -1,6 +1,7 @@
 #include "app/session.h"
 
 #include "base/log.h"
+#include "study/units.h"
 
 #include <stdlib.h>
 
@@ -25,6 +26,7 @@ murk_status murk_session_read(murk_session *session,
         murk_scene_read(&session->scene, options->input, options->overrides,
                         options->n_overrides, err);
     if (!status) {
+        murk_units_note(session->scene);
         status = murk_results_begin(&session->results, options->out, err);
     }
     return status;

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "medium/grid_write.h"
 #include "study/tallies.h"
+#include "study/units.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@ typedef struct tally {
     const murk_scene *scene;
     const murk_tally_desc *desc;
     size_t number;
+    murk_units units;
     bool is_error; /* of a grid's two files: that of the errors */
 } tally;
 
@@ -23,13 +25,16 @@ static tally tally_of(const murk_session *session, size_t i)
     return (tally){.traced = session->traced,
                    .scene = session->scene,
                    .desc = murk_tallies_desc(session->traced->tallies, i),
-                   .number = i};
+                   .number = i,
+                   .units = murk_units_of(session->scene)};
 }
 
 static murk_estimate read_cell(const tally *t, int band, size_t cell)
 {
-    return murk_tallies_read(t->traced->tallies, t->number, band, cell,
-                             t->traced->ledger->emitted, t->traced->packet_w);
+    return murk_units_convert(
+        &t->units, band,
+        murk_tallies_read(t->traced->tallies, t->number, band, cell,
+                          t->traced->ledger->emitted, t->traced->packet_w));
 }
 
 static const char *direction_of(const murk_tally_desc *desc, size_t direction)
@@ -42,9 +47,9 @@ static const char *direction_of(const murk_tally_desc *desc, size_t direction)
                                           : "up";
 }
 
-static const char *unit_of(const murk_tally_desc *desc)
+static const char *unit_of(const murk_tally_desc *desc, const murk_units *units)
 {
-    return desc->type == MURK_TALLY_PLANE ? "W" : "W/m2";
+    return desc->type == MURK_TALLY_PLANE ? units->power : units->irradiance;
 }
 
 /* ---- tallies.csv ---- */
@@ -64,7 +69,7 @@ static void write_rows(const tally *t, FILE *file)
                     t->scene->band_nm[band], bin % bins_i,
                     bin / bins_i % bins_j, bin / bins_i / bins_j,
                     direction_of(d, c / bins), e.value, e.standard_error,
-                    unit_of(d));
+                    unit_of(d, &t->units));
         }
     }
 }
@@ -122,7 +127,7 @@ static murk_status write_grid(const char *path, const void *context,
     const size_t cells = murk_tally_cells(t->desc);
     const int bands = t->scene->bands;
     const char *const notes[] = {
-        "unit", "W/m2", "quantity",
+        "unit", t->units.irradiance, "quantity",
         t->is_error ? "standard error of the fluence rate" : "fluence rate",
         NULL};
     murk_grid_field fields[MURK_BANDS_MAX];
@@ -183,26 +188,44 @@ murk_status murk_add_tallies(murk_session *session, murk_error *err)
 
 /* ---- lines ---- */
 
-static void print_values(const tally *t)
+/* Of one value: its band, or "all bands" for -1. */
+static void print_value(const tally *t, int band, size_t cell, murk_estimate e)
 {
     const murk_tally_desc *d = t->desc;
-    const size_t cells = murk_tally_cells(d);
-    const size_t bins = cells / murk_tally_directions(d);
+    const size_t directions = murk_tally_directions(d);
+    const size_t bins = murk_tally_cells(d) / directions;
+    printf("tally       %s", d->name);
+    if (band < 0) {
+        printf(" all bands");
+    } else if (t->scene->bands > 1) {
+        printf(" %.6g nm", t->scene->band_nm[band]);
+    }
+    if (bins > 1) {
+        printf(" bin %zu", cell % bins);
+    }
+    printf("%s%s: %.5g +- %.2g %s\n", directions > 1 ? " " : "",
+           direction_of(d, cell / bins), e.value, e.standard_error,
+           unit_of(d, &t->units));
+}
+
+static void print_values(const tally *t)
+{
+    const size_t cells = murk_tally_cells(t->desc);
     for (int band = 0; band < t->scene->bands; ++band) {
         for (size_t c = 0; c < cells; ++c) {
-            const murk_estimate e = read_cell(t, band, c);
-            printf("tally       %s", d->name);
-            if (t->scene->bands > 1) {
-                printf(" %.6g nm", t->scene->band_nm[band]);
-            }
-            if (bins > 1) {
-                printf(" bin %zu", c % bins);
-            }
-            printf("%s%s: %.5g +- %.2g %s\n",
-                   murk_tally_directions(d) > 1 ? " " : "",
-                   direction_of(d, c / bins), e.value, e.standard_error,
-                   unit_of(d));
+            print_value(t, band, c, read_cell(t, band, c));
         }
+    }
+}
+
+static void print_sums(const tally *t)
+{
+    for (size_t c = 0; c < murk_tally_cells(t->desc); ++c) {
+        murk_estimate value[MURK_BANDS_MAX];
+        for (int band = 0; band < t->scene->bands; ++band) {
+            value[band] = read_cell(t, band, c);
+        }
+        print_value(t, -1, c, murk_units_sum(value, t->scene->bands));
     }
 }
 
@@ -250,6 +273,10 @@ void murk_print_tallies(const murk_session *session)
         } else {
             print_errors(&t);
         }
+        if (t.scene->bands > 1 &&
+            murk_tally_cells(t.desc) <= PRINTED_VALUES_MAX) {
+            print_sums(&t);
+        }
     }
 }
 
@@ -261,6 +288,7 @@ static const char *const type_name[] = {[MURK_TALLY_PLANE] = "plane",
 
 void murk_json_tallies(cJSON *root, const murk_session *session)
 {
+    const murk_units units = murk_units_of(session->scene);
     cJSON *list = cJSON_AddArrayToObject(root, "tallies");
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
@@ -268,13 +296,14 @@ void murk_json_tallies(cJSON *root, const murk_session *session)
         cJSON_AddStringToObject(item, "name", d->name);
         cJSON_AddStringToObject(item, "type", type_name[d->type]);
         cJSON_AddNumberToObject(item, "cells", (double)murk_tally_cells(d));
-        cJSON_AddStringToObject(item, "unit", unit_of(d));
+        cJSON_AddStringToObject(item, "unit", unit_of(d, &units));
         cJSON_AddItemToArray(list, item);
     }
 }
 
 void murk_print_asked_tallies(const murk_session *session)
 {
+    const murk_units units = murk_units_of(session->scene);
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
         printf("tally       %s: ", d->name);
@@ -282,18 +311,19 @@ void murk_print_asked_tallies(const murk_session *session)
             int axes[2];
             murk_tally_axes(d, axes);
             printf("plane, %zu x %zu bins along %c and %c, %zu by angle, "
-                   "forward and backward, W\n",
+                   "forward and backward, %s\n",
                    d->bins[0], d->bins[1], "xyz"[axes[0]], "xyz"[axes[1]],
-                   d -> angle_bins);
+                   d -> angle_bins, units.power);
         } else if (d->type == MURK_TALLY_GRID) {
             const murk_affine a = cells_to_world(d);
             printf("grid, %zu x %zu x %zu cells of %.4g x %.4g x %.4g m, "
-                   "W/m2\n",
+                   "%s\n",
                    d->size[0], d->size[1], d->size[2], a.matrix[0][0],
-                   a.matrix[1][1], a.matrix[2][2]);
+                   a.matrix[1][1], a.matrix[2][2], units.irradiance);
         } else {
-            printf("sphere of %.4g m%s, W/m2\n", d->radius_m,
-                   d->hemispheres ? ", upward and downward light apart" : "");
+            printf("sphere of %.4g m%s, %s\n", d->radius_m,
+                   d->hemispheres ? ", upward and downward light apart" : "",
+                   units.irradiance);
         }
     }
     if (session->scene->n_tallies > 0) {

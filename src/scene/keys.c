@@ -70,6 +70,14 @@ static const murk_word FLIGHT_WORDS[] = {
     WORDS_END,
 };
 
+static const murk_word UNITS_WORDS[] = {
+    {"radiometric", MURK_RADIOMETRIC, false},
+    {"photometric", MURK_PHOTOMETRIC, false},
+    {"photons", MURK_PHOTONS, false},
+    {"par", MURK_PAR, false},
+    WORDS_END,
+};
+
 static const murk_key SCENE_ROWS[] = {
     ROW("murk", COUNT, NEEDED, .least = 1, .most = 1),
     ROW("bands_nm", BANDS, .group = 1, .above = true, .most = 1e9, .unit = "nm",
@@ -96,6 +104,8 @@ static const murk_key SCENE_ROWS[] = {
         .lights = true),
     ROW("flight", WORD, .preset = "march", .lights = true,
         .words = FLIGHT_WORDS, AT(murk_scene, by_delta)),
+    ROW("units", WORD, .preset = "radiometric", .words = UNITS_WORDS,
+        AT(murk_scene, units)),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
     ROW("sensors", MAP, .keys = &murk_sensor_keys,
         FLAG(murk_scene, sensors.given)),

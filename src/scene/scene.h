@@ -9,6 +9,7 @@
 
 #include "base/bands.h"
 #include "base/calendar.h"
+#include "base/photometry.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "preset/preset.h"
@@ -492,7 +493,8 @@ struct murk_scene {
     murk_scene_light *lights;
     size_t n_lights;
     murk_scene_photons photons;
-    bool by_delta; /* flight: delta; false: march */
+    bool by_delta;       /* flight: delta; false: march */
+    murk_quantity units; /* of what users read */
     murk_scene_tally *tallies;
     size_t n_tallies;
     murk_scene_sensors sensors;

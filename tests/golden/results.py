@@ -526,6 +526,42 @@ def test_tallies(murk):
     check(kept == ledger and again["photons"]["emitted"] == 4000, "ledger of a file")
 
 
+PHOTON_J = 1.98644586e-25 / 1e-9  # hc over a nanometre
+# of a watt at 450 and 650 nm: V of the CIE 1924 observer, photons, umol
+PER_WATT = {"photometric": ("lm", "lux", "lm", (683 * 0.038, 683 * 0.107)),
+            "photons": ("1/s", "1/s/m2", "photons_per_s",
+                        (450 / PHOTON_J, 650 / PHOTON_J)),
+            "par": ("umol/s", "umol/s/m2", "umol_per_s",
+                    (450 / PHOTON_J / 6.02214076e17, 650 / PHOTON_J / 6.02214076e17))}
+
+
+def test_units(murk):
+    """The same light, read otherwise: each row is the radiometric one times what a
+    watt of its band is, and the light's file is the same."""
+    scene = murk.path("tallies.yaml")
+    watts = list(murk.rows(HEADER, "tallies", "tallies.csv"))
+    in_watts = murk.read("tallies", "ledger.json")
+    for units, (power, irradiance, suffix, factors) in PER_WATT.items():
+        ledger = murk.run("trace", scene, "--set", f"units={units}", "-o", murk.path(units))
+        rows = list(murk.rows(HEADER, units, "tallies.csv"))
+        check(len(rows) == len(watts), "rows of", units)
+        for old, new in zip(watts, rows):
+            factor = factors[[450, 650].index(float(old[1]))]
+            check(old[:6] == new[:6], "row", new)
+            check(new[8] == {"W": power, "W/m2": irradiance}[old[8]], "unit", new)
+            for column in (6, 7):
+                want = float(old[column]) * factor
+                near(float(new[column]), want, 2e-5 * want, units, "column", column)
+        emitted = ledger.pop(f"emitted_{suffix}")
+        near(emitted["total"], sum(emitted["bands"]), 1e-9 * emitted["total"], units)
+        for number, factor in enumerate(factors):
+            want = in_watts["emitted_w"]["bands"][number] * factor
+            near(emitted["bands"][number], want, 2e-6 * want, "emitted,", units)
+        check(ledger["emitted_w"] == in_watts["emitted_w"], "watts stay watts")
+        murk.run("place", scene, "--set", f"units={units}", "--light",
+                 murk.path("tallies", "light.murk"))
+
+
 # ---- coverage, again ----
 
 def off_by(result, again):
@@ -744,6 +780,7 @@ def main():
         murk = Murk(os.path.abspath(sys.argv[1]), folder)
         test_files(murk)
         test_tallies(murk)
+        test_units(murk)
         test_coverage(murk)
         test_views(murk)
         test_replay(murk)

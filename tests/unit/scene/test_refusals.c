@@ -443,6 +443,8 @@ static const refusal REFUSALS[] = {
      "0, must be 1..1e6"},
     {"flight: woodcock\n", VALUE, "fog.yaml:2:9: flight",
      "woodcock, must be march, delta"},
+    {"units: lumens\n", VALUE, "fog.yaml:2:8: units",
+     "lumens, must be radiometric, photometric, photons, par"},
     {"cameras: [{name: a}]\n", LATER, "fog.yaml:2:1: cameras",
      "a list is not supported yet, must be []"},
     {"tallies: [{name: a}]\n", VALUE, "fog.yaml:2:11: tallies.0",
