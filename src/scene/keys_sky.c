@@ -92,6 +92,11 @@ static murk_status check_site(murk_walk *walk, const murk_yaml *map, void *item)
     if (!site->has_date && !site->has_clock) {
         return MURK_OK;
     }
+    if (site->has_time) {
+        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                              "has time and clock, must have time, or date, "
+                              "clock and time_zone");
+    }
     if (!site->has_date || !site->has_clock || !site->has_zone) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "misses %s, must have date, clock and time_zone "

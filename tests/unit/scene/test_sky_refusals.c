@@ -36,6 +36,10 @@ static void test_the_sky(void)
                   "fog.yaml:2:1: site",
                   "misses time_zone, must have date, clock and time_zone "
                   "together");
+    CHECK_REFUSED(HEAD "site: {time: 2026-06-21T12:00Z, clock: 06:00}\n" LAMP,
+                  VALUE, "fog.yaml:2:1: site",
+                  "has time and clock, must have time, or date, clock and "
+                  "time_zone");
     CHECK_REFUSED(HEAD "site: {time_zone: CET}\n" LAMP, VALUE,
                   "fog.yaml:2:19: site.time_zone",
                   "CET, must be an offset from UTC, such as +02:00 or Z");
