@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#define MURK_LIBRARY_SUBJECTS(X) X(calendar) X(night) X(sun)
+#define MURK_LIBRARY_SUBJECTS(X) X(calendar) X(night) X(sun) X(water)
 
 typedef struct murk_library {
     FILE *out;

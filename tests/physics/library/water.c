@@ -1,0 +1,126 @@
+/* Water by itself, and daylight in Jerlov's types. */
+#include "library/library.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cases/reference.h"
+#include "daylight.h"
+#include "preset/water_pure.h"
+
+#define SUN_DEG 30
+#define TYPES   10
+#define CELLS   7 /* of a type: 450 to 600 nm */
+
+/* ---- water by itself ---- */
+
+static void compare_water(murk_library *library, const char *what, double nm,
+                          double reference, double value, double limit,
+                          const char *source)
+{
+    char name[80];
+    snprintf(name, sizeof name, "%s at %g nm", what, nm);
+    if (!isnan(reference)) {
+        murk_library_row(library, name, "1/m", reference, value, limit,
+                         "half the last digit printed", source);
+    }
+}
+
+static void water_itself(murk_library *library)
+{
+    murk_table *t = reference_read("pure_water.csv");
+    murk_library_title(library, "Pure water and sea water",
+                       "Absorption, and scattering at 20 degrees C, of "
+                       "presets water/pure and water/sea.");
+    for (size_t row = 0; row < t->rows; ++row) {
+        const double nm = reference_number(t, row, "wavelength_nm");
+        if (nm >= MURK_WATER_LEAST_NM && nm <= MURK_WATER_MOST_NM) {
+            compare_water(library, "absorption", nm,
+                          reference_number(t, row, "absorption"),
+                          murk_water_absorption(nm), 5e-6, "Pope & Fry 1997");
+        }
+        compare_water(library, "scattering, fresh", nm,
+                      reference_number(t, row, "scattering_fresh"),
+                      murk_water_scattering(nm, 20, 0), 5.01e-7,
+                      "Zhang, Hu & He 2009");
+        compare_water(library, "scattering, 35 psu", nm,
+                      reference_number(t, row, "scattering_35_psu"),
+                      murk_water_scattering(nm, 20, 35), 5.01e-7,
+                      "Zhang, Hu & He 2009");
+    }
+    murk_table_destroy(t);
+}
+
+/* ---- Jerlov ---- */
+
+typedef struct cells {
+    const char *type;
+    size_t n;
+    int nm[CELLS];
+    double per_m[CELLS];
+} cells;
+
+static cells cells_of(const murk_table *t, size_t first)
+{
+    cells out = {.type = reference_text(t, first, "type")};
+    for (size_t row = first; row < t->rows && out.n < CELLS; ++row) {
+        if (strcmp(reference_text(t, row, "type"), out.type) == 0) {
+            out.nm[out.n] = (int)reference_number(t, row, "wavelength_nm");
+            out.per_m[out.n++] = reference_number(t, row, "attenuation_per_m");
+        }
+    }
+    return out;
+}
+
+/* How many of a type's cells are within a tenth. */
+static int compare_type(murk_library *library, const cells *c)
+{
+    char water[64];
+    murk_estimate murk[CELLS];
+    int within = 0;
+    snprintf(water, sizeof water, "preset: water/jerlov-%s", c->type);
+    daylight_attenuation(murk, water, SUN_DEG, c->n, c->nm, c->per_m,
+                         library->is_nightly ? 50000 : 8000, 1);
+    for (size_t i = 0; i < c->n; ++i) {
+        char name[80];
+        snprintf(name, sizeof name,
+                 "type %s at %d nm (error %.1f %%, off %+.1f"
+                 " %%)",
+                 c->type, c->nm[i],
+                 100 * murk[i].standard_error / murk[i].value,
+                 100 * (murk[i].value / c->per_m[i] - 1));
+        murk_library_row(library, name, "1/m", c->per_m[i], murk[i].value,
+                         .2 * c->per_m[i], "20 %, what is asked",
+                         "Jerlov 1976, table XXVII");
+        within += fabs(murk[i].value / c->per_m[i] - 1) <= .1;
+    }
+    return within;
+}
+
+static void jerlov(murk_library *library)
+{
+    murk_table *t = reference_read("jerlov.csv");
+    const size_t step = library->is_nightly ? 1 : 4;
+    int asked = 0, within = 0;
+    murk_library_title(
+        library, "Jerlov's water types",
+        "Attenuation of downward irradiance between the depths of 10 % and 1 "
+        "% of the light, the sun at 30 degrees from the zenith above a level "
+        "surface of index 1.34; presets water/jerlov-*, lit by murk.");
+    for (size_t type = 0; type < TYPES && type * CELLS < t->rows;
+         type += step) {
+        const cells c = cells_of(t, type * CELLS);
+        within += compare_type(library, &c);
+        asked += (int)c.n;
+    }
+    murk_library_row(library, "cells within 10 %", "of all", 1,
+                     (double)within / asked, .1, "90 % of them, what is asked",
+                     "Jerlov 1976, table XXVII");
+    murk_table_destroy(t);
+}
+
+void murk_library_water(murk_library *library)
+{
+    water_itself(library);
+    jerlov(library);
+}
