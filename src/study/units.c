@@ -1,6 +1,7 @@
 #include "study/units.h"
 
 #include "base/log.h"
+#include "light/solar_spectrum.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,15 +13,33 @@ static const murk_units KNOWN[] = {
     [MURK_PAR] = {"umol/s", "umol/s/m2", "umol_per_s", {{0}}},
 };
 
+static bool is_of_the_sky(const murk_scene *scene)
+{
+    bool is_so = scene->n_lights > 0;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        is_so = is_so && scene->lights[i].type >= MURK_SCENE_LIGHT_SUN;
+    }
+    return is_so;
+}
+
 murk_units murk_units_of(const murk_scene *scene)
 {
     murk_units out = KNOWN[scene->units];
+    murk_solar_spectrum sunlight;
+    const bool by_sun = scene->has_edges && is_of_the_sky(scene);
+    if (by_sun) {
+        murk_solar_spectrum_make(&sunlight, MURK_SPECTRUM_AM15_GLOBAL, NULL);
+    }
     for (int i = 0; i < scene->bands; ++i) {
         const double from =
             scene->has_edges ? scene->band_edge_nm[i] : scene->band_nm[i];
         const double to =
             scene->has_edges ? scene->band_edge_nm[i + 1] : scene->band_nm[i];
-        out.per_watt.band[i] = murk_quantity_per_watt(scene->units, from, to);
+        out.per_watt.band[i] =
+            by_sun
+                ? murk_quantity_per_watt_of(scene->units, from, to,
+                                            murk_solar_spectrum_at, &sunlight)
+                : murk_quantity_per_watt(scene->units, from, to);
     }
     return out;
 }

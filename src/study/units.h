@@ -1,7 +1,8 @@
 /* What users read of light: watts, lumens or photons, by the scene's `units`.
  *
- * One factor a band. A line is what it is; between edges light is taken as even
- * in wavelength: what of it arrives depends on everything it met, which a band
+ * One factor a band. A line is what it is; between edges light is taken as
+ * even in wavelength, or, where all lights are of the sky, as in sunlight
+ * (AM 1.5): what of a band arrives depends on everything it met, which the band
  * does not know. */
 #ifndef MURK_STUDY_UNITS_H
 #define MURK_STUDY_UNITS_H

@@ -4,6 +4,7 @@
 
 #include "base/log.h"
 #include "check.h"
+#include "light/solar_spectrum.h"
 
 #include <string.h>
 
@@ -56,6 +57,29 @@ static void test_edges_are_means(void)
                3.272176e18 / 6.02214076e17 / 2, 5e-6);
 }
 
+/* Daylight in one band from 380 to 780 nm: the standard spectrum AM 1.5 of
+ * 1000.4 W/m2 is 109495 lux, as others integrate it with V in steps of 10 nm
+ * (.2 % for that). Light even in wavelength reads 11 % less. */
+static void test_daylight_has_the_suns_shape(void)
+{
+    murk_scene_light sun = {.type = MURK_SCENE_LIGHT_SUN};
+    murk_scene scene = {.path = "a.yaml",
+                        .bands = 1,
+                        .has_edges = true,
+                        .band_nm = {580},
+                        .band_edge_nm = {380, 780},
+                        .lights = &sun,
+                        .n_lights = 1,
+                        .units = MURK_PHOTOMETRIC};
+    const double w_per_m2 =
+        1000.371 * murk_spectrum_share(MURK_SPECTRUM_AM15_GLOBAL, 380, 780);
+    const double lux = w_per_m2 * murk_units_of(&scene).per_watt.band[0];
+    CHECK_NEAR(lux / 109495.1, 1, 0.002);
+    sun.type = MURK_SCENE_LIGHT_POINT;
+    const double even = w_per_m2 * murk_units_of(&scene).per_watt.band[0];
+    CHECK(even < 0.95 * lux);
+}
+
 static void test_errors_go_along(void)
 {
     const murk_scene scene = lines(MURK_PHOTOMETRIC);
@@ -86,6 +110,7 @@ int main(void)
 {
     test_a_line_is_what_it_is();
     test_edges_are_means();
+    test_daylight_has_the_suns_shape();
     test_errors_go_along();
     test_dark_bands_are_noted();
     return check_done();
