@@ -9,6 +9,18 @@
 murk_status murk_law_kruse(murk_optics *, const murk_law_call *, murk_error *);
 murk_status murk_law_kim(murk_optics *, const murk_law_call *, murk_error *);
 
+/* air.c */
+murk_status murk_law_rayleigh(murk_optics *, const murk_law_call *,
+                              murk_error *);
+murk_status murk_law_angstrom(murk_optics *, const murk_law_call *,
+                              murk_error *);
+
+/* rain.c */
+murk_status murk_law_rain_power(murk_optics *, const murk_law_call *,
+                                murk_error *);
+murk_status murk_law_marshall_palmer(murk_optics *, const murk_law_call *,
+                                     murk_error *);
+
 /* water_laws.c */
 murk_status murk_law_water(murk_optics *, const murk_law_call *, murk_error *);
 murk_status murk_law_water_morel(murk_optics *, const murk_law_call *,

@@ -1,0 +1,8 @@
+/* Scattering by the molecules of dry air. */
+#ifndef MURK_PRESET_AIR_H
+#define MURK_PRESET_AIR_H
+
+/* Per molecule [cm2]; 250..1690 nm. Sources: air.c. */
+double murk_air_cross_section_cm2(double wavelength_nm);
+
+#endif

@@ -1,0 +1,250 @@
+/* Presets: every file that is built in reads and gives sane numbers over all of
+ * its wavelengths and words; words, overrides and refusals. No randomness. */
+#define _DEFAULT_SOURCE /* P_tmpdir */
+#include "preset/visibility.h"
+#include "scene/presets.h"
+#include "scene_files.h"
+
+#define SCENE(bands, medium)                            \
+    "murk: 1\n" bands "\nmedia:\n  fog: {" medium "}\n" \
+    "lights: [{type: point, position_m: [0, 0, 0], "    \
+    "power_w: 1}]\n"
+#define LINES "bands_nm: [450, 550]"
+#define EDGES "band_edges_nm: [400, 500, 600]"
+
+static void check_result(const murk_preset_result *result, const char *name)
+{
+    for (int band = 0; band < 2; ++band) {
+        const double extinction = result->extinction_per_m.band[band];
+        const double albedo = result->albedo.band[band];
+        double sum = 0;
+        for (size_t i = 0; i < result->mixture[band]->n; ++i) {
+            sum += result->mixture[band]->part[i].share;
+        }
+        const bool is_sane = extinction >= 0 && isfinite(extinction) &&
+                             albedo >= 0 && albedo <= 1 &&
+                             fabs(sum - 1) < 1e-12;
+        if (!is_sane) {
+            printf("%s: extinction %g, albedo %g\n", name, extinction, albedo);
+        }
+        CHECK(is_sane);
+    }
+}
+
+/* By their defaults, as lines at the ends of the wavelengths and as two bands
+ * over all of them. */
+static void test_all_that_are_built_in(void)
+{
+    CHECK(murk_presets_count() > 10);
+    for (size_t i = 0; i < murk_presets_count(); ++i) {
+        char name[MURK_PRESET_NAME_SIZE];
+        murk_preset *preset = NULL;
+        murk_error err = {0};
+        murk_presets_name(i, name);
+        CHECK(murk_presets_read(&preset, name, "", &err) == MURK_OK);
+        CHECK_TEXT(err.text, "");
+        if (!preset) {
+            continue;
+        }
+        const double *range = preset->wavelength_nm;
+        const double edges[3] = {range[0], (range[0] + range[1]) / 2, range[1]};
+        murk_words words = {{0}, {{0}}};
+        for (int k = 0; k < 2; ++k) {
+            const murk_preset_bands bands = {2, range, k ? edges : NULL};
+            murk_preset_result result = {0};
+            CHECK(murk_preset_evaluate(&result, preset, &words, &bands, "",
+                                       &err) == MURK_OK);
+            CHECK_TEXT(err.text, "");
+            if (err.status == MURK_OK) {
+                check_result(&result, name);
+            }
+            murk_preset_result_release(&result);
+        }
+        murk_preset_destroy(preset);
+    }
+}
+
+static murk_spectrum extinction_of(const char *text, murk_error *err)
+{
+    murk_scene *scene = NULL;
+    murk_spectrum out = {{0}};
+    if (scene_of(&scene, text, NULL, 0, err) == MURK_OK) {
+        out = scene->media[0].extinction_per_m;
+    }
+    CHECK_TEXT(err->text, "");
+    murk_scene_destroy(scene);
+    return out;
+}
+
+static void test_visibility_and_mor(void)
+{
+    murk_error err;
+    murk_spectrum s =
+        extinction_of(SCENE(LINES, "preset: fog/kim, visibility_m: 50"), &err);
+    CHECK_NEAR(s.band[1], 3.912023 / 50, 1e-8);
+    s = extinction_of(SCENE(LINES, "preset: fog/kim, mor_m: 50"), &err);
+    CHECK_NEAR(s.band[1], 2.995732 / 50, 1e-8);
+    /* scaled parts make up what the others leave */
+    s = extinction_of(SCENE(LINES, "preset: air/haze, mor_m: 5000"), &err);
+    CHECK_NEAR(s.band[1], 2.995732 / 5000, 1e-10);
+}
+
+/* The mean of (x / 550)^-q over a band, by its integral. */
+static void test_a_band_with_edges_is_its_mean(void)
+{
+    murk_error err;
+    const murk_spectrum s = extinction_of(
+        SCENE(EDGES, "preset: fog/kruse, visibility_m: 10000"), &err);
+    const double q = 1.3, c = murk_visibility_extinction(10000) * pow(550, q);
+    const double mean = c * (pow(500, 1 - q) - pow(400, 1 - q)) / (1 - q) / 100;
+    CHECK_NEAR(s.band[0], mean, 1e-4 * mean); /* midpoints: 3e-5 */
+    CHECK(fabs(s.band[0] - c * pow(450, -q)) > 3e-3 * mean); /* teeth */
+}
+
+static void test_what_the_scene_says_wins(void)
+{
+    murk_scene *scene = NULL;
+    murk_error err;
+    CHECK(scene_of(&scene,
+                   SCENE(LINES, "preset: smoke/flaming, albedo: .5, "
+                                "extinction_per_m: [1, 2], phase: {hg: .1}"),
+                   NULL, 0, &err) == MURK_OK);
+    if (scene) {
+        const murk_scene_medium *m = &scene->media[0];
+        CHECK(m->albedo.band[0] == .5 && m->albedo.band[1] == .5);
+        CHECK(m->extinction_per_m.band[1] == 2 && m->n_phases == 1);
+        CHECK(m->phase[0].mean_cosine.band[1] == .1);
+        CHECK(strstr(scene->resolved, "soot_g_per_m3: 0.1") != NULL);
+        CHECK(strstr(scene->light_key, "preset smoke/flaming:") != NULL);
+    }
+    murk_scene_destroy(scene);
+}
+
+/* Haze is a mixture: a lobe and the molecules, by their scattering. */
+static void test_mixtures(void)
+{
+    murk_scene *scene = NULL;
+    murk_error err;
+    CHECK(scene_of(&scene, SCENE(LINES, "preset: air/haze"), NULL, 0, &err) ==
+          MURK_OK);
+    if (scene) {
+        const murk_scene_medium *m = &scene->media[0];
+        const murk_mixture *mixture = m->phase[1].mixture;
+        CHECK(m->n_phases == 2 && mixture && mixture->n == 2);
+        if (mixture && mixture->n == 2) {
+            const double air =
+                1.14871e-5 / (m->extinction_per_m.band[1] * m->albedo.band[1]);
+            CHECK(mixture->part[0].kind == MURK_PRESET_RAYLEIGH);
+            CHECK_NEAR(mixture->part[0].share, air, 1e-6);
+        }
+    }
+    murk_scene_destroy(scene);
+}
+
+/* Options and conditions turn the words, and what is resolved reads the same.
+ */
+static void test_options_and_conditions(void)
+{
+    static const char text[] =
+        SCENE(LINES,
+              "preset: fog/kim") "conditions: {thick: {media.fog.mor_m: 50}}\n";
+    const murk_override set = {.text = "media.fog.visibility_m=100"};
+    murk_scene *scene = NULL, *again = NULL;
+    murk_error err;
+    CHECK(scene_of(&scene, text, &set, 1, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    if (scene) {
+        const murk_scene *thick = scene->conditions[0].scene;
+        CHECK_NEAR(scene->media[0].extinction_per_m.band[1], .03912023, 1e-8);
+        CHECK_NEAR(thick->media[0].extinction_per_m.band[1], .05991465, 1e-8);
+        CHECK(strcmp(thick->light_key, scene->light_key) != 0);
+        CHECK(scene_of(&again, scene->resolved, NULL, 0, &err) == MURK_OK);
+        CHECK(again && strcmp(again->resolved, scene->resolved) == 0);
+        CHECK(again && strcmp(again->light_key, scene->light_key) == 0);
+    }
+    murk_scene_destroy(again);
+    murk_scene_destroy(scene);
+}
+
+static void test_refusals(void)
+{
+    CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 0"),
+                  MURK_BAD_VALUE, "fog.yaml:4:40: media.fog.visibility_m",
+                  "0, must be more than 0 and at most 1e9 m");
+    CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: -5"),
+                  MURK_BAD_VALUE, "fog.yaml:4:40: media.fog.visibility_m",
+                  "-5, must be more than 0 and at most 1e9 m");
+    CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 5"),
+                  MURK_BAD_VALUE, "fog.yaml:4:40: media.fog.visibility_m",
+                  "5, must be 10..200000 m for fog/kim");
+    CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 50, mor_m: 5"),
+                  MURK_BAD_VALUE, "fog.yaml:4:3: media.fog",
+                  "has visibility_m and mor_m, must have one of them");
+    CHECK_REFUSED(SCENE(LINES, "preset: fog/kimm"), MURK_BAD_VALUE,
+                  "fog.yaml:4:17: media.fog.preset",
+                  "no preset fog/kimm, did you mean fog/kim?");
+    CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, rain_mm_per_h: 1"),
+                  MURK_BAD_VALUE, "fog.yaml:4:26: media.fog.rain_mm_per_h",
+                  "fog/kim does not know it, must be one of visibility_m, "
+                  "mor_m");
+    CHECK_REFUSED(SCENE("bands_nm: [350]", "preset: air/haze"), MURK_BAD_VALUE,
+                  "fog.yaml:4:17: media.fog.preset",
+                  "a band at 350 nm, must be within 400..1550 nm for air/haze "
+                  "(Angstrom, Tellus 16 (1964) 64, "
+                  "doi:10.1111/j.2153-3490.1964.tb00144.x)");
+    CHECK_REFUSED(SCENE(LINES, "preset: [fog/kim]"), MURK_BAD_VALUE,
+                  "fog.yaml:4:9: media.fog.preset",
+                  "no preset , must be one of those that `murk media` lists");
+}
+
+/* Files of presets are ours, yet what is wrong with one is named. */
+static void test_files_that_are_wrong(void)
+{
+    static const char HEAD[] = "murk_preset: 1\nabout: x\n"
+                               "sources: [{what: a, from: b}]\n";
+    static const struct {
+        const char *rest, *where, *text;
+    } wrong[] = {
+        {"wavelength_nm: [500, 400]\nparts: []\n", "x.yaml:4:16",
+         "must rise and be above 0"},
+        {"wavelength_nm: [400, 500]\nparts: []\n", "x.yaml:5:8",
+         "must be a list of 1..8 parts"},
+        {"wavelength_nm: [400, 500]\nparts: [{law: none}]\n", "x.yaml:5:15",
+         "no law of that name"},
+        {"wavelength_nm: [400, 500]\nparts: [{law: kim, albedo: 1}]\n",
+         "x.yaml:5:15",
+         "the law kim needs the word visibility_m with a default"},
+        {"wavelength_nm: [400, 500]\nparts: [{table: {wavelength_nm: [400, "
+         "450], scattering_per_m: [1, 1]}}]\n",
+         "x.yaml:5:17", "spans 400..450 nm, less than wavelength_nm"},
+        {"wavelength_nm: [400, 500]\nparts: [{table: none.csv}]\n",
+         "x.yaml:5:17", "no file none.csv in media"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        char text[400];
+        murk_preset *preset = NULL;
+        murk_error err = {0};
+        snprintf(text, sizeof text, "%s%s", HEAD, wrong[i].rest);
+        CHECK(murk_preset_parse(&preset, "x", text, strlen(text), &err) ==
+              MURK_BAD_FILE);
+        CHECK(preset == NULL);
+        CHECK_TEXT(err.where, wrong[i].where);
+        CHECK_TEXT(err.text, wrong[i].text);
+    }
+}
+
+int main(void)
+{
+    test_all_that_are_built_in();
+    test_files_that_are_wrong();
+    if (folder_enter()) {
+        test_visibility_and_mor();
+        test_a_band_with_edges_is_its_mean();
+        test_what_the_scene_says_wins();
+        test_mixtures();
+        test_options_and_conditions();
+        test_refusals();
+        folder_leave((const char *const[]){"fog.yaml", NULL});
+    }
+    return check_done();
+}
