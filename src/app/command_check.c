@@ -208,6 +208,9 @@ static void add_media(cJSON *root, const findings *f)
         if (r->ior > 0) {
             cJSON_AddNumberToObject(item, "ior", r->ior);
         }
+        if (r->wind_m_per_s > 0) {
+            cJSON_AddNumberToObject(item, "wind_m_per_s", r->wind_m_per_s);
+        }
         cJSON_AddItemToArray(regions, item);
     }
 }
@@ -352,6 +355,9 @@ static void print_media(const findings *f)
         }
         if (r->ior > 0) {
             printf(", index %.5g", r->ior);
+        }
+        if (r->wind_m_per_s > 0) {
+            printf(", waves of %.3g m/s wind", r->wind_m_per_s);
         }
         printf("\n");
     }

@@ -248,6 +248,7 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
             boundary->crossed |= (murk_inside)1 << shell->region;
             boundary->region = shell->region;
             boundary->normal = normal;
+            boundary->mean_square_slope = shell->mean_square_slope;
         }
     }
     return true;

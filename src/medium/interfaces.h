@@ -29,6 +29,7 @@ typedef struct murk_boundary {
                             the set is inside ^ crossed */
     size_t region;       /* the last listed of them */
     murk_vec3 normal; /* unit, that region's, faces where the ray came from */
+    double mean_square_slope; /* that region's; 0: level */
 } murk_boundary;
 
 /* A flat boundary: a face of a box, or the level of a half space. It ends where

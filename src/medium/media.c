@@ -4,6 +4,7 @@
 #include "medium/albedo.h"
 #include "medium/parts.h"
 #include "medium/tree.h"
+#include "medium/waves.h"
 
 #include <assert.h>
 #include <math.h>
@@ -129,6 +130,19 @@ static murk_status check_region(const murk_region *region,
                          "ior is %g, must be left out: a grid has no boundary "
                          "that bends light",
                          region->ior);
+    }
+    if (!(region->mean_square_slope >= 0 &&
+          region->mean_square_slope <= MURK_MEAN_SQUARE_SLOPE_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "mean_square_slope is %g, must be 0..%d",
+                         region->mean_square_slope, MURK_MEAN_SQUARE_SLOPE_MAX);
+    }
+    if (region->mean_square_slope > 0 &&
+        !(region->shape == MURK_REGION_BELOW && region->ior > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "mean_square_slope is %g, must be left out: only a "
+                         "half space with an index has waves",
+                         region->mean_square_slope);
     }
     if (region->shape == MURK_REGION_BELOW && !isfinite(region->below_z_m)) {
         return murk_fail(err, MURK_BAD_VALUE, where,

@@ -85,6 +85,8 @@ typedef struct murk_region {
     double ior; /* index of refraction, 1..MURK_IOR_MAX; 0: none. Refractive
                    regions lie in one another or apart (for meshes the caller
                    sees to it); no grids */
+    double mean_square_slope; /* of the waves on a half space with an index:
+                                 medium/waves.h; 0: level */
     const char *where;
 } murk_region;
 

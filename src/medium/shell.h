@@ -9,8 +9,9 @@ typedef struct murk_shell {
     size_t region;
     murk_region_shape shape;
     double ior;
-    bool is_moved; /* to_local is not the identity */
-    bool spans[2]; /* reaches both sides of the domain, in x, in y */
+    double mean_square_slope; /* of a half space; 0: level */
+    bool is_moved;            /* to_local is not the identity */
+    bool spans[2];            /* reaches both sides of the domain, in x, in y */
     murk_affine to_local;
     murk_box box;     /* in its own frame; faces that no ray is to meet, since
                          they lie in a side of the domain or beyond, are moved

@@ -336,13 +336,21 @@ static murk_status check_region(murk_walk *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_region *region = item;
-    (void)walk;
-    (void)map;
     if (region->shape == MURK_SCENE_EVERYWHERE ||
         region->shape == MURK_SCENE_BELOW) {
         region->scale = 1;
     }
-    return MURK_OK;
+    if (!(region->wind_m_per_s > 0) || region->ior > 0) {
+        return MURK_OK;
+    }
+    const size_t back = murk_walk_enter(walk, "wind_m_per_s");
+    const murk_status status = murk_walk_fail(
+        walk, MURK_BAD_VALUE, murk_yaml_get(map, "wind_m_per_s"), false,
+        "%g m/s over a region without ior, must be 0 there: only where the "
+        "index changes waves bend light",
+        region->wind_m_per_s);
+    murk_walk_leave(walk, back);
+    return status;
 }
 
 static const murk_key REGION_ROWS[] = {
@@ -366,6 +374,8 @@ static const murk_key REGION_ROWS[] = {
     ROW("replace", BOOL, .preset = "false", AT(murk_scene_region, replaces)),
     ROW("ior", NUMBER, .least = 1, .most = 10, .variants = SHARP,
         AT(murk_scene_region, ior)),
+    ROW("wind_m_per_s", NUMBER, .most = 20, .unit = "m/s",
+        .variants = BIT(MURK_SCENE_BELOW), AT(murk_scene_region, wind_m_per_s)),
     END,
 };
 

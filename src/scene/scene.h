@@ -133,7 +133,8 @@ typedef struct murk_scene_region {
     double unit_m; /* mesh: as of geometry */
     char up;
     bool replaces;
-    double ior; /* 0: none */
+    double ior;          /* 0: none */
+    double wind_m_per_s; /* half spaces: 0: level */
 } murk_scene_region;
 
 /* Where on the earth, and when. Of the scene; and of a light of the sky, which

@@ -5,6 +5,7 @@
 #include "study/enclose.h"
 #include "study/extent.h"
 #include "study/tallies.h"
+#include "study/winds.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -174,6 +175,7 @@ static murk_region region_of(const murk_scene_region *r)
         .to_world = murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
         .replaces = r->replaces,
         .ior = r->ior,
+        .mean_square_slope = murk_region_mean_square_slope(r),
         .where = r->where};
 }
 
@@ -434,6 +436,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     warn_of_cuts(stage);
     warn_of_lit_sides(stage);
     note_of_set(stage);
+    murk_warn_of_winds(scene);
     stage->world.surfaces = stage->surfaces;
     stage->world.media = stage->media;
     stage->world.hulls = stage->hulls;

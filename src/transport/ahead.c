@@ -52,7 +52,9 @@ bool murk_look_ahead(const murk_world *world, murk_inside *inside,
     }
     /* Together: at the place of the shape's, which is exact. */
     b->crossed |= c.changed;
-    b->region = last_of(b->crossed);
+    const size_t region = last_of(b->crossed);
+    b->mean_square_slope = region == b->region ? b->mean_square_slope : 0;
+    b->region = region;
     return true;
 }
 

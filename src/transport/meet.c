@@ -4,6 +4,7 @@
 
 #include "medium/interfaces.h"
 #include "transport/bounce.h"
+#include "transport/facets.h"
 #include "transport/turn.h"
 
 /* Reflected at a mesh, a photon stands on it to double precision: this share of
@@ -27,7 +28,22 @@ static void note_specular(murk_walker *w)
     w->wraps = 0;
 }
 
-void murk_meet_boundary(murk_walker *w, const murk_ahead *ahead)
+/* False when the light is given up among waves. */
+static bool bounce_at(const murk_walker *w, const murk_boundary *b,
+                      double n_from, double n_to, murk_bounce *bounce)
+{
+    if (b->mean_square_slope > 0) {
+        const murk_address address = murk_walker_address(w, MURK_SURFACE);
+        return murk_meet_facets(&address, n_from, n_to, b->mean_square_slope,
+                                w->direction, b->normal, bounce);
+    }
+    *bounce = murk_refract(n_from, n_to, w->direction, b->normal,
+                           murk_walker_draw(w, MURK_SURFACE).u[3]);
+    return true;
+}
+
+bool murk_meet_boundary(murk_walker *w, const murk_ahead *ahead,
+                        murk_fate *ended)
 {
     const murk_boundary *b = &ahead->boundary;
     const murk_vec3 arriving = w->direction;
@@ -49,11 +65,13 @@ void murk_meet_boundary(murk_walker *w, const murk_ahead *ahead)
     if (n_from == n_to) {
         w->inside = beyond;
         w->silent_m += b->distance_m;
-        return;
+        return true;
     }
-    const murk_bounce bent =
-        murk_refract(n_from, n_to, arriving, b->normal,
-                     murk_walker_draw(w, MURK_SURFACE).u[3]);
+    murk_bounce bent;
+    if (!bounce_at(w, b, n_from, n_to, &bent)) {
+        *ended = murk_walker_lose(w, MURK_LOSS_EVENTS);
+        return false;
+    }
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_INTERFACE);
         event.outcome = bent.outcome;
@@ -70,6 +88,7 @@ void murk_meet_boundary(murk_walker *w, const murk_ahead *ahead)
         w->skip_m = REFLECTED_SKIP * w->course->near_m;
     }
     note_specular(w);
+    return true;
 }
 
 bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
@@ -142,15 +161,18 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     return true;
 }
 
-void murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
-                           murk_ahead *ahead)
+bool murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
+                           murk_ahead *ahead, murk_fate *ended)
 {
     if (!hit->solid) {
         ++w->number;
         ahead->boundary.distance_m = 0;
-        murk_meet_boundary(w, ahead);
+        if (!murk_meet_boundary(w, ahead, ended)) {
+            return false;
+        }
     }
     w->skip_m = w->course->near_m / fabs(murk_dot(w->direction, hit->normal));
+    return true;
 }
 
 void murk_walker_enter(murk_walker *w)

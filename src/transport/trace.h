@@ -8,7 +8,8 @@
  * scattered with probability albedo, else absorbed. At the boundary of a region
  * or solid with an index, Snell and exact unpolarised Fresnel, by roulette; the
  * index is that of the innermost solid, else of the last listed region around
- * (medium/interfaces.h), else 1. Nothing here can fail: what cannot be followed
+ * (medium/interfaces.h), else 1; on waves, facet by facet
+ * (transport/facets.h). Nothing here can fail: what cannot be followed
  * is counted as lost, by cause.
  *
  * Where least_weight is below 1, a photon that has more than that share of its
@@ -64,7 +65,7 @@ typedef enum murk_event_class {
 } murk_event_class;
 
 typedef enum murk_loss {
-    MURK_LOSS_EVENTS,    /* more than events_max events */
+    MURK_LOSS_EVENTS,    /* more than events_max events, or facets at waves */
     MURK_LOSS_WRAPS,     /* more than wraps_max wraps without another event */
     MURK_LOSS_NUMERICAL, /* not a finite position, or none inside the domain */
     MURK_LOSSES

@@ -195,17 +195,20 @@ static murk_fate follow(murk_walker *w)
             }
             continue;
         }
+        murk_fate ended;
         if (bends) {
-            murk_meet_boundary(w, &ahead);
+            if (!murk_meet_boundary(w, &ahead, &ended)) {
+                return ended;
+            }
             continue;
         }
-        murk_fate ended;
         if (met ? !murk_meet_surface(w, &hit, length_m, crossed, &ended)
                 : !murk_meet_side(w, length_m, &ended)) {
             return ended;
         }
-        if (crossed && ahead.is_mesh && w->is_beyond) {
-            murk_meet_mesh_beyond(w, &hit, &ahead);
+        if (crossed && ahead.is_mesh && w->is_beyond &&
+            !murk_meet_mesh_beyond(w, &hit, &ahead, &ended)) {
+            return ended;
         }
     }
 }

@@ -37,7 +37,7 @@ static const char FULL_SCENE[] =
     "  - {medium: thin, box: {min_m: [0, 0, 0], max_m: [1, 1, 1]},\n"
     "     replace: true}\n"
     "  - {medium: thin, sphere: {center_m: [5, 5, 5], radius_m: 1}}\n"
-    "  - {medium: haze, below_z_m: -0.5, ior: 1.34}\n"
+    "  - {medium: haze, below_z_m: -0.5, ior: 1.34, wind_m_per_s: 5}\n"
     "  - {medium: thin, mesh: tank.obj, unit_m: 0.01, up: y, scale: 3,\n"
     "     ior: 1.5}\n"
     "lights:\n"

@@ -238,6 +238,23 @@ static const refusal REFUSALS[] = {
     {"regions:\n  - {medium: fog, below_z_m: 0, ior: 0.9}\n"
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:38: regions.0.ior", "0.9, must be 1..10"},
+    {"regions:\n  - {medium: fog, below_z_m: 0, ior: 1.3, wind_m_per_s: 21}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:57: regions.0.wind_m_per_s", "21, must be 0..20 m/s"},
+    {"regions:\n  - {medium: fog, below_z_m: 0, ior: 1.3, wind_m_per_s: nan}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:57: regions.0.wind_m_per_s",
+     "nan, must be a number, 0..20 m/s"},
+    {"regions:\n  - {medium: fog, below_z_m: 0, wind_m_per_s: 5}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:47: regions.0.wind_m_per_s",
+     "5 m/s over a region without ior, must be 0 there: only where the index "
+     "changes waves bend light"},
+    {"regions:\n  - {medium: fog, ior: 1.3, wind_m_per_s: 5}\n"
+     "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
+     VALUE, "fog.yaml:3:29: regions.0.wind_m_per_s",
+     "not a key of a region (everywhere), must be one of medium, box, sphere, "
+     "below_z_m, mesh, replace, ior"},
     {"regions:\n  - {medium: fog, below_z_m: .inf}\n"
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:30: regions.0.below_z_m",
@@ -246,7 +263,7 @@ static const refusal REFUSALS[] = {
      "media: {fog: {extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:33: regions.0.scale",
      "not a key of a region (half space), must be one of medium, box, sphere, "
-     "below_z_m, mesh, replace, ior"},
+     "below_z_m, mesh, replace, ior, wind_m_per_s"},
     {"regions:\n  - {medium: a, ior: 1.5}\n"
      "media: {a: {vdb: x, extinction_per_m: 1, albedo: 1}}\n",
      VALUE, "fog.yaml:3:17: regions.0.ior",

@@ -1,0 +1,69 @@
+/* Heights count by the share h of the surface that lies lower, 1 above all of
+ * it; ln h keeps its digits near the top, where light that grazes stays. Along
+ * a ray that climbs by dz the share of light not yet stopped falls by
+ * seen dh / h for every cosine of climb, so a uniform number u takes h to
+ * h u^(cosine / seen) on the way down and to h u^(-|cosine| / seen) on the way
+ * up. From below the share that lies lower is 1 - h. */
+#include "transport/facets.h"
+
+#include "medium/waves.h"
+
+/* ln(1 - h): the one form keeps its digits near the top, the other far below.
+ */
+static double log_of_rest(double log_h)
+{
+    return log_h > -0.7 ? log(-expm1(log_h)) : log1p(-exp(log_h));
+}
+
+/* The unit normal of a facet that light in this direction meets. */
+static murk_vec3 facet_normal(murk_vec3 direction, murk_vec3 up, double width,
+                              double cosine, const double u[3])
+{
+    const murk_slope slope = murk_facet_met(width, cosine, u);
+    const murk_vec3 over = murk_along(direction, cosine, up);
+    const double length = murk_length(over);
+    murk_vec3 along, across;
+    murk_frame(up, &along, &across);
+    if (length > 0) { /* straight down, any direction does */
+        along = murk_scale(1 / length, over);
+        across = murk_cross(up, along);
+    }
+    return murk_unit(
+        murk_along(murk_along(up, -slope.along, along), -slope.across, across));
+}
+
+bool murk_meet_facets(const murk_address *address, double n_from, double n_to,
+                      double mean_square_slope, murk_vec3 direction,
+                      murk_vec3 normal, murk_bounce *bounce)
+{
+    const double width = sqrt(mean_square_slope);
+    murk_vec3 up = normal;
+    double index = n_from, beyond = n_to, log_h = 0;
+    bool is_through = false;
+    for (uint32_t k = 0; k < MURK_FACETS_MAX; ++k) {
+        const double cosine = fmax(-1, fmin(1, -murk_dot(direction, up)));
+        const murk_random4 way = murk_random_at(address, 1 + 2 * k);
+        const double seen = murk_facets_seen(width, cosine);
+        log_h += cosine / seen * log(way.u[0]);
+        if (cosine < 0 && !(log_h < 0)) {
+            *bounce = (murk_bounce){
+                is_through ? MURK_TRANSMITTED : MURK_MIRRORED, direction};
+            return true;
+        }
+        const murk_random4 drawn = murk_random_at(address, 2 + 2 * k);
+        const murk_vec3 facet =
+            facet_normal(direction, up, width, cosine, drawn.u);
+        const murk_bounce met =
+            murk_refract(index, beyond, direction, facet, drawn.u[3]);
+        direction = met.direction;
+        if (met.outcome == MURK_TRANSMITTED) {
+            const double other = index;
+            index = beyond;
+            beyond = other;
+            up = murk_scale(-1, up);
+            log_h = log_of_rest(log_h);
+            is_through = !is_through;
+        }
+    }
+    return false;
+}
