@@ -143,9 +143,10 @@ static void check_materials(const murk_scene *scene)
 
 static void test_scenes_read_and_name_their_materials(void)
 {
-    static const char *const paths[] = {"scenes/paper-room.yaml",
-                                        "scenes/smoke-hall.yaml",
-                                        "scenes/fog-yard.yaml"};
+    static const char *const paths[] = {
+        "scenes/paper-room.yaml", "scenes/smoke-hall.yaml",
+        "scenes/fog-yard.yaml",   "scenes/rain-street.yaml",
+        "scenes/harbour.yaml",    "scenes/day-night.yaml"};
     for (size_t i = 0; i < sizeof paths / sizeof paths[0]; ++i) {
         murk_scene *scene = read_scene(paths[i]);
         if (!scene) {
