@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "study/taken_again.h"
+
 static const char *name_of(murk_scene_light_type type)
 {
     static const char *const names[] = {
@@ -28,6 +30,17 @@ static void print_time(const murk_stage *stage)
     }
 }
 
+/* The irradiance above holds the weather already. */
+static void print_taken(const murk_stage *stage, size_t light)
+{
+    const murk_taken_again taken = murk_taken_again_of(stage, light);
+    if (taken.is_known && taken.share > 0) {
+        printf("            the domain's media take %.3g %% of this again, "
+               "before a surface or water\n",
+               100 * taken.share);
+    }
+}
+
 void murk_print_sky(const murk_stage *stage)
 {
     const murk_scene *scene = stage->scene;
@@ -49,6 +62,7 @@ void murk_print_sky(const murk_stage *stage)
                    facts->azimuth_deg, facts->elevation_deg);
         }
         printf("\n");
+        print_taken(stage, i);
     }
 }
 
@@ -59,6 +73,24 @@ static void add_number(cJSON *item, const char *key, double value)
     } else {
         cJSON_AddNullToObject(item, key);
     }
+}
+
+static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
+{
+    const int bands = stage->world.bands;
+    const murk_taken_again taken = murk_taken_again_of(stage, light);
+    if (!taken.is_known) {
+        cJSON_AddNullToObject(item, "taken_again");
+        return;
+    }
+    cJSON *object = cJSON_AddObjectToObject(item, "taken_again");
+    cJSON_AddNumberToObject(object, "share", taken.share);
+    cJSON_AddItemToObject(
+        object, "optical_depth",
+        cJSON_CreateDoubleArray(taken.optical_depth.band, bands));
+    cJSON_AddItemToObject(
+        object, "transmittance",
+        cJSON_CreateDoubleArray(taken.transmittance.band, bands));
 }
 
 void murk_json_sky(cJSON *lights, const murk_stage *stage)
@@ -74,6 +106,7 @@ void murk_json_sky(cJSON *lights, const murk_stage *stage)
         add_number(item, "azimuth_deg", facts->azimuth_deg);
         add_number(item, "elevation_deg", facts->elevation_deg);
         add_number(item, "irradiance_w_per_m2", facts->irradiance_w_per_m2);
+        add_taken(item, stage, i);
         cJSON_AddItemToArray(list, item);
     }
 }

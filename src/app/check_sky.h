@@ -10,7 +10,8 @@
 void murk_print_sky(const murk_stage *stage);
 
 /* Adds "sky", a list: {light, type, on, azimuth_deg, elevation_deg,
- * irradiance_w_per_m2}, null where a light has no such thing. */
+ * irradiance_w_per_m2, taken_again: {share, optical_depth, transmittance}},
+ * null where a light has no such thing. */
 void murk_json_sky(cJSON *lights, const murk_stage *stage);
 
 #endif
