@@ -43,11 +43,18 @@ const murk_command murk_commands[] = {
      "Traces the one photon again, event by event: a photon is a pure function "
      "of seed, scene and index.",
      murk_command_replay},
+    {"media", "[NAME]", "the presets of media, with numbers and sources",
+     "Lists the presets that a scene's medium may name (preset: fog/kim). With "
+     "NAME says what that one means: its words with ranges and defaults, "
+     "extinction, albedo and mean cosine by band, sources and doubts. --set "
+     "visibility_m=50 gives a word (or albedo, extinction_per_m, phase), --set "
+     "bands_nm=[532] other bands.",
+     murk_command_media},
 };
 const size_t murk_commands_count = sizeof murk_commands / sizeof *murk_commands;
 
-static const char *const later_commands[] = {"render", "study", "fit", "report",
-                                             "media"};
+static const char *const later_commands[] = {"render", "study", "fit",
+                                             "report"};
 
 static murk_status find_command(murk_options *out, const char *name,
                                 murk_error *err)
@@ -67,7 +74,7 @@ static murk_status find_command(murk_options *out, const char *name,
     }
     return murk_fail(err, MURK_BAD_VALUE, "",
                      "%s: no such command; there are check, trace, place, "
-                     "sense and replay (murk --help)",
+                     "sense, replay and media (murk --help)",
                      name);
 }
 
@@ -389,7 +396,7 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
                                       out->input)
                           : MURK_OK;
     }
-    if (!out->input) {
+    if (!out->input && out->command->arguments[0] != '[') {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%s: no scene; usage: murk "
                          "%s %s",

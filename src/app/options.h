@@ -30,7 +30,7 @@ typedef enum murk_export {
 struct murk_options {
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
-    const char *input;   /* the scene; NULL with --matrix */
+    const char *input;   /* the scene; NULL with --matrix; a preset's name */
     const char *out;     /* -o; NULL: print, write nothing */
     const char *light;   /* --light */
     const char *sensors; /* --sensors */
@@ -69,5 +69,6 @@ murk_status murk_command_trace(const murk_options *, murk_error *);
 murk_status murk_command_place(const murk_options *, murk_error *);
 murk_status murk_command_sense(const murk_options *, murk_error *);
 murk_status murk_command_replay(const murk_options *, murk_error *);
+murk_status murk_command_media(const murk_options *, murk_error *);
 
 #endif

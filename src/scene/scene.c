@@ -226,23 +226,21 @@ static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
     return status;
 }
 
-murk_status murk_scene_read(murk_scene **out, const char *path,
-                            const murk_override *overrides, size_t n_overrides,
-                            murk_error *err)
+/* Of what has been read already. */
+static murk_status read_text(reading *r, murk_scene **out, const char *path,
+                             const murk_override *overrides, size_t n_overrides,
+                             murk_error *err)
 {
-    reading r = {0};
     murk_scene *scene = NULL;
     char sha256[65];
-    murk_status status =
-        murk_file_read(&r.text, &r.size, path, MURK_YAML_MOST_BYTES, err);
+    murk_status status = murk_yaml_parse(&r->root, r->text, r->size, path, err);
     if (status ||
-        (status = murk_yaml_parse(&r.root, r.text, r.size, path, err)) ||
-        (status = apply_overrides(&r, path, overrides, n_overrides, err))) {
+        (status = apply_overrides(r, path, overrides, n_overrides, err))) {
         goto done;
     }
-    murk_sha256_hex(r.text, r.size, sha256);
+    murk_sha256_hex(r->text, r->size, sha256);
     scene = scene_make(path, sha256);
-    status = scene ? read_tree(&r, scene, err) : no_memory(path, err);
+    status = scene ? read_tree(r, scene, err) : no_memory(path, err);
     if (status) {
         goto done;
     }
@@ -250,6 +248,31 @@ murk_status murk_scene_read(murk_scene **out, const char *path,
     scene = NULL;
 done:
     murk_scene_destroy(scene);
+    return status;
+}
+
+murk_status murk_scene_read(murk_scene **out, const char *path,
+                            const murk_override *overrides, size_t n_overrides,
+                            murk_error *err)
+{
+    reading r = {0};
+    murk_status status =
+        murk_file_read(&r.text, &r.size, path, MURK_YAML_MOST_BYTES, err);
+    if (!status) {
+        status = read_text(&r, out, path, overrides, n_overrides, err);
+    }
+    release(&r);
+    return status;
+}
+
+murk_status murk_scene_parse(murk_scene **out, const char *text,
+                             const char *path, const murk_override *overrides,
+                             size_t n_overrides, murk_error *err)
+{
+    reading r = {.text = strdup(text), .size = strlen(text)};
+    const murk_status status =
+        r.text ? read_text(&r, out, path, overrides, n_overrides, err)
+               : no_memory(path, err);
     release(&r);
     return status;
 }

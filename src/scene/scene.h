@@ -527,6 +527,10 @@ typedef struct murk_override {
 murk_status murk_scene_read(murk_scene **out, const char *path,
                             const murk_override *overrides, size_t n_overrides,
                             murk_error *err);
+/* The same from text; `path` is its name in messages. */
+murk_status murk_scene_parse(murk_scene **out, const char *text,
+                             const char *path, const murk_override *overrides,
+                             size_t n_overrides, murk_error *err);
 void murk_scene_destroy(murk_scene *scene); /* NULL is fine */
 
 #endif

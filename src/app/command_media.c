@@ -1,0 +1,362 @@
+/* murk media: what presets there are, and what one comes to, band by band. Its
+ * numbers are those of a scene with this one medium. */
+#include "app/results.h"
+
+#include "medium/phase.h"
+#include "preset/check_words.h"
+#include "scene/presets.h"
+#include "study/phases.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MEDIUM "media.medium."
+#define WIDTH  26 /* of names in the list */
+
+/* What a preset is asked for: this, and the user's --set. */
+static const double USUAL_NM[] = {450, 550, 650, 850, 1550};
+
+/* ---- the list ---- */
+
+static void print_list(void)
+{
+    for (size_t i = 0; i < murk_presets_count(); ++i) {
+        char name[MURK_PRESET_NAME_SIZE];
+        murk_preset *preset = NULL;
+        murk_presets_name(i, name);
+        if (!murk_presets_read(&preset, name, "", NULL)) {
+            printf("%-*s %5g..%-5g nm  %s\n", WIDTH, name,
+                   preset->wavelength_nm[0], preset->wavelength_nm[1],
+                   preset->about);
+        }
+        murk_preset_destroy(preset);
+    }
+}
+
+static cJSON *list_json(void)
+{
+    cJSON *root = murk_json_begin_murk();
+    cJSON *list = cJSON_AddArrayToObject(root, "presets");
+    for (size_t i = 0; i < murk_presets_count(); ++i) {
+        char name[MURK_PRESET_NAME_SIZE];
+        murk_preset *preset = NULL;
+        murk_presets_name(i, name);
+        if (!murk_presets_read(&preset, name, "", NULL)) {
+            cJSON *item = cJSON_CreateObject();
+            cJSON_AddStringToObject(item, "name", name);
+            cJSON_AddStringToObject(item, "about", preset->about);
+            cJSON_AddItemToObject(
+                item, "wavelength_nm",
+                cJSON_CreateDoubleArray(preset->wavelength_nm, 2));
+            cJSON_AddItemToArray(list, item);
+        }
+        murk_preset_destroy(preset);
+    }
+    return root;
+}
+
+/* ---- one preset, resolved ---- */
+
+typedef struct resolved {
+    murk_preset *preset;
+    murk_scene *scene;
+    murk_phases *phases;
+} resolved;
+
+static void put_bands(FILE *to, const murk_preset *preset)
+{
+    const double *range = preset->wavelength_nm;
+    size_t n = 0;
+    for (size_t i = 0; i < sizeof USUAL_NM / sizeof *USUAL_NM; ++i) {
+        if (USUAL_NM[i] >= range[0] && USUAL_NM[i] <= range[1]) {
+            fprintf(to, "%s%.9g", n++ ? ", " : "", USUAL_NM[i]);
+        }
+    }
+    if (n == 0) {
+        fprintf(to, "%.17g", range[0]);
+    }
+}
+
+/* "visibility_m=50" speaks of the medium, "bands_nm=[532]" of the scene. */
+static bool is_of_scene(const char *text)
+{
+    return strncmp(text, "band", 4) == 0 || strncmp(text, "seed=", 5) == 0;
+}
+
+static murk_status read_scene(resolved *r, const murk_options *options,
+                              murk_error *err)
+{
+    const size_t n = options->n_overrides;
+    murk_override *set = calloc(n + 1, sizeof *set);
+    char **text = calloc(n + 1, sizeof *text);
+    char **shown = calloc(n + 1, sizeof *shown);
+    char *yaml = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&yaml, &size);
+    bool is_whole = set && text && shown && to;
+    for (size_t i = 0; i < n && is_whole; ++i) {
+        const murk_override *given = &options->overrides[i];
+        const size_t room = strlen(given->text) + sizeof MEDIUM;
+        text[i] = malloc(room);
+        shown[i] = malloc(room + 8);
+        is_whole = text[i] && shown[i];
+        if (is_whole) {
+            snprintf(text[i], room, "%s%s",
+                     is_of_scene(given->text) ? "" : MEDIUM, given->text);
+            snprintf(shown[i], room + 8, "--set %s", given->text);
+            set[i] = (murk_override){text[i],
+                                     given->option ? given->option : shown[i]};
+        }
+    }
+    if (to) {
+        fputs("murk: 1\nbands_nm: [", to);
+        put_bands(to, r->preset);
+        fprintf(to,
+                "]\nmedia: {medium: {preset: %s}}\n"
+                "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n",
+                r->preset->name);
+        is_whole = fclose(to) == 0 && is_whole;
+    }
+    const murk_status status =
+        is_whole
+            ? murk_scene_parse(&r->scene, yaml, r->preset->name, set, n, err)
+            : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a preset");
+    for (size_t i = 0; i < n && text && shown; ++i) {
+        free(text[i]);
+        free(shown[i]);
+    }
+    free(yaml);
+    free(set);
+    free(text);
+    free(shown);
+    return status;
+}
+
+/* "400..500" or "550" */
+static void band_name(const murk_scene *scene, int band, char out[40])
+{
+    if (scene->has_edges) {
+        snprintf(out, 40, "%.6g..%.6g", scene->band_edge_nm[band],
+                 scene->band_edge_nm[band + 1]);
+    } else {
+        snprintf(out, 40, "%.6g", scene->band_nm[band]);
+    }
+}
+
+/* ---- as text ---- */
+
+static void print_numbers(const double *value, int n)
+{
+    printf("%s", n > 1 ? "[" : "");
+    for (int k = 0; k < n; ++k) {
+        printf("%s%.6g", k ? ", " : "", value[k]);
+    }
+    printf("%s", n > 1 ? "]" : "");
+}
+
+static void print_words(const resolved *r)
+{
+    const murk_scene_medium *medium = &r->scene->media[0];
+    bool any = false;
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        const murk_word_id id = (murk_word_id)i;
+        const murk_preset_word word = murk_preset_word_of(r->preset, id);
+        const int n = murk_word_numbers(id);
+        if (!word.is_known) {
+            continue;
+        }
+        printf("%s  %s: ", any ? "" : "\nwords\n", murk_word_name(id));
+        any = true;
+        print_numbers(word.least, n);
+        printf(" to ");
+        print_numbers(word.most, n);
+        printf(" %s", murk_word_unit(id));
+        if (word.has_preset) {
+            printf(", default ");
+            print_numbers(word.preset, n);
+        }
+        if (medium->words.given[i]) {
+            printf(", here ");
+            print_numbers(medium->words.value[i], n);
+        }
+        printf("\n");
+    }
+}
+
+static void print_sources(const murk_preset *preset)
+{
+    printf("\nsources\n");
+    for (size_t i = 0; i < preset->sources; ++i) {
+        const murk_preset_source *s = &preset->source[i];
+        printf("  %s: %s%s%s%s\n", s->what, s->from,
+               s->quoted_by ? " (second hand: " : "",
+               s->quoted_by ? s->quoted_by : "", s->quoted_by ? ")" : "");
+    }
+    for (size_t i = 0; i < preset->doubts; ++i) {
+        printf("%s  %s\n", i ? "" : "\ndoubts\n", preset->doubt[i]);
+    }
+}
+
+static void print_one(const resolved *r)
+{
+    const murk_scene_medium *medium = &r->scene->media[0];
+    printf("%s: %s\nwavelengths %g..%g nm\n", r->preset->name, r->preset->about,
+           r->preset->wavelength_nm[0], r->preset->wavelength_nm[1]);
+    print_words(r);
+    printf("\n%14s  %12s  %8s  %12s  %12s  %11s  %s\n", "band nm",
+           "extinction/m", "albedo", "absorption/m", "scattering/m",
+           "mean cosine", "phase");
+    for (int band = 0; band < r->scene->bands; ++band) {
+        char name[40];
+        const double extinction = medium->extinction_per_m.band[band];
+        const double albedo = medium->albedo.band[band];
+        band_name(r->scene, band, name);
+        printf("%14s  %12.6g  %8.6f  %12.6g  %12.6g  %11.4f  %s\n", name,
+               extinction, albedo, extinction * (1 - albedo),
+               extinction * albedo,
+               murk_phase_mean_cosine(&r->phases->medium[0][band]),
+               murk_phases_kind(medium, band));
+    }
+    print_sources(r->preset);
+}
+
+/* ---- as JSON ---- */
+
+static cJSON *numbers_json(const double *value, int n)
+{
+    return n == 1 ? cJSON_CreateNumber(value[0])
+                  : cJSON_CreateDoubleArray(value, n);
+}
+
+static void add_words(cJSON *root, const resolved *r)
+{
+    const murk_scene_medium *medium = &r->scene->media[0];
+    cJSON *words = cJSON_AddObjectToObject(root, "words");
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        const murk_word_id id = (murk_word_id)i;
+        const murk_preset_word word = murk_preset_word_of(r->preset, id);
+        const int n = murk_word_numbers(id);
+        if (!word.is_known) {
+            continue;
+        }
+        cJSON *item = cJSON_AddObjectToObject(words, murk_word_name(id));
+        cJSON_AddItemToObject(item, "value",
+                              medium->words.given[i]
+                                  ? numbers_json(medium->words.value[i], n)
+                                  : cJSON_CreateNull());
+        cJSON_AddItemToObject(item, "default",
+                              word.has_preset ? numbers_json(word.preset, n)
+                                              : cJSON_CreateNull());
+        cJSON_AddItemToObject(item, "least", numbers_json(word.least, n));
+        cJSON_AddItemToObject(item, "most", numbers_json(word.most, n));
+        cJSON_AddStringToObject(item, "unit", murk_word_unit(id));
+    }
+}
+
+static void add_bands(cJSON *root, const resolved *r)
+{
+    const murk_scene *scene = r->scene;
+    const murk_scene_medium *medium = &scene->media[0];
+    cJSON *bands = cJSON_AddArrayToObject(root, "bands");
+    for (int band = 0; band < scene->bands; ++band) {
+        cJSON *item = cJSON_CreateObject();
+        const double extinction = medium->extinction_per_m.band[band];
+        const double albedo = medium->albedo.band[band];
+        murk_json_number(item, "band_nm", scene->band_nm[band]);
+        if (scene->has_edges) {
+            cJSON_AddItemToObject(
+                item, "band_edges_nm",
+                cJSON_CreateDoubleArray(&scene->band_edge_nm[band], 2));
+        }
+        murk_json_number(item, "extinction_per_m", extinction);
+        murk_json_number(item, "albedo", albedo);
+        murk_json_number(item, "absorption_per_m", extinction * (1 - albedo));
+        murk_json_number(item, "scattering_per_m", extinction * albedo);
+        murk_json_number(item, "mean_cosine",
+                         murk_phase_mean_cosine(&r->phases->medium[0][band]));
+        cJSON_AddStringToObject(item, "phase", murk_phases_kind(medium, band));
+        cJSON_AddItemToArray(bands, item);
+    }
+}
+
+static cJSON *one_json(const resolved *r)
+{
+    const murk_preset *preset = r->preset;
+    cJSON *root = murk_json_begin_murk();
+    cJSON_AddStringToObject(root, "preset", preset->name);
+    cJSON_AddStringToObject(root, "about", preset->about);
+    cJSON_AddItemToObject(root, "wavelength_nm",
+                          cJSON_CreateDoubleArray(preset->wavelength_nm, 2));
+    add_words(root, r);
+    add_bands(root, r);
+    cJSON *sources = cJSON_AddArrayToObject(root, "sources");
+    for (size_t i = 0; i < preset->sources; ++i) {
+        const murk_preset_source *s = &preset->source[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "what", s->what);
+        cJSON_AddStringToObject(item, "from", s->from);
+        cJSON_AddItemToObject(item, "quoted_by",
+                              s->quoted_by ? cJSON_CreateString(s->quoted_by)
+                                           : cJSON_CreateNull());
+        cJSON_AddItemToArray(sources, item);
+    }
+    cJSON *doubts = cJSON_AddArrayToObject(root, "doubts");
+    for (size_t i = 0; i < preset->doubts; ++i) {
+        cJSON_AddItemToArray(doubts, cJSON_CreateString(preset->doubt[i]));
+    }
+    return root;
+}
+
+/* ---- the command ---- */
+
+static murk_status print_json(cJSON *root, murk_error *err)
+{
+    char *text = root ? cJSON_Print(root) : NULL;
+    cJSON_Delete(root);
+    if (!text) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
+    }
+    puts(text);
+    cJSON_free(text);
+    return MURK_OK;
+}
+
+static murk_status say_one(const murk_options *options, murk_error *err)
+{
+    resolved r = {0};
+    murk_status status =
+        murk_presets_read(&r.preset, options->input, "media", err);
+    if (!status) {
+        status = read_scene(&r, options, err);
+    }
+    if (!status) {
+        status = murk_phases_create(&r.phases, r.scene, err);
+    }
+    if (!status && options->json) {
+        status = print_json(one_json(&r), err);
+    } else if (!status && !options->quiet) {
+        print_one(&r);
+    }
+    murk_phases_destroy(r.phases);
+    murk_scene_destroy(r.scene);
+    murk_preset_destroy(r.preset);
+    return status;
+}
+
+murk_status murk_command_media(const murk_options *options, murk_error *err)
+{
+    if (options->input) {
+        return say_one(options, err);
+    }
+    if (options->n_overrides) {
+        return murk_fail(err, MURK_BAD_VALUE, "media",
+                         "--set needs the name of a preset");
+    }
+    if (options->json) {
+        return print_json(list_json(), err);
+    }
+    if (!options->quiet) {
+        print_list();
+    }
+    return MURK_OK;
+}
