@@ -153,7 +153,11 @@ place 2 "lights.0.position_m"
 with lights '[{type: point, position_m: [2, 2, 20], power_w: 1}]'
 place 2 "lights.0"
 with lights '[{type: sun, latitude_deg: 52}]'
-place 2 "not supported yet"
+place 2 "misses longitude_deg"
+with lights '[{type: sun, latitude_deg: 52, longitude_deg: 5, time: 2300-01-01T00:00:00Z, irradiance_w_per_m2: 1}]'
+place 2 "outside the years 1900..2149"
+with lights '[{type: sun, latitude_deg: 95, longitude_deg: 5, time: 2026-01-01T00:00:00Z}]'
+place 2 "latitude_deg"
 {
     grep -v '^geometry' "$dir/good.yaml"
     echo 'media: {water: {extinction_per_m: 0.1, albedo: 0.5}}'
