@@ -60,6 +60,30 @@ murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
     return MURK_OK;
 }
 
+bool murk_word_is_amount(murk_word_id word)
+{
+    return word == MURK_WORD_VISIBILITY || word == MURK_WORD_MOR ||
+           word == MURK_WORD_DROPLETS || word == MURK_WORD_LIQUID_WATER;
+}
+
+static murk_status check_amounts(const murk_words *words, const char *where,
+                                 murk_error *err)
+{
+    const char *first = NULL;
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        if (words->given[i] && murk_word_is_amount((murk_word_id)i)) {
+            const char *name = murk_word_name((murk_word_id)i);
+            if (first) {
+                return murk_fail(err, MURK_BAD_VALUE, where,
+                                 "has %s and %s, must have one of them", first,
+                                 name);
+            }
+            first = name;
+        }
+    }
+    return MURK_OK;
+}
+
 murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,
                                  const char *where, murk_error *err)
 {
@@ -72,12 +96,11 @@ murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,
             }
         }
     }
+    const murk_status status = check_amounts(words, where, err);
+    if (status) {
+        return status;
+    }
     if (words->given[MURK_WORD_MOR]) {
-        if (words->given[MURK_WORD_VISIBILITY]) {
-            return murk_fail(err, MURK_BAD_VALUE, where,
-                             "has visibility_m and mor_m, must have one of "
-                             "them");
-        }
         words->given[MURK_WORD_VISIBILITY] = true;
         words->value[MURK_WORD_VISIBILITY][0] =
             murk_visibility_of_mor(words->value[MURK_WORD_MOR][0]);

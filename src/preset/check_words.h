@@ -14,6 +14,10 @@ murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
                                    const double *value, const char *where,
                                    murk_error *err);
 
+/* Words that each say how much there is: a user may say one of them, and then
+ * no default of another holds. */
+bool murk_word_is_amount(murk_word_id word);
+
 /* Checks the words that are given, turns mor_m into visibility_m, and adds the
  * preset's defaults. */
 murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,

@@ -118,19 +118,22 @@ murk_status murk_droplets_check(const murk_droplets *shape, const char *where,
     const double radius = murk_droplets_effective_radius_um(shape);
     if (!(radius >= .05 && radius <= 50)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "makes an effective radius of %g, must be 0.05..50 um",
+                         "the droplet sizes make an effective radius of %g, "
+                         "must be 0.05..50 um",
                          radius);
     }
     const double variance = murk_droplets_effective_variance(shape);
     if (!(variance >= .003 && variance <= 10)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "makes an effective variance of %g, must be "
-                         "0.003..10",
-                         variance);
+        return murk_fail(
+            err, MURK_BAD_VALUE, where,
+            "the droplet sizes make an effective variance of %g, must be "
+            "0.003..10",
+            variance);
     }
     if (!(counted(shape) >= .01)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "leaves %.2g of the droplets above a radius of %g um, "
+                         "the droplet sizes leave %.2g of the droplets above a "
+                         "radius of %g um, "
                          "from which they are counted; must be 0.01 or more",
                          counted(shape), MURK_COUNTED_FROM_UM);
     }

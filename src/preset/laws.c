@@ -80,6 +80,17 @@ const murk_law murk_laws[] = {
      .by_table = true,
      .needs = BIT(TEMPERATURE),
      .may = BIT(SALINITY)},
+    {.name = "droplets",
+     .about = "water droplets of the sizes that droplet_shape says, by Mie",
+     .run = murk_law_droplets,
+     .needs = BIT(DROPLET_SHAPE) | BIT(DROPLETS),
+     .may = BIT(LIQUID_WATER)},
+    {.name = "gamma_droplets",
+     .about = "water droplets of sizes r^a exp(-b r^c), r in um, by Mie",
+     .run = murk_law_gamma_droplets,
+     .parameter = {{"a", 0, 40}, {"b", 1e-9, 1e9}, {"c", .1, 6}},
+     .needs = BIT(DROPLETS),
+     .may = BIT(LIQUID_WATER)},
 };
 const size_t murk_laws_count = sizeof murk_laws / sizeof *murk_laws;
 

@@ -37,4 +37,10 @@ murk_status murk_law_in_green(murk_optics *, const murk_law_call *,
 murk_status murk_law_diffuse_attenuation(murk_optics *, const murk_law_call *,
                                          murk_error *);
 
+/* droplet_laws.c */
+murk_status murk_law_droplets(murk_optics *, const murk_law_call *,
+                              murk_error *);
+murk_status murk_law_gamma_droplets(murk_optics *, const murk_law_call *,
+                                    murk_error *);
+
 #endif

@@ -79,8 +79,14 @@ static murk_status complete_word(murk_walk *walk, murk_yaml *map,
         where_of(walk, map, name, true, where);
         return murk_preset_check_word(preset, word, none, where, walk->err);
     }
-    const bool is_said_otherwise =
-        word == MURK_WORD_VISIBILITY && murk_yaml_get(map, "mor_m");
+    bool is_said_otherwise = false;
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        const murk_word_id other = (murk_word_id)i;
+        is_said_otherwise =
+            is_said_otherwise ||
+            (murk_word_is_amount(word) && murk_word_is_amount(other) &&
+             other != word && murk_yaml_get(map, murk_word_name(other)));
+    }
     if (!range.is_known || !range.has_preset || is_said_otherwise) {
         return MURK_OK;
     }

@@ -10,7 +10,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#define MURK_LIBRARY_SUBJECTS(X) X(calendar) X(night) X(sun) X(water) X(presets)
+#define MURK_LIBRARY_SUBJECTS(X) \
+    X(calendar) X(night) X(sun) X(water) X(droplets) X(presets)
 
 typedef struct murk_library {
     FILE *out;
