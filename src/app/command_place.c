@@ -11,6 +11,7 @@
 #include "app/session.h"
 #include "app/tallies_out.h"
 
+#include "base/log.h"
 #include "study/machine.h"
 
 #include <math.h>
@@ -47,8 +48,8 @@ static void add_target(cJSON *root, const murk_plan *plan,
     if (scene->sensors.target > 0) {
         cJSON *object = cJSON_AddObjectToObject(root, "target");
         murk_json_number(object, "asked", scene->sensors.target);
-        cJSON_AddNumberToObject(object, "fewest_possible",
-                                (double)plan->place.fewest);
+        murk_json_number(object, "fewest_possible",
+                         plan->is_dark ? NAN : (double)plan->place.fewest);
         murk_json_number(object, "confirmed", plan->confirmed.value);
         murk_json_number(object, "confirmed_standard_error",
                          plan->confirmed.standard_error);
@@ -161,16 +162,21 @@ static murk_status print_plan(const murk_session *session,
     }
     murk_print_sensors(session->scene, plan->sensor, place->count,
                        &plan->in_sample);
-    printf("coverage    %.4f in sample (", plan->in_sample.total.value);
-    murk_print_maps(&plan->in_sample);
-    printf("); all candidates: %.4f\n",
-           murk_share(place->ceiling, place->whole));
+    if (plan->is_dark) {
+        printf("coverage    none: it is dark, and no sensor is better than "
+               "another\n");
+    } else {
+        printf("coverage    %.4f in sample (", plan->in_sample.total.value);
+        murk_print_maps(&plan->in_sample);
+        printf("); all candidates: %.4f\n",
+               murk_share(place->ceiling, place->whole));
+    }
     if (plan->has_held_out) {
         printf("held out    %.4f +- %.4f (one standard error, %s)\n",
                plan->held_out.value, plan->held_out.standard_error,
                murk_error_by(session->scene));
     }
-    if (session->scene->sensors.target > 0) {
+    if (session->scene->sensors.target > 0 && !plan->is_dark) {
         printf("target      %.4f takes %zu sensors, and no fewer than %zu",
                session->scene->sensors.target, place->count, place->fewest);
         if (isfinite(plan->confirmed.value)) {
@@ -187,9 +193,11 @@ static murk_status print_plan(const murk_session *session,
                (double)place->cost * MURK_COST_UNIT,
                session->scene->sensors.budget);
     }
-    murk_print_bound(place, session->scene->sensors.budget > 0,
-                     murk_sample_of(session->scene));
-    murk_print_explore(plan);
+    if (!plan->is_dark) {
+        murk_print_bound(place, session->scene->sensors.budget > 0,
+                         murk_sample_of(session->scene));
+        murk_print_explore(plan);
+    }
     if (repeat->runs > 0) {
         status = murk_print_repeat(repeat, err);
     }
@@ -367,7 +375,10 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         session.run.place_s = plan.place_s;
         status = add_files(&session, &plan, over, &late, err);
     }
-    if (!status && options->repeat) {
+    if (!status && options->repeat && plan.is_dark) {
+        murk_note("--repeat", "it is dark, so nothing hangs on chance: once is "
+                              "enough");
+    } else if (!status && options->repeat) {
         status = repeat_all(&session, &plan, over, &repeat, &late, err);
     }
     if (!status) {

@@ -4,6 +4,7 @@
 #include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
+#include "study/dark.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -74,7 +75,9 @@ static void print_coverage(const murk_session *session, const murk_pose *sensor,
     murk_print_tallies(session);
     murk_print_targets(&of->targets);
     murk_print_sensors(session->scene, sensor, n, coverage);
-    if (isfinite(coverage->total.standard_error)) {
+    if (!isfinite(coverage->total.value)) {
+        printf("coverage    none: it is dark (");
+    } else if (isfinite(coverage->total.standard_error)) {
         printf("coverage    %.4f +- %.4f (one standard error, %s; ",
                coverage->total.value, coverage->total.standard_error,
                murk_error_by(session->scene));
@@ -92,10 +95,46 @@ static void print_coverage(const murk_session *session, const murk_pose *sensor,
     murk_print_files(session);
 }
 
+static murk_status measure_dark(measured *of, const murk_stage *stage,
+                                const murk_pose *sensor, size_t n,
+                                murk_error *err)
+{
+    const murk_status status = murk_dark_coverage(&of->coverage, stage, n, err);
+    return status ? status
+                  : murk_robust_begin(&of->robust, stage, sensor, n,
+                                      &of->coverage, err);
+}
+
+static murk_status measure(measured *of, const murk_session *session,
+                           const murk_pose *sensor, size_t n, murk_error *err)
+{
+    const murk_stage *stage = session->stage;
+    murk_sight *sight = NULL;
+    murk_status status =
+        murk_plan_sight_told(&sight, &of->targets, stage, session->traced,
+                             session->options->threads, err);
+    if (!status) {
+        status =
+            murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
+    }
+    if (!status) {
+        status = murk_coverage_measure(&of->coverage, sight, sensor, n, err);
+    }
+    if (!status) {
+        status = murk_robust_begin(&of->robust, stage, sensor, n, &of->coverage,
+                                   err);
+    }
+    if (!status) {
+        status = murk_robust_jitter(&of->robust, stage, sight, sensor,
+                                    &of->coverage, false, err);
+    }
+    murk_sight_destroy(sight);
+    return status;
+}
+
 murk_status murk_command_sense(const murk_options *options, murk_error *err)
 {
     murk_session session;
-    murk_sight *sight = NULL;
     measured of = {0};
     murk_pose *sensor = NULL;
     size_t n = 0;
@@ -124,23 +163,9 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     }
     const double begun_s = murk_clock_s();
     if (!status) {
-        status = murk_plan_sight_told(&sight, &of.targets, session.stage,
-                                      session.traced, options->threads, err);
-    }
-    if (!status) {
-        status = murk_goals_check_seen(session.stage->goals,
-                                       murk_goals_seen(sight), err);
-    }
-    if (!status) {
-        status = murk_coverage_measure(&of.coverage, sight, sensor, n, err);
-    }
-    if (!status) {
-        status = murk_robust_begin(&of.robust, session.stage, sensor, n,
-                                   &of.coverage, err);
-    }
-    if (!status) {
-        status = murk_robust_jitter(&of.robust, session.stage, sight, sensor,
-                                    &of.coverage, false, err);
+        status = murk_plan_is_dark(session.stage)
+                     ? measure_dark(&of, session.stage, sensor, n, err)
+                     : measure(&of, &session, sensor, n, err);
     }
     session.run.sense_s = murk_clock_s() - begun_s;
     if (!status) {
@@ -151,7 +176,6 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     }
     murk_robust_release(&of.robust);
     murk_coverage_release(&of.coverage);
-    murk_sight_destroy(sight);
     free(sensor);
     murk_session_end(&session);
     return status;

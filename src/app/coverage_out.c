@@ -1,5 +1,6 @@
 #include "app/coverage_out.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,8 +66,9 @@ void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "seen_by_at_least");
     for (size_t i = 0; i < n; ++i) {
-        cJSON_AddItemToArray(list,
-                             cJSON_CreateNumber(coverage->seen_by_at_least[i]));
+        const double seen = coverage->seen_by_at_least[i];
+        cJSON_AddItemToArray(list, isfinite(seen) ? cJSON_CreateNumber(seen)
+                                                  : cJSON_CreateNull());
     }
 }
 
@@ -115,6 +117,15 @@ void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
     fprintf(to, "%zu,%s,%s,%s,%s,%s,%s", number, x, y, z, type, heading, tilt);
 }
 
+/* Empty where there is nothing to see. */
+static void write_share(char out[32], double share)
+{
+    out[0] = '\0';
+    if (isfinite(share)) {
+        murk_number_text(out, share);
+    }
+}
+
 static murk_status add_csv(murk_results *results, const char *name,
                            const char *header, const murk_scene *scene,
                            const murk_pose *sensor, size_t n,
@@ -143,8 +154,8 @@ static murk_status add_csv(murk_results *results, const char *name,
             murk_number_text(tilt, degrees(sensor[i].tilt_rad));
         }
         if (coverage) {
-            murk_number_text(covers, coverage->covers[i]);
-            murk_number_text(only, coverage->only_it_covers[i]);
+            write_share(covers, coverage->covers[i]);
+            write_share(only, coverage->only_it_covers[i]);
             at += (size_t)snprintf(text + at, room - at,
                                    "%zu,%s,%s,%s,%s,%s,%s\n", i + 1, type, x, y,
                                    z, covers, only);
@@ -178,6 +189,15 @@ murk_status murk_add_coverage_csv(murk_results *results,
                    sensor, n, coverage, err);
 }
 
+static void show_share(char out[16], double share)
+{
+    if (isfinite(share)) {
+        snprintf(out, 16, "%.4f", share);
+    } else {
+        strcpy(out, "-");
+    }
+}
+
 void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
                         size_t n, const murk_coverage *coverage)
 {
@@ -191,9 +211,12 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
                      degrees(sensor[i].heading_rad),
                      degrees(sensor[i].tilt_rad));
         }
-        printf("            %4zu  %-8s %9.3f %9.3f %9.3f %15s  %8.4f %10.4f\n",
+        char covers[16], only[16];
+        show_share(covers, coverage->covers[i]);
+        show_share(only, coverage->only_it_covers[i]);
+        printf("            %4zu  %-8s %9.3f %9.3f %9.3f %15s  %8s %10s\n",
                i + 1, scene->sensors.type[sensor[i].type].name, p.x, p.y, p.z,
-               way, coverage->covers[i], coverage->only_it_covers[i]);
+               way, covers, only);
     }
     if (n > PRINTED_SENSORS_MAX) {
         printf("            .. and %zu more\n", n - PRINTED_SENSORS_MAX);

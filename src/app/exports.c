@@ -2,6 +2,7 @@
 
 #include "app/coverage_out.h"
 #include "app/plan_ply.h"
+#include "base/log.h"
 
 #include <stdlib.h>
 
@@ -125,6 +126,12 @@ murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
                                   murk_error *late, murk_error *err)
 {
     if (!session->results.folder) {
+        return MURK_OK;
+    }
+    if (plan->is_dark) {
+        if (session->options->exports) {
+            murk_note("--export", "it is dark: there is no coverage to write");
+        }
         return MURK_OK;
     }
     murk_sight *sight = NULL;

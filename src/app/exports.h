@@ -19,7 +19,8 @@ murk_status murk_exports_check(unsigned exports, murk_combining combining,
                                murk_error *err);
 
 /* Adds plan.ply, and what --export asks for, of a scene's plan. Looks again
- * from its sensors, and for --export from all candidates. */
+ * from its sensors, and for --export from all candidates. In the dark there is
+ * nothing to add. */
 murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
                                   murk_error *late, murk_error *err);
 

@@ -76,7 +76,7 @@ static murk_status add_condition(murk_session *session, const murk_plan *plan,
             results, name_file(name, "scene", condition, ".yaml"),
             condition->wish->scene->resolved, err);
     }
-    if (!status) {
+    if (!status && condition->sight) {
         status = murk_add_plan_ply(
             results, name_file(name, "plan", condition, ".ply"),
             condition->sight, plan->sensor, plan->place.count,
@@ -126,7 +126,8 @@ murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
     if (!session->results.folder) {
         return MURK_OK;
     }
-    for (size_t c = 0; !status && c < over->conditions->n; ++c) {
+    const size_t every = over->conditions->n + over->conditions->dark;
+    for (size_t c = 0; !status && c < every; ++c) {
         status =
             add_condition(session, plan, &over->conditions->condition[c], err);
     }
@@ -144,7 +145,8 @@ murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
 void murk_over_json_photons(cJSON *root, const murk_over *over)
 {
     double emitted = 0, surface = 0, volume = 0;
-    for (size_t c = 0; c < over->conditions->n; ++c) {
+    const size_t every = over->conditions->n + over->conditions->dark;
+    for (size_t c = 0; c < every; ++c) {
         const murk_traced *traced = over->conditions->condition[c].traced;
         emitted += (double)traced->emitted;
         surface += (double)murk_photon_map_count(traced->surface);
@@ -170,8 +172,10 @@ static void add_conditions(cJSON *root, const murk_over *over)
 {
     const murk_over_plan *chosen = &over->plan[over->chosen];
     cJSON *list = cJSON_AddArrayToObject(root, "conditions");
-    for (size_t c = 0; c < over->conditions->n; ++c) {
+    const size_t lit = over->conditions->n;
+    for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
         const murk_condition *condition = &over->conditions->condition[c];
+        const bool is_dark = c >= lit;
         const murk_coverage *coverage = &over->coverage[c];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", condition->wish->name);
@@ -183,11 +187,14 @@ static void add_conditions(cJSON *root, const murk_over *over)
                                 (double)murk_photon_map_count(traced->surface));
         cJSON_AddNumberToObject(photons, "volume",
                                 (double)murk_photon_map_count(traced->volume));
-        add_estimate(item, "in_sample", chosen->in_sample[c]);
+        add_estimate(item, "in_sample", is_dark ? NONE : chosen->in_sample[c]);
         add_estimate(item, "held_out",
-                     over->has_held_out ? chosen->held_out[c] : NONE);
-        murk_json_number(item, "surface", coverage->surface.value);
-        murk_json_number(item, "volume", coverage->volume.value);
+                     over->has_held_out && !is_dark ? chosen->held_out[c]
+                                                    : NONE);
+        murk_json_number(item, "surface",
+                         is_dark ? NAN : coverage->surface.value);
+        murk_json_number(item, "volume",
+                         is_dark ? NAN : coverage->volume.value);
         cJSON_AddItemToArray(list, item);
     }
 }
@@ -203,7 +210,7 @@ static void add_item(cJSON *list, double value)
                                                : cJSON_CreateNull());
 }
 
-/* Rows are plans, columns the conditions in their order. */
+/* Rows are plans, columns the conditions in their order, but for dark ones. */
 static void add_regret(cJSON *root, const murk_over *over)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "regret");
@@ -238,12 +245,18 @@ static void add_regret(cJSON *root, const murk_over *over)
 
 void murk_over_json(cJSON *root, const murk_over *over)
 {
-    size_t worst;
     const murk_over_plan *chosen = &over->plan[over->chosen];
-    in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
-    cJSON_AddStringToObject(root, "over", chosen->made_for);
-    cJSON_AddStringToObject(root, "worst_condition",
-                            over->conditions->condition[worst].wish->name);
+    const bool is_worst =
+        over->conditions->scene->placement.over == MURK_SCENE_OVER_WORST;
+    cJSON_AddStringToObject(root, "over", is_worst ? "worst" : "mean");
+    if (over->plans > 0) {
+        size_t worst;
+        in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
+        cJSON_AddStringToObject(root, "worst_condition",
+                                over->conditions->condition[worst].wish->name);
+    } else {
+        cJSON_AddNullToObject(root, "worst_condition");
+    }
     add_conditions(root, over);
     add_regret(root, over);
 }
@@ -272,15 +285,19 @@ static void print_conditions(const murk_over *over)
     const murk_over_plan *chosen = &over->plan[over->chosen];
     printf("conditions  %-16s %8s %9s %9s %9s  %s\n", "", "weight", "emitted",
            "surface", "volume", "covered in sample, held out");
-    for (size_t c = 0; c < over->conditions->n; ++c) {
+    const size_t lit = over->conditions->n;
+    for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
         const murk_condition *condition = &over->conditions->condition[c];
         const murk_traced *traced = condition->traced;
-        printf("            %-16s %8.4g %9llu %9zu %9zu  %.4f",
-               condition->wish->name, condition->wish->weight,
-               (unsigned long long)traced->emitted,
+        printf("            %-16s %8.4g %9llu %9zu %9zu", condition->wish->name,
+               condition->wish->weight, (unsigned long long)traced->emitted,
                murk_photon_map_count(traced->surface),
-               murk_photon_map_count(traced->volume),
-               chosen->in_sample[c].value);
+               murk_photon_map_count(traced->volume));
+        if (c >= lit) {
+            printf("  nothing to see: it counts for nothing\n");
+            continue;
+        }
+        printf("  %.4f", chosen->in_sample[c].value);
         if (over->has_held_out) {
             printf("  %.4f +- %.4f", chosen->held_out[c].value,
                    chosen->held_out[c].standard_error);
@@ -324,8 +341,10 @@ static void print_regret(const murk_over *over)
 void murk_over_print(const murk_over *over)
 {
     print_conditions(over);
-    print_regret(over);
-    print_over(over);
+    if (over->plans > 0) {
+        print_regret(over);
+        print_over(over);
+    }
 }
 
 void murk_over_print_asked(const murk_scene *scene)

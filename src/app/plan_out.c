@@ -21,7 +21,7 @@ void murk_json_bound(cJSON *root, const murk_place_result *place)
     cJSON *object = cJSON_AddObjectToObject(root, "bound");
     murk_json_number(object, "upper", murk_share(place->upper, place->whole));
     murk_json_number(object, "gap",
-                     place->upper
+                     place->upper || !place->whole
                          ? murk_share(place->upper - place->value, place->upper)
                          : 0);
     cJSON_AddBoolToObject(object, "proven_optimal", place->proven_optimal);

@@ -16,7 +16,7 @@ static void add_drop_one(cJSON *object, const murk_robust *r)
 {
     const murk_drop_one drop = murk_robust_drop_one(r);
     cJSON *item = cJSON_AddObjectToObject(object, "drop_one");
-    if (r->sensors > 0) {
+    if (isfinite(drop.worst_loss)) {
         add_number(item, "worst_sensor", drop.worst);
     } else {
         cJSON_AddNullToObject(item, "worst_sensor");
@@ -132,7 +132,7 @@ static void print_links(const murk_links *links)
 void murk_print_robust(const murk_scene *scene, const murk_robust *robust)
 {
     const murk_drop_one drop = murk_robust_drop_one(robust);
-    if (robust->sensors > 0) {
+    if (isfinite(drop.worst_loss)) {
         printf("drop one    coverage falls by %.4f at most (without sensor "
                "%zu), by %.4f in the mean%s\n",
                drop.worst_loss, drop.worst + 1, drop.mean_loss,

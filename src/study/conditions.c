@@ -1,12 +1,34 @@
 #include "study/conditions.h"
 
 #include "photonmap/map.h"
+#include "study/dark.h"
 #include "study/machine.h"
 #include "study/plan.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+static void put_dark_last(murk_conditions *all)
+{
+    murk_condition dark[MURK_SCENE_CONDITIONS_MAX];
+    const size_t every = all->n;
+    bool has_say = false;
+    all->n = 0;
+    for (size_t c = 0; c < every; ++c) {
+        if (murk_plan_is_dark(all->condition[c].stage)) {
+            dark[all->dark++] = all->condition[c];
+        } else {
+            has_say = has_say || all->condition[c].wish->weight > 0;
+            all->condition[all->n++] = all->condition[c];
+        }
+    }
+    memcpy(&all->condition[all->n], dark, all->dark * sizeof *dark);
+    if (!has_say) {
+        all->dark = every;
+        all->n = 0;
+    }
+}
 
 murk_status murk_conditions_create(murk_conditions **out,
                                    const murk_scene *scene, murk_error *err)
@@ -31,6 +53,7 @@ murk_status murk_conditions_create(murk_conditions **out,
         murk_conditions_destroy(all);
         return status;
     }
+    put_dark_last(all);
     *out = all;
     return MURK_OK;
 }
@@ -40,7 +63,7 @@ void murk_conditions_destroy(murk_conditions *all)
     if (!all) {
         return;
     }
-    for (size_t c = 0; c < all->n; ++c) {
+    for (size_t c = 0; c < all->n + all->dark; ++c) {
         murk_condition *one = &all->condition[c];
         murk_sight_destroy(one->sight);
         if (!one->borrows_light) {
@@ -104,10 +127,10 @@ murk_status murk_conditions_again(murk_conditions **out,
                          "no memory for conditions");
     }
     all->scene = all->again;
-    for (size_t c = 0; !status && c < from->n; ++c) {
+    for (size_t c = 0; !status && c < from->n + from->dark; ++c) {
         status = condition_again(&all->condition[c], &from->condition[c], later,
                                  err);
-        all->n += !status;
+        *(c < from->n ? &all->n : &all->dark) += !status;
     }
     if (status) {
         murk_conditions_destroy(all);
@@ -174,7 +197,7 @@ murk_status murk_conditions_sites(murk_candidates **out,
     murk_candidates *all = NULL;
     murk_status status =
         murk_sites_find(&all, conditions->condition[0].stage, threads, err);
-    for (size_t c = 1; !status && c < conditions->n; ++c) {
+    for (size_t c = 1; !status && c < conditions->n + conditions->dark; ++c) {
         murk_candidates *other = NULL;
         status = murk_sites_find(&other, conditions->condition[c].stage,
                                  threads, err);
@@ -251,9 +274,10 @@ static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
             all->map_s += one->traced->map_s;
         }
     }
-    return status ? status
-                  : murk_plan_sight_told(&one->sight, &one->targets, one->stage,
-                                         one->traced, threads, err);
+    return status || c >= all->n
+               ? status
+               : murk_plan_sight_told(&one->sight, &one->targets, one->stage,
+                                      one->traced, threads, err);
 }
 
 murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
@@ -261,11 +285,14 @@ murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
 {
     uint64_t seen = 0;
     murk_status status = check_memory(all, threads, err);
-    for (size_t c = 0; !status && c < all->n; ++c) {
+    for (size_t c = 0; !status && c < all->n + all->dark; ++c) {
         status = light_one(all, c, threads, err);
-        seen |= status ? 0 : murk_goals_seen(all->condition[c].sight);
+        if (!status && c < all->n) {
+            seen |= murk_goals_seen(all->condition[c].sight);
+        }
     }
-    return status ? status
-                  : murk_goals_check_seen(all->condition[0].stage->goals, seen,
-                                          err);
+    return status || all->n == 0
+               ? status
+               : murk_goals_check_seen(all->condition[0].stage->goals, seen,
+                                       err);
 }

@@ -2,7 +2,9 @@
  * and one list of places where sensors may stand in all of them.
  *
  * A condition is lit once; those that the light does not tell apart share it.
- * One of weight 0 is lit and measured, and has no say. */
+ * One of weight 0 is lit and measured, and has no say. One in which it is dark
+ * (study/dark.h) has nothing to see, so it is neither: plans are made for the
+ * others, and its coverage is null. */
 #ifndef MURK_STUDY_CONDITIONS_H
 #define MURK_STUDY_CONDITIONS_H
 
@@ -24,8 +26,11 @@ typedef struct murk_condition {
 typedef struct murk_conditions {
     const murk_scene *scene; /* borrowed */
     murk_scene *again;       /* it, of murk_conditions_again(); else NULL */
-    size_t n;
-    murk_condition condition[MURK_SCENE_CONDITIONS_MAX];
+    size_t n;                /* that there is something to see in */
+    size_t dark; /* that follow them, and have no sight; where no condition that
+                    has a say is lit, all do */
+    murk_condition condition[MURK_SCENE_CONDITIONS_MAX]; /* [n + dark], else in
+                                                            the scene's order */
     double trace_s, map_s;
 } murk_conditions;
 
@@ -49,8 +54,9 @@ murk_status murk_conditions_sites(murk_candidates **out,
                                   const murk_conditions *conditions,
                                   unsigned threads, murk_error *err);
 
-/* Lights every condition and looks: fills traced and sight. Refused before any
- * is traced, by forecast, when they do not fit in memory together. */
+/* Lights every condition and looks: fills traced and, of the first n, sight.
+ * Refused before any is traced, by forecast, when they do not fit in memory
+ * together. */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
 

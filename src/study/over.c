@@ -1,5 +1,6 @@
 #include "study/over.h"
 
+#include "study/dark.h"
 #include "study/over_choose.h"
 #include "study/over_mean.h"
 
@@ -357,6 +358,9 @@ murk_status murk_over_make(murk_over *over, murk_plan *plan, unsigned threads,
     murk_status status = murk_conditions_light(all, threads, err);
     plan->trace_s = all->trace_s;
     plan->map_s = all->map_s;
+    if (!status && all->n == 0) {
+        return murk_dark_plan(plan, all->condition[0].stage, err);
+    }
     if (!status) {
         status = murk_over_choose(over, plan, err);
     }

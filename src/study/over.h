@@ -1,7 +1,8 @@
 /* A plan over conditions: for their mean coverage or for the worst of them;
  * and what it costs to plan for one condition and meet another (regret).
  *
- * Each condition's coverage is measured in its own light. Its held-out map is
+ * Each condition's coverage is measured in its own light; dark ones are left
+ * out. Its held-out map is
  * independent of all other maps, those of other conditions too; the maps that
  * choose share their random numbers, which leaves differences between
  * conditions less noise. */
@@ -27,8 +28,8 @@ typedef struct murk_over {
     murk_over_plan plan[MURK_OVER_PLANS_MAX]; /* each condition's own, in their
                                                  order; mean; worst (known
                                                  environment) */
-    size_t plans;
-    size_t chosen; /* the one that was asked for */
+    size_t plans;                             /* 0: it is dark in all of them */
+    size_t chosen;                            /* the one that was asked for */
     bool has_held_out;
     murk_coverage coverage[MURK_SCENE_CONDITIONS_MAX]; /* of the chosen one, in
                                                           sample */

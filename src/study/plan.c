@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "medium/acceptance.h"
+#include "study/dark.h"
 #include "study/machine.h"
 #include "study/remembered.h"
 
@@ -417,6 +418,9 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     murk_sight *sight = NULL;
     plan->trace_s = traced->trace_s;
     plan->map_s = traced->map_s;
+    if (murk_plan_is_dark(stage)) {
+        return murk_dark_plan(plan, stage, err);
+    }
     murk_status status = murk_plan_sight_told(&sight, &plan->targets, stage,
                                               traced, threads, err);
     if (!status) {

@@ -70,6 +70,7 @@ typedef struct murk_plan {
     murk_explore explore;      /* how it went; else empty */
     murk_pose *sensor;         /* [place.count] */
     murk_target_facts targets; /* points 0: photons are seen */
+    bool is_dark;              /* there was nothing to see: study/dark.h */
     murk_coverage in_sample;   /* on the light that chose */
     bool has_held_out;
     murk_estimate held_out;                /* on the second map */
@@ -90,7 +91,8 @@ murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 
 /* The main job, from a prepared plan and traced light on; with hold_out it
- * also traces the second map. Release the plan also after a failure. */
+ * also traces the second map. In the dark the plan is that of study/dark.h.
+ * Release the plan also after a failure. */
 murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
                            const murk_traced *traced, unsigned threads,
                            murk_error *err);

@@ -1,9 +1,9 @@
 #include "study/stage.h"
 
 #include "base/file.h"
-#include "base/log.h"
 #include "study/enclose.h"
 #include "study/extent.h"
+#include "study/stage_notes.h"
 #include "study/tallies.h"
 #include "study/winds.h"
 
@@ -236,24 +236,6 @@ static murk_portal *portals_of(const murk_scene *scene)
     return portal;
 }
 
-static void note_of_set(const murk_stage *stage)
-{
-    const murk_scene *scene = stage->scene;
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        const murk_scene_light *l = &scene->lights[i];
-        const bool is_body =
-            l->type == MURK_SCENE_LIGHT_SUN || l->type == MURK_SCENE_LIGHT_MOON;
-        const double elevation = stage->sky[i].elevation_deg;
-        if (is_body && !(elevation > 0)) {
-            murk_note(l->where,
-                      "the %s is %.3g degrees below the horizon: no light "
-                      "from it",
-                      l->type == MURK_SCENE_LIGHT_SUN ? "sun" : "moon",
-                      -elevation);
-        }
-    }
-}
-
 static murk_status build_lights(murk_stage *stage, murk_error *err)
 {
     const murk_scene *scene = stage->scene;
@@ -280,97 +262,6 @@ done:
     free(light);
     free(portal);
     return status;
-}
-
-static void warn_if_cut(const char *where, const murk_box *box,
-                        const murk_box *domain)
-{
-    if (box->min.x <= box->max.x && (!murk_box_contains(domain, box->min) ||
-                                     !murk_box_contains(domain, box->max))) {
-        murk_warn(where,
-                  "reaches out of the domain and is cut off there: it spans "
-                  "%.6g %.6g %.6g to %.6g %.6g %.6g m",
-                  box->min.x, box->min.y, box->min.z, box->max.x, box->max.y,
-                  box->max.z);
-    }
-}
-
-/* Nothing bends light in a side of the domain; where a periodic one joins the
- * cut of a region to what is not that region, it should. */
-static void warn_if_cut_once(const murk_stage *stage,
-                             const murk_scene_region *r, const murk_box *box)
-{
-    const murk_domain *domain = &stage->world.domain;
-    const murk_box *d = &domain->box;
-    const bool x = (box->min.x <= d->min.x) != (box->max.x >= d->max.x);
-    const bool y = (box->min.y <= d->min.y) != (box->max.y >= d->max.y);
-    if (domain->is_periodic && r->ior > 0 && (x || y)) {
-        murk_warn(r->where,
-                  "reaches one %c side of the periodic domain and not the "
-                  "other: light that wraps there changes its index of "
-                  "refraction without being bent",
-                  x ? 'x' : 'y');
-    }
-}
-
-static void warn_of_cuts(const murk_stage *stage)
-{
-    const murk_box *domain = &stage->world.domain.box;
-    const murk_scene *scene = stage->scene;
-    for (size_t i = 0; i < scene->geometries; ++i) {
-        const murk_box box =
-            murk_extent_geometry(&scene->geometry[i], stage->mesh[i]);
-        warn_if_cut(scene->geometry[i].where, &box, domain);
-    }
-    for (size_t i = 0; i < scene->n_regions; ++i) {
-        const murk_scene_region *r = &scene->regions[i];
-        if (murk_extent_is_bounded(r)) {
-            const murk_box box = murk_extent_region(
-                stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
-            warn_if_cut(r->where, &box, domain);
-            warn_if_cut_once(stage, r, &box);
-        }
-    }
-}
-
-/* Whether a region reaches any side of the domain. */
-static bool touches_sides(const murk_stage *stage, size_t i)
-{
-    const murk_scene_region *r = &stage->scene->regions[i];
-    const murk_box *domain = &stage->world.domain.box;
-    if (r->shape == MURK_SCENE_EVERYWHERE) {
-        return true;
-    }
-    if (r->shape == MURK_SCENE_BELOW) {
-        return r->below_z_m > domain->min.z;
-    }
-    const murk_box box = murk_extent_region(
-        stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
-    return box.min.x <= domain->min.x || box.max.x >= domain->max.x ||
-           box.min.y <= domain->min.y || box.max.y >= domain->max.y ||
-           box.min.z <= domain->min.z || box.max.z >= domain->max.z;
-}
-
-/* A medium that touches an open side goes on outside, as a rule, but takes
- * nothing from distant light on its way there. */
-static void warn_of_lit_sides(const murk_stage *stage)
-{
-    const murk_scene *scene = stage->scene;
-    bool is_lit = false;
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        is_lit |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
-    }
-    if (stage->world.domain.is_periodic || !is_lit ||
-        !murk_media_any(stage->media)) {
-        return;
-    }
-    for (size_t i = 0; i < scene->n_regions; ++i) {
-        if (touches_sides(stage, i)) {
-            murk_warn(scene->regions[i].where,
-                      "distant light meets a medium that touches an open "
-                      "side: it is unattenuated where it enters");
-        }
-    }
 }
 
 murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
@@ -433,15 +324,12 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     if (status) {
         return status;
     }
-    warn_of_cuts(stage);
-    warn_of_lit_sides(stage);
-    note_of_set(stage);
-    murk_warn_of_winds(scene);
     stage->world.surfaces = stage->surfaces;
     stage->world.media = stage->media;
     stage->world.hulls = stage->hulls;
     stage->world.lights = stage->lights;
     stage->world.bands = scene->bands;
+    murk_stage_tell(stage);
     return MURK_OK;
 }
 
