@@ -345,6 +345,15 @@ static murk_status say_one(const murk_options *options, murk_error *err)
 
 murk_status murk_command_media(const murk_options *options, murk_error *err)
 {
+    if (options->profile) {
+        return murk_command_media_profile(options, err);
+    }
+    if (options->out || options->column || options->rows || options->voxel ||
+        options->width) {
+        return murk_fail(err, MURK_BAD_VALUE, "media",
+                         "-o, --column, --rows, --voxel and --width need "
+                         "--profile");
+    }
     if (options->input) {
         return say_one(options, err);
     }

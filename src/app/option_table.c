@@ -3,9 +3,9 @@
 #include <string.h>
 
 const murk_option murk_option_table[] = {
-    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense",
+    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense media",
      "write the results into this folder; without it the summary is printed "
-     "and nothing is written"},
+     "and nothing is written (media: the file of a --profile's grid)"},
     {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
      "seed of all random numbers, 0..4294967295"},
     {MURK_OPTION_THREADS, "--threads", "-j", "N", NULL,
@@ -40,6 +40,17 @@ const murk_option murk_option_table[] = {
      "repeat.csv has a row a seed"},
     {MURK_OPTION_PHOTON, "--photon", NULL, "N", "replay",
      "index of the emitted photon, from 0"},
+    {MURK_OPTION_PROFILE, "--profile", NULL, "FILE", "media",
+     "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
+     "coefficient such as c_per_m) into a grid, -o FILE.vdb"},
+    {MURK_OPTION_COLUMN, "--column", NULL, "NAME", "media",
+     "the profile's coefficient, where there are several"},
+    {MURK_OPTION_ROWS, "--rows", NULL, "COLUMN=VALUE", "media",
+     "these rows of the profile only, such as one cast of many"},
+    {MURK_OPTION_VOXEL, "--voxel", NULL, "M", "media",
+     "height of the grid's voxels in m; default: a hundredth of the profile"},
+    {MURK_OPTION_WIDTH, "--width", NULL, "M", "media",
+     "width of the grid in x and y in m; default: 1000"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense",
      "use this light.murk instead of tracing; refused when the seed or a key "
      "that the light depends on differs"},

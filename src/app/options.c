@@ -48,7 +48,8 @@ const murk_command murk_commands[] = {
      "NAME says what that one means: its words with ranges and defaults, "
      "extinction, albedo and mean cosine by band, sources and doubts. --set "
      "visibility_m=50 gives a word (or albedo, extinction_per_m, phase), --set "
-     "bands_nm=[532] other bands.",
+     "bands_nm=[532] other bands. --profile FILE.csv -o FILE.vdb turns a "
+     "measured profile into a grid that holds its optical depth.",
      murk_command_media},
 };
 const size_t murk_commands_count = sizeof murk_commands / sizeof *murk_commands;
@@ -239,6 +240,21 @@ static murk_status apply(murk_options *out, const murk_option *option,
         break;
     case MURK_OPTION_MATRIX:
         out->matrix = value;
+        break;
+    case MURK_OPTION_PROFILE:
+        out->profile = value;
+        break;
+    case MURK_OPTION_COLUMN:
+        out->column = value;
+        break;
+    case MURK_OPTION_ROWS:
+        out->rows = value;
+        break;
+    case MURK_OPTION_VOXEL:
+        out->voxel = value;
+        break;
+    case MURK_OPTION_WIDTH:
+        out->width = value;
         break;
     case MURK_OPTION_EXPORT:
         return read_exports(out, name, value, err);

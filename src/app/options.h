@@ -35,8 +35,10 @@ struct murk_options {
     const char *light;   /* --light */
     const char *sensors; /* --sensors */
     const char *matrix;  /* --matrix */
-    unsigned exports;    /* --export: murk_export bits */
-    uint64_t repeat;     /* --repeat; 0: not given */
+    const char *profile; /* --profile; with it: */
+    const char *column, *rows, *voxel, *width;
+    unsigned exports; /* --export: murk_export bits */
+    uint64_t repeat;  /* --repeat; 0: not given */
     bool has_photon;
     uint64_t photon; /* --photon */
     unsigned threads;
@@ -70,5 +72,6 @@ murk_status murk_command_place(const murk_options *, murk_error *);
 murk_status murk_command_sense(const murk_options *, murk_error *);
 murk_status murk_command_replay(const murk_options *, murk_error *);
 murk_status murk_command_media(const murk_options *, murk_error *);
+murk_status murk_command_media_profile(const murk_options *, murk_error *);
 
 #endif

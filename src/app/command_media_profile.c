@@ -1,0 +1,87 @@
+/* murk media --profile: a measured profile as a grid. */
+#include "app/media_profile.h"
+#include "app/results.h"
+#include "scene/number.h"
+
+#include <stdio.h>
+
+/* An option that is a length, 0 where it is not given. */
+static murk_status read_length(const char *name, const char *text,
+                               double *length_m, murk_error *err)
+{
+    *length_m = 0;
+    if (!text) {
+        return MURK_OK;
+    }
+    if (!murk_number_parse(text, length_m) ||
+        !(*length_m > 0 && *length_m <= MURK_PROFILE_LENGTH_MAX_M)) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%.80s, must be more than 0 and at most %g m", text,
+                         MURK_PROFILE_LENGTH_MAX_M);
+    }
+    return MURK_OK;
+}
+
+static murk_status print_json(const murk_profile_layers *l, const char *path,
+                              murk_error *err)
+{
+    cJSON *root = murk_json_begin_murk();
+    cJSON_AddStringToObject(root, "profile", l->csv);
+    cJSON_AddStringToObject(root, "column", l->column);
+    cJSON_AddNumberToObject(root, "rows", (double)l->rows);
+    cJSON_AddStringToObject(root, "grid", path);
+    cJSON_AddNumberToObject(root, "voxels", (double)l->n);
+    murk_json_number(root, "voxel_m", l->voxel_m);
+    murk_json_number(root, "width_m", l->width_m);
+    murk_json_number(root, "top_m", l->top_m);
+    murk_json_number(root, "optical_depth", l->depth);
+    char *text = root ? cJSON_Print(root) : NULL;
+    cJSON_Delete(root);
+    if (!text) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
+    }
+    puts(text);
+    cJSON_free(text);
+    return MURK_OK;
+}
+
+murk_status murk_command_media_profile(const murk_options *options,
+                                       murk_error *err)
+{
+    murk_profile_wish wish = {.csv = options->profile,
+                              .column = options->column,
+                              .rows = options->rows};
+    if (options->input) {
+        return murk_fail(err, MURK_BAD_VALUE, "media",
+                         "%.80s and --profile, must be one of them",
+                         options->input);
+    }
+    if (!options->out) {
+        return murk_fail(err, MURK_BAD_VALUE, "--profile",
+                         "misses -o, must be the name of the grid's file");
+    }
+    murk_status status =
+        read_length("--voxel", options->voxel, &wish.voxel_m, err);
+    if (!status) {
+        status = read_length("--width", options->width, &wish.width_m, err);
+    }
+    if (status) {
+        return status;
+    }
+    murk_profile_layers layers;
+    status = murk_profile_layers_read(&layers, &wish, err);
+    if (!status) {
+        status = murk_profile_layers_write(&layers, options->out, err);
+    }
+    if (!status && options->json) {
+        status = print_json(&layers, options->out, err);
+    } else if (!status && !options->quiet) {
+        printf("%s: %s of %zu rows, %.6g down to %.6g m, optical depth %.7g\n"
+               "%s: grid density [1/m], %zu voxels of %.6g m, %.6g m wide\n",
+               layers.csv, layers.column, layers.rows, layers.top_m,
+               layers.bottom_m, layers.depth, options->out, layers.n,
+               layers.voxel_m, layers.width_m);
+    }
+    murk_profile_layers_release(&layers);
+    return status;
+}

@@ -1,0 +1,109 @@
+#!/bin/sh
+# make_media writes grids that murk reads where it should, the same on each run,
+# sequences for `frame`; murk media --profile makes a grid of the right depth; both
+# refuse what cannot be on one line.
+# usage: media.sh MURK MAKE_MEDIA
+set -eu
+murk=$1
+make=$2
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+
+scene() { # FILE KEYS-OF-THE-MEDIUM
+    cat >"$dir/scene.yaml" <<YAML
+murk: 1
+bands_nm: [532]
+domain: {min_m: [0, 0, -50], max_m: [40, 40, 50]}
+media: {cloud: {vdb: $1, extinction_per_m: 0.1, albedo: 0.9$2}}
+regions: [{medium: cloud}]
+lights: [{type: point, position_m: [20, 20, 20], power_w: 1}]
+photons: {emit: 200}
+YAML
+}
+
+for kind in fog-bank rain-shafts plume chlorophyll; do
+    for n in 1 2; do
+        "$make" $kind -o "$dir/$kind.vdb" --size 20,20,20 --voxel 2 >/dev/null
+        scene "$dir/$kind.vdb" ""
+        "$murk" trace "$dir/scene.yaml" --quiet -o "$dir/$kind$n"
+    done
+    # the file's id differs, what is in it does not
+    python3 - "$dir/${kind}1/ledger.json" "$dir/${kind}2/ledger.json" <<'PYTHON'
+import json, sys
+one, two = (json.load(open(path)) for path in sys.argv[1:])
+one.pop("run"), two.pop("run"), one.pop("scene_sha256", 0), two.pop("scene_sha256", 0)
+assert one == two, "differs from run to run"
+assert one["collisions"] > 0, "nothing in the way"
+PYTHON
+done
+
+"$make" fog-bank -o "$dir/fog.####.vdb" --size 20,20,20 --voxel 2 --frames 3 --step 5 >"$dir/made"
+[ "$(wc -l <"$dir/made")" = 3 ]
+for frame in 1 3; do
+    scene "$dir/fog.####.vdb" ", frame: $frame"
+    "$murk" trace "$dir/scene.yaml" --quiet -o "$dir/frame$frame"
+done
+cmp -s "$dir/frame1/light.murk" "$dir/frame3/light.murk" && { echo "frames are alike"; exit 1; }
+
+# a profile: what is read, and straight down through the grid e^-2.4 is left
+printf '# a cast\nstation,depth[m],c532[1/m],c514[1/m]\n' >"$dir/casts.csv"
+printf 'A,%s,%s,9\n' 0 .1 2 .3 10 .2 >>"$dir/casts.csv"
+printf 'B,%s,%s,9\n' 0 .1 2 .3 >>"$dir/casts.csv"
+profile="--profile $dir/casts.csv -o $dir/cast.vdb --column c532[1/m] --rows station=A"
+"$murk" media $profile --voxel 0.3 >"$dir/said"
+grep -q "3 rows, 0 down to -10 m, optical depth 2.4$" "$dir/said" || { cat "$dir/said"; exit 1; }
+grep -q "34 voxels of 0.3 m, 1000 m wide" "$dir/said"
+"$murk" media $profile --format json | python3 -c '
+import json, sys
+said = json.load(sys.stdin)
+assert said["voxels"] == 100 and abs(said["optical_depth"] - 2.4) < 1e-12, said'
+scene "$dir/cast.vdb" ""
+sed -i 's/0.1, albedo: 0.9/1, albedo: 0/; s/^lights.*/lights: [{type: beam, origin_m: [20, 20, 20], direction: [0, 0, -1], power_w: 1}]/
+        s/emit: 200/emit: 20000/' "$dir/scene.yaml"
+"$murk" trace "$dir/scene.yaml" --quiet -o "$dir/cast"
+python3 - "$dir/cast/ledger.json" <<'PYTHON'
+import json, math, sys
+left = json.load(open(sys.argv[1]))["escaped_w"]["total"]
+want = math.exp(-2.4)
+# 6 sigma of 20000 photons: once in 5e8 seeds
+assert abs(left - want) < 6 * math.sqrt(want * (1 - want) / 20000), (left, want)
+PYTHON
+
+refused_by_murk() { # TEXT ARGUMENTS...
+    text=$1
+    shift
+    state=0
+    "$murk" media "$@" >"$dir/out" 2>"$dir/err" || state=$?
+    [ $state = 2 ] && [ "$(wc -l <"$dir/err")" = 1 ] && grep -qF -- "$text" "$dir/err" ||
+        { echo "murk media $*: $state"; cat "$dir/err"; exit 1; }
+}
+refused_by_murk "misses -o" --profile "$dir/casts.csv"
+refused_by_murk "must be one of them" fog/kim $profile
+refused_by_murk "need --profile" --voxel 2
+refused_by_murk "--voxel: 0, must be more than 0" $profile --voxel 0
+refused_by_murk "--width: 1m, must be more than 0" $profile --width 1m
+refused_by_murk "casts.csv:6: depth[m]: 0 after 10, must go one way" \
+    --profile "$dir/casts.csv" -o "$dir/x.vdb" --column "c532[1/m]"
+refused_by_murk "no-such.csv" --profile "$dir/no-such.csv" -o "$dir/x.vdb"
+[ ! -e "$dir/x.vdb" ]
+
+refused() { # TEXT ARGUMENTS...
+    text=$1
+    shift
+    state=0
+    "$make" "$@" >"$dir/out" 2>"$dir/err" || state=$?
+    [ $state = 2 ] && [ "$(wc -l <"$dir/err")" = 1 ] && grep -qF -- "$text" "$dir/err" ||
+        { echo "make_media $*: $state"; cat "$dir/err"; exit 1; }
+}
+refused "fgo-bank, must be fog-bank" fgo-bank -o x.vdb
+refused "-o: nothing" plume
+refused "followed by its value" plume -o
+refused "X,Y,Z" plume -o x.vdb --size 3,4
+refused "each 1..65536" plume -o x.vdb --size 3,0,4
+refused "2e8 voxels at most" plume -o x.vdb --size 60000,60000,2
+refused "1e-6..1e9 m" plume -o x.vdb --voxel nan
+refused "0..4294967295" plume -o x.vdb --seed -1
+refused "current_m_per_s: 0, must be 0.001..10" plume -o x.vdb current_m_per_s=0
+refused "wind=3: no such number" plume -o x.vdb wind=3
+refused "a pattern such as" plume -o "$dir/x.vdb" --frames 2
+echo "four kinds, three frames, a profile, eighteen refusals"
