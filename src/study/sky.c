@@ -132,6 +132,26 @@ static murk_status shines(bool *out, const murk_scene *scene,
 
 /* ---- how much comes ---- */
 
+/* Beyond its ends a spectrum has no light, which is no more than its model's
+ * silence. */
+static void warn_beyond(const murk_scene *scene, const murk_scene_light *light,
+                        const murk_solar_spectrum *spectrum)
+{
+    const double first = spectrum->nm[0],
+                 last = spectrum->nm[spectrum->nodes - 1];
+    for (int b = 0; scene->has_edges && b < scene->bands; ++b) {
+        const double from = scene->band_edge_nm[b],
+                     to = scene->band_edge_nm[b + 1];
+        if (from < first || to > last) {
+            murk_warn(light->where,
+                      "band %g..%g nm reaches beyond %g..%g nm, for which its "
+                      "spectrum is known: there it is taken as dark",
+                      from, to, first, last);
+            return;
+        }
+    }
+}
+
 /* A model's irradiance over all wavelengths [W/m2], spread over the bands; or
  * the light's own, where it has one. */
 static murk_spectrum spread(const murk_scene *scene,
@@ -143,6 +163,7 @@ static murk_spectrum spread(const murk_scene *scene,
     if (light->has_irradiance && !light->irradiance_total) {
         return out;
     }
+    warn_beyond(scene, light, spectrum);
     double all = 0;
     for (int b = 0; b < scene->bands; ++b) {
         out.band[b] =

@@ -1,9 +1,11 @@
 /* Lights by place and time: what a scene's words become in the light room.
  * Nothing here is random. */
+#include "base/log.h"
 #include "check.h"
 #include "stage_text.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define HEAD                                                    \
     "murk: 1\nband_edges_nm: [400, 500, 600, 700]\n"            \
@@ -156,6 +158,36 @@ static void test_schedules(void)
     }
 }
 
+static int warnings;
+
+static void count_spectrum(const char *where, const char *text)
+{
+    (void)where;
+    warnings += strstr(text, "for which its spectrum is known") != NULL;
+}
+
+/* No light is made up beyond a spectrum's ends, nor left out in silence. */
+static void test_bands_beyond_the_spectrum(void)
+{
+    static const struct {
+        const char *edges;
+        int warnings;
+    } cases[] = {{"band_edges_nm=[400, 500, 600, 700]", 0},
+                 {"band_edges_nm=[300, 500, 600, 4000]", 0},
+                 {"band_edges_nm=[200, 500, 600, 700]", 1},
+                 {"band_edges_nm=[4900, 5000, 5100, 5200]", 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const char *const edges[] = {cases[i].edges, NULL};
+        warnings = 0;
+        murk_warn_to(count_spectrum);
+        murk_stage *stage = stage_at("12:00", "  - {type: sun}\n", edges);
+        murk_warn_to(murk_warn_to_stderr);
+        CHECK(stage != NULL);
+        CHECK(warnings == cases[i].warnings);
+        stage_text_destroy(stage);
+    }
+}
+
 int main(void)
 {
     test_noon();
@@ -164,5 +196,6 @@ int main(void)
     test_cover();
     test_given_irradiance();
     test_schedules();
+    test_bands_beyond_the_spectrum();
     return check_done();
 }
