@@ -50,7 +50,7 @@
 
 #define MURK_TIME_ALLOWED "a date and time, such as 2026-06-21T12:00:00Z"
 #define MURK_SCHEDULE_ALLOWED \
-    "always, night, never, or a list of spans such as [06:00, 22:00]"
+    "always, night, never, or a list of spans such as [[06:00, 22:00]]"
 
 /* One table per part of a scene; keys.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,

@@ -61,7 +61,12 @@ static murk_status find(murk_body *out, body_finder at,
     murk_error told = {0};
     const murk_status status =
         at(out, &observer, murk_julian_date(site->unix_s), &told);
-    return status ? murk_fail(err, status, where, "%s", told.text) : MURK_OK;
+    if (!status) {
+        return MURK_OK;
+    }
+    char time[MURK_TIME_SIZE];
+    murk_time_print(time, site->unix_s, site->zone_min);
+    return murk_fail(err, status, where, "at %s: %s", time, told.text);
 }
 
 /* From the ground to a body, for a scene's north. */

@@ -54,9 +54,9 @@ static void test_the_sky(void)
 #define LAMP_BY                                                        \
     HEAD "lights:\n  - {type: point, position_m: [0, 0, 0], power_w: " \
          "1, schedule: "
-#define SCHEDULES                                                         \
-    ", must be always, night, never, or a list of spans such as [06:00, " \
-    "22:00]"
+#define SCHEDULES                                                 \
+    ", must be always, night, never, or a list of spans such as " \
+    "[[06:00, 22:00]]"
 
 static void test_schedules(void)
 {
