@@ -1,11 +1,10 @@
 #include "base/child.h"
 
-#include "base/interrupt.h"
+#include "base/pipe.h"
 #include "base/progress.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -39,28 +38,11 @@ struct murk_child {
     int fd;
 };
 
-static bool write_all(int fd, const void *bytes, size_t size)
-{
-    const char *at = bytes;
-    while (size > 0) {
-        const ssize_t n = write(fd, at, size);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n <= 0) {
-            return false;
-        }
-        at += n;
-        size -= (size_t)n;
-    }
-    return true;
-}
-
 murk_status murk_child_send(murk_child *child, const void *bytes, size_t size)
 {
     const head h = {CHUNK, MURK_OK, size};
-    return write_all(child->fd, &h, sizeof h) &&
-                   write_all(child->fd, bytes, size)
+    return murk_pipe_write(child->fd, &h, sizeof h) &&
+                   murk_pipe_write(child->fd, bytes, size)
                ? MURK_OK
                : MURK_RUN_FAILED;
 }
@@ -118,8 +100,8 @@ static _Noreturn void be_child(int fd, murk_child_work work, void *context,
     murk_error err = {0};
     const murk_status status = work(&child, context, &err);
     const head h = {END, (uint32_t)status, sizeof err};
-    const bool sent =
-        write_all(fd, &h, sizeof h) && write_all(fd, &err, sizeof err);
+    const bool sent = murk_pipe_write(fd, &h, sizeof h) &&
+                      murk_pipe_write(fd, &err, sizeof err);
     _exit(sent ? 0 : 1); /* no atexit handlers: the file may have hurt them */
 }
 
@@ -129,41 +111,12 @@ typedef struct inbox {
 } inbox;
 
 typedef enum verdict {
-    RECEIVED,
-    CUT_SHORT,
-    TOO_LONG,
-    TOO_MUCH,
-    STOPPED
+    RECEIVED = MURK_PIPE_RECEIVED,
+    CUT_SHORT = MURK_PIPE_CUT_SHORT,
+    TOO_LONG = MURK_PIPE_TOO_LONG,
+    STOPPED = MURK_PIPE_STOPPED,
+    TOO_MUCH
 } verdict;
-
-/* Reads exactly size bytes or says why not. */
-static verdict read_all(int fd, void *bytes, size_t size, double deadline_s)
-{
-    char *at = bytes;
-    while (size > 0) {
-        struct pollfd ready = {.fd = fd, .events = POLLIN};
-        const int n_ready = poll(&ready, 1, 100);
-        if (murk_interrupted()) {
-            return STOPPED;
-        }
-        if (murk_clock_s() > deadline_s) {
-            return TOO_LONG;
-        }
-        if (n_ready <= 0) {
-            continue;
-        }
-        const ssize_t n = read(fd, at, size);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n <= 0) {
-            return CUT_SHORT;
-        }
-        at += n;
-        size -= (size_t)n;
-    }
-    return RECEIVED;
-}
 
 static verdict make_room(inbox *in, uint64_t more, uint64_t most)
 {
@@ -190,19 +143,20 @@ static verdict receive(int fd, inbox *in, const murk_child_limits *limits,
     const double deadline_s = murk_clock_s() + 2.0 * limits->seconds;
     for (;;) {
         head h;
-        verdict v = read_all(fd, &h, sizeof h, deadline_s);
+        verdict v = (verdict)murk_pipe_read(fd, &h, sizeof h, deadline_s);
         if (v != RECEIVED) {
             return v;
         }
         if (h.kind == END && h.size == sizeof *err) {
-            return read_all(fd, err, sizeof *err, deadline_s);
+            return (verdict)murk_pipe_read(fd, err, sizeof *err, deadline_s);
         }
         if (h.kind != CHUNK) {
             return CUT_SHORT;
         }
         v = make_room(in, h.size, limits->handed_bytes);
         if (v == RECEIVED) {
-            v = read_all(fd, in->bytes + in->size, (size_t)h.size, deadline_s);
+            v = (verdict)murk_pipe_read(fd, in->bytes + in->size,
+                                        (size_t)h.size, deadline_s);
         }
         if (v != RECEIVED) {
             return v;

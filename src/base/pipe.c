@@ -1,0 +1,54 @@
+#include "base/pipe.h"
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <unistd.h>
+
+bool murk_pipe_write(int fd, const void *bytes, size_t size)
+{
+    const char *at = bytes;
+    while (size > 0) {
+        const ssize_t n = write(fd, at, size);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return false;
+        }
+        at += n;
+        size -= (size_t)n;
+    }
+    return true;
+}
+
+murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
+                                 double deadline_s)
+{
+    char *at = bytes;
+    while (size > 0) {
+        struct pollfd ready = {.fd = fd, .events = POLLIN};
+        const int n_ready = poll(&ready, 1, 100);
+        if (murk_interrupted()) {
+            return MURK_PIPE_STOPPED;
+        }
+        if (murk_clock_s() > deadline_s) {
+            return MURK_PIPE_TOO_LONG;
+        }
+        if (n_ready <= 0) {
+            continue;
+        }
+        const ssize_t n = read(fd, at, size);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return MURK_PIPE_CUT_SHORT;
+        }
+        at += n;
+        size -= (size_t)n;
+    }
+    return MURK_PIPE_RECEIVED;
+}
