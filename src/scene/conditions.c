@@ -3,18 +3,19 @@
 #include "scene/override.h"
 #include "scene/scene.h"
 #include "scene/walk.h"
+#include "scene/words.h"
 
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Takes the map of the condition out of the tree, and all that is said of
- * conditions. NULL when out of memory. */
+/* Takes the map of the condition (NULL: none) out of the tree, and all that is
+ * said of conditions. NULL when out of memory. */
 static murk_yaml *take_out(murk_yaml *root, const char *name)
 {
-    murk_yaml *all = murk_yaml_get(root, "conditions");
-    murk_yaml *map = murk_yaml_copy(murk_yaml_get(all, name));
+    const murk_yaml *all = murk_yaml_get(root, "conditions");
+    murk_yaml *map = name ? murk_yaml_copy(murk_yaml_get(all, name)) : NULL;
     murk_yaml_remove(root, "conditions");
     murk_yaml *placement = murk_yaml_get(root, "placement");
     if (placement && placement->kind == MURK_YAML_MAP) {
@@ -50,6 +51,39 @@ murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
         *out = (murk_condition_values){value, map->n};
     }
     murk_yaml_destroy(map);
+    return status;
+}
+
+static murk_status unknown(const murk_yaml *root, const murk_yaml *all,
+                           const char *name, murk_error *err)
+{
+    char shown[MURK_SCENE_NAME_SIZE];
+    murk_words_show(shown, sizeof shown, name);
+    const char *meant =
+        all ? murk_words_meant(name, (const char *const *)all->key, all->n)
+            : NULL;
+    return murk_fail(err, MURK_BAD_VALUE, root->source,
+                     "conditions: %s is none of them%s%s%s", shown,
+                     meant ? ", did you mean " : "", meant ? meant : "",
+                     meant ? "?" : "");
+}
+
+murk_status murk_condition_leave(murk_yaml *root, const char *name,
+                                 murk_error *err)
+{
+    murk_condition_values values = {0};
+    const murk_yaml *all = murk_yaml_get(root, "conditions");
+    const murk_yaml *map = name && all ? murk_yaml_get(all, name) : NULL;
+    if (!name) {
+        murk_yaml_destroy(take_out(root, NULL));
+        return MURK_OK;
+    }
+    if (!map || map->kind != MURK_YAML_MAP) {
+        return unknown(root, all && all->kind == MURK_YAML_MAP ? all : NULL,
+                       name, err);
+    }
+    const murk_status status = murk_condition_apply(&values, root, name, err);
+    free(values.value);
     return status;
 }
 

@@ -16,6 +16,11 @@ typedef struct murk_condition_values {
 murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
                                  const char *name, murk_error *err);
 
+/* Leaves one of its conditions in the scene's tree, as given, or with NULL none
+ * of them. Refuses a name that is none. */
+murk_status murk_condition_leave(murk_yaml *root, const char *name,
+                                 murk_error *err);
+
 /* Writes the values, once their tree is walked, over those of the condition in
  * the scene's own tree. False when out of memory. */
 bool murk_condition_put_back(murk_yaml *root, const char *name,

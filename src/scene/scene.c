@@ -11,6 +11,8 @@
 #include "scene/medium_preset.h"
 #include "scene/override.h"
 #include "scene/print.h"
+#include "scene/value.h"
+#include "scene/variant.h"
 #include "scene/walk.h"
 
 /* What lives as long as the tree does. */
@@ -112,9 +114,7 @@ static murk_status drop_folder(murk_yaml *node)
 static murk_status make_absolute(murk_yaml *node, const murk_yaml *root,
                                  const char *scene_path)
 {
-    char *opened = node->source == root->source
-                       ? murk_path_beside(scene_path, node->text)
-                       : strdup(node->text);
+    char *opened = murk_value_opened(node, root, scene_path);
     char *full = opened ? absolute(opened) : NULL;
     const bool is_set = full && murk_yaml_set_text(node, full);
     free(opened);
@@ -128,17 +128,40 @@ static bool is_of_light(const char *key)
     return row && row->lights;
 }
 
+static bool is_of_world(const char *key)
+{
+    return is_of_light(key) && strcmp(key, "lights") != 0 &&
+           strcmp(key, "site") != 0;
+}
+
 /* The texts that need the tree. Paths are rewritten on the way: first as the
  * resolved scene has them, then as the light's key does. */
 static murk_status print_resolved(const murk_walk *walk, murk_scene *scene)
 {
+    scene->file = calloc(walk->n_paths + 1, sizeof *scene->file);
+    if (!scene->file) {
+        return MURK_NO_MEMORY;
+    }
     for (size_t i = 0; i < walk->n_paths; ++i) {
-        if (make_absolute(walk->paths[i], walk->root, scene->path)) {
+        if (make_absolute(walk->paths[i], walk->root, scene->path) ||
+            !(scene->file[i] = strdup(walk->paths[i]->text))) {
             return MURK_NO_MEMORY;
         }
+        ++scene->files;
     }
     scene->resolved = murk_print_file(walk->root, NULL);
     return scene->resolved ? MURK_OK : MURK_NO_MEMORY;
+}
+
+static bool append(char **text, const char *more)
+{
+    const size_t old = strlen(*text), size = strlen(more) + 1;
+    char *grown = realloc(*text, old + size);
+    if (grown) {
+        memcpy(grown + old, more, size);
+        *text = grown;
+    }
+    return grown != NULL;
 }
 
 static murk_status print_light_key(const murk_walk *walk, murk_scene *scene)
@@ -149,8 +172,15 @@ static murk_status print_light_key(const murk_walk *walk, murk_scene *scene)
         }
     }
     scene->light_key = murk_print_file(walk->root, is_of_light);
-    return scene->light_key && murk_medium_preset_sign(scene) ? MURK_OK
-                                                              : MURK_NO_MEMORY;
+    scene->world_key = murk_print_file(walk->root, is_of_world);
+    if (!scene->light_key || !scene->world_key) {
+        return MURK_NO_MEMORY;
+    }
+    const size_t printed = strlen(scene->light_key);
+    return murk_medium_preset_sign(scene) &&
+                   append(&scene->world_key, scene->light_key + printed)
+               ? MURK_OK
+               : MURK_NO_MEMORY;
 }
 
 /* ---- scenes ---- */
@@ -226,16 +256,37 @@ static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
     return status;
 }
 
-/* Of what has been read already. */
+/* Turns the tree into that of a variant. */
+static murk_status apply_variant(reading *r, const murk_variant *variant,
+                                 murk_error *err)
+{
+    murk_status status = murk_condition_leave(r->root, variant->condition, err);
+    murk_yaml **own = calloc(variant->n + 1, sizeof *own);
+    if (!status && !own) {
+        status = no_memory(r->root->source, err);
+    }
+    for (size_t i = 0; !status && i < variant->n; ++i) {
+        const murk_change *change = &variant->change[i];
+        own[i] = murk_yaml_copy(change->value);
+        status = own[i] ? murk_override_put(r->root, change->path, own[i],
+                                            change->where, own, i, err)
+                        : no_memory(r->root->source, err);
+    }
+    free(own);
+    return status;
+}
+
+/* Of what has been read already; variant NULL: the scene itself. */
 static murk_status read_text(reading *r, murk_scene **out, const char *path,
                              const murk_override *overrides, size_t n_overrides,
-                             murk_error *err)
+                             const murk_variant *variant, murk_error *err)
 {
     murk_scene *scene = NULL;
     char sha256[65];
     murk_status status = murk_yaml_parse(&r->root, r->text, r->size, path, err);
     if (status ||
-        (status = apply_overrides(r, path, overrides, n_overrides, err))) {
+        (status = apply_overrides(r, path, overrides, n_overrides, err)) ||
+        (variant && (status = apply_variant(r, variant, err)))) {
         goto done;
     }
     murk_sha256_hex(r->text, r->size, sha256);
@@ -251,18 +302,29 @@ done:
     return status;
 }
 
-murk_status murk_scene_read(murk_scene **out, const char *path,
-                            const murk_override *overrides, size_t n_overrides,
-                            murk_error *err)
+murk_status murk_scene_read_variant(murk_scene **out, const char *path,
+                                    const murk_override *overrides,
+                                    size_t n_overrides,
+                                    const murk_variant *variant,
+                                    murk_error *err)
 {
     reading r = {0};
     murk_status status =
         murk_file_read(&r.text, &r.size, path, MURK_YAML_MOST_BYTES, err);
     if (!status) {
-        status = read_text(&r, out, path, overrides, n_overrides, err);
+        status =
+            read_text(&r, out, path, overrides, n_overrides, variant, err);
     }
     release(&r);
     return status;
+}
+
+murk_status murk_scene_read(murk_scene **out, const char *path,
+                            const murk_override *overrides, size_t n_overrides,
+                            murk_error *err)
+{
+    return murk_scene_read_variant(out, path, overrides, n_overrides, NULL,
+                                   err);
 }
 
 murk_status murk_scene_parse(murk_scene **out, const char *text,
@@ -271,7 +333,7 @@ murk_status murk_scene_parse(murk_scene **out, const char *text,
 {
     reading r = {.text = strdup(text), .size = strlen(text)};
     const murk_status status =
-        r.text ? read_text(&r, out, path, overrides, n_overrides, err)
+        r.text ? read_text(&r, out, path, overrides, n_overrides, NULL, err)
                : no_memory(path, err);
     release(&r);
     return status;
@@ -353,6 +415,11 @@ void murk_scene_destroy(murk_scene *scene)
     free(scene->tallies);
     free(scene->resolved);
     free(scene->light_key);
+    free(scene->world_key);
+    for (size_t i = 0; i < scene->files; ++i) {
+        free(scene->file[i]);
+    }
+    free(scene->file);
     free(scene->path);
     free(scene);
 }

@@ -509,6 +509,11 @@ struct murk_scene {
                         by their name without folder: with the checksums of
                         those files, two scenes give the same light when these
                         are equal */
+    char *world_key; /* the light's key without its lights: where these are
+                        equal, light differs by the lights alone */
+    char **file; /* [files] that the scene names, by absolute path; a pattern of
+                    frames as it is written */
+    size_t files;
 };
 
 /* One --set, or an option that is one ("seed=3"). */

@@ -302,8 +302,17 @@ static murk_status read_text(murk_walk *walk, const murk_key *key,
     return *out ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-/* Files in a scene lie beside it; on the command line, from the working
- * folder. */
+char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
+                        const char *scene_path)
+{
+    if (node->source == root->source) {
+        return murk_path_beside(scene_path, node->text);
+    }
+    return strncmp(node->source, "--", 2) == 0
+               ? strdup(node->text)
+               : murk_path_beside(node->source, node->text);
+}
+
 static murk_status read_path(murk_walk *walk, const murk_key *key,
                              murk_yaml *node, char **out)
 {
@@ -319,9 +328,7 @@ static murk_status read_path(murk_walk *walk, const murk_key *key,
     }
     walk->paths = paths;
     walk->paths[walk->n_paths++] = node;
-    const bool is_of_scene = node->source == walk->root->source;
-    *out = is_of_scene ? murk_path_beside(walk->scene->path, node->text)
-                       : strdup(node->text);
+    *out = murk_value_opened(node, walk->root, walk->scene->path);
     return *out ? MURK_OK : murk_walk_no_memory(walk);
 }
 

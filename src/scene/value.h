@@ -24,6 +24,12 @@ murk_status murk_value_wrong(murk_walk *walk, const murk_key *key,
 murk_status murk_value_word(murk_walk *walk, const murk_key *key,
                             murk_yaml *node, int *value);
 
+/* The file that a node names, as it is to be opened: in a scene it lies beside
+ * it, on the command line it is seen from the working folder, in any other file
+ * it lies beside that. NULL when out of memory; free() it. */
+char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
+                        const char *scene_path);
+
 /* Stores an enum, bool or char. */
 void murk_value_store(void *item, size_t at, size_t size, int value);
 

@@ -1,0 +1,463 @@
+#include "scene/study_axes.h"
+
+#include "base/calendar.h"
+#include "scene/number.h"
+#include "scene/print.h"
+#include "scene/value.h"
+#include "scene/words.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define KEY_SIZE 160
+
+murk_status murk_study_fail(const murk_yaml *node, const char *key, bool at_key,
+                            murk_error *err, const char *format, ...)
+{
+    char text[512];
+    murk_scene_where where;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    murk_walk_where(node, key, at_key, where);
+    return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
+}
+
+murk_status murk_study_no_memory(const char *path, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the study");
+}
+
+/* An axis while it is read. */
+typedef struct reading {
+    murk_study_axis *axis;
+    const murk_yaml *node;
+    char key[KEY_SIZE];
+    murk_error *err;
+} reading;
+
+static murk_status fail(const reading *r, const murk_yaml *node,
+                        const char *text)
+{
+    return murk_study_fail(node, r->key, node == r->node, r->err, "%s", text);
+}
+
+static murk_status no_memory(const reading *r)
+{
+    return murk_study_no_memory(r->axis->where, r->err);
+}
+
+/* Takes value and text, also where it fails. */
+static murk_status put(const reading *r, size_t i, murk_yaml *value, char *text)
+{
+    r->axis->value[i] = value;
+    r->axis->text[i] = text;
+    return value && text ? MURK_OK : no_memory(r);
+}
+
+static murk_status make_room(const reading *r, size_t n)
+{
+    if (n < 1 || n > MURK_STUDY_ROWS_MAX) {
+        return murk_study_fail(r->node, r->key, true, r->err,
+                               "%zu values, must be 1..%d", n,
+                               MURK_STUDY_ROWS_MAX);
+    }
+    r->axis->value = calloc(n, sizeof *r->axis->value);
+    r->axis->text = calloc(n, sizeof *r->axis->text);
+    r->axis->n = r->axis->value && r->axis->text ? n : 0;
+    return r->axis->n ? MURK_OK : no_memory(r);
+}
+
+/* ---- lists and names ---- */
+
+static murk_status read_list(const reading *r)
+{
+    murk_status status = make_room(r, r->node->n);
+    for (size_t i = 0; !status && i < r->node->n; ++i) {
+        const murk_yaml *item = r->node->child[i];
+        status = put(r, i, murk_yaml_copy(item),
+                     item->kind == MURK_YAML_SCALAR ? strdup(item->text)
+                                                    : murk_print_flow(item));
+    }
+    return status;
+}
+
+static murk_status read_names(const reading *r)
+{
+    murk_status status = make_room(r, r->node->n);
+    for (size_t i = 0; !status && i < r->node->n; ++i) {
+        const murk_yaml *item = r->node->child[i];
+        if (item->kind != MURK_YAML_MAP && !murk_yaml_is_null(item)) {
+            char found[MURK_FOUND_SIZE];
+            murk_value_found(item, found);
+            return murk_study_fail(item, r->key, true, r->err,
+                                   "%s, must be a map of keys and values, or "
+                                   "from, to and steps",
+                                   found);
+        }
+        murk_yaml *copy = murk_yaml_copy(item);
+        if (copy && copy->kind != MURK_YAML_MAP) {
+            murk_yaml_clear(copy);
+            copy->kind = MURK_YAML_MAP;
+        }
+        status = put(r, i, copy, strdup(r->node->key[i]));
+    }
+    return status;
+}
+
+/* ---- ranges ---- */
+
+typedef enum range_scale { NUMBERS, TIMES, DATES, CLOCKS } range_scale;
+
+typedef struct range {
+    range_scale scale;
+    double from, to;
+    int zone_min; /* of TIMES */
+    bool is_log;
+    size_t steps;
+} range;
+
+/* One end of a range, on whichever scale it is. */
+static bool read_end(const murk_yaml *node, range_scale *scale, double *value,
+                     int *zone_min)
+{
+    murk_date date;
+    double local_s;
+    bool has_zone = false;
+    if (!node || node->kind != MURK_YAML_SCALAR) {
+        return false;
+    }
+    if (murk_yaml_number(node, value)) {
+        *scale = NUMBERS;
+        return true;
+    }
+    if (murk_date_read(node->text, &date)) {
+        *scale = DATES;
+        *value = murk_date_days(date);
+        return true;
+    }
+    if (murk_clock_read(node->text, value)) {
+        *scale = CLOCKS;
+        return true;
+    }
+    if (murk_time_read(node->text, &local_s, &has_zone, zone_min) && has_zone) {
+        *scale = TIMES;
+        *value = local_s - 60. * *zone_min;
+        return true;
+    }
+    return false;
+}
+
+static murk_status read_ends(const reading *r, range *out)
+{
+    const murk_yaml *from = murk_yaml_get(r->node, "from"),
+                    *to = murk_yaml_get(r->node, "to");
+    range_scale scale_to = NUMBERS;
+    int zone_to = 0;
+    if (!read_end(from, &out->scale, &out->from, &out->zone_min) ||
+        !read_end(to, &scale_to, &out->to, &zone_to) ||
+        scale_to != out->scale) {
+        return fail(r, r->node,
+                    "from and to, must be two numbers, two times with their "
+                    "zone (2026-06-21T00:00:00+02:00), two dates or two times "
+                    "of day");
+    }
+    if (out->is_log &&
+        !(out->scale == NUMBERS && out->from > 0 && out->to > 0)) {
+        return fail(r, r->node,
+                    "spacing: log, from and to must be numbers above 0");
+    }
+    return MURK_OK;
+}
+
+static murk_status read_range_keys(const reading *r, range *out)
+{
+    static const char *const names[] = {"from", "to", "steps", "spacing"};
+    for (size_t i = 0; i < r->node->n; ++i) {
+        const char *meant = murk_words_meant(r->node->key[i], names, 4);
+        if (!meant || strcmp(meant, r->node->key[i]) != 0) {
+            return murk_study_fail(r->node->child[i], r->key, true, r->err,
+                                   "%s is no key of a range, which has from, "
+                                   "to, steps and spacing",
+                                   r->node->key[i]);
+        }
+    }
+    const murk_yaml *steps = murk_yaml_get(r->node, "steps"),
+                    *spacing = murk_yaml_get(r->node, "spacing");
+    uint64_t n = 0;
+    if (!steps || !murk_yaml_count(steps, &n) || n < 1 ||
+        n > MURK_STUDY_ROWS_MAX) {
+        char found[MURK_FOUND_SIZE] = "nothing";
+        if (steps) {
+            murk_value_found(steps, found);
+        }
+        return murk_study_fail(steps ? steps : r->node, r->key, !steps, r->err,
+                               "steps: %s, must be a whole number, 1..%d",
+                               found, MURK_STUDY_ROWS_MAX);
+    }
+    out->steps = (size_t)n;
+    const char *word = spacing && spacing->kind == MURK_YAML_SCALAR
+                           ? spacing->text
+                       : spacing ? ""
+                                 : "linear";
+    out->is_log = strcmp(word, "log") == 0;
+    if (!out->is_log && strcmp(word, "linear") != 0) {
+        return murk_study_fail(spacing, r->key, false, r->err,
+                               "spacing: must be linear or log");
+    }
+    return MURK_OK;
+}
+
+/* The ends are met exactly. */
+static double value_at(const range *g, size_t i)
+{
+    if (i == 0 || g->steps == 1) {
+        return g->from;
+    }
+    if (i == g->steps - 1) {
+        return g->to;
+    }
+    const double u = (double)i / (double)(g->steps - 1);
+    return g->is_log ? g->from * pow(g->to / g->from, u)
+                     : g->from + u * (g->to - g->from);
+}
+
+static void print_at(const range *g, double value, char out[MURK_TIME_SIZE])
+{
+    if (g->scale == TIMES) {
+        murk_time_print(out, value, g->zone_min);
+    } else if (g->scale == DATES) {
+        const murk_date d = murk_date_of_days(floor(value + .5));
+        snprintf(out, MURK_TIME_SIZE, "%04d-%02d-%02d", d.year, d.month, d.day);
+    } else if (g->scale == CLOCKS) {
+        const int s = (int)floor(value + .5);
+        snprintf(out, MURK_TIME_SIZE, "%02d:%02d:%02d", s / 3600, s / 60 % 60,
+                 s % 60);
+    } else {
+        _Static_assert(MURK_NUMBER_SIZE <= MURK_TIME_SIZE, "numbers fit");
+        murk_number_print(out, value);
+    }
+}
+
+static murk_status read_range(const reading *r)
+{
+    range g = {0};
+    murk_status status = read_range_keys(r, &g);
+    if (!status) {
+        status = read_ends(r, &g);
+    }
+    if (!status) {
+        status = make_room(r, g.steps);
+    }
+    for (size_t i = 0; !status && i < g.steps; ++i) {
+        char text[MURK_TIME_SIZE];
+        print_at(&g, value_at(&g, i), text);
+        murk_yaml *value = murk_yaml_make(MURK_YAML_SCALAR, r->node->source);
+        if (value) {
+            value->line = r->node->line;
+            value->column = r->node->column;
+            value->is_quoted = g.scale != NUMBERS;
+        }
+        status = put(r, i, value, strdup(text));
+        if (!status && !murk_yaml_set_text(value, text)) {
+            status = no_memory(r);
+        }
+    }
+    return status;
+}
+
+/* ---- axes ---- */
+
+/* What axes may be called for short. */
+static const struct {
+    const char *name, *path;
+} SHORT_NAMES[] = {{"date", "site.date"},
+                   {"local_time", "site.clock"},
+                   {"time_zone", "site.time_zone"}};
+
+static const char *path_of(const char *name)
+{
+    for (size_t i = 0; i < sizeof SHORT_NAMES / sizeof *SHORT_NAMES; ++i) {
+        if (strcmp(name, SHORT_NAMES[i].name) == 0) {
+            return SHORT_NAMES[i].path;
+        }
+    }
+    return name;
+}
+
+static bool is_range(const murk_yaml *node)
+{
+    return murk_yaml_get(node, "from") || murk_yaml_get(node, "to") ||
+           murk_yaml_get(node, "steps");
+}
+
+static murk_status check_conditions(const reading *r)
+{
+    for (size_t i = 0; i < r->axis->n; ++i) {
+        if (r->axis->value[i]->kind != MURK_YAML_SCALAR) {
+            return fail(r, r->axis->value[i],
+                        "must be the name of a condition");
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status read_axis(murk_study_axis *axis, const char *name,
+                             const murk_yaml *node, murk_error *err)
+{
+    reading r = {.axis = axis, .node = node, .err = err};
+    murk_status status = MURK_OK;
+    axis->name = name;
+    axis->path = path_of(name);
+    snprintf(r.key, sizeof r.key, "axes.%s", name);
+    murk_walk_where(node, r.key, true, axis->where);
+    if (name[0] == '\0') {
+        status = fail(&r, node, "an axis without a name");
+    } else if (node->kind == MURK_YAML_LIST) {
+        status = read_list(&r);
+    } else if (node->kind == MURK_YAML_MAP && is_range(node)) {
+        status = read_range(&r);
+    } else if (node->kind == MURK_YAML_MAP && node->n > 0) {
+        axis->kind = MURK_STUDY_AXIS_NAMED;
+        status = read_names(&r);
+    } else {
+        char found[MURK_FOUND_SIZE];
+        murk_value_found(node, found);
+        status = murk_study_fail(node, r.key, true, err,
+                                 "%s, must be a list of values, {from, to, "
+                                 "steps}, or names with their keys",
+                                 found);
+    }
+    if (axis->kind == MURK_STUDY_AXIS_KEY && strcmp(name, "condition") == 0) {
+        axis->kind = MURK_STUDY_AXIS_CONDITION;
+        return status ? status : check_conditions(&r);
+    }
+    return status;
+}
+
+/* Whether one path is, or lies within, the other. */
+static bool overlap(const char *a, const char *b)
+{
+    const size_t n = strlen(a), m = strlen(b), least = n < m ? n : m;
+    return strncmp(a, b, least) == 0 &&
+           (n == m || (n < m ? b : a)[least] == '.');
+}
+
+/* A path that an axis sets and which overlaps with `path`; NULL: none. */
+static const char *sets(const murk_study_axis *axis, const char *path)
+{
+    if (axis->kind == MURK_STUDY_AXIS_CONDITION) {
+        return NULL;
+    }
+    if (axis->kind != MURK_STUDY_AXIS_NAMED) {
+        return overlap(axis->path, path) ? axis->path : NULL;
+    }
+    for (size_t i = 0; i < axis->n; ++i) {
+        for (size_t k = 0; k < axis->value[i]->n; ++k) {
+            if (overlap(axis->value[i]->key[k], path)) {
+                return axis->value[i]->key[k];
+            }
+        }
+    }
+    return NULL;
+}
+
+static murk_status check_path(const murk_study_file *study, size_t a,
+                              const char *path, murk_error *err)
+{
+    const murk_study_axis *axis = &study->axis[a];
+    for (size_t b = 0; b < a; ++b) {
+        const murk_study_axis *other = &study->axis[b];
+        const char *theirs = sets(other, path);
+        if (theirs) {
+            return murk_fail(err, MURK_BAD_VALUE, axis->where,
+                             "sets %s, and axis %s sets %s: a key belongs to "
+                             "one axis",
+                             path, other->name, theirs);
+        }
+    }
+    return MURK_OK;
+}
+
+/* No two axes set the same key, nor do two keys of one name. */
+static murk_status check_apart(const murk_study_file *study, size_t a,
+                               murk_error *err)
+{
+    const murk_study_axis *axis = &study->axis[a];
+    if (axis->kind == MURK_STUDY_AXIS_CONDITION) {
+        return MURK_OK;
+    }
+    if (axis->kind != MURK_STUDY_AXIS_NAMED) {
+        return check_path(study, a, axis->path, err);
+    }
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < axis->n && !status; ++i) {
+        const murk_yaml *map = axis->value[i];
+        for (size_t k = 0; k < map->n && !status; ++k) {
+            status = check_path(study, a, map->key[k], err);
+            for (size_t j = 0; j < k && !status; ++j) {
+                if (overlap(map->key[j], map->key[k])) {
+                    status = murk_fail(err, MURK_BAD_VALUE, axis->where,
+                                       "%s sets %s and %s, of which one lies "
+                                       "within the other",
+                                       axis->text[i], map->key[j], map->key[k]);
+                }
+            }
+        }
+    }
+    return status;
+}
+
+/* Rows are counted in double, which no product of 16 lengths overflows. */
+static murk_status count_rows(murk_study_file *study, const murk_yaml *map,
+                              murk_error *err)
+{
+    double rows = 1;
+    for (size_t a = 0; a < study->axes; ++a) {
+        const murk_study_axis *axis = &study->axis[a];
+        if (!study->is_paired) {
+            rows *= (double)axis->n;
+        } else if (axis->n != study->axis[0].n) {
+            return murk_fail(err, MURK_BAD_VALUE, axis->where,
+                             "%zu values, must be as many as axis %s has, %zu "
+                             "(mode: paired)",
+                             axis->n, study->axis[0].name, study->axis[0].n);
+        } else {
+            rows = (double)axis->n;
+        }
+    }
+    if (rows > MURK_STUDY_ROWS_MAX) {
+        return murk_study_fail(map, "axes", true, err,
+                               "%.10g rows, must be at most %d", rows,
+                               MURK_STUDY_ROWS_MAX);
+    }
+    study->rows = (size_t)rows;
+    return MURK_OK;
+}
+
+murk_status murk_study_axes_read(murk_study_file *study, const murk_yaml *map,
+                                 murk_error *err)
+{
+    if (!map || map->kind != MURK_YAML_MAP || map->n > MURK_STUDY_AXES_MAX) {
+        return murk_study_fail(map ? map : study->root, "axes", true, err,
+                               "must be a map of 0..%d axes: KEY: [values]",
+                               MURK_STUDY_AXES_MAX);
+    }
+    study->axis = calloc(map->n + 1, sizeof *study->axis);
+    if (!study->axis) {
+        return murk_study_no_memory(study->path, err);
+    }
+    murk_status status = MURK_OK;
+    for (size_t a = 0; a < map->n && !status; ++a) {
+        study->axes = a + 1;
+        status = read_axis(&study->axis[a], map->key[a], map->child[a], err);
+        if (!status) {
+            status = check_apart(study, a, err);
+        }
+    }
+    return status ? status : count_rows(study, map, err);
+}
