@@ -319,6 +319,7 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
                             plan->poses->count);
     murk_place_desc desc = murk_plan_desc(stage->scene);
     desc.rules = murk_poses_rules(plan->poses);
+    desc.with_curve = desc.with_curve && !plan->without_curve;
     if (stage->scene->sensors.target > 0) {
         desc.target =
             murk_plan_value_of(stage->scene->sensors.target, &seen.problem);
@@ -411,6 +412,28 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
     return status;
 }
 
+murk_status murk_plan_choose(murk_plan *plan, const murk_stage *stage,
+                             murk_sight *sight, murk_error *err)
+{
+    const murk_status status = choose(plan, stage, sight, err);
+    if (status) {
+        if (err && !err->where[0]) {
+            snprintf(err->where, sizeof err->where, "%s",
+                     stage->scene->sensors.where);
+        }
+        return status;
+    }
+    plan->sensor = calloc(plan->place.count + 1, sizeof *plan->sensor);
+    if (!plan->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
+                         "no memory for the plan");
+    }
+    for (size_t i = 0; i < plan->place.count; ++i) {
+        plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
+    }
+    return MURK_OK;
+}
+
 murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
                            const murk_traced *traced, unsigned threads,
                            murk_error *err)
@@ -428,23 +451,10 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
             murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
     }
     if (!status) {
-        status = choose(plan, stage, sight, err);
-        if (status && err && !err->where[0]) {
-            snprintf(err->where, sizeof err->where, "%s",
-                     stage->scene->sensors.where);
-        }
+        status = murk_plan_choose(plan, stage, sight, err);
     }
     if (status) {
         goto done;
-    }
-    plan->sensor = calloc(plan->place.count, sizeof *plan->sensor);
-    if (!plan->sensor) {
-        status = murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
-                           "no memory for the plan");
-        goto done;
-    }
-    for (size_t i = 0; i < plan->place.count; ++i) {
-        plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
     }
     status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
                                    plan->place.count, err);

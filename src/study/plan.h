@@ -63,6 +63,8 @@ murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
 bool murk_plan_can_see_anew(const murk_scene *scene);
 
 typedef struct murk_plan {
+    bool without_curve; /* asked for: the plan alone, without those of fewer
+                           sensors */
     murk_candidates *candidates;
     murk_poses *poses; /* of them: what placement chooses from */
     murk_place_result place;
@@ -97,5 +99,10 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
                            const murk_traced *traced, unsigned threads,
                            murk_error *err);
 void murk_plan_release(murk_plan *plan);
+
+/* Its first part alone: fills plan->place and plan->sensor by what sight shows,
+ * and measures nothing. */
+murk_status murk_plan_choose(murk_plan *plan, const murk_stage *stage,
+                             murk_sight *sight, murk_error *err);
 
 #endif

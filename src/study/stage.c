@@ -48,7 +48,8 @@ static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
     return status ? status : murk_mesh_read(out, file, &import, where, err);
 }
 
-static murk_status import_files(murk_stage *stage, murk_error *err)
+/* What the scene's world is made of, and its light's key. */
+static murk_status import_world(murk_stage *stage, murk_error *err)
 {
     const murk_scene *scene = stage->scene;
     murk_status status = MURK_OK;
@@ -73,19 +74,28 @@ static murk_status import_files(murk_stage *stage, murk_error *err)
             status = file[k] ? sign_file(stage, file[k], where, err) : MURK_OK;
         }
     }
-    if (!status) {
-        status = murk_fillings_create(&stage->fillings, scene, err);
+    return status ? status : murk_fillings_create(&stage->fillings, scene, err);
+}
+
+static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
+                                murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    const char *sums = other->light_key + strlen(other->scene->light_key);
+    const size_t size = strlen(stage->light_key) + strlen(sums) + 1;
+    char *key = realloc(stage->light_key, size);
+    if (!key) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for the world");
     }
-    if (!status) {
-        status = murk_goals_import(&stage->goals, scene, err);
-    }
-    if (!status) {
-        status = murk_site_meshes_read(&stage->site_meshes, scene, err);
-    }
-    if (!status) {
-        stage->grid = stage->fillings->grid;
-    }
-    return status;
+    strcat(key, sums);
+    stage->light_key = key;
+    stage->borrows = true;
+    stage->fillings = other->fillings;
+    memcpy(stage->mesh, other->mesh, scene->geometries * sizeof *stage->mesh);
+    memcpy(stage->region_mesh, other->region_mesh,
+           scene->n_regions * sizeof *stage->region_mesh);
+    return MURK_OK;
 }
 
 static murk_status make_phases(murk_stage *stage, murk_error *err)
@@ -264,8 +274,8 @@ done:
     return status;
 }
 
-murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
-                              murk_error *err)
+static murk_status import(murk_stage **out, const murk_scene *scene,
+                          const murk_stage *other, murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_stage *stage = calloc(1, sizeof *stage);
@@ -282,14 +292,34 @@ murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
         status = murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for the world");
     } else {
-        status = import_files(stage, err);
+        status =
+            other ? borrow_world(stage, other, err) : import_world(stage, err);
+    }
+    if (!status) {
+        status = murk_goals_import(&stage->goals, scene, err);
+    }
+    if (!status) {
+        status = murk_site_meshes_read(&stage->site_meshes, scene, err);
     }
     if (status) {
         murk_stage_destroy(stage);
         return status;
     }
+    stage->grid = stage->fillings->grid;
     *out = stage;
     return MURK_OK;
+}
+
+murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
+                              murk_error *err)
+{
+    return import(out, scene, NULL, err);
+}
+
+murk_status murk_stage_import_beside(murk_stage **out, const murk_scene *scene,
+                                     const murk_stage *other, murk_error *err)
+{
+    return import(out, scene, other, err);
 }
 
 murk_status murk_stage_build(murk_stage *stage, murk_error *err)
@@ -349,6 +379,17 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
     return MURK_OK;
 }
 
+static void destroy_world(murk_stage *stage)
+{
+    murk_fillings_destroy(stage->fillings);
+    for (size_t i = 0; stage->mesh && i < stage->scene->geometries; ++i) {
+        murk_mesh_destroy(stage->mesh[i]);
+    }
+    for (size_t i = 0; stage->region_mesh && i < stage->scene->n_regions; ++i) {
+        murk_mesh_destroy(stage->region_mesh[i]);
+    }
+}
+
 void murk_stage_destroy(murk_stage *stage)
 {
     if (!stage) {
@@ -361,12 +402,8 @@ void murk_stage_destroy(murk_stage *stage)
     murk_phases_destroy(stage->phases);
     murk_hulls_destroy(stage->hulls);
     murk_surfaces_destroy(stage->surfaces);
-    murk_fillings_destroy(stage->fillings);
-    for (size_t i = 0; stage->mesh && i < stage->scene->geometries; ++i) {
-        murk_mesh_destroy(stage->mesh[i]);
-    }
-    for (size_t i = 0; stage->region_mesh && i < stage->scene->n_regions; ++i) {
-        murk_mesh_destroy(stage->region_mesh[i]);
+    if (!stage->borrows) {
+        destroy_world(stage);
     }
     free(stage->light_key);
     free(stage->tally);

@@ -33,6 +33,7 @@ typedef struct murk_stage {
     murk_tally_desc *tally; /* [scene->n_tallies]; NULL for none */
     char *light_key; /* the scene's, and a checksum of each file it names: equal
                         keys trace equal light */
+    bool borrows;    /* meshes and fillings are another stage's */
 } murk_stage;
 
 /* *out is the caller's: murk_stage_destroy(). The scene must outlive it. */
@@ -45,6 +46,12 @@ void murk_stage_destroy(murk_stage *stage); /* NULL is fine */
 murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
                               murk_error *err);
 murk_status murk_stage_build(murk_stage *stage, murk_error *err);
+
+/* As murk_stage_import, of a scene whose world_key and files are those of
+ * another imported stage: what fills its world is borrowed from that, which
+ * must outlive it. */
+murk_status murk_stage_import_beside(murk_stage **out, const murk_scene *scene,
+                                     const murk_stage *other, murk_error *err);
 
 /* A trace of this world as the scene wants it; stream, photons, threads and
  * sink are the caller's to set. */
