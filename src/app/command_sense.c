@@ -1,10 +1,10 @@
 #include "app/coverage_out.h"
 #include "app/goals_out.h"
-#include "app/placement_in.h"
 #include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 #include "study/dark.h"
+#include "study/placement_in.h"
 
 #include <math.h>
 #include <stdlib.h>

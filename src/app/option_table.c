@@ -3,7 +3,7 @@
 #include <string.h>
 
 const murk_option murk_option_table[] = {
-    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense media",
+    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense study media",
      "write the results into this folder; without it the summary is printed "
      "and nothing is written (media: the file of a --profile's grid)"},
     {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
@@ -11,10 +11,12 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_THREADS, "--threads", "-j", "N", NULL,
      "threads, 1..256; default: all processors. The results are the same for "
      "any number"},
-    {MURK_OPTION_EMIT, "--emit", NULL, "N", "check trace place sense replay",
+    {MURK_OPTION_EMIT, "--emit", NULL, "N",
+     "check trace place sense study replay",
      "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or "
      "store of the scene"},
-    {MURK_OPTION_STORE, "--store", NULL, "N", "check trace place sense replay",
+    {MURK_OPTION_STORE, "--store", NULL, "N",
+     "check trace place sense study replay",
      "emit until N photons are stored; replaces emit or store of the scene"},
     {MURK_OPTION_COUNT, "--count", NULL, "N", "check place",
      "number of sensors to place; replaces the scene's target"},

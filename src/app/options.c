@@ -39,6 +39,20 @@ const murk_command murk_commands[] = {
      "Traces and measures what the given sensors see. With -o writes "
      "DIR/coverage.json (last), coverage.csv and all that trace writes.",
      murk_command_sense},
+    {"study", "STUDY.yaml [-o DIR]",
+     "a chain of runs over times and conditions",
+     "Runs a scene once for each row of a study: every combination of what the "
+     "study's axes list (or one value of each after the other). With -o writes "
+     "DIR/table.csv, a row a run with photon density, coverage and their "
+     "standard errors, and, last, DIR/study.json. Rows that differ by the "
+     "power "
+     "of lights alone share one traced light. Finished rows are kept in "
+     "DIR/rows: the same command goes on where it was stopped. A row that "
+     "fails "
+     "is told in the column failed, the others go on, and the command ends "
+     "with "
+     "1. The study's keys: scenes/README.md.",
+     murk_command_study},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
      "Traces the one photon again, event by event: a photon is a pure function "
      "of seed, scene and index.",
@@ -54,8 +68,7 @@ const murk_command murk_commands[] = {
 };
 const size_t murk_commands_count = sizeof murk_commands / sizeof *murk_commands;
 
-static const char *const later_commands[] = {"render", "study", "fit",
-                                             "report"};
+static const char *const later_commands[] = {"render", "fit", "report"};
 
 static murk_status find_command(murk_options *out, const char *name,
                                 murk_error *err)
@@ -75,7 +88,7 @@ static murk_status find_command(murk_options *out, const char *name,
     }
     return murk_fail(err, MURK_BAD_VALUE, "",
                      "%s: no such command; there are check, trace, place, "
-                     "sense, replay and media (murk --help)",
+                     "sense, study, replay and media (murk --help)",
                      name);
 }
 

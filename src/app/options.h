@@ -70,6 +70,7 @@ murk_status murk_command_check(const murk_options *, murk_error *);
 murk_status murk_command_trace(const murk_options *, murk_error *);
 murk_status murk_command_place(const murk_options *, murk_error *);
 murk_status murk_command_sense(const murk_options *, murk_error *);
+murk_status murk_command_study(const murk_options *, murk_error *);
 murk_status murk_command_replay(const murk_options *, murk_error *);
 murk_status murk_command_media(const murk_options *, murk_error *);
 murk_status murk_command_media_profile(const murk_options *, murk_error *);

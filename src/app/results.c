@@ -223,7 +223,10 @@ static char *tabs_to_spaces(const char *text)
 
 char *murk_json_end(cJSON *root, const murk_run_facts *run)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "run");
+    cJSON *object = cJSON_GetObjectItem(root, "run");
+    if (!object) {
+        object = cJSON_AddObjectToObject(root, "run");
+    }
     cJSON_AddNumberToObject(object, "threads", run->threads);
     cJSON *seconds = cJSON_AddObjectToObject(object, "seconds");
     cJSON_AddNumberToObject(seconds, "load", run->load_s);

@@ -63,7 +63,8 @@ typedef struct murk_run_facts {
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
 } murk_run_facts;
 
-/* Adds "run", which alone may differ between two runs, and returns the text:
+/* Adds "run", which alone may differ between two runs (to what is there under
+ * that name), and returns the text:
  * indented, ending with a newline; the caller frees it with cJSON_free().
  * Deletes root. */
 char *murk_json_end(cJSON *root, const murk_run_facts *run);

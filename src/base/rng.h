@@ -25,6 +25,7 @@ typedef enum murk_purpose {
     MURK_TARGET = 20,     /* shifted as the tracer's; photon: draw; event: 0 on
                              surfaces, 1 in the volume */
     MURK_JITTER = 24,     /* photon: draw; event: sensor */
+    MURK_FREE_SPACE = 28, /* photon: place; event: which box or ball */
     MURK_TEST = 31        /* for tests */
 } murk_purpose;
 

@@ -1,4 +1,4 @@
-#include "app/placement_in.h"
+#include "study/placement_in.h"
 
 #include "scene/table.h"
 #include "scene/yaml.h"

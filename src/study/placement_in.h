@@ -1,6 +1,6 @@
 /* A given placement: sensors.csv or a plan.json. */
-#ifndef MURK_APP_PLACEMENT_IN_H
-#define MURK_APP_PLACEMENT_IN_H
+#ifndef MURK_STUDY_PLACEMENT_IN_H
+#define MURK_STUDY_PLACEMENT_IN_H
 
 #include "scene/scene.h"
 #include "sensing/sensor.h"

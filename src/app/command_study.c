@@ -1,0 +1,214 @@
+#include "app/results.h"
+#include "app/table_out.h"
+#include "app/version.h"
+
+#include "base/log.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define VERSION_SIZE 128
+
+typedef struct study_session {
+    const murk_options *options;
+    murk_study_file *study;
+    murk_sweep *sweep;
+    murk_results results;
+    double begun_s;
+    size_t done_before; /* rows kept */
+    bool shows_progress;
+} study_session;
+
+/* A note that no earlier row has. */
+static bool is_news(const murk_sweep *sweep, size_t row)
+{
+    const char *note = sweep->row[row].found.note;
+    for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
+        if (i != row && sweep->row[i].is_done && !sweep->row[i].is_kept &&
+            strcmp(sweep->row[i].found.note, note) == 0) {
+            return false;
+        }
+    }
+    return note[0] != '\0';
+}
+
+/* One line a row, on standard error: what it was and how long the rest takes.
+ */
+static void tell_row(void *context, size_t row)
+{
+    study_session *s = context;
+    const murk_row *found = &s->sweep->row[row].found;
+    const size_t rows = s->study->rows, done = murk_sweep_done(s->sweep);
+    char where[64];
+    snprintf(where, sizeof where, "row %zu of %zu", row + 1, rows);
+    if (found->failed[0]) {
+        murk_warn(where, "failed: %s", found->failed);
+    }
+    if (is_news(s->sweep, row)) {
+        murk_note(where, "%s", found->note);
+    }
+    if (s->shows_progress) {
+        const double spent_s = murk_clock_s() - s->begun_s;
+        const double left_s =
+            spent_s / (double)(done - s->done_before) * (double)(rows - done);
+        fprintf(stderr, "%s done; %zu of %zu in all, %.0f s left\n", where,
+                done, rows, left_s);
+    }
+}
+
+/* Those that could not even be read. */
+static void tell_early_failures(const study_session *s)
+{
+    for (size_t i = 0; i < s->study->rows; ++i) {
+        const murk_sweep_row *row = &s->sweep->row[i];
+        if (row->is_done && row->found.failed[0]) {
+            char where[64];
+            snprintf(where, sizeof where, "row %zu of %zu", i + 1,
+                     s->study->rows);
+            murk_warn(where, "failed: %s", row->found.failed);
+        }
+    }
+}
+
+static murk_status begin(study_session *s, murk_error *err)
+{
+    static char version[VERSION_SIZE];
+    const murk_options *o = s->options;
+    if (o->quiet) {
+        murk_warn_to(NULL);
+    }
+    murk_progress_set(o->quiet ? MURK_PROGRESS_NEVER : o->progress);
+    s->shows_progress =
+        !o->quiet &&
+        (o->progress == MURK_PROGRESS_ALWAYS ||
+         (o->progress == MURK_PROGRESS_AUTO && isatty(STDERR_FILENO)));
+    snprintf(version, sizeof version, "%s %s", MURK_VERSION,
+             murk_version_commit());
+    murk_status status = murk_study_file_read(&s->study, o->input, err);
+    if (status) {
+        return status;
+    }
+    const murk_sweep_desc desc = {.study = s->study,
+                                  .overrides = o->overrides,
+                                  .n_overrides = o->n_overrides,
+                                  .folder = o->out,
+                                  .version = version,
+                                  .threads = o->threads,
+                                  .row_done = tell_row,
+                                  .context = s};
+    status = murk_sweep_create(&s->sweep, &desc, err);
+    if (!status) {
+        status = murk_results_begin(&s->results, o->out, err);
+    }
+    if (!status) {
+        s->done_before = murk_sweep_done(s->sweep);
+        tell_early_failures(s);
+    }
+    return status;
+}
+
+static murk_status write_files(study_session *s, bool is_interrupted,
+                               murk_error *err)
+{
+    const murk_run_facts run = {.threads = s->options->threads,
+                                .total_s = murk_clock_s() - s->begun_s};
+    murk_status status = murk_add_table(&s->results, s->sweep, err);
+    char *text = murk_json_end(murk_study_json(s->sweep, is_interrupted), &run);
+    if (!text) {
+        return murk_fail(err, MURK_NO_MEMORY, "study.json",
+                         "no memory to write it");
+    }
+    if (!status) {
+        status = murk_results_add_text(&s->results, "study.json", text, err);
+    }
+    if (!status) {
+        status = murk_results_show(&s->results, err);
+    }
+    if (!status && s->options->json && !is_interrupted) {
+        fputs(text, stdout);
+    }
+    cJSON_free(text);
+    return status;
+}
+
+static void print_value(const murk_row_value *v)
+{
+    if (!isfinite(v->of.value)) {
+        printf("  %s none", v->name);
+    } else if (isfinite(v->of.standard_error)) {
+        printf("  %s %.4g +- %.1g%s%s", v->name, v->of.value,
+               v->of.standard_error, v->unit[0] ? " " : "", v->unit);
+    } else {
+        printf("  %s %.6g%s%s", v->name, v->of.value, v->unit[0] ? " " : "",
+               v->unit);
+    }
+}
+
+static void print_row(const study_session *s, size_t row)
+{
+    const murk_row *found = &s->sweep->row[row].found;
+    size_t index[MURK_STUDY_AXES_MAX];
+    murk_study_row_indices(s->study, row, index);
+    printf("row %-8zu", row + 1);
+    for (size_t a = 0; a < s->study->axes; ++a) {
+        printf("%s%s %s", a ? ", " : "", s->study->axis[a].name,
+               s->study->axis[a].text[index[a]]);
+    }
+    printf(":");
+    for (size_t i = 0; i < found->values; ++i) {
+        print_value(&found->value[i]);
+    }
+    printf("%s%s\n", found->failed[0] ? "  failed: " : "", found->failed);
+}
+
+static void print_study(const study_session *s)
+{
+    size_t traced = 0, kept = 0;
+    for (size_t g = 0; g < s->sweep->groups; ++g) {
+        traced += s->sweep->group[g].was_traced;
+    }
+    for (size_t i = 0; i < s->study->rows; ++i) {
+        kept += s->sweep->row[i].is_kept;
+        print_row(s, i);
+    }
+    printf("rows        %zu, of which %zu kept from before and %zu failed; "
+           "light traced for %zu groups of rows\n",
+           s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
+    printf("time        %.2f s\n", murk_clock_s() - s->begun_s);
+    if (s->options->out) {
+        printf("files       %s: study.json table.csv rows/\n", s->options->out);
+    } else {
+        printf("files       none: -o DIR writes them, and keeps rows that are "
+               "done\n");
+    }
+}
+
+murk_status murk_command_study(const murk_options *options, murk_error *err)
+{
+    study_session s = {.options = options, .begun_s = murk_clock_s()};
+    murk_status status = begin(&s, err);
+    if (!status) {
+        status = murk_sweep_run(s.sweep, err);
+        if (status == MURK_INTERRUPTED && murk_sweep_done(s.sweep) > 0) {
+            murk_error late = {0}; /* the interrupt is what is told */
+            (void)write_files(&s, true, &late);
+        }
+    }
+    if (!status) {
+        status = write_files(&s, false, err);
+    }
+    if (!status && !options->json && !options->quiet) {
+        print_study(&s);
+    }
+    if (!status && murk_sweep_failed(s.sweep) > 0) {
+        status = murk_fail(err, MURK_RUN_FAILED, options->input,
+                           "%zu of %zu rows failed (column failed)",
+                           murk_sweep_failed(s.sweep), s.study->rows);
+    }
+    murk_results_end(&s.results);
+    murk_sweep_destroy(s.sweep);
+    murk_study_file_destroy(s.study);
+    return status;
+}

@@ -1,0 +1,365 @@
+#include "study/gauges.h"
+
+#include "medium/grid_write.h"
+#include "study/plane_area.h"
+#include "study/units.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of the grid of fluence where the study says nothing. */
+#define FLUENCE_CELLS 32768
+
+static murk_status no_memory(const murk_scene *scene, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                     "no memory for what is measured");
+}
+
+static void note(murk_gauges *g, const char *text, const char *name)
+{
+    const size_t n = strlen(g->note);
+    snprintf(g->note + n, sizeof g->note - n, "%s%s %s", n ? "; " : "", name,
+             text);
+}
+
+static void add(murk_gauges *g, const murk_tally_desc *desc,
+                const murk_gauge *gauge)
+{
+    murk_tally_desc *d = &g->desc[g->n];
+    *d = *desc;
+    snprintf(d->name, sizeof d->name, "study-%zu", g->n);
+    g->gauge[g->n++] = *gauge;
+}
+
+/* ---- densities ---- */
+
+static void add_box(murk_gauges *g, const murk_box *box, const char *name,
+                    const char *where)
+{
+    const murk_tally_desc desc = {.where = where,
+                                  .type = MURK_TALLY_GRID,
+                                  .box = *box,
+                                  .size = {1, 1, 1}};
+    murk_gauge gauge = {.is_density = true,
+                        .per_unit = 1,
+                        .part = {.box = *box, .number = (uint32_t)g->n}};
+    snprintf(gauge.name, sizeof gauge.name, "%s", name);
+    add(g, &desc, &gauge);
+}
+
+static void add_ball(murk_gauges *g, const murk_scene_interest *r,
+                     const char *name)
+{
+    const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
+    const murk_tally_desc desc = {.where = r->where,
+                                  .type = MURK_TALLY_SPHERE,
+                                  .center = r->center,
+                                  .radius_m = r->radius_m};
+    murk_gauge gauge = {
+        .is_density = true,
+        .per_unit = 1,
+        .part = {.is_ball = true,
+                 .box = {murk_sub(r->center, edge), murk_add(r->center, edge)},
+                 .center = r->center,
+                 .radius_m = r->radius_m,
+                 .number = (uint32_t)g->n}};
+    snprintf(gauge.name, sizeof gauge.name, "%s", name);
+    add(g, &desc, &gauge);
+}
+
+/* What of a region lies in the domain; whole balls only. */
+static void add_region(murk_gauges *g, const murk_scene_interest *r,
+                       const murk_box *domain)
+{
+    char name[MURK_ROW_NAME_SIZE];
+    const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
+    snprintf(name, sizeof name, "density_%s", r->name);
+    if (r->shape == MURK_SCENE_ZONE_BOX) {
+        const murk_box box = {murk_vec(fmax(r->box.min.x, domain->min.x),
+                                       fmax(r->box.min.y, domain->min.y),
+                                       fmax(r->box.min.z, domain->min.z)),
+                              murk_vec(fmin(r->box.max.x, domain->max.x),
+                                       fmin(r->box.max.y, domain->max.y),
+                                       fmin(r->box.max.z, domain->max.z))};
+        if (box.min.x < box.max.x && box.min.y < box.max.y &&
+            box.min.z < box.max.z) {
+            add_box(g, &box, name, r->where);
+        } else {
+            note(g, "lies outside the domain", name);
+        }
+    } else if (r->shape == MURK_SCENE_ZONE_SPHERE &&
+               murk_box_contains(domain, murk_sub(r->center, edge)) &&
+               murk_box_contains(domain, murk_add(r->center, edge))) {
+        add_ball(g, r, name);
+    } else {
+        note(g,
+             r->shape == MURK_SCENE_ZONE_SPHERE
+                 ? "reaches out of the domain and is not measured"
+                 : "is not measured: neither a box nor a sphere",
+             name);
+    }
+}
+
+/* ---- the scene's tallies, and the grid ---- */
+
+static void add_tally(murk_gauges *g, const murk_tally_desc *asked,
+                      const murk_box *domain)
+{
+    murk_tally_desc desc = *asked;
+    murk_gauge gauge = {.per_unit = 1};
+    desc.bins[0] = desc.bins[1] = desc.angle_bins = 1;
+    desc.size[0] = desc.size[1] = desc.size[2] = 1;
+    if (desc.type == MURK_TALLY_PLANE) {
+        const double area = murk_plane_area(domain, desc.point, desc.normal);
+        gauge.per_unit = area > 0 ? 1 / area : NAN;
+    }
+    snprintf(gauge.name, sizeof gauge.name, "%s", asked->name);
+    add(g, &desc, &gauge);
+}
+
+static void add_fluence(murk_gauges *g, const murk_study_file *study,
+                        const murk_box *domain)
+{
+    murk_tally_desc desc = {
+        .where = study->outputs_where, .type = MURK_TALLY_GRID, .box = *domain};
+    const murk_candidate_grid own =
+        murk_candidate_grid_over(domain, FLUENCE_CELLS);
+    for (int i = 0; i < 3; ++i) {
+        desc.size[i] =
+            study->fluence_size[i] ? study->fluence_size[i] : own.size[i];
+    }
+    g->fluence = g->n;
+    add(g, &desc, &(murk_gauge){0});
+}
+
+murk_status murk_gauges_create(murk_gauges *out, const murk_stage *stage,
+                               const murk_outputs *outputs, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    const murk_box *domain = &stage->world.domain.box;
+    const size_t most = scene->n_tallies + scene->placement.n_interests + 2;
+    *out = (murk_gauges){.study = outputs->study,
+                         .desc = calloc(most, sizeof *out->desc),
+                         .gauge = calloc(most, sizeof *out->gauge)};
+    if (!out->desc || !out->gauge) {
+        return no_memory(scene, err);
+    }
+    if (outputs->wants[MURK_OUTPUT_DENSITY]) {
+        add_box(out, domain, "density", scene->path);
+        for (size_t i = 0; i < scene->placement.n_interests; ++i) {
+            add_region(out, &scene->placement.interest[i], domain);
+        }
+    }
+    for (size_t i = 0; i < outputs->study->outputs; ++i) {
+        const char *word = outputs->study->output[i];
+        for (size_t k = 0; k < scene->n_tallies; ++k) {
+            if (murk_output_of(word) == MURK_OUTPUT_TALLY &&
+                strcmp(stage->tally[k].name, word) == 0) {
+                add_tally(out, &stage->tally[k], domain);
+            }
+        }
+    }
+    out->fluence = SIZE_MAX;
+    if (outputs->wants[MURK_OUTPUT_FLUENCE]) {
+        add_fluence(out, outputs->study, domain);
+    }
+    return out->n > 0 ? murk_tallies_check(out->desc, out->n,
+                                           &stage->world.domain, err)
+                      : MURK_OK;
+}
+
+void murk_gauges_release(murk_gauges *gauges)
+{
+    free(gauges->desc);
+    free(gauges->gauge);
+    *gauges = (murk_gauges){0};
+}
+
+/* ---- reading ---- */
+
+/* Where tallies of light are read from; tallies NULL: it is dark. */
+typedef struct source {
+    const murk_tallies *tallies;
+    const murk_tally *emitted;
+    const double *packet_w;
+} source;
+
+static murk_estimate read_cell(const source *s, size_t tally, int band,
+                               size_t cell)
+{
+    return s->tallies ? murk_tallies_read(s->tallies, tally, band, cell,
+                                          s->emitted, s->packet_w)
+                      : (murk_estimate){0, 0};
+}
+
+/* Densities are photons where nobody asks for anything else. */
+static murk_units units_of(const murk_gauges *gauges, const murk_gauge *gauge,
+                           const murk_scene *scene)
+{
+    murk_scene asked = *scene;
+    if (gauges->study->has_units) {
+        asked.units = gauges->study->units;
+    } else if (gauge->is_density && scene->units == MURK_RADIOMETRIC) {
+        asked.units = MURK_PHOTONS;
+    }
+    return murk_units_of(&asked);
+}
+
+/* Divided by a share that has an error of its own. */
+static murk_estimate divide(murk_estimate e, const murk_estimate *share)
+{
+    const double s = share->value;
+    return s > 0
+               ? (murk_estimate){e.value / s,
+                                 hypot(e.standard_error / s,
+                                       e.value * share->standard_error / s / s)}
+               : (murk_estimate){NAN, NAN};
+}
+
+/* One number in all bands together, and where they are several in each. */
+static murk_status add_values(murk_row *row, const murk_gauges *gauges,
+                              size_t number, size_t cell, const char *suffix,
+                              const murk_estimate *share,
+                              const murk_scene *scene, const source *s,
+                              murk_error *err)
+{
+    const murk_gauge *gauge = &gauges->gauge[number];
+    const murk_units units = units_of(gauges, gauge, scene);
+    murk_estimate band[MURK_BANDS_MAX];
+    char name[MURK_ROW_NAME_SIZE];
+    for (int b = 0; b < scene->bands; ++b) {
+        band[b] = murk_units_convert(&units, b, read_cell(s, number, b, cell));
+        band[b].value *= gauge->per_unit;
+        band[b].standard_error *= gauge->per_unit;
+    }
+    snprintf(name, sizeof name, "%.120s%s", gauge->name, suffix);
+    murk_status status =
+        murk_row_add(row, name, units.irradiance,
+                     divide(murk_units_sum(band, scene->bands), share), err);
+    for (int b = 0; scene->bands > 1 && b < scene->bands && !status; ++b) {
+        snprintf(name, sizeof name, "%.120s%s_%.9gnm", gauge->name, suffix,
+                 scene->band_nm[b]);
+        status = murk_row_add(row, name, units.irradiance,
+                              divide(band[b], share), err);
+    }
+    return status;
+}
+
+static const char *suffix_of(const murk_tally_desc *d, size_t cell)
+{
+    return murk_tally_directions(d) == 1 ? ""
+           : d->type == MURK_TALLY_PLANE ? cell ? "_backward" : "_forward"
+           : cell                        ? "_down"
+                                         : "_up";
+}
+
+murk_status murk_gauges_read(murk_row *row, const murk_gauges *gauges,
+                             const murk_stage *stage,
+                             const murk_tallies *tallies,
+                             const murk_tally *emitted, const double *packet_w,
+                             unsigned threads, murk_error *err)
+{
+    const source s = {tallies, emitted, packet_w};
+    const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
+    murk_open_space *space = NULL;
+    murk_status status = MURK_OK;
+    if (tallies && facts.triangles + facts.spheres > 0) {
+        status = murk_stage_free_space(&space, stage, threads, err);
+    }
+    for (size_t i = 0; i < gauges->n && !status; ++i) {
+        const murk_gauge *gauge = &gauges->gauge[i];
+        if (i == gauges->fluence) {
+            continue;
+        }
+        const murk_estimate share =
+            gauge->is_density ? murk_free_share(&gauge->part, space,
+                                                stage->scene->seed, threads)
+                              : (murk_estimate){1, 0};
+        const size_t cells = murk_tally_cells(&gauges->desc[i]);
+        for (size_t c = 0; c < cells && !status; ++c) {
+            status =
+                add_values(row, gauges, i, c, suffix_of(&gauges->desc[i], c),
+                           &share, stage->scene, &s, err);
+        }
+    }
+    murk_open_space_destroy(space);
+    return status;
+}
+
+murk_status murk_gauges_write_fluence(const char *path,
+                                      const murk_gauges *gauges,
+                                      const murk_scene *scene,
+                                      const murk_tallies *tallies,
+                                      const murk_tally *emitted,
+                                      const double *packet_w, murk_error *err)
+{
+    const source s = {tallies, emitted, packet_w};
+    const murk_tally_desc *d = &gauges->desc[gauges->fluence];
+    const size_t cells = murk_tally_cells(d);
+    const murk_vec3 a = d->box.min, all = murk_sub(d->box.max, a);
+    const murk_vec3 e =
+        murk_vec(all.x / (double)d->size[0], all.y / (double)d->size[1],
+                 all.z / (double)d->size[2]);
+    const murk_affine to_world = {
+        .matrix = {{e.x, 0, 0}, {0, e.y, 0}, {0, 0, e.z}},
+        .shift = murk_vec(a.x + e.x / 2, a.y + e.y / 2, a.z + e.z / 2)};
+    const char *const notes[] = {"unit", "W/m2", "quantity", "fluence rate",
+                                 NULL};
+    murk_grid_field fields[MURK_BANDS_MAX];
+    char names[MURK_BANDS_MAX][48];
+    float *value = malloc((size_t)scene->bands * cells * sizeof *value);
+    if (!value) {
+        return no_memory(scene, err);
+    }
+    for (int b = 0; b < scene->bands; ++b) {
+        float *field = value + (size_t)b * cells;
+        for (size_t c = 0; c < cells; ++c) {
+            field[c] = (float)read_cell(&s, gauges->fluence, b, c).value;
+        }
+        snprintf(names[b], sizeof names[b], "fluence_%.9gnm",
+                 scene->band_nm[b]);
+        fields[b] = (murk_grid_field){names[b], field, notes};
+    }
+    const murk_status status = murk_grid_write(
+        path, fields, (size_t)scene->bands, d->size, &to_world, err);
+    free(value);
+    return status;
+}
+
+char *murk_gauges_sign(const murk_scene *scene, const murk_outputs *outputs)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
+    }
+    for (size_t i = 0; i < outputs->study->outputs; ++i) {
+        fprintf(out, "%s\n", outputs->study->output[i]);
+    }
+    for (size_t i = 0; i < scene->n_tallies; ++i) {
+        const murk_scene_tally *t = &scene->tallies[i];
+        fprintf(
+            out, "%s %d %a %a %a %a %a %a %a %a %a %a %a %a %a %a %a %a %d\n",
+            t->name, (int)t->type, t->point.x, t->point.y, t->point.z,
+            t->normal.x, t->normal.y, t->normal.z, t->box.min.x, t->box.min.y,
+            t->box.min.z, t->box.max.x, t->box.max.y, t->box.max.z, t->center.x,
+            t->center.y, t->center.z, t->radius_m, t->hemispheres);
+    }
+    for (size_t i = 0; i < scene->placement.n_interests; ++i) {
+        const murk_scene_interest *r = &scene->placement.interest[i];
+        fprintf(out, "%s %d %a %a %a %a %a %a %a %a %a %a\n", r->name,
+                (int)r->shape, r->box.min.x, r->box.min.y, r->box.min.z,
+                r->box.max.x, r->box.max.y, r->box.max.z, r->center.x,
+                r->center.y, r->center.z, r->radius_m);
+    }
+    const bool failed = ferror(out) != 0;
+    if (fclose(out) != 0 || failed) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}

@@ -1,0 +1,53 @@
+/* What one row of a study has found: named values with their errors, and the
+ * plan made for it; as text, which another process hands over or a file keeps.
+ */
+#ifndef MURK_STUDY_ROW_H
+#define MURK_STUDY_ROW_H
+
+#include "base/stats.h"
+#include "base/status.h"
+#include "scene/scene.h"
+#include "sensing/sensor.h"
+
+#define MURK_ROW_NAME_SIZE 160
+#define MURK_ROW_TEXT_SIZE 1024
+
+typedef struct murk_row_value {
+    char name[MURK_ROW_NAME_SIZE];
+    char unit[24];
+    murk_estimate of; /* NaN: there is none */
+} murk_row_value;
+
+typedef struct murk_row_sensor {
+    murk_scene_name type;
+    murk_vec3 position;
+    double heading_deg, tilt_deg; /* NaN: sees all round */
+} murk_row_sensor;
+
+typedef struct murk_row {
+    char failed[MURK_ROW_TEXT_SIZE]; /* why, in one line; empty: not */
+    char note[MURK_ROW_TEXT_SIZE];   /* what is worth knowing; may be empty */
+    uint64_t emitted;                /* photons; 0: none were traced */
+    murk_row_value *value;           /* [values] */
+    size_t values;
+    murk_row_sensor *sensor; /* [sensors] the best plan for this row */
+    size_t sensors;
+} murk_row;
+
+/* Fails with MURK_NO_MEMORY. */
+murk_status murk_row_add(murk_row *row, const char *name, const char *unit,
+                         murk_estimate of, murk_error *err);
+murk_status murk_row_set_sensors(murk_row *row, const murk_scene *scene,
+                                 const murk_pose *sensor, size_t n,
+                                 murk_error *err);
+/* The value of that name, or NULL. */
+const murk_row_value *murk_row_get(const murk_row *row, const char *name);
+void murk_row_release(murk_row *row);
+
+/* Text for free(), NULL when out of memory; and from it. Numbers read back the
+ * same. Release *out, also after a failure. */
+char *murk_row_print(const murk_row *row);
+murk_status murk_row_read(murk_row *out, const char *text, size_t size,
+                          const char *source, murk_error *err);
+
+#endif

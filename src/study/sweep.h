@@ -1,0 +1,73 @@
+/* A study: its rows as runs, one after the other, of which one that fails
+ * leaves the others alone.
+ *
+ * Rows whose light differs by the power of their lights alone are a group: its
+ * light is traced once (study/relight.h). Each group runs in a process of its
+ * own (base/apart.h), so that its files are imported before any ray device
+ * exists, and its memory ends with it.
+ *
+ * What is finished is kept in FOLDER/rows, a file a row, named by a checksum of
+ * all that the row follows from: its scene as resolved, the files that this
+ * names, outputs, version, and the other lights of its group. The same study
+ * goes on from there. */
+#ifndef MURK_STUDY_SWEEP_H
+#define MURK_STUDY_SWEEP_H
+
+#include "study/outputs.h"
+#include "study/row.h"
+
+typedef struct murk_sweep_row {
+    murk_row found;
+    char key[65];
+    size_t group;
+    bool is_done; /* found says what there is; also where it failed */
+    bool is_kept; /* of an earlier run */
+} murk_sweep_row;
+
+typedef struct murk_sweep_group {
+    size_t *row; /* [n] */
+    size_t n;
+    size_t lights; /* that differ, by power */
+    bool was_traced;
+} murk_sweep_group;
+
+typedef struct murk_sweep_desc {
+    const murk_study_file *study;
+    const murk_override *overrides;
+    size_t n_overrides;
+    const char *folder;  /* NULL: nothing is kept */
+    const char *version; /* of the program: other versions' rows are made anew
+                          */
+    unsigned threads;
+    void (*row_done)(void *context, size_t row); /* may be NULL */
+    void *context;
+} murk_sweep_desc;
+
+typedef struct murk_sweep {
+    murk_sweep_desc desc;
+    murk_outputs outputs;
+    murk_sweep_row *row; /* [study->rows] */
+    murk_sweep_group *group;
+    size_t groups;
+    bool cannot_keep;      /* a row's file cannot be written */
+    char scene_sha256[65]; /* of the base scene's file */
+    uint32_t seed;         /* of the first row that could be read */
+} murk_sweep;
+
+/* Reads the scenes of all rows and what is kept of earlier runs; traces
+ * nothing. Rows that cannot be read have failed; the study fails where all
+ * have. *out is the caller's; the desc is copied, what it points to must
+ * outlive it. */
+murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
+                              murk_error *err);
+void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
+
+/* Runs what is not done. Fails where it was interrupted, or a row cannot be
+ * kept; rows that fail do not make it fail. Call it while this process has no
+ * threads. */
+murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
+
+size_t murk_sweep_done(const murk_sweep *sweep);   /* failed ones, too */
+size_t murk_sweep_failed(const murk_sweep *sweep); /* rows */
+
+#endif

@@ -1,0 +1,203 @@
+#include "study/sweep_keys.h"
+
+#include "base/file.h"
+#include "study/gauges.h"
+#include "study/sky.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FILE_BYTES_MAX (UINT64_C(8) << 30)
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+}
+
+void murk_sweep_sums_release(murk_sweep_sums *sums)
+{
+    for (size_t i = 0; i < sums->n; ++i) {
+        free(sums->path[i]);
+    }
+    free(sums->path);
+    free(sums->sum);
+    *sums = (murk_sweep_sums){0};
+}
+
+/* "-" where the file cannot be read: its reader will say so. NULL when out of
+ * memory. */
+static const char *sum_of(murk_sweep_sums *sums, const char *path)
+{
+    for (size_t i = 0; i < sums->n; ++i) {
+        if (strcmp(sums->path[i], path) == 0) {
+            return sums->sum[i];
+        }
+    }
+    char **paths = realloc(sums->path, (sums->n + 1) * sizeof *paths);
+    sums->path = paths ? paths : sums->path;
+    char(*all)[33] = realloc(sums->sum, (sums->n + 1) * sizeof *all);
+    sums->sum = all ? all : sums->sum;
+    char *copy = strdup(path);
+    if (!paths || !all || !copy) {
+        free(copy);
+        return NULL;
+    }
+    uint64_t sum[2];
+    const bool is_read =
+        murk_file_checksum(path, FILE_BYTES_MAX, sum, NULL) == MURK_OK;
+    paths[sums->n] = copy;
+    if (is_read) {
+        snprintf(all[sums->n], sizeof *all, "%016" PRIx64 "%016" PRIx64, sum[1],
+                 sum[0]);
+    } else {
+        snprintf(all[sums->n], sizeof *all, "-");
+    }
+    return all[sums->n++];
+}
+
+static bool put_file(FILE *out, murk_sweep_sums *sums, const char *path)
+{
+    const char *sum = path ? sum_of(sums, path) : "-";
+    if (sum) {
+        fprintf(out, "file: %s\n", sum);
+    }
+    return sum != NULL;
+}
+
+static bool put_files(FILE *out, murk_sweep_sums *sums, const murk_scene *scene)
+{
+    bool is_whole = true;
+    for (size_t i = 0; i < scene->files && is_whole; ++i) {
+        is_whole = put_file(out, sums, scene->file[i]);
+    }
+    /* those that patterns of frames stand for */
+    for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
+        is_whole = put_file(out, sums, scene->media[i].vdb) &&
+                   put_file(out, sums, scene->media[i].albedo_vdb);
+    }
+    return is_whole;
+}
+
+static bool shines(const murk_light *light)
+{
+    for (int b = 0; b < MURK_BANDS_MAX; ++b) {
+        if (light->power_w.band[b] > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void put_vector(FILE *out, murk_vec3 v)
+{
+    fprintf(out, "%a %a %a\n", v.x, v.y, v.z);
+}
+
+/* All of a light but its power. Of distant light that does not shine it is
+ * nothing: where a sun that is down stands makes no difference. */
+static void put_light(FILE *out, const murk_light *l)
+{
+    if (murk_light_is_distant(l) && !shines(l)) {
+        fputs("dark\n", out);
+        return;
+    }
+    fprintf(out, "%d %a %a\n", (int)l->type, l->radius_m, l->divergence_rad);
+    put_vector(out, l->position);
+    put_vector(out, l->edge1);
+    put_vector(out, l->edge2);
+    put_vector(out, l->direction);
+    fprintf(out, "%a %a %a %a %a %a\n", l->angular_radius_rad, l->dome.a,
+            l->dome.b, l->dome.c, l->dome.d, l->dome.e);
+    if (l->dome.c != 0 || l->dome.e != 0) { /* else it is not read */
+        put_vector(out, l->dome.towards);
+    }
+    for (size_t i = 0; i < l->portals; ++i) {
+        put_vector(out, l->portal[i].corner);
+        put_vector(out, l->portal[i].edge1);
+        put_vector(out, l->portal[i].edge2);
+    }
+}
+
+static murk_status put_lights(FILE *out, const murk_scene *scene,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->n_lights && !status; ++i) {
+        murk_light light;
+        murk_sky_facts facts;
+        status = murk_sky_light(&light, &facts, scene, i, err);
+        if (!status) {
+            put_light(out, &light);
+        }
+    }
+    return status;
+}
+
+static bool sign_world(FILE *out, const murk_scene *scene,
+                       const murk_outputs *outputs, murk_sweep_sums *sums)
+{
+    char *gauges = murk_gauges_sign(scene, outputs);
+    fputs(scene->world_key, out);
+    fputs(gauges ? gauges : "", out);
+    const bool is_whole = put_files(out, sums, scene) && gauges;
+    free(gauges);
+    return is_whole;
+}
+
+static bool sign_row(FILE *out, const murk_scene *scene,
+                     const murk_outputs *outputs, const char *version,
+                     murk_sweep_sums *sums)
+{
+    const murk_study_file *study = outputs->study;
+    fprintf(out, "%s\n%d %d\n%zu %zu %zu\n", version, study->has_units,
+            (int)study->units, study->fluence_size[0], study->fluence_size[1],
+            study->fluence_size[2]);
+    for (int k = 0; k < MURK_OUTPUTS; ++k) {
+        fputc(outputs->wants[k] ? '1' : '0', out);
+    }
+    fputs(scene->resolved, out);
+    fputs(scene->light_key, out);
+    return put_file(out, sums, study->plan) && put_files(out, sums, scene);
+}
+
+/* The text of a stream, as its hash. */
+static bool finish(FILE *out, char **text, const size_t *size, char hash[65])
+{
+    const bool failed = ferror(out) != 0;
+    const bool is_whole = fclose(out) == 0 && !failed;
+    if (is_whole) {
+        murk_sha256_hex(*text, *size, hash);
+    }
+    free(*text);
+    *text = NULL;
+    return is_whole;
+}
+
+murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_sweep_sums *sums,
+                               const murk_scene *scene,
+                               const murk_outputs *outputs, const char *version,
+                               murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    murk_sha256_hex(scene->light_key, strlen(scene->light_key), out->light);
+    FILE *to = open_memstream(&text, &size);
+    if (!to) {
+        return no_memory(err);
+    }
+    murk_status status = put_lights(to, scene, err);
+    bool is_whole = sign_world(to, scene, outputs, sums);
+    is_whole &= finish(to, &text, &size, out->world);
+    if (status || !is_whole) {
+        return status ? status : no_memory(err);
+    }
+    to = open_memstream(&text, &size);
+    if (!to) {
+        return no_memory(err);
+    }
+    is_whole = sign_row(to, scene, outputs, version, sums);
+    is_whole &= finish(to, &text, &size, out->own);
+    return is_whole ? MURK_OK : no_memory(err);
+}
