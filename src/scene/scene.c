@@ -312,8 +312,7 @@ murk_status murk_scene_read_variant(murk_scene **out, const char *path,
     murk_status status =
         murk_file_read(&r.text, &r.size, path, MURK_YAML_MOST_BYTES, err);
     if (!status) {
-        status =
-            read_text(&r, out, path, overrides, n_overrides, variant, err);
+        status = read_text(&r, out, path, overrides, n_overrides, variant, err);
     }
     release(&r);
     return status;
