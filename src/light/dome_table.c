@@ -7,17 +7,18 @@
 #define NODES (CELLS + 1)
 #define ALL   ((size_t)CELLS * CELLS)
 
-/* A cell keeps what falls on it with a chance, else hands it on. */
-typedef struct alias {
-    float keeps;
-    uint32_t other;
-} alias;
+/* A cell keeps what falls on it with a chance, in 2^-18, else hands it on to
+ * another: both in one word, since a table that fits a core's own cache is what
+ * makes drawing fast. Uniform numbers are no finer, of so many cells. */
+#define OTHER_BITS 14
+#define KEEPS_BITS (32 - OTHER_BITS)
+_Static_assert(CELLS *CELLS <= 1 << OTHER_BITS, "cells are numbered in a word");
 
 struct murk_dome_table {
     murk_vec3 along, up, outward; /* the opening's frame; along is level */
     double x[NODES], a[NODES];
-    double density[NODES][NODES]; /* [x][a] */
-    alias cell[CELLS * CELLS];    /* [x * CELLS + a] */
+    float density[NODES][NODES];  /* [x][a] */
+    uint32_t cell[CELLS * CELLS]; /* [x * CELLS + a] keeps, other */
     double irradiance;
 };
 
@@ -37,11 +38,17 @@ static void lay_nodes(murk_dome_table *t)
     t->x[CELLS / 2] = 0;
 }
 
-/* Towards the sky from a place in the table's rectangle. */
-static murk_vec3 direction_at(const murk_dome_table *t, double x, double a)
+static inline double cosine_of(double sine)
 {
-    const double rest = sqrt(fmax(0, (1 - x) * (1 + x)));
-    const double cosine = rest * sqrt(fmax(0, (1 - a) * (1 + a)));
+    const double square = (1 - sine) * (1 + sine);
+    return square > 0 ? sqrt(square) : 0;
+}
+
+/* Towards the sky from a place in the table's rectangle; unit. */
+static inline murk_vec3 direction_at(const murk_dome_table *t, double x,
+                                     double a)
+{
+    const double rest = cosine_of(x), cosine = rest * cosine_of(a);
     murk_vec3 d = murk_scale(x, t->along);
     d = murk_along(d, a * rest, t->up);
     return murk_along(d, cosine, t->outward);
@@ -51,9 +58,9 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
                         const char *where, murk_error *err)
 {
     for (int i = 0; i < NODES; ++i) {
-        const double width = sqrt(fmax(0, (1 - t->x[i]) * (1 + t->x[i])));
+        const double width = cosine_of(t->x[i]);
         for (int j = 0; j < NODES; ++j) {
-            murk_vec3 d = murk_unit(direction_at(t, t->x[i], t->a[j]));
+            murk_vec3 d = direction_at(t, t->x[i], t->a[j]);
             d.z = fmax(0, d.z); /* the horizon's nodes, which may be rounded */
             const double radiance = murk_dome_radiance(dome, d);
             if (!(radiance >= 0 && isfinite(radiance))) {
@@ -62,7 +69,7 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
                                  "[%g, %g, %g], must be 0 or more",
                                  radiance, d.x, d.y, d.z);
             }
-            t->density[i][j] = radiance * width;
+            t->density[i][j] = (float)(radiance * width);
         }
     }
     return MURK_OK;
@@ -76,9 +83,9 @@ static double weigh(const murk_dome_table *t, double *share)
         for (size_t j = 0; j < CELLS; ++j) {
             const double area =
                 (t->x[i + 1] - t->x[i]) * (t->a[j + 1] - t->a[j]);
-            const double corners = t->density[i][j] + t->density[i + 1][j] +
-                                   t->density[i][j + 1] +
-                                   t->density[i + 1][j + 1];
+            const float *low = &t->density[i][j], *high = &t->density[i + 1][j];
+            const double corners = (double)low[0] + (double)low[1] +
+                                   (double)high[0] + (double)high[1];
             sum += share[i * CELLS + j] = area * corners / 4;
         }
     }
@@ -91,11 +98,18 @@ static double weigh(const murk_dome_table *t, double *share)
 /* Vose: each cell that has too little is filled up from one that has too much;
  * what is left at the end is 1 but for rounding. stack[ALL] has the small ones
  * from its front and the large ones from its end. */
+static uint32_t packed(double keeps, uint32_t other)
+{
+    const double most = (1 << KEEPS_BITS) - 1;
+    return (uint32_t)fmin(most, nearbyint(keeps * (most + 1))) << OTHER_BITS |
+           other;
+}
+
 static void pair_up(murk_dome_table *t, double *share, uint32_t *stack)
 {
     size_t small = 0, large = ALL;
     for (uint32_t c = 0; c < ALL; ++c) {
-        t->cell[c] = (alias){1, c};
+        t->cell[c] = packed(1, c);
         if (share[c] < 1) {
             stack[small++] = c;
         } else {
@@ -104,7 +118,7 @@ static void pair_up(murk_dome_table *t, double *share, uint32_t *stack)
     }
     while (small > 0 && large < ALL) {
         const uint32_t poor = stack[--small], rich = stack[large];
-        t->cell[poor] = (alias){(float)share[poor], rich};
+        t->cell[poor] = packed(share[poor], rich);
         share[rich] -= 1 - share[poor];
         if (share[rich] < 1) {
             ++large;
@@ -160,16 +174,18 @@ static double slanted(double from, double to, double u)
 
 murk_vec3 murk_dome_table_draw(const murk_dome_table *t, const double u[4])
 {
-    size_t c = (size_t)(u[0] * (double)ALL);
-    if (u[1] >= (double)t->cell[c].keeps) {
-        c = t->cell[c].other;
-    }
+    const size_t first = (size_t)(u[0] * (double)ALL);
+    const uint32_t cell = t->cell[first];
+    const bool keeps =
+        (uint32_t)(u[1] * (1 << KEEPS_BITS)) < cell >> OTHER_BITS;
+    const size_t c = keeps ? first : cell & ((1 << OTHER_BITS) - 1);
     const size_t i = c / CELLS, j = c % CELLS;
-    const double *low = &t->density[i][j], *high = &t->density[i + 1][j];
-    const double p = slanted(low[0] + low[1], high[0] + high[1], u[2]);
-    const double q = slanted(low[0] + p * (high[0] - low[0]),
-                             low[1] + p * (high[1] - low[1]), u[3]);
+    const float *low = &t->density[i][j], *high = &t->density[i + 1][j];
+    const double a0 = (double)low[0], a1 = (double)low[1];
+    const double b0 = (double)high[0], b1 = (double)high[1];
+    const double p = slanted(a0 + a1, b0 + b1, u[2]);
+    const double q = slanted(a0 + p * (b0 - a0), a1 + p * (b1 - a1), u[3]);
     const double x = t->x[i] + p * (t->x[i + 1] - t->x[i]);
     const double a = t->a[j] + q * (t->a[j + 1] - t->a[j]);
-    return murk_unit(direction_at(t, x, a));
+    return direction_at(t, x, a);
 }

@@ -1,5 +1,7 @@
 #include "study/free_space.h"
 
+#include "study/entrances.h"
+
 #include <stdlib.h>
 
 /* Points along the longest axis, or the only one. */
@@ -26,25 +28,17 @@ murk_status murk_stage_free_space(murk_open_space **out,
                                   murk_error *err)
 {
     const char *where = stage->scene->placement.where;
-    const size_t n = murk_lights_count(stage->lights);
-    murk_vec3 *lamp = calloc(n + 1, sizeof *lamp);
-    if (!lamp) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for the lamps' places");
-    }
-    murk_reach reach = {.lamps = lamp, .domain = stage->world.domain};
-    for (size_t i = 0; i < n; ++i) {
-        if (murk_lights_place(stage->lights, i, &lamp[reach.n_lamps])) {
-            ++reach.n_lamps;
-        } else {
-            reach.from_sides = true;
-        }
+    murk_vec3 *lamp = NULL;
+    murk_reach reach;
+    murk_status status = murk_entrances(&reach, &lamp, stage, where, err);
+    if (status) {
+        return status;
     }
     murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS] = {
         murk_candidate_grid_over(&stage->world.domain.box, POINTS_ALL)};
     const size_t grids = 1 + grid_of_sensors(stage, &grid[1]);
-    const murk_status status = murk_open_space_create(
-        out, grid, grids, stage->surfaces, &reach, threads, where, err);
+    status = murk_open_space_create(out, grid, grids, stage->surfaces, &reach,
+                                    threads, where, err);
     free(lamp);
     return status;
 }

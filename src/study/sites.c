@@ -1,5 +1,6 @@
 #include "study/sites.h"
 
+#include "study/entrances.h"
 #include "study/site_points.h"
 #include "study/site_zones.h"
 
@@ -157,21 +158,13 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
     const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
     const bool is_grid_alone =
         wish->has_grid && !wish->points.given && wish->mounts == 0;
-    const size_t n = murk_lights_count(stage->lights);
-    asking a = {.lamp = calloc(n + 1, sizeof *a.lamp)};
-    if (!a.lamp) {
-        return murk_fail(err, MURK_NO_MEMORY, wish->where,
-                         "no memory for the lamps' places");
+    asking a = {0};
+    murk_reach reach;
+    murk_status status =
+        murk_entrances(&reach, &a.lamp, stage, wish->where, err);
+    if (!status) {
+        status = ask(&a, stage, err);
     }
-    murk_reach reach = {.lamps = a.lamp, .domain = stage->world.domain};
-    for (size_t i = 0; i < n; ++i) {
-        if (murk_lights_place(stage->lights, i, &a.lamp[reach.n_lamps])) {
-            ++reach.n_lamps;
-        } else {
-            reach.from_sides = true;
-        }
-    }
-    murk_status status = ask(&a, stage, err);
     if (!status) {
         status = murk_candidates_create(
             out, &a.desc, stage->surfaces, &reach, threads,

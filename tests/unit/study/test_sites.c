@@ -173,6 +173,56 @@ static void test_bad_mounts_are_named(void)
                   "none of the 12 candidates is usable: 7 out of reach");
 }
 
+/* A room whose one window is above the candidates' plane: no way along an axis
+ * leads out, but light that is aimed at the window comes in by it. By night,
+ * too: the lights are dark there. */
+static void test_a_window_lets_reach_in(void)
+{
+    static const char text[] =
+        "murk: 1\n"
+        "domain: {min_m: [-2, -1, -1], max_m: [5, 4, 4]}\n"
+        "materials: {pane: {transmit: 0.9}}\n"
+        "geometry:\n"
+        "  - {rect: {corner_m: [0, 0, 0], edge1_m: [4, 0, 0], "
+        "edge2_m: [0, 3, 0]}}\n"
+        "  - {rect: {corner_m: [0, 0, 3], edge1_m: [4, 0, 0], "
+        "edge2_m: [0, 3, 0]}}\n"
+        "  - {rect: {corner_m: [0, 0, 0], edge1_m: [4, 0, 0], "
+        "edge2_m: [0, 0, 3]}}\n"
+        "  - {rect: {corner_m: [0, 3, 0], edge1_m: [4, 0, 0], "
+        "edge2_m: [0, 0, 3]}}\n"
+        "  - {rect: {corner_m: [4, 0, 0], edge1_m: [0, 3, 0], "
+        "edge2_m: [0, 0, 3]}}\n"
+        "  - {rect: {corner_m: [0, 0, 0], edge1_m: [0, 3, 0], "
+        "edge2_m: [0, 0, 2]}}\n"
+        "  - {rect: {corner_m: [0, 0, 2], edge1_m: [0, 3, 0], "
+        "edge2_m: [0, 0, 1]}, material: pane}\n"
+        "lights: [{type: directional, direction: [1, 0, -1], "
+        "irradiance_w_per_m2: 8}]\n"
+        "photons: {emit: 300}\n"
+        "sensors: {types: [{name: node, range_m: 1}], count: 1, candidates: "
+        "{grid: {min_m: [0.5, 0.5, 0.5], max_m: [3.5, 2.5, 1.5], size: [3, 3, "
+        "2]}}}\n";
+    const char *const aim =
+        "lights.0.aim=[{corner_m: [0, 0, 2], edge1_m: [0, 3, 0], edge2_m: [0, "
+        "0, 1]}]";
+    const char *const overrides[3][3] = {
+        {NULL}, {aim, NULL}, {aim, "lights.0.schedule=never", NULL}};
+    const size_t want[3] = {0, 18, 18};
+    for (int i = 0; i < 3; ++i) {
+        murk_stage *stage = stage_text_create(text, overrides[i]);
+        murk_candidates *sites = NULL;
+        murk_error err = {0};
+        CHECK(stage != NULL);
+        const murk_status status =
+            stage ? murk_sites_find(&sites, stage, 1, &err) : MURK_BAD_VALUE;
+        CHECK((status == MURK_OK) == (want[i] > 0));
+        CHECK(status || sites->usable == want[i]);
+        murk_candidates_destroy(sites);
+        stage_text_destroy(stage);
+    }
+}
+
 int main(void)
 {
     if (!mkdtemp(folder)) {
@@ -180,6 +230,7 @@ int main(void)
     }
     snprintf(surveyed, sizeof surveyed, "%s/surveyed.csv", folder);
     snprintf(crate, sizeof crate, "%s/crate.obj", folder);
+    test_a_window_lets_reach_in();
     test_sources_join();
     test_zones();
     test_bad_files_are_named();
