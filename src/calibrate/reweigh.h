@@ -1,0 +1,45 @@
+/* Contributions at other parameters: each one's weight, and its slope by each
+ * of them. */
+#ifndef MURK_CALIBRATE_REWEIGH_H
+#define MURK_CALIBRATE_REWEIGH_H
+
+#include "calibrate/followed.h"
+#include "calibrate/optics.h"
+
+/* A parameter's own two sides: optics at its value a little lower and higher.
+ */
+typedef struct murk_optics_sides {
+    const murk_optics *low, *high;
+    double span; /* high less low, of the parameter */
+} murk_optics_sides;
+
+typedef struct murk_reweighed {
+    size_t n, keys;
+    double *ratio; /* [n] of the contribution's weight to that traced, its
+                      light's power included */
+    double *slope; /* [keys][n] of ratio */
+    double effective_share; /* (sum r)^2 / (n sum r^2) over contributions, each
+                               by its traced worth: 1 when nothing changed.
+                               The least over receivers and maps */
+} murk_reweighed;
+
+/* followed was traced with `traced`; wanted at `at`. sides[keys] are the
+ * parameters'; low NULL: the parameter has no say here (slope 0). What is
+ * wanted must not differ from what was traced but in optics. */
+murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
+                         const murk_optics *traced, const murk_optics *at,
+                         const murk_optics_sides *sides, size_t keys,
+                         unsigned threads, murk_error *err);
+void murk_reweighed_release(murk_reweighed *reweighed);
+
+/* What receivers read, W/m2 in each band that they take, times per_watt[r] by
+ * band: value[receivers], slope[receivers][keys], and sums by batch of photons
+ * batch[batches][receivers] whose totals are the values. Batches are runs of
+ * photons' indices. */
+void murk_receivers_read(double *value, double *slope, double *batch,
+                         size_t batches, const murk_receiver *receiver,
+                         const murk_spectrum *per_watt, size_t receivers,
+                         const murk_followed *followed,
+                         const murk_reweighed *reweighed);
+
+#endif
