@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "study/taken_again.h"
+#include "study/units.h"
 
 static const char *name_of(murk_scene_light_type type)
 {
@@ -30,6 +31,19 @@ static void print_time(const murk_stage *stage)
     }
 }
 
+/* What comes of a light of the sky, in the scene's units. */
+static double irradiance_of(const murk_stage *stage, size_t light)
+{
+    const murk_scene *scene = stage->scene;
+    const murk_light *of = murk_lights_get(stage->lights, light);
+    double sum = 0;
+    for (int b = 0; b < scene->bands; ++b) {
+        sum += of->power_w.band[b] *
+               murk_units_per_watt(scene->units, stage, light, b);
+    }
+    return sum;
+}
+
 /* The irradiance above holds the weather already. */
 static void print_taken(const murk_stage *stage, size_t light)
 {
@@ -41,9 +55,35 @@ static void print_taken(const murk_stage *stage, size_t light)
     }
 }
 
-void murk_print_sky(const murk_stage *stage)
+/* Of all lights, in a quantity. */
+static double power_of(const murk_stage *stage, murk_quantity quantity)
+{
+    const size_t bands = (size_t)stage->scene->bands;
+    double sum = 0;
+    for (size_t c = 0; c < murk_lights_channels(stage->lights); ++c) {
+        sum +=
+            murk_lights_channel_power_w(stage->lights, c) *
+            murk_units_per_watt(quantity, stage, c / bands, (int)(c % bands));
+    }
+    return sum;
+}
+
+static void print_power(const murk_stage *stage)
+{
+    const murk_quantity quantity = stage->scene->units;
+    printf("lights      %zu, %.6g W", murk_lights_count(stage->lights),
+           murk_lights_power_w(stage->lights));
+    if (quantity != MURK_RADIOMETRIC) {
+        printf(" or %.6g %s", power_of(stage, quantity),
+               murk_units_of(quantity).power);
+    }
+    printf(" together\n");
+}
+
+void murk_print_lights(const murk_stage *stage)
 {
     const murk_scene *scene = stage->scene;
+    print_power(stage);
     print_time(stage);
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
@@ -54,8 +94,8 @@ void murk_print_sky(const murk_stage *stage)
             }
             continue;
         }
-        printf("light       %zu, %s: %.4g W/m2 in the bands", i,
-               name_of(l->type), facts->irradiance_w_per_m2);
+        printf("light       %zu, %s: %.4g %s in the bands", i, name_of(l->type),
+               irradiance_of(stage, i), murk_units_of(scene->units).irradiance);
         if (isfinite(facts->elevation_deg)) {
             printf("; %s at azimuth %.2f, elevation %.2f degrees",
                    l->type == MURK_SCENE_LIGHT_MOON ? "moon" : "sun",
@@ -93,9 +133,20 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
         cJSON_CreateDoubleArray(taken.transmittance.band, bands));
 }
 
-void murk_json_sky(cJSON *lights, const murk_stage *stage)
+void murk_json_lights(cJSON *root, const murk_stage *stage)
 {
     const murk_scene *scene = stage->scene;
+    const murk_units units = murk_units_of(scene->units);
+    cJSON *lights = cJSON_AddObjectToObject(root, "lights");
+    cJSON_AddNumberToObject(lights, "count",
+                            (double)murk_lights_count(stage->lights));
+    cJSON_AddNumberToObject(lights, "power_w",
+                            murk_lights_power_w(stage->lights));
+    if (scene->units != MURK_RADIOMETRIC) {
+        char key[40];
+        snprintf(key, sizeof key, "power_%s", units.suffix);
+        cJSON_AddNumberToObject(lights, key, power_of(stage, scene->units));
+    }
     cJSON *list = cJSON_AddArrayToObject(lights, "sky");
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
@@ -106,6 +157,13 @@ void murk_json_sky(cJSON *lights, const murk_stage *stage)
         add_number(item, "azimuth_deg", facts->azimuth_deg);
         add_number(item, "elevation_deg", facts->elevation_deg);
         add_number(item, "irradiance_w_per_m2", facts->irradiance_w_per_m2);
+        if (isfinite(facts->irradiance_w_per_m2)) {
+            add_number(item, "irradiance", irradiance_of(stage, i));
+            cJSON_AddStringToObject(item, "unit", units.irradiance);
+        } else {
+            cJSON_AddNullToObject(item, "irradiance");
+            cJSON_AddNullToObject(item, "unit");
+        }
         add_taken(item, stage, i);
         cJSON_AddItemToArray(list, item);
     }

@@ -226,12 +226,7 @@ static cJSON *check_json(const findings *f)
         domain, "sides", stage->world.domain.is_periodic ? "periodic" : "open");
     add_surfaces(root, f);
     add_media(root, f);
-    cJSON *lights = cJSON_AddObjectToObject(root, "lights");
-    cJSON_AddNumberToObject(lights, "count",
-                            (double)murk_lights_count(stage->lights));
-    cJSON_AddNumberToObject(lights, "power_w",
-                            murk_lights_power_w(stage->lights));
-    murk_json_sky(lights, stage);
+    murk_json_lights(root, stage);
     if (f->candidates) {
         murk_json_candidates(root, f->candidates);
     } else {
@@ -387,10 +382,7 @@ static void print_findings(const findings *f)
                m->diffuse.band[0], m->specular.band[0], m->transmit.band[0]);
     }
     print_media(f);
-    printf("lights      %zu, %.6g W together\n",
-           murk_lights_count(stage->lights),
-           murk_lights_power_w(stage->lights));
-    murk_print_sky(stage);
+    murk_print_lights(stage);
     if (f->candidates) {
         murk_print_candidates(f->candidates);
         murk_print_sensor_types(f->session->scene, f->poses);

@@ -251,36 +251,41 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
     return text;
 }
 
-/* Power of a channel's quanta. */
-static double channel_watts(const murk_traced *traced, int64_t quanta,
-                            size_t channel)
+/* Of quanta whose packet is worth that much. */
+static double worth(int64_t quanta, double packet)
 {
-    return (double)quanta / (double)MURK_PACKET * traced->packet_w[channel];
+    return (double)quanta / (double)MURK_PACKET * packet;
 }
 
 double murk_ledger_watts(const murk_traced *traced, const murk_tally *column)
 {
     double sum = 0;
     for (size_t c = 0; c < traced->channels; ++c) {
-        sum += channel_watts(traced, murk_tally_read(&column[c]), c);
+        sum += worth(murk_tally_read(&column[c]), traced->packet_w[c]);
     }
     return sum;
 }
 
-/* {"total": .., "bands": [..]} of quanta[channels]. */
+/* {"total": .., "bands": [..]} of quanta[channels], each of which is worth
+ * packet[channel] a packet. */
+static void add_worth(cJSON *object, const char *key, const double *packet,
+                      size_t channels, const int64_t *quanta, int bands)
+{
+    double total = 0, band[MURK_BANDS_MAX] = {0};
+    for (size_t c = 0; c < channels; ++c) {
+        const double value = worth(quanta[c], packet[c]);
+        total += value;
+        band[c % (size_t)bands] += value;
+    }
+    cJSON *both = cJSON_AddObjectToObject(object, key);
+    murk_json_number(both, "total", total);
+    cJSON_AddItemToObject(both, "bands", cJSON_CreateDoubleArray(band, bands));
+}
+
 static void add_watts(cJSON *object, const char *key, const murk_traced *traced,
                       const int64_t *quanta, int bands)
 {
-    double total_w = 0, band_w[MURK_BANDS_MAX] = {0};
-    for (size_t c = 0; c < traced->channels; ++c) {
-        const double w = channel_watts(traced, quanta[c], c);
-        total_w += w;
-        band_w[c % (size_t)bands] += w;
-    }
-    cJSON *both = cJSON_AddObjectToObject(object, key);
-    murk_json_number(both, "total", total_w);
-    cJSON_AddItemToObject(both, "bands",
-                          cJSON_CreateDoubleArray(band_w, bands));
+    add_worth(object, key, traced->packet_w, traced->channels, quanta, bands);
 }
 
 static void add_column(cJSON *object, const char *key,
@@ -324,27 +329,22 @@ static void add_absorbers(cJSON *object, const murk_traced *traced,
 
 /* What left the lights as users read it: "emitted_lm". Nothing for watts. */
 static void add_emitted(cJSON *object, const murk_traced *traced,
-                        const murk_scene *scene)
+                        const murk_stage *stage)
 {
+    const murk_scene *scene = stage->scene;
     if (scene->units == MURK_RADIOMETRIC) {
         return;
     }
-    const murk_units units = murk_units_of(scene);
+    const murk_units units = murk_units_of(scene->units);
     char key[40];
-    double total = 0, band[MURK_BANDS_MAX] = {0};
+    double packet[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    int64_t quanta[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    murk_units_packets(packet, scene->units, stage, traced->packet_w);
     for (size_t c = 0; c < traced->channels; ++c) {
-        const size_t b = c % (size_t)scene->bands;
-        const int64_t quanta = murk_tally_read(&traced->ledger->emitted[c]);
-        const double value =
-            channel_watts(traced, quanta, c) * units.per_watt.band[b];
-        total += value;
-        band[b] += value;
+        quanta[c] = murk_tally_read(&traced->ledger->emitted[c]);
     }
     snprintf(key, sizeof key, "emitted_%s", units.suffix);
-    cJSON *both = cJSON_AddObjectToObject(object, key);
-    murk_json_number(both, "total", total);
-    cJSON_AddItemToObject(both, "bands",
-                          cJSON_CreateDoubleArray(band, scene->bands));
+    add_worth(object, key, packet, traced->channels, quanta, scene->bands);
 }
 
 void murk_json_ledger(cJSON *object, const murk_traced *traced,
@@ -353,7 +353,7 @@ void murk_json_ledger(cJSON *object, const murk_traced *traced,
     const murk_ledger *ledger = traced->ledger;
     const int bands = stage->scene->bands;
     add_column(object, "emitted_w", traced, ledger->emitted, bands);
-    add_emitted(object, traced, stage->scene);
+    add_emitted(object, traced, stage);
     add_column(object, "absorbed_surfaces_w", traced, ledger->absorbed_surfaces,
                bands);
     add_column(object, "absorbed_media_w", traced, ledger->absorbed_media,

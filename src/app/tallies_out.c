@@ -18,23 +18,26 @@ typedef struct tally {
     size_t number;
     murk_units units;
     bool is_error; /* of a grid's two files: that of the errors */
+    double packet[MURK_LIGHTS_MAX * MURK_BANDS_MAX]; /* in those units */
 } tally;
 
 static tally tally_of(const murk_session *session, size_t i)
 {
-    return (tally){.traced = session->traced,
-                   .scene = session->scene,
-                   .desc = murk_tallies_desc(session->traced->tallies, i),
-                   .number = i,
-                   .units = murk_units_of(session->scene)};
+    const murk_scene *scene = session->scene;
+    tally t = {.traced = session->traced,
+               .scene = scene,
+               .desc = murk_tallies_desc(session->traced->tallies, i),
+               .number = i,
+               .units = murk_units_of(scene->units)};
+    murk_units_packets(t.packet, scene->units, session->stage,
+                       session->traced->packet_w);
+    return t;
 }
 
 static murk_estimate read_cell(const tally *t, int band, size_t cell)
 {
-    return murk_units_convert(
-        &t->units, band,
-        murk_tallies_read(t->traced->tallies, t->number, band, cell,
-                          t->traced->ledger->emitted, t->traced->packet_w));
+    return murk_tallies_read(t->traced->tallies, t->number, band, cell,
+                             t->traced->ledger->emitted, t->packet);
 }
 
 static const char *direction_of(const murk_tally_desc *desc, size_t direction)
@@ -288,7 +291,7 @@ static const char *const type_name[] = {[MURK_TALLY_PLANE] = "plane",
 
 void murk_json_tallies(cJSON *root, const murk_session *session)
 {
-    const murk_units units = murk_units_of(session->scene);
+    const murk_units units = murk_units_of(session->scene->units);
     cJSON *list = cJSON_AddArrayToObject(root, "tallies");
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
@@ -303,7 +306,7 @@ void murk_json_tallies(cJSON *root, const murk_session *session)
 
 void murk_print_asked_tallies(const murk_session *session)
 {
-    const murk_units units = murk_units_of(session->scene);
+    const murk_units units = murk_units_of(session->scene->units);
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
         printf("tally       %s: ", d->name);

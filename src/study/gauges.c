@@ -196,16 +196,15 @@ static murk_estimate read_cell(const source *s, size_t tally, int band,
 }
 
 /* Densities are photons where nobody asks for anything else. */
-static murk_units units_of(const murk_gauges *gauges, const murk_gauge *gauge,
-                           const murk_scene *scene)
+static murk_quantity quantity_of(const murk_gauges *gauges,
+                                 const murk_gauge *gauge,
+                                 const murk_scene *scene)
 {
-    murk_scene asked = *scene;
     if (gauges->study->has_units) {
-        asked.units = gauges->study->units;
-    } else if (gauge->is_density && scene->units == MURK_RADIOMETRIC) {
-        asked.units = MURK_PHOTONS;
+        return gauges->study->units;
     }
-    return murk_units_of(&asked);
+    return gauge->is_density && scene->units == MURK_RADIOMETRIC ? MURK_PHOTONS
+                                                                 : scene->units;
 }
 
 /* Divided by a share that has an error of its own. */
@@ -223,15 +222,22 @@ static murk_estimate divide(murk_estimate e, const murk_estimate *share)
 static murk_status add_values(murk_row *row, const murk_gauges *gauges,
                               size_t number, size_t cell, const char *suffix,
                               const murk_estimate *share,
-                              const murk_scene *scene, const source *s,
+                              const murk_stage *stage, const source *watts,
                               murk_error *err)
 {
     const murk_gauge *gauge = &gauges->gauge[number];
-    const murk_units units = units_of(gauges, gauge, scene);
+    const murk_scene *scene = stage->scene;
+    const murk_quantity quantity = quantity_of(gauges, gauge, scene);
+    const murk_units units = murk_units_of(quantity);
+    double packet[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    const source s = {watts->tallies, watts->emitted, packet};
     murk_estimate band[MURK_BANDS_MAX];
     char name[MURK_ROW_NAME_SIZE];
+    if (watts->tallies) {
+        murk_units_packets(packet, quantity, stage, watts->packet_w);
+    }
     for (int b = 0; b < scene->bands; ++b) {
-        band[b] = murk_units_convert(&units, b, read_cell(s, number, b, cell));
+        band[b] = read_cell(&s, number, b, cell);
         band[b].value *= gauge->per_unit;
         band[b].standard_error *= gauge->per_unit;
     }
@@ -282,7 +288,7 @@ murk_status murk_gauges_read(murk_row *row, const murk_gauges *gauges,
         for (size_t c = 0; c < cells && !status; ++c) {
             status =
                 add_values(row, gauges, i, c, suffix_of(&gauges->desc[i], c),
-                           &share, stage->scene, &s, err);
+                           &share, stage, &s, err);
         }
     }
     murk_open_space_destroy(space);

@@ -268,9 +268,9 @@ static murk_status sun_light(murk_light *out, murk_sky_facts *facts,
             fmin(direct, c.left * (1 - c.diffuse) * day.clear.global_w_per_m2 /
                              sin(day.sun.elevation_deg * RAD));
     }
-    const murk_solar_spectrum spectrum =
+    facts->spectrum =
         spectrum_of(MURK_SPECTRUM_DIRECT, light, day.sun.elevation_deg);
-    out->power_w = spread(scene, light, &spectrum, direct);
+    out->power_w = spread(scene, light, &facts->spectrum, direct);
     return MURK_OK;
 }
 
@@ -302,11 +302,11 @@ static murk_status moon_light(murk_light *out, murk_sky_facts *facts,
     const clouds c = clouds_of(light->cover),
                  none = clouds_of(MURK_SCENE_CLEAR);
     const double seen = c.left * (1 - c.diffuse) / (1 - none.diffuse);
-    const murk_solar_spectrum spectrum =
+    facts->spectrum =
         spectrum_of(MURK_SPECTRUM_DIRECT, light, body.elevation_deg);
     out->power_w =
-        spread(scene, light, &spectrum,
-               seen * moonlight.direct_lux / lumen_per_watt(&spectrum));
+        spread(scene, light, &facts->spectrum,
+               seen * moonlight.direct_lux / lumen_per_watt(&facts->spectrum));
     return MURK_OK;
 }
 
@@ -347,11 +347,13 @@ static murk_status sky_light(murk_light *out, murk_sky_facts *facts,
     const murk_moonlight moonlight = murk_moonlight_at(
         &moon,
         murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
-    const murk_solar_spectrum spectrum = spectrum_of(
+    facts->spectrum = spectrum_of(
         source, light, fmax(day.sun.elevation_deg, body.elevation_deg));
-    const double by_sun = scattered_w_per_m2(&day, light->cover, &spectrum);
+    const double by_sun =
+        scattered_w_per_m2(&day, light->cover, &facts->spectrum);
     const double by_moon = clouds_of(light->cover).left *
-                           moonlight.diffuse_lux / lumen_per_watt(&spectrum);
+                           moonlight.diffuse_lux /
+                           lumen_per_watt(&facts->spectrum);
     const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
     facts->azimuth_deg = day.sun.azimuth_deg;
     facts->elevation_deg = day.sun.elevation_deg;
@@ -359,23 +361,23 @@ static murk_status sky_light(murk_light *out, murk_sky_facts *facts,
     out->dome = murk_dome_cie(light->cie_type > 0 ? (int)light->cie_type
                                                   : type_of[light->cover],
                               towards(brighter, scene->north));
-    out->power_w = spread(scene, light, &spectrum, by_sun + by_moon);
+    out->power_w = spread(scene, light, &facts->spectrum, by_sun + by_moon);
     return MURK_OK;
 }
 
 /* Airglow is a layer: brighter towards the horizon, where more air dims it
  * again; an even sky of the same level irradiance stands for both. */
-static void night_light(murk_light *out, const murk_scene *scene,
-                        const murk_scene_light *light)
+static void night_light(murk_light *out, murk_sky_facts *facts,
+                        const murk_scene *scene, const murk_scene_light *light)
 {
     const double lux = murk_night_sky_lux(
         light->mag_per_arcsec2,
         murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
-    const murk_solar_spectrum spectrum =
+    facts->spectrum =
         spectrum_of(MURK_SPECTRUM_EXTRATERRESTRIAL, light, RIGHT_DEG);
     out->type = MURK_LIGHT_DOME;
-    out->power_w =
-        spread(scene, light, &spectrum, lux / lumen_per_watt(&spectrum));
+    out->power_w = spread(scene, light, &facts->spectrum,
+                          lux / lumen_per_watt(&facts->spectrum));
 }
 
 /* ---- all lights ---- */
@@ -430,7 +432,7 @@ murk_status murk_sky_light(murk_light *out, murk_sky_facts *facts,
         status = sky_light(out, facts, scene, l, err);
         break;
     case MURK_SCENE_LIGHT_NIGHT_SKY:
-        night_light(out, scene, l);
+        night_light(out, facts, scene, l);
         break;
     case MURK_SCENE_LIGHT_SPHERE:
     case MURK_SCENE_LIGHT_RECT:

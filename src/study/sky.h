@@ -7,6 +7,7 @@
 
 #include "base/status.h"
 #include "light/lights.h"
+#include "light/solar_spectrum.h"
 #include "scene/scene.h"
 
 /* What was found of one light. */
@@ -17,6 +18,8 @@ typedef struct murk_sky_facts {
     double irradiance_w_per_m2; /* distant light, over all bands: sun, moon and
                                    directional at right angles to the beam,
                                    skies on a level plane */
+    murk_solar_spectrum spectrum; /* of sun, moon and skies; else no nodes: even
+                                     within a band */
 } murk_sky_facts;
 
 /* One light of the scene; it borrows from the scene. All of its power_w is 0

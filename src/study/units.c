@@ -1,55 +1,62 @@
 #include "study/units.h"
 
 #include "base/log.h"
-#include "light/solar_spectrum.h"
 
 #include <math.h>
 #include <stdio.h>
 
 static const murk_units KNOWN[] = {
-    [MURK_RADIOMETRIC] = {"W", "W/m2", "w", {{0}}},
-    [MURK_PHOTOMETRIC] = {"lm", "lux", "lm", {{0}}},
-    [MURK_PHOTONS] = {"1/s", "1/s/m2", "photons_per_s", {{0}}},
-    [MURK_PAR] = {"umol/s", "umol/s/m2", "umol_per_s", {{0}}},
+    [MURK_RADIOMETRIC] = {"W", "W/m2", "w"},
+    [MURK_PHOTOMETRIC] = {"lm", "lux", "lm"},
+    [MURK_PHOTONS] = {"1/s", "1/s/m2", "photons_per_s"},
+    [MURK_PAR] = {"umol/s", "umol/s/m2", "umol_per_s"},
 };
 
-static bool is_of_the_sky(const murk_scene *scene)
+murk_units murk_units_of(murk_quantity quantity)
 {
-    bool is_so = scene->n_lights > 0;
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        is_so = is_so && scene->lights[i].type >= MURK_SCENE_LIGHT_SUN;
-    }
-    return is_so;
+    return KNOWN[quantity];
 }
 
-murk_units murk_units_of(const murk_scene *scene)
+/* spectrum NULL: even in wavelength. */
+static double per_watt(murk_quantity quantity, const murk_scene *scene,
+                       int band, const murk_solar_spectrum *spectrum)
 {
-    murk_units out = KNOWN[scene->units];
-    murk_solar_spectrum sunlight;
-    const bool by_sun = scene->has_edges && is_of_the_sky(scene);
-    if (by_sun) {
-        murk_solar_spectrum_make(&sunlight, MURK_SPECTRUM_AM15_GLOBAL, NULL);
-    }
-    for (int i = 0; i < scene->bands; ++i) {
-        const double from =
-            scene->has_edges ? scene->band_edge_nm[i] : scene->band_nm[i];
-        const double to =
-            scene->has_edges ? scene->band_edge_nm[i + 1] : scene->band_nm[i];
-        out.per_watt.band[i] =
-            by_sun
-                ? murk_quantity_per_watt_of(scene->units, from, to,
-                                            murk_solar_spectrum_at, &sunlight)
-                : murk_quantity_per_watt(scene->units, from, to);
-    }
-    return out;
+    const double line = scene->band_nm[band];
+    const double from = scene->has_edges ? scene->band_edge_nm[band] : line;
+    const double to = scene->has_edges ? scene->band_edge_nm[band + 1] : line;
+    return spectrum ? murk_quantity_per_watt_of(
+                          quantity, from, to, murk_solar_spectrum_at, spectrum)
+                    : murk_quantity_per_watt(quantity, from, to);
 }
 
-murk_estimate murk_units_convert(const murk_units *units, int band,
-                                 murk_estimate radiometric)
+static const murk_solar_spectrum *spectrum_of(const murk_stage *stage,
+                                              size_t light)
 {
-    const double factor = units->per_watt.band[band];
-    return (murk_estimate){radiometric.value * factor,
-                           radiometric.standard_error * factor};
+    const murk_solar_spectrum *spectrum = &stage->sky[light].spectrum;
+    return spectrum->nodes > 0 ? spectrum : NULL;
+}
+
+double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
+                           size_t light, int band)
+{
+    return per_watt(quantity, stage->scene, band, spectrum_of(stage, light));
+}
+
+void murk_units_packets(double *out, murk_quantity quantity,
+                        const murk_stage *stage, const double *packet_w)
+{
+    const murk_scene *scene = stage->scene;
+    for (int b = 0; b < scene->bands; ++b) {
+        const double even = per_watt(quantity, scene, b, NULL);
+        for (size_t i = 0; i < scene->n_lights; ++i) {
+            const size_t c = i * (size_t)scene->bands + (size_t)b;
+            const double factor =
+                spectrum_of(stage, i)
+                    ? murk_units_per_watt(quantity, stage, i, b)
+                    : even;
+            out[c] = factor * packet_w[c];
+        }
+    }
 }
 
 murk_estimate murk_units_sum(const murk_estimate *value, int n)
@@ -64,17 +71,16 @@ murk_estimate murk_units_sum(const murk_estimate *value, int n)
 
 void murk_units_note(const murk_scene *scene)
 {
-    const murk_units units = murk_units_of(scene);
     char list[16 * MURK_BANDS_MAX] = "";
     size_t used = 0;
     for (int i = 0; i < scene->bands; ++i) {
-        if (!(units.per_watt.band[i] > 0)) {
+        if (!(per_watt(scene->units, scene, i, NULL) > 0)) {
             used += (size_t)snprintf(list + used, sizeof list - used, "%s%.5g",
                                      used ? ", " : "", scene->band_nm[i]);
         }
     }
     if (used > 0) {
         murk_note(scene->path, "units: light of %s nm counts 0 %s", list,
-                  units.irradiance);
+                  KNOWN[scene->units].irradiance);
     }
 }

@@ -129,6 +129,18 @@ def test_night(murk):
     check("below the horizon" in murk.said and NOTE in murk.said, murk.said)
     day = murk.run("trace", scene, "--set", "site.time=2026-06-21T12:00:00Z")
     check(day["emitted_w"]["total"] > 1000, "by day", day["emitted_w"])
+    # what check says of the sun is in the scene's units, and adds up with them
+    noon = ["--set", "site.time=2026-06-21T12:00:00Z", "--set", "lights.1.power_w=0",
+            "--set"]
+    watts = murk.run("check", scene, *noon, "units=radiometric")["lights"]
+    lumens = murk.run("check", scene, *noon, "units=photometric")["lights"]
+    sun = lumens["sky"][0]
+    check(watts["sky"][0]["irradiance"] == sun["irradiance_w_per_m2"] and
+          watts["sky"][0]["unit"] == "W/m2", watts["sky"][0])
+    check(sun["unit"] == "lux" and 60e3 < sun["irradiance"] < 120e3, sun)
+    check("power_lm" not in watts and
+          abs(lumens["power_lm"] / sun["irradiance"] /
+              (watts["power_w"] / sun["irradiance_w_per_m2"]) - 1) < 1e-9, lumens)
 
 
 def test_conditions(murk):
