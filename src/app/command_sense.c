@@ -153,19 +153,19 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
                            "over: sense measures one scene; must be null, or "
                            "give it a scene-NAME.yaml of place");
     }
-    if (!status) {
-        status =
-            murk_placement_read(&sensor, &n, options->sensors, session.scene,
-                                &session.stage->world.domain, err);
+    const bool is_dark = !status && murk_plan_is_dark(session.stage);
+    if (!status) { /* a plan made in the dark may have no sensor */
+        status = murk_placement_read(&sensor, &n, options->sensors,
+                                     is_dark ? 0 : 1, session.scene,
+                                     &session.stage->world.domain, err);
     }
     if (!status) {
         status = murk_session_light(&session, err);
     }
     const double begun_s = murk_clock_s();
     if (!status) {
-        status = murk_plan_is_dark(session.stage)
-                     ? measure_dark(&of, session.stage, sensor, n, err)
-                     : measure(&of, &session, sensor, n, err);
+        status = is_dark ? measure_dark(&of, session.stage, sensor, n, err)
+                         : measure(&of, &session, sensor, n, err);
     }
     session.run.sense_s = murk_clock_s() - begun_s;
     if (!status) {

@@ -216,6 +216,7 @@ static murk_status read_condition(murk_scene_condition *condition,
     if (status) {
         goto done;
     }
+    memcpy(condition->scene->where, condition->where, sizeof condition->where);
     murk_walk_enter(&walk, "conditions");
     murk_walk_enter(&walk, condition->name);
     status = murk_walk_scene(&walk);

@@ -471,8 +471,10 @@ typedef struct murk_scene_condition {
 } murk_scene_condition;
 
 struct murk_scene {
-    char *path;      /* as given */
-    char sha256[65]; /* of the file's bytes */
+    char *path;             /* as given */
+    char sha256[65];        /* of the file's bytes */
+    murk_scene_where where; /* for messages about the whole of it: of a
+                               condition its place, else empty */
     int bands;
     double band_nm[MURK_BANDS_MAX]; /* lines, or middles of edges */
     double band_edge_nm[MURK_BANDS_MAX + 1];

@@ -100,8 +100,8 @@ static murk_status from_table(murk_pose *sensor, const murk_table *table,
 }
 
 static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
-                            const murk_scene *scene, const murk_domain *domain,
-                            murk_error *err)
+                            size_t least, const murk_scene *scene,
+                            const murk_domain *domain, murk_error *err)
 {
     murk_table *table = NULL;
     murk_status status = murk_table_read(&table, path, err);
@@ -111,10 +111,10 @@ static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
     murk_pose *sensor = calloc(table->rows + 1, sizeof *sensor);
     if (!sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
-    } else if (table->rows < 1 || table->rows > SENSORS_MAX) {
+    } else if (table->rows < least || table->rows > SENSORS_MAX) {
         status =
-            murk_fail(err, MURK_BAD_FILE, path, "%zu sensors, must be 1..%d",
-                      table->rows, SENSORS_MAX);
+            murk_fail(err, MURK_BAD_FILE, path, "%zu sensors, must be %zu..%d",
+                      table->rows, least, SENSORS_MAX);
     } else {
         status = from_table(sensor, table, scene, domain, err);
     }
@@ -175,8 +175,8 @@ static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
 /* JSON is YAML in flow style: the scene reader's parser knows lines and
  * columns. */
 static murk_status read_json(murk_pose **out, size_t *n, const char *path,
-                             const murk_scene *scene, const murk_domain *domain,
-                             murk_error *err)
+                             size_t least, const murk_scene *scene,
+                             const murk_domain *domain, murk_error *err)
 {
     murk_yaml *root = NULL;
     murk_status status = murk_yaml_read(&root, path, err);
@@ -186,13 +186,14 @@ static murk_status read_json(murk_pose **out, size_t *n, const char *path,
     const murk_yaml *list =
         root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "sensors") : NULL;
     murk_pose *sensor = NULL;
-    if (!list || list->kind != MURK_YAML_LIST || list->n < 1 ||
+    if (!list || list->kind != MURK_YAML_LIST || list->n < least ||
         list->n > SENSORS_MAX) {
-        status = murk_fail(err, MURK_BAD_FILE, path,
-                           "has no list \"sensors\" of 1..%d", SENSORS_MAX);
+        status =
+            murk_fail(err, MURK_BAD_FILE, path,
+                      "has no list \"sensors\" of %zu..%d", least, SENSORS_MAX);
         goto done;
     }
-    sensor = calloc(list->n, sizeof *sensor);
+    sensor = calloc(list->n + 1, sizeof *sensor);
     status = sensor
                  ? from_plan(sensor, list, scene, domain, err)
                  : murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
@@ -208,11 +209,11 @@ done:
 }
 
 murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
-                                const murk_scene *scene,
+                                size_t least, const murk_scene *scene,
                                 const murk_domain *domain, murk_error *err)
 {
     const char *dot = strrchr(path, '.');
     return dot && strcmp(dot, ".json") == 0
-               ? read_json(out, n, path, scene, domain, err)
-               : read_csv(out, n, path, scene, domain, err);
+               ? read_json(out, n, path, least, scene, domain, err)
+               : read_csv(out, n, path, least, scene, domain, err);
 }

@@ -5,12 +5,12 @@
 #include "scene/scene.h"
 #include "sensing/sensor.h"
 
-/* *out[*n], n >= 1, is the caller's to free(). Every sensor's type must be one
- * of the scene's, with a heading and tilt where that has a view, and it must
- * lie in the domain. Files that end in .json are read as a plan or coverage,
- * all others as CSV. */
+/* *out[*n], n >= least, is the caller's to free(). Every sensor's type must be
+ * one of the scene's, with a heading and tilt where that has a view, and it
+ * must lie in the domain. Files that end in .json are read as a plan or
+ * coverage, all others as CSV. */
 murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
-                                const murk_scene *scene,
+                                size_t least, const murk_scene *scene,
                                 const murk_domain *domain, murk_error *err);
 
 #endif

@@ -110,8 +110,9 @@ static void note_of_portals(const murk_stage *stage)
 
 static void note_of_dark(const murk_stage *stage)
 {
+    const murk_scene *scene = stage->scene;
     if (murk_lights_lit(stage->lights) == 0) {
-        murk_note(stage->scene->path,
+        murk_note(scene->where[0] ? scene->where : scene->path,
                   "it is dark: no light has any power, so nothing is emitted, "
                   "tallies are 0 and coverage is null");
     }

@@ -182,7 +182,7 @@ static murk_status measure_fixed(const group_work *w, size_t k, murk_row *row,
     murk_coverage coverage = {0};
     size_t n = 0;
     murk_status status =
-        murk_placement_read(&sensor, &n, w->job->sweep->desc.study->plan,
+        murk_placement_read(&sensor, &n, w->job->sweep->desc.study->plan, 1,
                             stage->scene, &stage->world.domain, err);
     if (!status) {
         status = murk_coverage_measure(&coverage, sight, sensor, n, err);

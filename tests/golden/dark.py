@@ -113,6 +113,19 @@ def test_sense(murk, scene):
     check_nothing_seen(found["coverage"])
     check(len(found["sensors"]) == 1 and found["sensors"][0]["covers"] is None, found)
     check(found["seen_by_at_least"] == [None], found["seen_by_at_least"])
+    # without a fixed sensor the plan of a dark scene is empty, and can be measured
+    bare = ("--set", "sensors.fixed=[]")
+    plan = murk.run("place", scene, *bare, "-o", murk.path("bare"))
+    check(plan["sensors"] == [], "bare", plan["sensors"])
+    for name in ("plan.json", "sensors.csv"):
+        given = murk.path("bare", name)
+        found = murk.run("sense", scene, *bare, "--sensors", given, "-o", murk.path("s"))
+        check_nothing_seen(found["coverage"])
+        check(found["sensors"] == [] and found["seen_by_at_least"] == [], name, found)
+        check(murk.said.count(NOTE) == 1, "noted:", murk.said)
+        lit = subprocess.run([murk.program, "sense", scene, "--set", "lights.0.power_w=1",
+                              "--sensors", given], capture_output=True, text=True, timeout=60)
+        check(lit.returncode == 2 and "1..1000000" in lit.stderr, "lit", lit.stderr)
 
 
 def test_check(murk, scene):
@@ -152,6 +165,9 @@ def test_conditions(murk):
         plan = murk.run("place", scene, *ask, "-o", murk.path("o"))
         names = [c["name"] for c in plan["conditions"]]
         check(names == ["fog", "day", "night"], names)
+        noted = [line for line in murk.said.splitlines() if NOTE in line]
+        check(len(noted) == 1 and "over.yaml" in noted[0] and
+              ": conditions.night: " in noted[0], "noted:", murk.said)
         night = plan["conditions"][2]
         check(night["photons"]["emitted"] == 0 and night["in_sample"] is None and
               night["held_out"] is None and night["surface"] is None, night)
