@@ -3,9 +3,9 @@
 #include "base/file.h"
 #include "study/enclose.h"
 #include "study/extent.h"
+#include "study/stage_media.h"
 #include "study/stage_notes.h"
 #include "study/tallies.h"
-#include "study/winds.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -166,66 +166,14 @@ done:
     return status;
 }
 
-static murk_region region_of(const murk_scene_region *r)
-{
-    static const murk_region_shape shape_of[] = {
-        [MURK_SCENE_EVERYWHERE] = MURK_REGION_EVERYWHERE,
-        [MURK_SCENE_IN_BOX] = MURK_REGION_BOX,
-        [MURK_SCENE_IN_SPHERE] = MURK_REGION_SPHERE,
-        [MURK_SCENE_IN_GRID] = MURK_REGION_GRID,
-        [MURK_SCENE_BELOW] = MURK_REGION_BELOW,
-        [MURK_SCENE_IN_MESH] = MURK_REGION_MESH};
-    return (murk_region){
-        .medium = r->medium,
-        .shape = shape_of[r->shape],
-        .box = r->box,
-        .center = r->center,
-        .radius_m = r->radius_m,
-        .below_z_m = r->below_z_m,
-        .to_world = murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
-        .replaces = r->replaces,
-        .ior = r->ior,
-        .mean_square_slope = murk_region_mean_square_slope(r),
-        .where = r->where};
-}
-
 static murk_status build_media(murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
-    murk_medium *medium = calloc(scene->n_media + 1, sizeof *medium);
-    murk_region *region = calloc(scene->n_regions + 1, sizeof *region);
-    murk_status status = MURK_OK;
-    if (!medium || !region) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for the media");
-        goto done;
-    }
-    for (size_t i = 0; i < scene->n_media; ++i) {
-        const murk_scene_medium *m = &scene->media[i];
-        medium[i] = (murk_medium){.extinction_per_m = m->extinction_per_m,
-                                  .albedo = m->albedo,
-                                  .interpolation =
-                                      m->is_linear ? MURK_LINEAR : MURK_NEAREST,
-                                  .where = m->where};
-        murk_fillings_give(stage->fillings, i, &medium[i]);
-        memcpy(medium[i].phase, stage->phases->medium[i],
-               sizeof medium[i].phase);
-    }
-    for (size_t i = 0; i < scene->n_regions; ++i) {
-        region[i] = region_of(&scene->regions[i]);
-        if (region[i].shape == MURK_REGION_MESH) {
-            region[i].box = murk_hulls_describe(stage->hulls, (int)i).bounds_m;
-        }
-    }
-    status = murk_media_create(&stage->media, medium, scene->n_media, region,
-                               scene->n_regions, &stage->world.domain.box, err);
-    if (!status && scene->by_delta) {
-        status = murk_media_prepare_delta(stage->media, err);
-    }
-done:
-    free(medium);
-    free(region);
-    return status;
+    const murk_status status =
+        murk_stage_media(&stage->media, stage, stage->scene, stage->fillings,
+                         stage->phases, err);
+    return !status && stage->scene->by_delta
+               ? murk_media_prepare_delta(stage->media, err)
+               : status;
 }
 
 /* Those of all lights, one after the other; the caller's. */
