@@ -1,6 +1,5 @@
 /* The straight way from a sensor to a photon through regions: what the media
- * let through, and whether the index of refraction changes on it. Internal to
- * the room. */
+ * let through, and whether the index of refraction changes on it. */
 #ifndef MURK_SENSING_PASSAGE_H
 #define MURK_SENSING_PASSAGE_H
 

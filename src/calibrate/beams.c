@@ -1,0 +1,169 @@
+#include "calibrate/beams.h"
+
+#include "medium/acceptance.h"
+#include "sensing/passage.h"
+#include "study/stage_media.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct murk_beams {
+    murk_domain domain; /* as if open: ways are straight */
+    const murk_hulls *hulls;
+    murk_fillings fillings; /* grids are the stage's, profiles its own */
+    murk_profile *profile;
+    murk_media *media;
+    int bands;
+};
+
+static murk_domain open_domain(const murk_stage *stage)
+{
+    murk_domain domain = stage->world.domain;
+    domain.is_periodic = false;
+    return domain;
+}
+
+/* Off the surfaces that the ends lie on. */
+static bool is_blocked(const murk_surfaces *surfaces, const murk_reading *r)
+{
+    const murk_vec3 way = murk_sub(r->to, r->position);
+    const double length = murk_length(way);
+    const murk_vec3 along = murk_scale(1 / length, way);
+    const murk_vec3 from = murk_surfaces_leave(surfaces, r->position, along);
+    const murk_vec3 to =
+        murk_surfaces_leave(surfaces, r->to, murk_scale(-1, along));
+    const bool is_a_way = murk_dot(murk_sub(to, from), way) > 0;
+    return is_a_way && murk_surfaces_blocked(surfaces, from, to, false);
+}
+
+static murk_status check_reading(const murk_stage *stage,
+                                 const murk_domain *domain,
+                                 const murk_reading *r, const char *where,
+                                 murk_error *err)
+{
+    const murk_vec3 a = r->position, b = r->to;
+    if (murk_surfaces_solid_at(stage->surfaces, a) ||
+        murk_surfaces_solid_at(stage->surfaces, b)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "the segment (%g, %g, %g) to (%g, %g, %g) m ends "
+                         "inside a solid, must be outside of all",
+                         a.x, a.y, a.z, b.x, b.y, b.z);
+    }
+    if (is_blocked(stage->surfaces, r)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a surface stands across the segment (%g, %g, %g) to "
+                         "(%g, %g, %g) m, which must be open",
+                         a.x, a.y, a.z, b.x, b.y, b.z);
+    }
+    const murk_passages way =
+        murk_passages_from(stage->media, stage->hulls, domain, a);
+    if (murk_passage_bends(&way, b)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "the index of refraction changes on the segment "
+                         "(%g, %g, %g) to (%g, %g, %g) m, which must be "
+                         "straight for light",
+                         a.x, a.y, a.z, b.x, b.y, b.z);
+    }
+    return isnan(r->acceptance_rad)
+               ? MURK_OK
+               : murk_media_check_acceptance(stage->media, err);
+}
+
+murk_status murk_beams_check(const murk_stage *stage,
+                             const murk_measurements *measured,
+                             size_t condition, murk_error *err)
+{
+    const murk_domain domain = open_domain(stage);
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < measured->readings && !status; ++i) {
+        const murk_reading *r = &measured->reading[i];
+        if (r->kind == MURK_READ_TRANSMITTANCE && r->condition == condition) {
+            char where[sizeof err->where];
+            snprintf(where, sizeof where, "%s:%zu", measured->path, r->line);
+            status = check_reading(stage, &domain, r, where, err);
+        }
+    }
+    return status;
+}
+
+murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
+                              const murk_optics *optics, murk_error *err)
+{
+    const murk_scene *scene = optics->scene;
+    assert(scene->n_media == stage->scene->n_media &&
+           scene->n_regions == stage->scene->n_regions);
+    murk_status status = MURK_OK;
+    murk_beams *beams = calloc(1, sizeof *beams);
+    if (beams) {
+        beams->profile = calloc(scene->n_media + 1, sizeof *beams->profile);
+    }
+    if (!beams || !beams->profile) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for the media of its segments");
+        goto done;
+    }
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        beams->profile[i] = (murk_profile){
+            m->profile_z_m.n, m->profile_z_m.value, m->profile_per_m.value};
+    }
+    beams->domain = open_domain(stage);
+    beams->hulls = stage->hulls;
+    beams->fillings = *stage->fillings;
+    beams->fillings.profile = beams->profile;
+    beams->bands = scene->bands;
+    status = murk_stage_media(&beams->media, stage, scene, &beams->fillings,
+                              optics->phases, err);
+    if (status) {
+        goto done;
+    }
+    *out = beams;
+    beams = NULL;
+done:
+    murk_beams_destroy(beams);
+    return status;
+}
+
+void murk_beams_destroy(murk_beams *beams)
+{
+    if (beams) {
+        murk_media_destroy(beams->media);
+        free(beams->profile);
+        free(beams);
+    }
+}
+
+static double through(const murk_beams *beams, const murk_media *media,
+                      const murk_reading *reading)
+{
+    const murk_passages way = murk_passages_from(
+        media, beams->hulls, &beams->domain, reading->position);
+    if (reading->band >= 0) {
+        return murk_passage_transmittance(&way, reading->band, reading->to);
+    }
+    double sum = 0;
+    for (int band = 0; band < beams->bands; ++band) {
+        sum += murk_passage_transmittance(&way, band, reading->to);
+    }
+    return sum / beams->bands;
+}
+
+murk_status murk_beam_transmittance(double *out, const murk_beams *beams,
+                                    const murk_reading *reading,
+                                    murk_error *err)
+{
+    if (isnan(reading->acceptance_rad)) {
+        *out = through(beams, beams->media, reading);
+        return MURK_OK;
+    }
+    murk_media *seen = NULL;
+    const murk_status status =
+        murk_media_accepting(&seen, beams->media, reading->acceptance_rad, err);
+    if (!status) {
+        *out = through(beams, seen, reading);
+        murk_media_destroy(seen);
+    }
+    return status;
+}
