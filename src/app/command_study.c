@@ -39,7 +39,7 @@ static bool is_news(const murk_sweep *sweep, size_t row)
 static void tell_row(void *context, size_t row)
 {
     study_session *s = context;
-    const murk_row *found = &s->sweep->row[row].found;
+    const murk_study_row *found = &s->sweep->row[row].found;
     const size_t rows = s->study->rows, done = murk_sweep_done(s->sweep);
     char where[64];
     snprintf(where, sizeof where, "row %zu of %zu", row + 1, rows);
@@ -133,7 +133,7 @@ static murk_status write_files(study_session *s, bool is_interrupted,
     return status;
 }
 
-static void print_value(const murk_row_value *v)
+static void print_value(const murk_study_value *v)
 {
     if (!isfinite(v->of.value)) {
         printf("  %s none", v->name);
@@ -148,7 +148,7 @@ static void print_value(const murk_row_value *v)
 
 static void print_row(const study_session *s, size_t row)
 {
-    const murk_row *found = &s->sweep->row[row].found;
+    const murk_study_row *found = &s->sweep->row[row].found;
     size_t index[MURK_STUDY_AXES_MAX];
     murk_study_row_indices(s->study, row, index);
     printf("row %-8zu", row + 1);
@@ -163,6 +163,28 @@ static void print_row(const study_session *s, size_t row)
     printf("%s%s\n", found->failed[0] ? "  failed: " : "", found->failed);
 }
 
+static void print_plan(const study_session *s, int p)
+{
+    static const char *const names[] = {
+        [MURK_SWEEP_MEAN] = "mean", [MURK_SWEEP_WORST] = "worst"};
+    const murk_sweep_plan *plan = &s->sweep->plan[p];
+    if (!plan->is_wanted) {
+        return;
+    }
+    printf("one plan    for the %s of all rows: ", names[p]);
+    if (plan->found.failed[0]) {
+        printf("none: %s\n", plan->found.failed);
+    } else if (!isfinite(plan->mean.value)) {
+        printf("none: there is nothing to see in any row\n");
+    } else {
+        printf("%zu sensors, mean %.4g +- %.1g, least %.4g +- %.1g in row "
+               "%zu\n",
+               plan->found.sensors, plan->mean.value, plan->mean.standard_error,
+               plan->worst.value, plan->worst.standard_error,
+               plan->worst_row + 1);
+    }
+}
+
 static void print_study(const study_session *s)
 {
     size_t traced = 0, kept = 0;
@@ -172,6 +194,9 @@ static void print_study(const study_session *s)
     for (size_t i = 0; i < s->study->rows; ++i) {
         kept += s->sweep->row[i].is_kept;
         print_row(s, i);
+    }
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        print_plan(s, p);
     }
     printf("rows        %zu, of which %zu kept from before and %zu failed; "
            "light traced for %zu groups of rows\n",
@@ -206,6 +231,10 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
         status = murk_fail(err, MURK_RUN_FAILED, options->input,
                            "%zu of %zu rows failed (column failed)",
                            murk_sweep_failed(s.sweep), s.study->rows);
+    } else if (!status && murk_sweep_why_no_plan(s.sweep)) {
+        status = murk_fail(err, MURK_RUN_FAILED, options->input,
+                           "no plan for all rows: %s",
+                           murk_sweep_why_no_plan(s.sweep));
     }
     murk_results_end(&s.results);
     murk_sweep_destroy(s.sweep);

@@ -22,7 +22,7 @@ static bool has(const columns *c, const char *name)
     return false;
 }
 
-static bool collect(columns *c, const murk_row *row)
+static bool collect(columns *c, const murk_study_row *row)
 {
     for (size_t i = 0; i < row->values; ++i) {
         if (has(c, row->value[i].name)) {
@@ -89,7 +89,7 @@ static void write_row(FILE *file, const murk_sweep *sweep, size_t row,
                       const columns *c)
 {
     const murk_study_file *study = sweep->desc.study;
-    const murk_row *found = &sweep->row[row].found;
+    const murk_study_row *found = &sweep->row[row].found;
     size_t index[MURK_STUDY_AXES_MAX];
     murk_study_row_indices(study, row, index);
     for (size_t a = 0; a < study->axes; ++a) {
@@ -97,7 +97,7 @@ static void write_row(FILE *file, const murk_sweep *sweep, size_t row,
         write_cell(file, study->axis[a].text[index[a]]);
     }
     for (size_t i = 0; i < c->n; ++i) {
-        const murk_row_value *v = murk_row_get(found, c->name[i]);
+        const murk_study_value *v = murk_study_row_get(found, c->name[i]);
         if (i == 0 && study->axes == 0) {
             char text[32] = "";
             if (v && isfinite(v->of.value)) {
@@ -166,11 +166,11 @@ static void add_axes(cJSON *root, const murk_study_file *study)
     }
 }
 
-static void add_values(cJSON *item, const murk_row *row)
+static void add_values(cJSON *item, const murk_study_row *row)
 {
     cJSON *values = cJSON_AddObjectToObject(item, "values");
     for (size_t i = 0; i < row->values; ++i) {
-        const murk_row_value *v = &row->value[i];
+        const murk_study_value *v = &row->value[i];
         cJSON *value = cJSON_AddObjectToObject(values, v->name);
         murk_json_number(value, "value", v->of.value);
         murk_json_number(value, "standard_error", v->of.standard_error);
@@ -179,7 +179,7 @@ static void add_values(cJSON *item, const murk_row *row)
 }
 
 static void add_sensors(cJSON *item, const char *name,
-                        const murk_row_sensor *sensor, size_t n)
+                        const murk_study_sensor *sensor, size_t n)
 {
     cJSON *list = cJSON_AddArrayToObject(item, name);
     for (size_t i = 0; i < n; ++i) {
@@ -243,6 +243,55 @@ static void add_lights(cJSON *root, const murk_sweep *sweep)
     }
 }
 
+static void add_estimate(cJSON *to, const char *name, murk_estimate of)
+{
+    cJSON *item = cJSON_AddObjectToObject(to, name);
+    murk_json_number(item, "value", of.value);
+    murk_json_number(item, "standard_error", of.standard_error);
+}
+
+static double value_of(const murk_study_row *found, const char *name)
+{
+    const murk_study_value *v = murk_study_row_get(found, name);
+    return v ? v->of.value : NAN;
+}
+
+static cJSON *plan_json(const murk_sweep *sweep, const murk_sweep_plan *plan)
+{
+    const murk_study_row *found = &plan->found;
+    const size_t rows = sweep->desc.study->rows;
+    cJSON *item = cJSON_CreateObject();
+    add_sensors(item, "sensors", found->sensor, found->sensors);
+    add_estimate(item, "mean", plan->mean);
+    add_estimate(item, "worst", plan->worst);
+    murk_json_number(item, "worst_row",
+                     plan->worst_row < rows ? (double)(plan->worst_row + 1)
+                                            : NAN);
+    murk_json_number(item, "in_sample", value_of(found, "in_sample"));
+    murk_json_number(item, "upper_bound", value_of(found, "upper_bound"));
+    cJSON *by = cJSON_AddArrayToObject(item, "chosen_for_rows");
+    for (size_t i = 0; i < sweep->choosers; ++i) {
+        cJSON_AddItemToArray(
+            by, cJSON_CreateNumber((double)(sweep->chooser[i] + 1)));
+    }
+    add_text(item, "failed", found->failed);
+    return item;
+}
+
+/* One plan for all rows, as far as it was asked for. */
+static void add_plans(cJSON *root, const murk_sweep *sweep)
+{
+    static const char *const names[] = {
+        [MURK_SWEEP_MEAN] = "mean", [MURK_SWEEP_WORST] = "worst"};
+    cJSON *plans = cJSON_AddObjectToObject(root, "plans");
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        if (sweep->plan[p].is_wanted) {
+            cJSON_AddItemToObject(plans, names[p],
+                                  plan_json(sweep, &sweep->plan[p]));
+        }
+    }
+}
+
 cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted)
 {
     const murk_study_file *study = sweep->desc.study;
@@ -268,6 +317,7 @@ cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted)
         }
         kept += sweep->row[i].is_kept;
     }
+    add_plans(root, sweep);
     add_lights(root, sweep);
     for (size_t g = 0; g < sweep->groups; ++g) {
         traced += sweep->group[g].was_traced;

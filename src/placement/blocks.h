@@ -11,7 +11,7 @@
 
 #include "placement/oracle.h"
 
-#define MURK_BLOCKS_MAX 16
+#define MURK_BLOCKS_MAX 64
 #define MURK_SHARE_ONE  (UINT64_C(1) << 52)
 
 /* first[n + 1]: block c has the photons first[c] .. first[c + 1] - 1. Each has

@@ -142,76 +142,18 @@ murk_status murk_conditions_again(murk_conditions **out,
 
 /* ---- candidates ---- */
 
-static int by_place(const void *a, const void *b)
-{
-    const murk_vec3 *p = a, *q = b;
-    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
-    for (int i = 0; i < 3; ++i) {
-        if (x[i] != y[i]) {
-            return x[i] < y[i] ? -1 : 1;
-        }
-    }
-    return 0;
-}
-
-/* Keeps of `all` those that the other has, too. */
-static murk_status keep_common(murk_candidates *all,
-                               const murk_candidates *other,
-                               const murk_condition *condition, murk_error *err)
-{
-    const char *where = condition->wish->where;
-    murk_vec3 *sorted = malloc((other->usable + 1) * sizeof *sorted);
-    if (!sorted) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for %zu candidates", other->usable);
-    }
-    memcpy(sorted, other->position, other->usable * sizeof *sorted);
-    qsort(sorted, other->usable, sizeof *sorted, by_place);
-    size_t kept = 0;
-    for (size_t i = 0; i < all->usable; ++i) {
-        if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,
-                    by_place)) {
-            all->position[kept] = all->position[i];
-            all->kind[kept] = all->kind[i];
-            if (all->normal) {
-                all->normal[kept] = all->normal[i];
-            }
-            ++kept;
-        }
-    }
-    free(sorted);
-    all->unreached += all->usable - kept;
-    all->usable = kept;
-    return kept > 0 ? MURK_OK
-                    : murk_fail(err, MURK_BAD_VALUE, where,
-                                "no candidate is usable in it and in all "
-                                "conditions before it: of %zu usable here "
-                                "none",
-                                other->usable);
-}
-
 murk_status murk_conditions_sites(murk_candidates **out,
                                   const murk_conditions *conditions,
                                   unsigned threads, murk_error *err)
 {
-    murk_candidates *all = NULL;
-    murk_status status =
-        murk_sites_find(&all, conditions->condition[0].stage, threads, err);
-    for (size_t c = 1; !status && c < conditions->n + conditions->dark; ++c) {
-        murk_candidates *other = NULL;
-        status = murk_sites_find(&other, conditions->condition[c].stage,
-                                 threads, err);
-        if (!status) {
-            status = keep_common(all, other, &conditions->condition[c], err);
-        }
-        murk_candidates_destroy(other);
+    const murk_stage *stage[MURK_SCENE_CONDITIONS_MAX];
+    const char *where[MURK_SCENE_CONDITIONS_MAX];
+    const size_t n = conditions->n + conditions->dark;
+    for (size_t c = 0; c < n; ++c) {
+        stage[c] = conditions->condition[c].stage;
+        where[c] = conditions->condition[c].wish->where;
     }
-    if (status) {
-        murk_candidates_destroy(all);
-        return status;
-    }
-    *out = all;
-    return MURK_OK;
+    return murk_sites_find_common(out, stage, where, n, threads, err);
 }
 
 /* ---- light ---- */

@@ -219,7 +219,7 @@ static murk_estimate divide(murk_estimate e, const murk_estimate *share)
 }
 
 /* One number in all bands together, and where they are several in each. */
-static murk_status add_values(murk_row *row, const murk_gauges *gauges,
+static murk_status add_values(murk_study_row *row, const murk_gauges *gauges,
                               size_t number, size_t cell, const char *suffix,
                               const murk_estimate *share,
                               const murk_stage *stage, const source *watts,
@@ -242,14 +242,14 @@ static murk_status add_values(murk_row *row, const murk_gauges *gauges,
         band[b].standard_error *= gauge->per_unit;
     }
     snprintf(name, sizeof name, "%.120s%s", gauge->name, suffix);
-    murk_status status =
-        murk_row_add(row, name, units.irradiance,
-                     divide(murk_units_sum(band, scene->bands), share), err);
+    murk_status status = murk_study_row_add(
+        row, name, units.irradiance,
+        divide(murk_units_sum(band, scene->bands), share), err);
     for (int b = 0; scene->bands > 1 && b < scene->bands && !status; ++b) {
         snprintf(name, sizeof name, "%.120s%s_%.9gnm", gauge->name, suffix,
                  scene->band_nm[b]);
-        status = murk_row_add(row, name, units.irradiance,
-                              divide(band[b], share), err);
+        status = murk_study_row_add(row, name, units.irradiance,
+                                    divide(band[b], share), err);
     }
     return status;
 }
@@ -262,7 +262,7 @@ static const char *suffix_of(const murk_tally_desc *d, size_t cell)
                                          : "_up";
 }
 
-murk_status murk_gauges_read(murk_row *row, const murk_gauges *gauges,
+murk_status murk_gauges_read(murk_study_row *row, const murk_gauges *gauges,
                              const murk_stage *stage,
                              const murk_tallies *tallies,
                              const murk_tally *emitted, const double *packet_w,

@@ -34,7 +34,7 @@ void murk_gauges_release(murk_gauges *gauges);
 
 /* Adds their values to the row: those of `tallies`, with packets worth
  * packet_w; tallies NULL: it is dark. */
-murk_status murk_gauges_read(murk_row *row, const murk_gauges *gauges,
+murk_status murk_gauges_read(murk_study_row *row, const murk_gauges *gauges,
                              const murk_stage *stage,
                              const murk_tallies *tallies,
                              const murk_tally *emitted, const double *packet_w,

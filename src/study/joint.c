@@ -1,5 +1,7 @@
 #include "study/joint.h"
 
+#include "study/plan.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -169,4 +171,11 @@ uint32_t *murk_joint_weights_of(const murk_joint *j, size_t c)
                j->part[c].problem.photons * sizeof *out);
     }
     return out;
+}
+
+uint64_t murk_joint_target(const murk_joint *j, double share, bool is_worst)
+{
+    return is_worst
+               ? (uint64_t)ceil(share * (double)MURK_SHARE_ONE * (1 - 0x1p-51))
+               : murk_plan_value_of(share, &j->problem);
 }

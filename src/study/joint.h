@@ -33,4 +33,9 @@ void murk_joint_destroy(murk_joint *joint); /* NULL is fine */
  * NULL when out of memory. */
 uint32_t *murk_joint_weights_of(const murk_joint *joint, size_t c);
 
+/* What a plan must be worth to cover a share, 0..1, of the mean or of the worst
+ * block: the target of a placement. */
+uint64_t murk_joint_target(const murk_joint *joint, double share,
+                           bool is_worst);
+
 #endif

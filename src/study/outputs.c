@@ -76,13 +76,24 @@ static murk_status check_needs(const murk_outputs *out, const murk_scene *scene,
                          "coverage needs sensors, and the scene %s has none",
                          scene->path);
     }
-    if ((out->wants[MURK_OUTPUT_BEST] || out->wants[MURK_OUTPUT_ONE_MEAN] ||
-         out->wants[MURK_OUTPUT_ONE_WORST]) &&
+    if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
         !places(scene)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "a best plan needs sensors.count, target or budget, "
                          "and the scene %s has none",
                          scene->path);
+    }
+    const murk_scene_knowledge knows = scene->placement.knowledge;
+    if (murk_outputs_plan_for_all(out) && knows == MURK_SCENE_EXPLORE) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "one plan for all rows cannot be explored: "
+                         "placement.knowledge is explore, must be known or "
+                         "unknown");
+    }
+    if (out->wants[MURK_OUTPUT_ONE_WORST] && knows != MURK_SCENE_KNOWN) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "coverage_one_worst needs what every candidate sees, "
+                         "so placement.knowledge must be known");
     }
     return MURK_OK;
 }
@@ -110,6 +121,11 @@ bool murk_outputs_look(const murk_outputs *outputs)
 {
     return outputs->wants[MURK_OUTPUT_FIXED] ||
            outputs->wants[MURK_OUTPUT_BEST] ||
-           outputs->wants[MURK_OUTPUT_ONE_MEAN] ||
+           murk_outputs_plan_for_all(outputs);
+}
+
+bool murk_outputs_plan_for_all(const murk_outputs *outputs)
+{
+    return outputs->wants[MURK_OUTPUT_ONE_MEAN] ||
            outputs->wants[MURK_OUTPUT_ONE_WORST];
 }

@@ -35,4 +35,7 @@ murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
 /* Whether sensors are looked from at all. */
 bool murk_outputs_look(const murk_outputs *outputs);
 
+/* Whether a plan for all rows is asked for. */
+bool murk_outputs_plan_for_all(const murk_outputs *outputs);
+
 #endif

@@ -4,7 +4,6 @@
 #include "placement/worst.h"
 #include "study/joint.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -129,11 +128,8 @@ static murk_status choose_main(choosing *ch, murk_error *err)
     if (scene->sensors.target > 0) {
         desc->count = ch->plan->poses->count;
         desc->target =
-            scene->placement.over == MURK_SCENE_OVER_WORST
-                ? (uint64_t)ceil(scene->sensors.target *
-                                 (double)MURK_SHARE_ONE * (1 - 0x1p-51))
-                : murk_plan_value_of(scene->sensors.target,
-                                     &ch->joint->problem);
+            murk_joint_target(ch->joint, scene->sensors.target,
+                              scene->placement.over == MURK_SCENE_OVER_WORST);
     }
     const murk_status status =
         place_over(ch, &ch->plan->place, scene->placement.over, desc, err);

@@ -11,25 +11,27 @@
 
 #define DEG (180 / MURK_PI)
 
-murk_status murk_row_add(murk_row *row, const char *name, const char *unit,
-                         murk_estimate of, murk_error *err)
+murk_status murk_study_row_add(murk_study_row *row, const char *name,
+                               const char *unit, murk_estimate of,
+                               murk_error *err)
 {
-    murk_row_value *grown =
+    murk_study_value *grown =
         realloc(row->value, (row->values + 1) * sizeof *grown);
     if (!grown) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
     }
     row->value = grown;
-    murk_row_value *v = &row->value[row->values++];
+    murk_study_value *v = &row->value[row->values++];
     snprintf(v->name, sizeof v->name, "%s", name);
     snprintf(v->unit, sizeof v->unit, "%s", unit);
     v->of = of;
     return MURK_OK;
 }
 
-murk_status murk_row_set_sensors(murk_row *row, const murk_scene *scene,
-                                 const murk_pose *sensor, size_t n,
-                                 murk_error *err)
+murk_status murk_study_row_set_sensors(murk_study_row *row,
+                                       const murk_scene *scene,
+                                       const murk_pose *sensor, size_t n,
+                                       murk_error *err)
 {
     free(row->sensor);
     row->sensors = 0;
@@ -42,7 +44,7 @@ murk_status murk_row_set_sensors(murk_row *row, const murk_scene *scene,
         const murk_scene_sensor_type *type =
             &scene->sensors.type[sensor[i].type];
         const bool is_round = type->view == MURK_SCENE_VIEW_SPHERE;
-        murk_row_sensor *s = &row->sensor[i];
+        murk_study_sensor *s = &row->sensor[i];
         memcpy(s->type, type->name, sizeof s->type);
         s->position = sensor[i].position;
         s->heading_deg = is_round ? NAN : DEG * sensor[i].heading_rad;
@@ -51,7 +53,61 @@ murk_status murk_row_set_sensors(murk_row *row, const murk_scene *scene,
     return MURK_OK;
 }
 
-const murk_row_value *murk_row_get(const murk_row *row, const char *name)
+static uint32_t type_of(const murk_scene_sensors *sensors, const char *name)
+{
+    uint32_t t = 0;
+    while (t < sensors->types && strcmp(sensors->type[t].name, name) != 0) {
+        ++t;
+    }
+    return t;
+}
+
+static double radians(double degrees)
+{
+    return isfinite(degrees) ? degrees / DEG : 0;
+}
+
+murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
+                                 const murk_scene *scene, murk_error *err)
+{
+    murk_pose *pose = calloc(row->sensors + 1, sizeof *pose);
+    if (!pose) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for %zu sensors", row->sensors);
+    }
+    for (size_t i = 0; i < row->sensors; ++i) {
+        const murk_study_sensor *s = &row->sensor[i];
+        pose[i] = (murk_pose){.type = type_of(&scene->sensors, s->type),
+                              .position = s->position,
+                              .heading_rad = radians(s->heading_deg),
+                              .tilt_rad = radians(s->tilt_deg)};
+        if (pose[i].type == scene->sensors.types) {
+            free(pose);
+            return murk_fail(err, MURK_BAD_VALUE, scene->sensors.where,
+                             "no sensor type %s", s->type);
+        }
+    }
+    *out = pose;
+    return MURK_OK;
+}
+
+void murk_study_row_add_note(murk_study_row *row, const char *text)
+{
+    const size_t n = strlen(row->note);
+    if (text[0]) {
+        snprintf(row->note + n, sizeof row->note - n, "%s%s", n ? "; " : "",
+                 text);
+    }
+}
+
+void murk_study_row_fail(murk_study_row *row, const murk_error *why)
+{
+    snprintf(row->failed, sizeof row->failed, "%s%s%s", why->where,
+             why->where[0] ? ": " : "", why->text);
+}
+
+const murk_study_value *murk_study_row_get(const murk_study_row *row,
+                                           const char *name)
 {
     for (size_t i = 0; i < row->values; ++i) {
         if (strcmp(row->value[i].name, name) == 0) {
@@ -61,11 +117,11 @@ const murk_row_value *murk_row_get(const murk_row *row, const char *name)
     return NULL;
 }
 
-void murk_row_release(murk_row *row)
+void murk_study_row_release(murk_study_row *row)
 {
     free(row->value);
     free(row->sensor);
-    *row = (murk_row){0};
+    *row = (murk_study_row){0};
 }
 
 /* ---- text ---- */
@@ -105,7 +161,7 @@ static bool add_number(murk_yaml *to, const char *key, double value)
     return add_text(to, key, text, false);
 }
 
-static bool add_value(murk_yaml *list, const murk_row_value *v)
+static bool add_value(murk_yaml *list, const murk_study_value *v)
 {
     murk_yaml *item = murk_yaml_make(MURK_YAML_LIST, "");
     const bool is_whole = item && add_text(item, NULL, v->name, true) &&
@@ -115,7 +171,7 @@ static bool add_value(murk_yaml *list, const murk_row_value *v)
     return add(list, NULL, item) && is_whole;
 }
 
-static bool add_sensor(murk_yaml *list, const murk_row_sensor *s)
+static bool add_sensor(murk_yaml *list, const murk_study_sensor *s)
 {
     murk_yaml *item = murk_yaml_make(MURK_YAML_LIST, "");
     const bool is_whole = item && add_text(item, NULL, s->type, true) &&
@@ -127,7 +183,7 @@ static bool add_sensor(murk_yaml *list, const murk_row_sensor *s)
     return add(list, NULL, item) && is_whole;
 }
 
-char *murk_row_print(const murk_row *row)
+char *murk_study_row_print(const murk_study_row *row)
 {
     char *text = NULL;
     murk_yaml *root = murk_yaml_make(MURK_YAML_MAP, ""),
@@ -136,7 +192,8 @@ char *murk_row_print(const murk_row *row)
     bool is_whole = root && values && sensors &&
                     add_text(root, "failed", row->failed, true) &&
                     add_text(root, "note", row->note, true) &&
-                    add_number(root, "emitted", (double)row->emitted);
+                    add_number(root, "emitted", (double)row->emitted) &&
+                    add_text(root, "fluence", row->fluence, true);
     for (size_t i = 0; is_whole && i < row->values; ++i) {
         is_whole = add_value(values, &row->value[i]);
     }
@@ -175,7 +232,7 @@ static bool take_number(const murk_yaml *node, double *out)
     return murk_yaml_is_null(node) || murk_yaml_number(node, out);
 }
 
-static bool take_value(const murk_yaml *item, murk_row_value *v)
+static bool take_value(const murk_yaml *item, murk_study_value *v)
 {
     return item->kind == MURK_YAML_LIST && item->n == 4 &&
            take_text(item->child[0], v->name, sizeof v->name) &&
@@ -184,7 +241,7 @@ static bool take_value(const murk_yaml *item, murk_row_value *v)
            take_number(item->child[3], &v->of.standard_error);
 }
 
-static bool take_sensor(const murk_yaml *item, murk_row_sensor *s)
+static bool take_sensor(const murk_yaml *item, murk_study_sensor *s)
 {
     return item->kind == MURK_YAML_LIST && item->n == 6 &&
            take_text(item->child[0], s->type, sizeof s->type) &&
@@ -195,7 +252,7 @@ static bool take_sensor(const murk_yaml *item, murk_row_sensor *s)
            take_number(item->child[5], &s->tilt_deg);
 }
 
-static bool take_all(murk_row *row, const murk_yaml *root)
+static bool take_all(murk_study_row *row, const murk_yaml *root)
 {
     const murk_yaml *values = murk_yaml_get(root, "values"),
                     *sensors = murk_yaml_get(root, "sensors"),
@@ -204,6 +261,8 @@ static bool take_all(murk_row *row, const murk_yaml *root)
         take_text(murk_yaml_get(root, "failed"), row->failed,
                   sizeof row->failed) &&
         take_text(murk_yaml_get(root, "note"), row->note, sizeof row->note) &&
+        take_text(murk_yaml_get(root, "fluence"), row->fluence,
+                  sizeof row->fluence) &&
         emitted && murk_yaml_count(emitted, &row->emitted) && values &&
         values->kind == MURK_YAML_LIST && sensors &&
         sensors->kind == MURK_YAML_LIST;
@@ -223,11 +282,12 @@ static bool take_all(murk_row *row, const murk_yaml *root)
     return is_whole;
 }
 
-murk_status murk_row_read(murk_row *out, const char *text, size_t size,
-                          const char *source, murk_error *err)
+murk_status murk_study_row_read(murk_study_row *out, const char *text,
+                                size_t size, const char *source,
+                                murk_error *err)
 {
     murk_yaml *root = NULL;
-    *out = (murk_row){0};
+    *out = (murk_study_row){0};
     murk_status status = murk_yaml_parse(&root, text, size, source, err);
     if (!status && !(root->kind == MURK_YAML_MAP && take_all(out, root))) {
         status = murk_fail(err, MURK_BAD_FILE, source,

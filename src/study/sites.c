@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define LAID_POINTS 1000 /* of a grid that the scene leaves to murk */
 
@@ -172,4 +173,76 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
     }
     release(&a);
     return status;
+}
+
+/* ---- in several worlds ---- */
+
+static int by_place(const void *a, const void *b)
+{
+    const murk_vec3 *p = a, *q = b;
+    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
+    for (int i = 0; i < 3; ++i) {
+        if (x[i] != y[i]) {
+            return x[i] < y[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* Keeps of `all` those that the other has, too. */
+static murk_status keep_common(murk_candidates *all,
+                               const murk_candidates *other, const char *where,
+                               murk_error *err)
+{
+    murk_vec3 *sorted = malloc((other->usable + 1) * sizeof *sorted);
+    if (!sorted) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for %zu candidates", other->usable);
+    }
+    memcpy(sorted, other->position, other->usable * sizeof *sorted);
+    qsort(sorted, other->usable, sizeof *sorted, by_place);
+    size_t kept = 0;
+    for (size_t i = 0; i < all->usable; ++i) {
+        if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,
+                    by_place)) {
+            all->position[kept] = all->position[i];
+            all->kind[kept] = all->kind[i];
+            if (all->normal) {
+                all->normal[kept] = all->normal[i];
+            }
+            ++kept;
+        }
+    }
+    free(sorted);
+    all->unreached += all->usable - kept;
+    all->usable = kept;
+    return kept > 0 ? MURK_OK
+                    : murk_fail(err, MURK_BAD_VALUE, where,
+                                "no candidate is usable in it and in all "
+                                "conditions before it: of %zu usable here "
+                                "none",
+                                other->usable);
+}
+
+murk_status murk_sites_find_common(murk_candidates **out,
+                                   const murk_stage *const *stage,
+                                   const char *const *where, size_t n,
+                                   unsigned threads, murk_error *err)
+{
+    murk_candidates *all = NULL;
+    murk_status status = murk_sites_find(&all, stage[0], threads, err);
+    for (size_t c = 1; !status && c < n; ++c) {
+        murk_candidates *other = NULL;
+        status = murk_sites_find(&other, stage[c], threads, err);
+        if (!status) {
+            status = keep_common(all, other, where[c], err);
+        }
+        murk_candidates_destroy(other);
+    }
+    if (status) {
+        murk_candidates_destroy(all);
+        return status;
+    }
+    *out = all;
+    return MURK_OK;
 }

@@ -13,4 +13,13 @@
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err);
 
+/* The same of n worlds: the candidates that are usable in each of them, by
+ * their places. Counts of why others are not are those of the first; those that
+ * only a later one drops count as unreached. Fails at where[i] where none is
+ * left. */
+murk_status murk_sites_find_common(murk_candidates **out,
+                                   const murk_stage *const *stage,
+                                   const char *const *where, size_t n,
+                                   unsigned threads, murk_error *err);
+
 #endif

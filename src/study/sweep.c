@@ -2,16 +2,16 @@
 
 #include "base/file.h"
 #include "base/interrupt.h"
-#include "base/log.h"
+#include "study/sweep_kept.h"
 #include "study/sweep_keys.h"
+#include "study/sweep_looks.h"
+#include "study/sweep_plans.h"
 #include "study/sweep_work.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#define ROW_BYTES_MAX 16000000
 
 static murk_status no_memory(const murk_sweep_desc *desc, murk_error *err)
 {
@@ -32,8 +32,7 @@ typedef struct reading {
 
 static void tell_failure(murk_sweep_row *row, const murk_error *why)
 {
-    snprintf(row->found.failed, sizeof row->found.failed, "%s%s%s", why->where,
-             why->where[0] ? ": " : "", why->text);
+    murk_study_row_fail(&row->found, why);
     row->is_done = true;
 }
 
@@ -54,6 +53,11 @@ static murk_status read_row(reading *r, size_t i, murk_error *err)
         status = murk_outputs_choose(&sweep->outputs, desc->study, scene, err);
         memcpy(sweep->scene_sha256, scene->sha256, sizeof scene->sha256);
         sweep->seed = scene->seed;
+        sweep->plan[MURK_SWEEP_MEAN].is_wanted =
+            sweep->outputs.wants[MURK_OUTPUT_ONE_MEAN];
+        sweep->plan[MURK_SWEEP_WORST].is_wanted =
+            sweep->outputs.wants[MURK_OUTPUT_ONE_WORST];
+        sweep->sees_in_the_dark = murk_sweep_needs_no_light(scene);
         r->has_outputs = true;
     }
     if (!status) {
@@ -134,79 +138,16 @@ static murk_status sign_rows(const reading *r, murk_error *err)
     return MURK_OK;
 }
 
-/* ---- what is kept ---- */
-
-/* Of a row's file; false where the path is too long. */
-static bool row_path(const murk_sweep *sweep, size_t i, char *out, size_t size)
-{
-    return snprintf(out, size, "%s/rows/%.32s.yaml", sweep->desc.folder,
-                    sweep->row[i].key) < (int)size;
-}
-
-static bool has_fluence(const murk_sweep *sweep, size_t i)
-{
-    char name[MURK_SWEEP_NAME_SIZE], path[4096];
-    if (!sweep->outputs.wants[MURK_OUTPUT_FLUENCE]) {
-        return true;
-    }
-    murk_sweep_fluence_name(name, i);
-    return snprintf(path, sizeof path, "%s/%s", sweep->desc.folder, name) <
-               (int)sizeof path &&
-           access(path, R_OK) == 0;
-}
-
-/* A file that cannot be read, or is not a row's, is no row kept. */
 static void load_row(murk_sweep *sweep, size_t i)
 {
     murk_sweep_row *row = &sweep->row[i];
-    char path[4096];
-    char *text = NULL;
-    size_t size = 0;
-    if (!row->is_done && row_path(sweep, i, path, sizeof path) &&
-        access(path, F_OK) == 0 && has_fluence(sweep, i) &&
-        !murk_file_read(&text, &size, path, ROW_BYTES_MAX, NULL)) {
-        row->is_kept =
-            murk_row_read(&row->found, text, size, path, NULL) == MURK_OK;
-        row->is_done = row->is_kept;
+    if (!row->is_done && murk_sweep_load(sweep, row->key, &row->found)) {
+        row->is_done = row->is_kept =
+            murk_sweep_has_fluence(sweep, i, &row->found);
         if (!row->is_kept) {
-            murk_row_release(&row->found);
+            murk_study_row_release(&row->found);
         }
     }
-    free(text);
-}
-
-/* Only what has not failed: that is tried again. */
-static murk_status keep_row(const murk_sweep *sweep, size_t i, const char *text,
-                            size_t size, murk_error *err)
-{
-    char path[4096];
-    if (!sweep->desc.folder || sweep->row[i].found.failed[0]) {
-        return MURK_OK;
-    }
-    if (!row_path(sweep, i, path, sizeof path)) {
-        return murk_fail(err, MURK_BAD_VALUE, sweep->desc.folder,
-                         "too long a path");
-    }
-    return murk_file_write(path, text, size, err);
-}
-
-static murk_status open_folder(const murk_sweep *sweep, murk_error *err)
-{
-    char path[4096];
-    if (!sweep->desc.folder) {
-        return sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
-                   ? murk_fail(err, MURK_BAD_VALUE,
-                               sweep->desc.study->outputs_where,
-                               "fluence_vdb needs a folder to write into: -o "
-                               "DIR")
-                   : MURK_OK;
-    }
-    if (snprintf(path, sizeof path, "%s/rows", sweep->desc.folder) >=
-        (int)sizeof path) {
-        return murk_fail(err, MURK_BAD_VALUE, sweep->desc.folder,
-                         "too long a path");
-    }
-    return murk_folder_make(path, err);
 }
 
 /* ---- all ---- */
@@ -238,6 +179,31 @@ static murk_status check_plan(const murk_sweep_desc *desc, murk_error *err)
                : MURK_OK;
 }
 
+/* One plan for all rows is of one list of candidates. */
+static murk_status check_looks(const reading *r, murk_error *err)
+{
+    const murk_sweep *sweep = r->sweep;
+    const murk_study_file *study = sweep->desc.study;
+    size_t first = study->rows;
+    if (!murk_outputs_plan_for_all(&sweep->outputs)) {
+        return MURK_OK;
+    }
+    for (size_t i = 0; i < study->rows; ++i) {
+        if (sweep->row[i].is_done) { /* it has failed */
+            continue;
+        }
+        first = first == study->rows ? i : first;
+        if (strcmp(r->keys[i].looks, r->keys[first].looks) != 0) {
+            return murk_fail(err, MURK_BAD_VALUE, study->outputs_where,
+                             "one plan for all rows needs sensors and "
+                             "placement to be the same in all, and those of "
+                             "row %zu differ from those of row %zu",
+                             i + 1, first + 1);
+        }
+    }
+    return MURK_OK;
+}
+
 static murk_status read_rows(reading *r, murk_error *err)
 {
     murk_sweep *sweep = r->sweep;
@@ -251,6 +217,9 @@ static murk_status read_rows(reading *r, murk_error *err)
     if (!status && murk_sweep_done(sweep) == rows) {
         status = murk_fail(err, r->first.status, r->first.where, "%s",
                            r->first.text);
+    }
+    if (!status) {
+        status = check_looks(r, err);
     }
     if (!status) {
         status = group_rows(r, err);
@@ -280,7 +249,7 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
         status = read_rows(&r, err);
     }
     if (!status) {
-        status = open_folder(sweep, err);
+        status = murk_sweep_open(sweep, err);
     }
     for (size_t i = 0; !status && desc->folder && i < rows; ++i) {
         load_row(sweep, i);
@@ -301,34 +270,40 @@ void murk_sweep_destroy(murk_sweep *sweep)
         return;
     }
     for (size_t i = 0; sweep->row && i < sweep->desc.study->rows; ++i) {
-        murk_row_release(&sweep->row[i].found);
+        murk_study_row_release(&sweep->row[i].found);
     }
     for (size_t g = 0; g < sweep->groups; ++g) {
         free(sweep->group[g].row);
+    }
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        murk_study_row_release(&sweep->plan[p].found);
     }
     free(sweep->group);
     free(sweep->row);
     free(sweep);
 }
 
-/* One row's message: its number, a line end, its text. */
+/* Only what has not failed is kept: that is tried again. */
 static murk_status take_row(void *context, const char *bytes, size_t size,
                             murk_error *err)
 {
     murk_sweep *sweep = context;
-    char *text = NULL;
-    const unsigned long i = strtoul(bytes, &text, 10);
-    if (*text != '\n' || i >= sweep->desc.study->rows) {
-        return murk_fail(err, MURK_RUN_FAILED, "", "not a row's message");
+    murk_study_row found;
+    const char *text = NULL;
+    size_t i = 0;
+    murk_status status = murk_sweep_receive(&found, &i, sweep->desc.study->rows,
+                                            bytes, size, &text, err);
+    if (status) {
+        murk_study_row_release(&found);
+        return status;
     }
-    ++text;
-    const size_t length = size - (size_t)(text - bytes);
     murk_sweep_row *row = &sweep->row[i];
-    murk_status status =
-        murk_row_read(&row->found, text, length, "a row's process", err);
-    row->is_done = !status;
-    if (!status) {
-        status = keep_row(sweep, i, text, length, err);
+    murk_study_row_release(&row->found);
+    row->found = found;
+    row->is_done = true;
+    if (!found.failed[0]) {
+        status = murk_sweep_keep(sweep, row->key, text,
+                                 size - (size_t)(text - bytes), err);
         sweep->cannot_keep = status != MURK_OK;
     }
     if (!status && sweep->desc.row_done) {
@@ -365,7 +340,7 @@ murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
     for (size_t g = 0; g < sweep->groups; ++g) {
         murk_sweep_group *group = &sweep->group[g];
-        murk_sweep_job job = {sweep, group};
+        murk_sweep_job job = {.sweep = sweep, .group = group};
         murk_error why = {0};
         if (is_done(sweep, group)) {
             continue;
@@ -383,7 +358,7 @@ murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
             fail_rest(sweep, group, &why);
         }
     }
-    return MURK_OK;
+    return murk_sweep_plan_all(sweep, err);
 }
 
 size_t murk_sweep_done(const murk_sweep *sweep)
@@ -402,4 +377,15 @@ size_t murk_sweep_failed(const murk_sweep *sweep)
         failed += sweep->row[i].is_done && sweep->row[i].found.failed[0];
     }
     return failed;
+}
+
+const char *murk_sweep_why_no_plan(const murk_sweep *sweep)
+{
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        const murk_sweep_plan *plan = &sweep->plan[p];
+        if (plan->is_wanted && plan->found.failed[0]) {
+            return plan->found.failed;
+        }
+    }
+    return NULL;
 }

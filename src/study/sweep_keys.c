@@ -1,6 +1,8 @@
 #include "study/sweep_keys.h"
 
 #include "base/file.h"
+#include "scene/print.h"
+#include "scene/yaml.h"
 #include "study/gauges.h"
 #include "study/sky.h"
 
@@ -175,6 +177,29 @@ static bool finish(FILE *out, char **text, const size_t *size, char hash[65])
     return is_whole;
 }
 
+static bool is_of_looks(const char *key)
+{
+    return strcmp(key, "sensors") == 0 || strcmp(key, "placement") == 0;
+}
+
+/* Sensors and placement, as the scene has them resolved. */
+static murk_status sign_looks(char hash[65], const murk_scene *scene,
+                              murk_error *err)
+{
+    murk_yaml *root = NULL;
+    murk_status status = murk_yaml_parse(
+        &root, scene->resolved, strlen(scene->resolved), scene->path, err);
+    char *text = status ? NULL : murk_print_file(root, is_of_looks);
+    if (text) {
+        murk_sha256_hex(text, strlen(text), hash);
+    } else if (!status) {
+        status = no_memory(err);
+    }
+    free(text);
+    murk_yaml_destroy(root);
+    return status;
+}
+
 murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_sweep_sums *sums,
                                const murk_scene *scene,
                                const murk_outputs *outputs, const char *version,
@@ -199,5 +224,10 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_sweep_sums *sums,
     }
     is_whole = sign_row(to, scene, outputs, version, sums);
     is_whole &= finish(to, &text, &size, out->own);
-    return is_whole ? MURK_OK : no_memory(err);
+    if (!is_whole) {
+        return no_memory(err);
+    }
+    return murk_outputs_plan_for_all(outputs)
+               ? sign_looks(out->looks, scene, err)
+               : MURK_OK;
 }

@@ -8,14 +8,12 @@
 typedef struct murk_sweep_job {
     const murk_sweep *sweep;
     const murk_sweep_group *group;
+    bool measures_plans; /* of rows that are done, what the plans for all rows
+                            are worth in them; else rows that are not done */
 } murk_sweep_job;
 
-/* A murk_apart_work: context is the job. Sends a message for each row that was
- * not done: its number, a line end, and its text (study/row.h). */
+/* A murk_apart_work: context is the job. Sends each row of it
+ * (study/sweep_kept.h). */
 murk_status murk_sweep_work(murk_apart *apart, void *context, murk_error *err);
-
-/* The file of a row's fluence within a folder. */
-#define MURK_SWEEP_NAME_SIZE 32
-void murk_sweep_fluence_name(char out[MURK_SWEEP_NAME_SIZE], size_t row);
 
 #endif
