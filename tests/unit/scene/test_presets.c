@@ -166,6 +166,108 @@ static void test_options_and_conditions(void)
     murk_scene_destroy(scene);
 }
 
+/* Whether a scene and its resolved form give the same light with an option,
+ * NULL for none: both do, or neither. */
+static bool turns_alike(const char *text, const char *resolved,
+                        const char *option)
+{
+    const murk_override set = {.text = option};
+    murk_scene *one = NULL, *other = NULL;
+    murk_error err;
+    scene_of(&one, text, &set, option != NULL, &err);
+    scene_of(&other, resolved, &set, option != NULL, &err);
+    const bool is_alike = one && other
+                              ? strcmp(one->light_key, other->light_key) == 0 &&
+                                    strcmp(one->resolved, other->resolved) == 0
+                              : !one && !other;
+    if (!is_alike) {
+        printf("%s\n-> %s (%s %s)\n", text, option ? option : "", err.where,
+               err.text);
+    }
+    murk_scene_destroy(other);
+    murk_scene_destroy(one);
+    return is_alike;
+}
+
+/* "media.fog.WORD=VALUE" of a number that the preset takes. */
+static void word_option(char *out, size_t size, const murk_preset *preset,
+                        murk_word_id word)
+{
+    const murk_preset_word *w = &preset->word[word];
+    const int numbers = murk_word_numbers(word);
+    size_t used =
+        (size_t)snprintf(out, size, "media.fog.%s=[", murk_word_name(word));
+    for (int i = 0; i < numbers; ++i) {
+        const double value = w->has_preset
+                                 ? .75 * w->preset[i] + .25 * w->least[i]
+                                 : fmin(w->most[i], fmax(w->least[i], 1));
+        used += (size_t)snprintf(out + used, size - used, "%s%.9g",
+                                 i ? ", " : "", value);
+    }
+    snprintf(out + used, size - used, "]");
+    if (numbers == 1) { /* a number, not a list of one */
+        *strchr(out, '[') = ' ';
+        *strchr(out, ']') = ' ';
+    }
+}
+
+/* Bits of the words that it knows. */
+static unsigned words_of(const murk_preset *preset)
+{
+    unsigned known = 0;
+    for (int w = 0; w < MURK_WORDS; ++w) {
+        known |= preset->word[w].is_known ? 1u << w : 0;
+    }
+    return known;
+}
+
+static void check_turning(const murk_preset *preset)
+{
+    char text[400], option[200];
+    murk_scene *scene = NULL;
+    murk_error err;
+    snprintf(text, sizeof text, SCENE("bands_nm: [550]", "preset: %s"),
+             preset->name);
+    CHECK(scene_of(&scene, text, NULL, 0, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    if (scene) {
+        CHECK(turns_alike(text, scene->resolved, NULL));
+        CHECK(turns_alike(text, scene->resolved, "media.fog.albedo=.5"));
+    }
+    for (int w = 0; scene && w < MURK_WORDS; ++w) {
+        if (preset->word[w].is_known) {
+            word_option(option, sizeof option, preset, (murk_word_id)w);
+            CHECK(turns_alike(text, scene->resolved, option));
+        }
+    }
+    murk_scene_destroy(scene);
+}
+
+/* The scene.yaml of a result folder can be turned like the scene it is of: by
+ * one preset for each set of words. */
+static void test_what_is_resolved_can_be_turned(void)
+{
+    unsigned seen[32] = {0};
+    size_t kinds = 0;
+    for (size_t i = 0; i < murk_presets_count(); ++i) {
+        char name[MURK_PRESET_NAME_SIZE];
+        murk_preset *preset = NULL;
+        murk_error err = {0};
+        size_t k = 0;
+        murk_presets_name(i, name);
+        CHECK(murk_presets_read(&preset, name, "", &err) == MURK_OK);
+        while (preset && k < kinds && seen[k] != words_of(preset)) {
+            ++k;
+        }
+        if (preset && k == kinds && kinds < sizeof seen / sizeof *seen) {
+            seen[kinds++] = words_of(preset);
+            check_turning(preset);
+        }
+        murk_preset_destroy(preset);
+    }
+    CHECK(kinds > 5);
+}
+
 static void test_refusals(void)
 {
     CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 0"),
@@ -243,6 +345,7 @@ int main(void)
         test_what_the_scene_says_wins();
         test_mixtures();
         test_options_and_conditions();
+        test_what_is_resolved_can_be_turned();
         test_refusals();
         folder_leave((const char *const[]){"fog.yaml", NULL});
     }
