@@ -3,8 +3,6 @@
 #include "medium/parts.h"
 
 #include <assert.h>
-#include <stdlib.h>
-#include <string.h>
 
 double murk_medium_accepted(const murk_medium *medium, int band,
                             double acceptance_rad)
@@ -35,19 +33,13 @@ murk_status murk_media_accepting(murk_media **out, const murk_media *media,
     if (status) {
         return status;
     }
-    murk_media *made = malloc(sizeof *made);
-    murk_medium *list = malloc((media->n_media + 1) * sizeof *list);
-    if (!made || !list) {
-        free(made);
-        free(list);
+    murk_media *made = murk_media_borrowing(media);
+    if (!made) {
         return murk_fail(err, MURK_NO_MEMORY, "acceptance_deg",
                          "no memory for %zu media", media->n_media);
     }
-    *made = *media;
-    made->borrows_places = true;
-    made->media = list;
+    murk_medium *list = made->media;
     for (size_t i = 0; i < media->n_media; ++i) {
-        list[i] = media->media[i];
         for (int band = 0; band < MURK_BANDS_MAX; ++band) {
             list[i].extinction_per_m.band[band] *=
                 1 - list[i].albedo.band[band] *

@@ -326,6 +326,22 @@ static void release_places(murk_media *media)
     free(media->shells);
 }
 
+murk_media *murk_media_borrowing(const murk_media *media)
+{
+    murk_media *made = malloc(sizeof *made);
+    murk_medium *list = malloc((media->n_media + 1) * sizeof *list);
+    if (!made || !list) {
+        free(made);
+        free(list);
+        return NULL;
+    }
+    *made = *media;
+    made->borrows_places = true;
+    made->media = list;
+    memcpy(list, media->media, media->n_media * sizeof *list);
+    return made;
+}
+
 void murk_media_destroy(murk_media *media)
 {
     if (media) {

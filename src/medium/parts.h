@@ -23,4 +23,8 @@ struct murk_media {
     double bound_factor; /* on what delta tracking flies by; 0: not prepared */
 };
 
+/* A copy whose list of media may be changed; places and shells are borrowed
+ * from `media`. NULL when out of memory. The caller's: murk_media_destroy(). */
+murk_media *murk_media_borrowing(const murk_media *media);
+
 #endif

@@ -4,23 +4,6 @@
 
 #define FIRST_ROOM 256
 
-/* The share of a packet that leaves the event in the mean (stored when hit) or
- * now (stored when reflected); 0 where none is stored. */
-static double stored_share(const murk_harvest *h, const murk_event *event)
-{
-    if (event->kind == MURK_EVENT_SURFACE && h->keeps_surface) {
-        return h->wish->store_hits ? event->weight * event->reflectance
-               : event->outcome == MURK_DIFFUSE ? event->leaving
-                                                : 0;
-    }
-    if (event->kind == MURK_EVENT_MEDIUM && h->keeps_volume) {
-        return h->wish->store_hits ? event->weight * event->reflectance
-               : event->outcome == MURK_SCATTERED ? event->leaving
-                                                  : 0;
-    }
-    return 0;
-}
-
 static murk_photon record_of(const murk_event *event, double share)
 {
     const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
@@ -78,10 +61,25 @@ void murk_harvest_destroy(murk_harvest *h)
     }
 }
 
+double murk_harvest_share(const murk_harvest *h, const murk_event *event)
+{
+    if (event->kind == MURK_EVENT_SURFACE && h->keeps_surface) {
+        return h->wish->store_hits ? event->weight * event->reflectance
+               : event->outcome == MURK_DIFFUSE ? event->leaving
+                                                : 0;
+    }
+    if (event->kind == MURK_EVENT_MEDIUM && h->keeps_volume) {
+        return h->wish->store_hits ? event->weight * event->reflectance
+               : event->outcome == MURK_SCATTERED ? event->leaving
+                                                  : 0;
+    }
+    return 0;
+}
+
 void murk_harvest_event(void *context, uint64_t batch, const murk_event *event)
 {
     murk_harvest *h = context;
-    const double share = stored_share(h, event);
+    const double share = murk_harvest_share(h, event);
     if (share > 0) {
         const murk_photon photon = record_of(event, share);
         murk_pile *pile = &h->pile[batch];
@@ -141,4 +139,22 @@ void murk_harvest_price(murk_harvest *h, const double *packet_w, int bands)
 {
     price(&h->surface, packet_w, bands);
     price(&h->volume, packet_w, bands);
+}
+
+murk_status murk_harvest_map(murk_photon_map **out, murk_pile *pile,
+                             unsigned threads, murk_error *err)
+{
+    murk_photon *photons = pile->photon;
+    const size_t n = pile->n;
+    if (n == 0) {
+        free(photons);
+        photons = NULL;
+    } else if (n < pile->room) {
+        murk_photon *fitted = realloc(photons, n * sizeof *fitted);
+        if (fitted) {
+            photons = fitted;
+        }
+    }
+    *pile = (murk_pile){0};
+    return murk_photon_map_create(out, photons, n, threads, err);
 }

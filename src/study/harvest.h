@@ -6,7 +6,7 @@
 #ifndef MURK_STUDY_HARVEST_H
 #define MURK_STUDY_HARVEST_H
 
-#include "photonmap/photon.h"
+#include "photonmap/map.h"
 #include "scene/scene.h"
 #include "transport/trace.h"
 
@@ -29,6 +29,11 @@ typedef struct murk_harvest {
 murk_harvest *murk_harvest_create(const murk_scene_photons *wish);
 void murk_harvest_destroy(murk_harvest *harvest); /* NULL is fine */
 
+/* The share of a packet that a record of the event is worth: what leaves it in
+ * the mean (stored when hit) or now (stored when reflected); 0 where none is
+ * stored. */
+double murk_harvest_share(const murk_harvest *harvest, const murk_event *event);
+
 /* The tracer's callback; context is the harvest. A record's power is a share
  * of its packet until murk_harvest_price(). */
 void murk_harvest_event(void *context, uint64_t batch, const murk_event *event);
@@ -45,5 +50,9 @@ murk_status murk_harvest_gather(murk_harvest *harvest, uint64_t last,
 /* Shares of a packet become watts. packet_w[light * bands + band]. */
 void murk_harvest_price(murk_harvest *harvest, const double *packet_w,
                         int bands);
+
+/* Hands the pile's records over to a new map; *out is the caller's. */
+murk_status murk_harvest_map(murk_photon_map **out, murk_pile *pile,
+                             unsigned threads, murk_error *err);
 
 #endif

@@ -21,10 +21,6 @@ typedef struct murk_traced {
     double trace_s, map_s; /* for the run's own record */
 } murk_traced;
 
-/* A light whose lost share is above this is refused: it would not be the
- * scene's light. */
-#define MURK_LOST_SHARE_MAX 0.01
-
 /* What a short pilot foretells. */
 typedef struct murk_forecast {
     uint64_t pilot_photons;

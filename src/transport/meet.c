@@ -51,7 +51,7 @@ bool murk_meet_boundary(murk_walker *w, const murk_ahead *ahead,
     const murk_vec3 from = w->position;
     w->position = murk_walls_hold(&w->course->walls,
                                   murk_along(from, b->distance_m, arriving));
-    if (w->sums->scorer) {
+    if (w->sums->are_legs_wanted) {
         murk_walker_score(w, from, b->distance_m, w->quanta, w->position,
                           w->course->in_plane_m);
     }
@@ -110,7 +110,7 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
         n_to = index_in(w, &beyond, inside);
     }
     const murk_vec3 place = murk_along(w->probe, hit->distance_m, w->direction);
-    if (w->sums->scorer) {
+    if (w->sums->are_legs_wanted) {
         murk_walker_score(w, w->position, path_m, w->quanta, place,
                           w->course->in_plane_m);
     }
@@ -203,7 +203,7 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
     const murk_vec3 from = w->position;
     w->position = murk_walls_hold(walls, murk_along(from, path_m, d));
     murk_walls_put(walls, axis, upper, &w->position);
-    if (w->sums->scorer) {
+    if (w->sums->are_legs_wanted) {
         murk_walker_score(w, from, path_m, w->quanta,
                           beyond_side(w, axis, upper), 0);
     }

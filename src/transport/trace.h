@@ -97,6 +97,23 @@ typedef struct murk_event {
 typedef void (*murk_event_sink)(void *context, uint64_t batch,
                                 const murk_event *event);
 
+/* A straight leg of a photon's way, up to an event or to a boundary that is
+ * none. */
+typedef struct murk_trace_leg {
+    uint64_t photon;
+    uint16_t light;
+    uint8_t band;
+    bool is_in_solid;          /* where no media are */
+    murk_inside inside;        /* regions with a boundary that it lies in */
+    murk_vec3 from, direction; /* direction: unit */
+    double length_m;
+    double weight; /* share of its packet that flies */
+} murk_trace_leg;
+
+/* As murk_event_sink; told before the event that the leg ends in. */
+typedef void (*murk_leg_sink)(void *context, uint64_t batch,
+                              const murk_trace_leg *leg);
+
 #define MURK_BATCH_PHOTONS                            \
     1024 /* fixed, so that no result knows of threads \
           */
@@ -111,8 +128,9 @@ typedef struct murk_trace {
     double least_weight; /* MURK_LEAST_WEIGHT_MIN..1 */
     bool by_delta; /* free flight by delta tracking, for which the media must be
                       prepared; else by march */
-    murk_event_sink sink; /* may be NULL */
-    void *context;
+    murk_event_sink sink;  /* may be NULL */
+    murk_leg_sink leg;     /* may be NULL */
+    void *context;         /* of both */
     murk_tallies *tallies; /* may be NULL; made for `threads` or more */
     bool takes_back;       /* the ledger and the tallies lose what these photons
                               brought them */

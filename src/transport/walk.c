@@ -63,7 +63,7 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
     ++w->sums->collisions;
     w->position = w->probe = murk_walls_hold(
         &w->course->walls, murk_along(from, c->distance_m, w->direction));
-    if (w->sums->scorer) {
+    if (w->sums->are_legs_wanted) {
         murk_walker_score(w, from, c->distance_m, before, w->position, 0);
     }
     if (scatters) {

@@ -43,7 +43,8 @@ typedef struct murk_sums {
     murk_tally *absorber; /* the ledger's, of this thread's lane, which is added
                              to at once */
     size_t materials, absorbers;
-    murk_scorer *scorer; /* NULL: no tallies */
+    murk_scorer *scorer;  /* NULL: no tallies */
+    bool are_legs_wanted; /* by the scorer or by the trace's own sink */
 } murk_sums;
 
 /* Traces one photon, tells its events to the trace's sink, adds to sums. */

@@ -101,14 +101,29 @@ static inline bool murk_walker_is_heard(const murk_walker *w)
     return w->course->trace->sink != NULL;
 }
 
-/* A leg for the tallies, which ends for planes at `end`; reach_m: murk_station.
- */
+/* A leg for the tallies, which ends for planes at `end`, and for who else wants
+ * to know; reach_m: murk_station. */
 static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      double length_m, int64_t quanta,
                                      murk_vec3 end, double reach_m)
 {
-    murk_score_leg(w->sums->scorer, from, w->direction, length_m,
-                   (double)quanta, (murk_station){end, reach_m});
+    const murk_trace *trace = w->course->trace;
+    if (w->sums->scorer) {
+        murk_score_leg(w->sums->scorer, from, w->direction, length_m,
+                       (double)quanta, (murk_station){end, reach_m});
+    }
+    if (trace->leg) {
+        const murk_trace_leg leg = {.photon = w->photon,
+                                    .light = (uint16_t)w->light,
+                                    .band = (uint8_t)w->band,
+                                    .is_in_solid = w->solids.n > 0,
+                                    .inside = w->inside,
+                                    .from = from,
+                                    .direction = w->direction,
+                                    .length_m = length_m,
+                                    .weight = murk_packet_share(quanta)};
+        trace->leg(trace->context, w->batch, &leg);
+    }
 }
 
 static inline murk_fate murk_walker_lose(murk_walker *w, murk_loss loss)
