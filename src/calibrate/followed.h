@@ -9,6 +9,11 @@
  * scatterings are kept by medium, and the cosines where a phase function is
  * free. A contribution is a receiver's chord or a stored record.
  *
+ * The same holds where packets are split instead of put to the roulette
+ * (least_weight below 1): what roulette does by chance, a split's weight does,
+ * and both times the product is sigma_s. Where albedo is a grid, sigma_s goes
+ * by sigma_t alone, as the albedo of the place is the same in both.
+ *
  * Contributions are in order of photons, whatever the threads did. */
 #ifndef MURK_CALIBRATE_FOLLOWED_H
 #define MURK_CALIBRATE_FOLLOWED_H
@@ -16,7 +21,8 @@
 #include "photonmap/map.h"
 #include "study/stage.h"
 
-/* Fluence rate, or irradiance on a side, averaged over a sphere. */
+/* Fluence rate, or irradiance on a side, averaged over a sphere, which must lie
+ * in the domain and clear of surfaces: what sticks out of it is dark. */
 typedef struct murk_receiver {
     murk_vec3 center;
     double radius_m;
@@ -41,13 +47,17 @@ typedef struct murk_followed_desc {
     double memory_most_bytes; /* refused beyond; 0: what the machine has */
 } murk_followed_desc;
 
+/* Receivers with numbers as high stand for records. */
+#define MURK_RECORD_OF_SURFACE UINT32_MAX
+#define MURK_RECORD_OF_VOLUME  (UINT32_MAX - 1)
+
 /* One chord or record. */
 typedef struct murk_contribution {
     uint32_t photon;   /* emitted index */
-    uint32_t receiver; /* or UINT32_MAX: a record */
-    uint32_t first;    /* of its photon's cosines */
-    uint32_t turns;    /* scatterings before it, of all kept media: its cosines
-                          are cosine[first .. first + turns) */
+    uint32_t receiver; /* or what it is a record of */
+    uint32_t first;    /* of its photon's turns */
+    uint32_t turns;    /* scatterings before it, of all kept media: its own are
+                          turn[first .. first + turns) */
     uint16_t light;
     uint8_t band;
     uint8_t medium; /* records of the volume map: the medium it lies in, as a
@@ -55,6 +65,12 @@ typedef struct murk_contribution {
     float value; /* chord: length times weight [m], times cosine for irradiance;
                     record: share of a packet that leaves */
 } murk_contribution;
+
+static inline bool
+murk_contribution_is_record(const murk_contribution *contribution)
+{
+    return contribution->receiver >= MURK_RECORD_OF_VOLUME;
+}
 
 typedef struct murk_followed {
     size_t media, *medium; /* [media] numbers of the scene */
@@ -69,16 +85,18 @@ typedef struct murk_followed {
     float *chord_m;  /* [n][media] density path across the chord; records: 0 */
     uint32_t *count; /* [n][media] scatterings up to it; records in a medium
                         count their own */
-    size_t cosines;
-    float *cosine;                     /* [cosines] 0 where none are kept */
-    uint8_t *cosine_medium;            /* [cosines] index into medium[] */
+    size_t turns;    /* 0: no cosines are kept */
+    float *turn;     /* [turns] 1 - cosine, which keeps the
+                        digits of small angles */
+    uint8_t *turn_medium;              /* [turns] index into medium[] */
     murk_photon_map *surface, *volume; /* NULL: none kept. A record's `emitted`
                                           is the number of its contribution */
     double trace_s;
 } murk_followed;
 
-/* *out is the caller's: murk_followed_destroy(). A photon loop that loses more
- * than the allowed share, or a dark stage, is refused. */
+/* *out is the caller's: murk_followed_destroy(). Refused: a dark stage, losses
+ * of more than the allowed share, more records than the scene allows, and, by
+ * forecast from the first photons, more memory than allowed. */
 murk_status murk_followed_trace(murk_followed **out,
                                 const murk_followed_desc *desc,
                                 murk_error *err);

@@ -106,7 +106,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     }
     e->emitted = end;
     *is_done = last != UINT64_MAX || end == e->emit;
-    return e->gather ? e->gather(e->context, last, err)
+    return e->gather ? e->gather(e->gather_context, last, err)
                      : murk_harvest_gather(e->harvest, last, err);
 }
 

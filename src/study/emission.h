@@ -26,8 +26,9 @@ typedef struct murk_emission {
      * `last`. NULL: the harvest alone. */
     murk_event_sink sink;
     murk_leg_sink leg;
-    murk_status (*gather)(void *context, uint64_t last, murk_error *err);
-    void *context;
+    void *context; /* of both */
+    murk_status (*gather)(void *gather_context, uint64_t last, murk_error *err);
+    void *gather_context;
 
     uint64_t emitted; /* so far */
 } murk_emission;

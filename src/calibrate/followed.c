@@ -1,0 +1,241 @@
+#include "calibrate/followed.h"
+
+#include "base/progress.h"
+#include "calibrate/recorder.h"
+#include "study/emission.h"
+#include "study/ending.h"
+#include "study/machine.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Growing arrays hold up to 1.5 times what is in them, and that beside the old
+ * ones while they move. */
+#define WHILE_GROWING 2.5
+
+typedef struct job {
+    const murk_followed_desc *desc;
+    murk_emission emission;
+    murk_recorder *recorder;
+    double most_bytes;
+} job;
+
+static const char *where_of(const murk_followed_desc *desc)
+{
+    return desc->stage->scene->photons.where;
+}
+
+/* What is there now, times `grow`, takes so many bytes until it is a map. */
+static double bytes_at(const job *j, double grow)
+{
+    const murk_recorded *all = &j->recorder->all;
+    const murk_harvest *harvest = j->recorder->harvest;
+    const double records =
+        harvest ? grow * (double)(harvest->surface.n + harvest->volume.n) : 0;
+    return WHILE_GROWING *
+               (murk_recorded_bytes(j->desc->media, grow * (double)all->n,
+                                    grow * (double)all->turns) +
+                sizeof(murk_photon) * records) +
+           murk_photon_map_memory_for(records) - sizeof(murk_photon) * records;
+}
+
+/* After a wave: what all will take if it goes on like that. */
+static murk_status gather(void *context, uint64_t last, murk_error *err)
+{
+    const job *j = context;
+    const murk_status status = murk_recorder_gather(j->recorder, last, err);
+    if (status) {
+        return status;
+    }
+    const murk_emission *e = &j->emission;
+    const murk_scene_photons *wish = &j->desc->stage->scene->photons;
+    const murk_harvest *harvest = j->recorder->harvest;
+    const double stored =
+        harvest ? (double)(harvest->surface.n + harvest->volume.n) : 0;
+    const double grow = e->emit      ? (double)e->emit / (double)e->emitted
+                        : stored > 0 ? (double)wish->store / stored
+                                     : 1;
+    const double bytes = bytes_at(j, grow > 1 ? grow : 1);
+    if (!(bytes <= j->most_bytes)) {
+        return murk_fail(err, MURK_BAD_VALUE, where_of(j->desc),
+                         "about %.3g contributions of light would be kept "
+                         "(from %llu photons), which takes %.3g GB, must be "
+                         "at most %.3g GB: fewer photons, receivers or "
+                         "records",
+                         grow * (double)j->recorder->all.n,
+                         (unsigned long long)e->emitted, bytes / 1e9,
+                         j->most_bytes / 1e9);
+    }
+    return MURK_OK;
+}
+
+static murk_followed *new_followed(const murk_followed_desc *desc)
+{
+    murk_followed *f = calloc(1, sizeof *f);
+    if (f) {
+        f->channels = murk_lights_channels(desc->stage->lights);
+        f->media = desc->media;
+        f->medium = calloc(desc->media + 1, sizeof *f->medium);
+        f->emitted_in = calloc(f->channels, sizeof *f->emitted_in);
+        f->packet_w = calloc(f->channels, sizeof *f->packet_w);
+    }
+    if (!f || !f->medium || !f->emitted_in || !f->packet_w) {
+        murk_followed_destroy(f);
+        return NULL;
+    }
+    for (size_t m = 0; m < desc->media; ++m) {
+        f->medium[m] = desc->medium[m];
+    }
+    return f;
+}
+
+static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
+{
+    murk_harvest *harvest = j->recorder->harvest;
+    murk_harvest_price(harvest, f->packet_w, j->desc->stage->scene->bands);
+    const murk_status status =
+        murk_harvest_map(&f->surface, &harvest->surface, j->desc->threads, err);
+    return status ? status
+                  : murk_harvest_map(&f->volume, &harvest->volume,
+                                     j->desc->threads, err);
+}
+
+static murk_status finish(murk_followed *f, const job *j, murk_error *err)
+{
+    murk_recorded *all = &j->recorder->all;
+    const murk_status status = murk_emission_check_losses(&j->emission, err);
+    if (status) {
+        return status;
+    }
+    f->emitted = j->emission.emitted;
+    murk_emission_price(&j->emission, f->emitted_in, f->packet_w);
+    murk_recorded_fit(all, f->media);
+    f->n = all->n;
+    f->contribution = all->contribution;
+    f->path_m = all->path_m;
+    f->chord_m = all->chord_m;
+    f->count = all->count;
+    f->turns = all->turns;
+    f->turn = all->turn;
+    f->turn_medium = all->turn_medium;
+    *all = (murk_recorded){0};
+    return j->desc->keeps_records ? make_maps(f, j, err) : MURK_OK;
+}
+
+static murk_status check(const murk_followed_desc *desc, uint64_t emit,
+                         murk_error *err)
+{
+    if (murk_lights_lit(desc->stage->lights) == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, desc->stage->scene->path,
+                         "all lights are dark, must be light to be followed");
+    }
+    if (emit > UINT32_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, where_of(desc),
+                         "emit: %llu photons, must be at most %lu to be "
+                         "followed",
+                         (unsigned long long)emit, (unsigned long)UINT32_MAX);
+    }
+    return murk_ending_check(desc->stage, desc->stream, err);
+}
+
+/* Records are counted where their number ends the run, and kept if wanted. */
+static murk_status make_harvest(murk_harvest **out,
+                                const murk_followed_desc *desc, uint64_t emit,
+                                murk_error *err)
+{
+    if (!desc->keeps_records && emit) {
+        *out = NULL;
+        return MURK_OK;
+    }
+    *out = murk_harvest_create(&desc->stage->scene->photons);
+    return *out ? MURK_OK
+                : murk_fail(err, MURK_NO_MEMORY, where_of(desc),
+                            "no memory to trace");
+}
+
+murk_status murk_followed_trace(murk_followed **out,
+                                const murk_followed_desc *desc, murk_error *err)
+{
+    assert(out && desc && desc->stage && desc->threads >= 1);
+    const murk_scene_photons *wish = &desc->stage->scene->photons;
+    const uint64_t emit = desc->photons ? desc->photons : wish->emit;
+    murk_ledger *ledger = NULL;
+    murk_harvest *harvest = NULL;
+    murk_followed *followed = NULL;
+    job j = {.desc = desc,
+             .most_bytes = desc->memory_most_bytes > 0
+                               ? desc->memory_most_bytes
+                               : murk_machine_memory_bytes()};
+    murk_status status = check(desc, emit, err);
+    if (!status) {
+        status = make_harvest(&harvest, desc, emit, err);
+    }
+    if (!status) {
+        status = murk_recorder_create(&j.recorder, desc, harvest, err);
+    }
+    if (!status) {
+        status = murk_ledger_create(&ledger, &desc->stage->world, err);
+    }
+    if (status) {
+        goto done;
+    }
+    followed = new_followed(desc);
+    if (!followed) {
+        status = murk_fail(err, MURK_NO_MEMORY, where_of(desc),
+                           "no memory to trace");
+        goto done;
+    }
+    j.emission = (murk_emission){.stage = desc->stage,
+                                 .stream = desc->stream,
+                                 .threads = desc->threads,
+                                 .emit = emit,
+                                 .is_first_small = true,
+                                 .harvest = harvest,
+                                 .ledger = ledger,
+                                 .sink = murk_recorder_event,
+                                 .leg = murk_recorder_leg,
+                                 .context = j.recorder,
+                                 .gather = gather,
+                                 .gather_context = &j};
+    status = murk_emission_check(&j.emission, err);
+    if (status) {
+        goto done;
+    }
+    const double begun_s = murk_clock_s();
+    murk_progress_begin("trace", emit, "photons");
+    status = murk_emission_run(&j.emission, err);
+    murk_progress_end();
+    followed->trace_s = murk_clock_s() - begun_s;
+    if (!status) {
+        status = finish(followed, &j, err);
+    }
+    if (!status) {
+        *out = followed;
+        followed = NULL;
+    }
+done:
+    murk_followed_destroy(followed);
+    murk_recorder_destroy(j.recorder);
+    murk_harvest_destroy(harvest);
+    murk_ledger_destroy(ledger);
+    return status;
+}
+
+void murk_followed_destroy(murk_followed *f)
+{
+    if (f) {
+        murk_photon_map_destroy(f->surface);
+        murk_photon_map_destroy(f->volume);
+        free(f->medium);
+        free(f->emitted_in);
+        free(f->packet_w);
+        free(f->contribution);
+        free(f->path_m);
+        free(f->chord_m);
+        free(f->count);
+        free(f->turn);
+        free(f->turn_medium);
+        free(f);
+    }
+}
