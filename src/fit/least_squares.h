@@ -3,7 +3,8 @@
  * Minimises 1/2 sum rho(r_i(x)^2) over lower <= x <= upper, rho the loss of
  * each row apart (Huber, Ann. Math. Statist. 35 (1964) 73,
  * doi:10.1214/aoms/1177703732). Levenberg-Marquardt with the caller's own
- * Jacobian; one thread, so the same bits always. */
+ * Jacobian; one thread, so the same bits always. Nothing is printed: the first
+ * use turns glog's messages of the process off, but for fatal ones. */
 #ifndef MURK_FIT_LEAST_SQUARES_H
 #define MURK_FIT_LEAST_SQUARES_H
 
@@ -19,7 +20,8 @@ typedef enum murk_loss_function {
 } murk_loss_function;
 
 /* Fills residual[rows] and, unless NULL, jacobian[rows][n] (row by row) at
- * x[n]. False where that cannot be done: the step is then tried shorter. */
+ * x[n]. False where that cannot be done: the step is then tried shorter. So it
+ * is where a value or a sum of squares is not finite. */
 typedef bool (*murk_residuals)(void *context, const double *x, double *residual,
                                double *jacobian);
 
@@ -38,6 +40,8 @@ typedef struct murk_least_squares {
     size_t n, rows;
     const double *lower, *upper; /* [n]; -INFINITY, INFINITY: none */
     murk_residuals residuals;
+    bool is_jacobian_free; /* comes along with residuals at no cost: they are
+                              then never asked for alone */
     murk_least_squares_watch watch; /* may be NULL */
     void *context;
     murk_loss_function loss;
@@ -50,12 +54,13 @@ typedef enum murk_least_squares_end {
     MURK_LEAST_SQUARES_CONVERGED,
     MURK_LEAST_SQUARES_ITERATIONS, /* used up */
     MURK_LEAST_SQUARES_STOPPED,    /* by watch */
-    MURK_LEAST_SQUARES_FAILED      /* residuals at the start, or numerically */
+    MURK_LEAST_SQUARES_FAILED      /* no residuals at the start, or where the
+                                      search goes; or numerically */
 } murk_least_squares_end;
 
 typedef struct murk_least_squares_found {
     murk_least_squares_end end;
-    double initial_cost, cost;
+    double initial_cost, cost; /* NaN: no residuals at the start */
     int iterations, evaluations;
     char why[256]; /* one line */
 } murk_least_squares_found;

@@ -1,0 +1,388 @@
+/* Ceres does the steps; here is what it leaves to its caller.
+ *
+ * It steps as if there were no bounds and projects afterwards, so with
+ * correlated parameters it zigzags along an active bound and may take its short
+ * steps for the end. So each pass holds what the last one left at a bound that
+ * its gradient presses against, and lets go what is pressed no more, until a
+ * pass changes neither the set nor the cost (Bertsekas, SIAM J. Control Optim.
+ * 20 (1982) 221, doi:10.1137/0320018). The last pass begins with a fresh trust
+ * region, so that steps that were shortened somewhere on the way do not pass
+ * for an end either. */
+#include "fit/least_squares.h"
+
+#include "fit/ceres_bridge.h"
+
+#include <assert.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ITERATIONS_DEFAULT 100
+#define TOLERANCE_DEFAULT  1e-10
+
+/* Sets of held parameters could alternate at the same cost. */
+#define PASSES_MAX 20
+
+/* What the caller's callback said about one x. */
+typedef struct place {
+    double *x, *residual, *jacobian;
+    bool has_residual, has_jacobian;
+} place;
+
+typedef struct search {
+    const murk_least_squares *problem;
+    double *lower, *upper; /* [n] those of this pass: equal where held */
+    bool *is_held;         /* [n] */
+    place best, other;     /* two are remembered, so that each costs one call */
+    double *start;         /* [n] of a pass */
+    double *gradient;      /* [n] at the best */
+    double cost;           /* of the best */
+    bool is_refused;       /* the latest step had no residuals */
+    int evaluations;
+    int iterations, iterations_before; /* in all; before this pass */
+} search;
+
+/* rho and its slope at s = r^2. */
+static double loss_at(const murk_least_squares *p, double s, double *slope)
+{
+    const double b = p->loss_width * p->loss_width;
+    switch (p->loss) {
+    case MURK_LOSS_FUNCTION_HUBER:
+        if (s > b) {
+            *slope = p->loss_width / sqrt(s);
+            return 2 * p->loss_width * sqrt(s) - b;
+        }
+        break;
+    case MURK_LOSS_FUNCTION_CAUCHY:
+        *slope = 1 / (1 + s / b);
+        return b * log1p(s / b);
+    case MURK_LOSS_FUNCTION_NONE:
+        break;
+    }
+    *slope = 1;
+    return s;
+}
+
+/* Cost and gradient at the best place, where all is known. */
+static void read_best(search *s)
+{
+    const size_t n = s->problem->n;
+    double sum = 0;
+    memset(s->gradient, 0, n * sizeof *s->gradient);
+    for (size_t i = 0; i < s->problem->rows; ++i) {
+        const double r = s->best.residual[i];
+        double slope;
+        sum += loss_at(s->problem, r * r, &slope);
+        for (size_t j = 0; j < n; ++j) {
+            s->gradient[j] += slope * r * s->best.jacobian[i * n + j];
+        }
+    }
+    s->cost = sum / 2;
+}
+
+/* The other place is the best from here on. */
+static void take_other(search *s)
+{
+    const place best = s->other;
+    s->other = s->best;
+    s->best = best;
+    read_best(s);
+}
+
+/* Squares must add up, too: Ceres gives up on what is not finite. */
+static bool is_summable(const double *x, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += x[i] * x[i];
+    }
+    return isfinite(sum);
+}
+
+static bool knows(const place *at, const double *x, size_t n,
+                  bool with_jacobian)
+{
+    return at->has_residual && (at->has_jacobian || !with_jacobian) &&
+           memcmp(x, at->x, n * sizeof *x) == 0;
+}
+
+/* The caller's answer at x, remembered or new; NULL where there is none. */
+static const place *evaluate(search *s, const double *x, bool with_jacobian)
+{
+    const murk_least_squares *p = s->problem;
+    if (knows(&s->best, x, p->n, with_jacobian)) {
+        return &s->best; /* also where a step has become too short to leave */
+    }
+    place *at = &s->other;
+    if (knows(at, x, p->n, with_jacobian)) {
+        return at;
+    }
+    memcpy(at->x, x, p->n * sizeof *x);
+    at->has_residual = at->has_jacobian = false;
+    ++s->evaluations;
+    s->is_refused =
+        !p->residuals(p->context, at->x, at->residual,
+                      with_jacobian ? at->jacobian : NULL) ||
+        !is_summable(at->residual, p->rows) ||
+        (with_jacobian && !is_summable(at->jacobian, p->rows * p->n));
+    if (s->is_refused) {
+        return NULL;
+    }
+    at->has_residual = true;
+    at->has_jacobian = with_jacobian;
+    return at;
+}
+
+static bool answer_residuals(void *context, const double *x, double *residual,
+                             double *jacobian)
+{
+    search *s = context;
+    const murk_least_squares *p = s->problem;
+    const place *at = evaluate(s, x, jacobian != NULL || p->is_jacobian_free);
+    if (!at) {
+        return false;
+    }
+    memcpy(residual, at->residual, p->rows * sizeof *residual);
+    if (jacobian) {
+        memcpy(jacobian, at->jacobian, p->rows * p->n * sizeof *jacobian);
+    }
+    return true;
+}
+
+static bool tell(const search *s, bool is_successful)
+{
+    const murk_least_squares *p = s->problem;
+    const murk_least_squares_step step = {s->iterations, is_successful, s->cost,
+                                          s->best.x};
+    return !p->watch || p->watch(p->context, &step);
+}
+
+/* A successful step is told when residuals and Jacobian there are known. */
+static bool answer_watch(void *context, const murk_least_squares_step *step)
+{
+    search *s = context;
+    if (step->iteration == 0) {
+        return true; /* told when the pass before ended there */
+    }
+    s->iterations = s->iterations_before + step->iteration;
+    if (step->is_successful && knows(&s->other, step->x, s->problem->n, true)) {
+        take_other(s);
+    }
+    return tell(s, step->is_successful);
+}
+
+/* Fixes for the next pass what is fixed, and what presses against a bound.
+ * Returns how many are left; *has_changed: other ones than before. */
+static size_t hold(search *s, bool *has_changed)
+{
+    const murk_least_squares *p = s->problem;
+    size_t left = 0;
+    *has_changed = false;
+    for (size_t j = 0; j < p->n; ++j) {
+        const double x = s->best.x[j], slope = s->gradient[j];
+        const bool holds = !(p->lower[j] < p->upper[j]) ||
+                           (x <= p->lower[j] && slope > 0) ||
+                           (x >= p->upper[j] && slope < 0);
+        *has_changed = *has_changed || holds != s->is_held[j];
+        s->is_held[j] = holds;
+        s->lower[j] = holds ? x : p->lower[j];
+        s->upper[j] = holds ? x : p->upper[j];
+        left += !holds;
+    }
+    return left;
+}
+
+/* One line: ours, and what Ceres says. */
+static void say(murk_least_squares_found *found, murk_least_squares_end end,
+                const char *ours, const char *ceres)
+{
+    found->end = end;
+    (void)snprintf(found->why, sizeof found->why, "%s%s%.160s%s", ours,
+                   ceres[0] ? " (Ceres: " : "", ceres, ceres[0] ? ")" : "");
+}
+
+/* Says how a pass ended; whether a further one is of use. */
+static bool goes_on(murk_least_squares_found *found, const search *s,
+                    const murk_ceres_found *pass)
+{
+    const char *ceres = pass->message;
+    if (pass->end == MURK_CERES_STOPPED) {
+        say(found, MURK_LEAST_SQUARES_STOPPED, "stopped by its watch", "");
+        return false;
+    }
+    if (pass->end == MURK_CERES_ITERATIONS) {
+        say(found, MURK_LEAST_SQUARES_ITERATIONS, "out of iterations", ceres);
+        return false;
+    }
+    if (s->is_refused) { /* steps may have become short for that alone */
+        say(found, MURK_LEAST_SQUARES_FAILED,
+            "where the search goes there are no finite residuals", ceres);
+        return false;
+    }
+    if (pass->end == MURK_CERES_FAILED) {
+        say(found, MURK_LEAST_SQUARES_FAILED, "no step lowers the cost", ceres);
+        return false;
+    }
+    say(found, MURK_LEAST_SQUARES_CONVERGED,
+        pass->end == MURK_CERES_LEVEL        ? "the cost falls no further"
+        : pass->end == MURK_CERES_SHORT_STEP ? "steps have become nothing"
+                                             : "the gradient is 0",
+        ceres);
+    return true;
+}
+
+/* From a best place that is known to a better one. */
+static murk_status search_on(murk_least_squares_found *found, search *s,
+                             murk_error *err)
+{
+    murk_least_squares run = *s->problem;
+    run.lower = s->lower;
+    run.upper = s->upper;
+    run.residuals = answer_residuals;
+    run.watch = answer_watch;
+    run.context = s;
+    run.tolerance = run.tolerance > 0 ? run.tolerance : TOLERANCE_DEFAULT;
+    const int limit =
+        run.iterations_max ? run.iterations_max : ITERATIONS_DEFAULT;
+    double *x = s->start;
+    double before = INFINITY;
+    for (int pass = 0; pass < PASSES_MAX; ++pass) {
+        bool has_changed;
+        const size_t left = hold(s, &has_changed);
+        if (left == 0) {
+            say(found, MURK_LEAST_SQUARES_CONVERGED,
+                "every parameter is fixed or held by a bound", "");
+            return MURK_OK;
+        }
+        if (!has_changed && before - s->cost <= run.tolerance * s->cost) {
+            return MURK_OK;
+        }
+        if (s->iterations >= limit) {
+            say(found, MURK_LEAST_SQUARES_ITERATIONS, "out of iterations", "");
+            return MURK_OK;
+        }
+        before = s->cost;
+        s->iterations_before = s->iterations;
+        run.iterations_max = limit - s->iterations;
+        s->is_refused = false;
+        memcpy(x, s->best.x, run.n * sizeof *x);
+        murk_ceres_found of_pass;
+        const murk_status status = murk_ceres_minimise(&of_pass, x, &run, err);
+        if (status) {
+            return status;
+        }
+        if (!goes_on(found, s, &of_pass)) {
+            return MURK_OK;
+        }
+    }
+    say(found, MURK_LEAST_SQUARES_ITERATIONS,
+        "parameters come to bounds and leave them without end", "");
+    return MURK_OK;
+}
+
+static murk_status check(const double *x, const murk_least_squares *p,
+                         murk_error *err)
+{
+    if (p->n < 1 || p->rows < 1 || p->rows > INT_MAX / p->n) {
+        return murk_fail(err, MURK_BAD_VALUE, "fit",
+                         "%zu rows of %zu parameters, must be 1 or more of "
+                         "each and at most %d numbers together",
+                         p->rows, p->n, INT_MAX);
+    }
+    for (size_t j = 0; j < p->n; ++j) {
+        if (!(p->lower[j] <= p->upper[j])) {
+            return murk_fail(err, MURK_BAD_VALUE, "fit",
+                             "the bounds of parameter %zu are %g..%g, must "
+                             "be numbers, the lower first",
+                             j, p->lower[j], p->upper[j]);
+        }
+        if (!(x[j] >= p->lower[j] && x[j] <= p->upper[j] && isfinite(x[j]))) {
+            return murk_fail(err, MURK_BAD_VALUE, "fit",
+                             "parameter %zu starts at %g, must be %g..%g", j,
+                             x[j], p->lower[j], p->upper[j]);
+        }
+    }
+    if (p->loss != MURK_LOSS_FUNCTION_NONE &&
+        !(p->loss_width > 0 && isfinite(p->loss_width))) {
+        return murk_fail(err, MURK_BAD_VALUE, "fit",
+                         "the width of the loss is %g, must be above 0",
+                         p->loss_width);
+    }
+    if (!(p->tolerance >= 0 && p->tolerance < 1)) {
+        return murk_fail(err, MURK_BAD_VALUE, "fit",
+                         "the tolerance is %g, must be 0 up to 1",
+                         p->tolerance);
+    }
+    if (p->iterations_max < 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "fit",
+                         "iterations_max is %d, must be 0 or more",
+                         p->iterations_max);
+    }
+    return MURK_OK;
+}
+
+static void lay_out(search *s, double *memory, bool *is_held)
+{
+    const size_t n = s->problem->n, rows = s->problem->rows;
+    double **const of_n[] = {&s->lower, &s->upper,  &s->gradient,
+                             &s->start, &s->best.x, &s->other.x};
+    for (size_t i = 0; i < sizeof of_n / sizeof *of_n; ++i, memory += n) {
+        *of_n[i] = memory;
+    }
+    s->best.residual = memory;
+    s->other.residual = memory + rows;
+    s->best.jacobian = memory + 2 * rows;
+    s->other.jacobian = memory + 2 * rows + rows * n;
+    s->is_held = is_held;
+}
+
+murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
+                                     const murk_least_squares *problem,
+                                     murk_error *err)
+{
+    assert(found && x && problem && problem->lower && problem->upper &&
+           problem->residuals);
+    murk_status status = check(x, problem, err);
+    if (status) {
+        return status;
+    }
+    const size_t n = problem->n, rows = problem->rows;
+    search s = {.problem = problem};
+    double *memory = calloc(6 * n + 2 * rows * (n + 1), sizeof *memory);
+    bool *is_held = calloc(n, sizeof *is_held);
+    if (!memory || !is_held) {
+        status = murk_fail(err, MURK_NO_MEMORY, "fit",
+                           "no memory for %zu rows of %zu parameters", rows, n);
+        goto done;
+    }
+    lay_out(&s, memory, is_held);
+    murk_least_squares_found out = {.initial_cost = NAN, .cost = NAN};
+    if (!evaluate(&s, x, true)) {
+        say(&out, MURK_LEAST_SQUARES_FAILED,
+            "there are no finite residuals at the start", "");
+        out.evaluations = s.evaluations;
+        *found = out;
+        goto done;
+    }
+    take_other(&s);
+    out.initial_cost = s.cost;
+    if (!tell(&s, true)) {
+        say(&out, MURK_LEAST_SQUARES_STOPPED, "stopped by its watch", "");
+    } else {
+        status = search_on(&out, &s, err);
+        if (status) {
+            goto done;
+        }
+    }
+    out.cost = s.cost;
+    out.iterations = s.iterations;
+    out.evaluations = s.evaluations;
+    memcpy(x, s.best.x, n * sizeof *x);
+    *found = out;
+done:
+    free(is_held);
+    free(memory);
+    return status;
+}

@@ -1,0 +1,45 @@
+/* Certified regressions come out to six digits, from both of their starts.
+ * Deterministic: no false alarms. */
+#include "check.h"
+#include "fit/least_squares.h"
+#include "nist.h"
+
+#include <string.h>
+
+static void check_digits(const char *name, const char *what, size_t j,
+                         double got, double want)
+{
+    CHECK(fabs(got - want) <= 1e-6 * fabs(want));
+    if (!(fabs(got - want) <= 1e-6 * fabs(want))) {
+        printf("  %s: %s %zu is %.12g, want %.12g\n", name, what, j + 1, got,
+               want);
+    }
+}
+
+static void test_values_are_the_certified_ones(const nist_problem *p,
+                                               const double *start)
+{
+    double b[NIST_N_MAX];
+    memcpy(b, start, sizeof b);
+    const murk_least_squares problem = nist_least_squares(p);
+    murk_least_squares_found found;
+    murk_error err = {0};
+    CHECK(murk_least_squares_solve(&found, b, &problem, &err) == MURK_OK);
+    CHECK(found.end == MURK_LEAST_SQUARES_CONVERGED);
+    check_digits(p->name, "sum of squares", 0, 2 * found.cost,
+                 p->sum_of_squares);
+    for (size_t j = 0; j < p->n; ++j) {
+        check_digits(p->name, "parameter", j, b[j], p->value[j]);
+    }
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < NIST_PROBLEMS; ++i) {
+        test_values_are_the_certified_ones(&nist_problems[i],
+                                           nist_problems[i].start[0]);
+        test_values_are_the_certified_ones(&nist_problems[i],
+                                           nist_problems[i].start[1]);
+    }
+    return check_done();
+}
