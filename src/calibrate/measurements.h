@@ -55,6 +55,9 @@ typedef struct murk_reading {
     bool is_held_out;
 } murk_reading;
 
+#define MURK_READINGS_MAX      100000
+#define MURK_READING_GAINS_MAX 512
+
 typedef struct murk_measured_row {
     size_t first, n; /* readings, next to each other in reading[] */
 } murk_measured_row;
@@ -66,28 +69,33 @@ typedef struct murk_measurements {
     size_t readings;
     murk_measured_row *row; /* [rows] in the order of their first lines */
     size_t rows, held_out;  /* of them */
-    char (*group)[64];      /* [rows]; empty: none */
+    char (*group)[64];      /* [rows]; empty: none. Coverage of one group and
+                               condition is one row; of other kinds it is a
+                               label */
     char (*gain)[64];       /* [gains] names of free factors */
     size_t gains;
     char sha256[65];
 } murk_measurements;
 
 /* Reads and checks against the scene (conditions, bands, sensor types) and its
- * domain: one line with the file's line number for what is wrong. *out is the
- * caller's: murk_measurements_destroy(). */
+ * domain: one line with the file's line number for what is wrong. A note says
+ * of units that are derived from a transmittance by what law they compare. *out
+ * is the caller's: murk_measurements_destroy(). */
 murk_status murk_measurements_read(murk_measurements **out, const char *path,
                                    const murk_scene *scene,
                                    const murk_domain *domain, murk_error *err);
-void murk_measurements_destroy(murk_measurements *measurements);
+void murk_measurements_destroy(murk_measurements *measured); /* NULL is fine */
 
-/* The model's quantity in a row's unit, with the derivative by it. model:
- * coverage or transmittance; light: already summed over bands in W/m2, lux,
- * photons or PAR as unit says. length_m: of the segment. */
+/* The model's quantity in a row's unit, with the derivative by it; a row's gain
+ * is not in it. model: coverage or transmittance; light: already summed over
+ * bands in W/m2, lux, photons or PAR as unit says. length_m: of the segment; 1
+ * of other kinds. Finite also where nothing passes, or all. */
 double murk_reading_in_unit(murk_reading_unit unit, double model,
                             double length_m, double *slope);
 const char *murk_reading_unit_name(murk_reading_unit unit);
 
-/* From W/m2 in a band to a light unit, of the scene's bands; 1 for others. */
+/* From W/m2 in a band to a light unit, of the scene's bands, light taken as
+ * even in wavelength within each; 1 for others. */
 murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
                                     const murk_scene *scene);
 

@@ -136,6 +136,7 @@ static murk_status read_header(murk_table *table, cursor *at)
 {
     const int line = at->line;
     bool is_last = false;
+    table->header_line = line;
     while (!is_last) {
         if (table->columns == MOST_COLUMNS) {
             return fail_at(at, line, "more than 1000 columns");

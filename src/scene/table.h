@@ -11,6 +11,7 @@ typedef struct murk_table {
     char *path;
     size_t rows, columns;
     char **name; /* [columns] */
+    int header_line;
     char **cell; /* [rows * columns], row by row */
     int *line;   /* [rows]: of the file */
     char *text;  /* the bytes that names and cells point into */

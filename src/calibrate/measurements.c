@@ -1,0 +1,351 @@
+#include "calibrate/measurements.h"
+
+#include "base/file.h"
+#include "base/log.h"
+#include "calibrate/reading_row.h"
+#include "calibrate/reading_units.h"
+#include "scene/words.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FILE_BYTES_MAX 64000000
+
+/* A reading with the names of its line, which point into the table. */
+typedef struct named {
+    murk_reading reading;
+    const char *group, *gain;
+    size_t leader; /* the first reading of its row */
+} named;
+
+typedef struct listing {
+    const murk_table *table;
+    named *item; /* [n] in the order of their lines */
+    size_t n;
+    murk_error *err;
+} listing;
+
+static murk_status no_memory(const char *path, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its readings");
+}
+
+static murk_status refuse(const listing *all, const named *at,
+                          murk_reading_column column, const char *text)
+{
+    char where[320];
+    murk_reading_where(where, all->table, (int)at->reading.line, column);
+    return murk_fail(all->err, MURK_BAD_VALUE, where, "%s", text);
+}
+
+/* ---- groups ---- */
+
+static int compare_groups(const void *a, const void *b)
+{
+    const named *x = *(named *const *)a, *y = *(named *const *)b;
+    const int by_name = strcmp(x->group, y->group);
+    if (by_name) {
+        return by_name;
+    }
+    if (x->reading.condition != y->reading.condition) {
+        return x->reading.condition < y->reading.condition ? -1 : 1;
+    }
+    return x < y ? -1 : 1;
+}
+
+/* Readings of one name: they are of one kind, and in one unit. */
+static murk_status check_alike(const listing *all, const named *first,
+                               const named *at)
+{
+    char text[256];
+    if (at->reading.kind != first->reading.kind) {
+        snprintf(text, sizeof text,
+                 "%s, but line %zu of this group is %s, must be of one kind",
+                 murk_reading_kinds[at->reading.kind], first->reading.line,
+                 murk_reading_kinds[first->reading.kind]);
+        return refuse(all, at, MURK_COLUMN_KIND, text);
+    }
+    if (at->reading.unit != first->reading.unit) {
+        snprintf(text, sizeof text,
+                 "%s, but line %zu of this group is in %s, must be in one unit",
+                 murk_reading_unit_name(at->reading.unit), first->reading.line,
+                 murk_reading_unit_name(first->reading.unit));
+        return refuse(all, at, MURK_COLUMN_UNIT, text);
+    }
+    return MURK_OK;
+}
+
+/* Sensors of one reading of coverage: each line says the same of it. */
+static murk_status check_same(const listing *all, const named *first,
+                              const named *at)
+{
+    const murk_reading *a = &first->reading, *b = &at->reading;
+    const struct {
+        bool differs;
+        murk_reading_column column;
+    } parts[] = {
+        {a->value != b->value, MURK_COLUMN_VALUE},
+        {a->standard_error != b->standard_error, MURK_COLUMN_ERROR},
+        {strcmp(first->gain, at->gain) != 0, MURK_COLUMN_GAIN},
+        {a->is_held_out != b->is_held_out, MURK_COLUMN_USE},
+    };
+    char text[160];
+    snprintf(text, sizeof text,
+             "differs from line %zu of this group, which is one reading of "
+             "coverage, must be the same in all its lines",
+             a->line);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
+        if (parts[i].differs) {
+            return refuse(all, at, parts[i].column, text);
+        }
+    }
+    return MURK_OK;
+}
+
+/* Fills the leaders. */
+static murk_status find_rows(listing *all)
+{
+    named **sorted = calloc(all->n + 1, sizeof *sorted);
+    murk_status status =
+        sorted ? MURK_OK : no_memory(all->table->path, all->err);
+    size_t n = 0;
+    for (size_t i = 0; i < all->n && !status; ++i) {
+        all->item[i].leader = i;
+        if (all->item[i].group[0] != '\0') {
+            sorted[n++] = &all->item[i];
+        }
+    }
+    if (n > 0) {
+        qsort(sorted, n, sizeof *sorted, compare_groups);
+    }
+    for (size_t i = 1, first = 0, leader = 0; i < n && !status; ++i) {
+        const bool is_named = strcmp(sorted[i]->group, sorted[i - 1]->group);
+        first = is_named ? i : first;
+        leader = is_named || sorted[i]->reading.condition !=
+                                 sorted[i - 1]->reading.condition
+                     ? i
+                     : leader;
+        status = check_alike(all, sorted[first], sorted[i]);
+        if (!status && leader != i &&
+            sorted[i]->reading.kind == MURK_READ_COVERAGE) {
+            status = check_same(all, sorted[leader], sorted[i]);
+            sorted[i]->leader = (size_t)(sorted[leader] - all->item);
+        }
+    }
+    free(sorted);
+    return status;
+}
+
+/* Brings the readings of a row together, rows in the order of their leaders. */
+static void lay_rows(murk_measurements *m, const listing *all, size_t *row_of)
+{
+    for (size_t i = 0; i < all->n; ++i) {
+        const named *at = &all->item[i];
+        if (at->leader == i) {
+            row_of[i] = m->rows++;
+            memcpy(m->group[row_of[i]], at->group, strlen(at->group) + 1);
+            m->held_out += at->reading.is_held_out;
+        }
+        row_of[i] = row_of[at->leader];
+        ++m->row[row_of[i]].n;
+    }
+    for (size_t r = 1; r < m->rows; ++r) {
+        m->row[r].first = m->row[r - 1].first + m->row[r - 1].n;
+    }
+    for (size_t r = 0; r < m->rows; ++r) {
+        m->row[r].n = 0;
+    }
+    for (size_t i = 0; i < all->n; ++i) {
+        murk_measured_row *row = &m->row[row_of[i]];
+        m->reading[row->first + row->n++] = all->item[i].reading;
+    }
+    m->readings = all->n;
+}
+
+/* ---- gains ---- */
+
+static bool is_plain(const char *name)
+{
+    for (const char *c = name; *c; ++c) {
+        if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-') {
+            return false;
+        }
+    }
+    return true;
+}
+
+static murk_status add_gain(murk_measurements *m, const named **first,
+                            const listing *all, const named *at)
+{
+    if (!is_plain(at->gain)) {
+        return refuse(all, at, MURK_COLUMN_GAIN,
+                      "must be a name of letters, digits, - and _, for --free "
+                      "gain.NAME");
+    }
+    if (m->gains == MURK_READING_GAINS_MAX) {
+        return refuse(all, at, MURK_COLUMN_GAIN,
+                      "one more than 512 factors, the most there may be");
+    }
+    memcpy(m->gain[m->gains], at->gain, strlen(at->gain) + 1);
+    first[m->gains++] = at;
+    return MURK_OK;
+}
+
+/* Numbers the factors by their first lines. */
+static murk_status find_gains(murk_measurements *m, listing *all)
+{
+    const named *first[MURK_READING_GAINS_MAX];
+    for (size_t i = 0; i < all->n; ++i) {
+        named *at = &all->item[i];
+        size_t k = 0;
+        if (at->gain[0] == '\0') {
+            continue;
+        }
+        while (k < m->gains && strcmp(m->gain[k], at->gain) != 0) {
+            ++k;
+        }
+        if (k == m->gains) {
+            const murk_status status = add_gain(m, first, all, at);
+            if (status) {
+                return status;
+            }
+        }
+        if (at->reading.unit != first[k]->reading.unit) {
+            char text[200];
+            snprintf(text, sizeof text,
+                     "%s, but line %zu of factor %s is in %s, must be in one "
+                     "unit",
+                     murk_reading_unit_name(at->reading.unit),
+                     first[k]->reading.line, m->gain[k],
+                     murk_reading_unit_name(first[k]->reading.unit));
+            return refuse(all, at, MURK_COLUMN_UNIT, text);
+        }
+        at->reading.gain = k;
+    }
+    return MURK_OK;
+}
+
+/* ---- all ---- */
+
+static void tell(const murk_measurements *m)
+{
+    size_t count[MURK_READING_UNITS] = {0};
+    for (size_t i = 0; i < m->readings; ++i) {
+        ++count[m->reading[i].unit];
+    }
+    for (int u = 0; u < MURK_READING_UNITS; ++u) {
+        const char *law = murk_reading_unit_law((murk_reading_unit)u);
+        if (law && count[u] > 0) {
+            murk_note(m->path,
+                      "%zu reading%s in %s: compared as %s, T the "
+                      "transmittance of a segment of L metres",
+                      count[u], count[u] > 1 ? "s" : "",
+                      murk_reading_unit_name((murk_reading_unit)u), law);
+        }
+    }
+}
+
+static murk_status read_lines(listing *all, const murk_reading_source *source)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < all->n && !status; ++i) {
+        named *at = &all->item[i];
+        status = murk_reading_read(&at->reading, &at->group, &at->gain, source,
+                                   i, all->err);
+    }
+    return status;
+}
+
+static murk_status fill(murk_measurements *m, listing *all)
+{
+    size_t *row_of = calloc(all->n, sizeof *row_of);
+    m->reading = calloc(all->n, sizeof *m->reading);
+    m->row = calloc(all->n, sizeof *m->row);
+    m->group = calloc(all->n, sizeof *m->group);
+    m->gain = calloc(MURK_READING_GAINS_MAX, sizeof *m->gain);
+    murk_status status = row_of && m->reading && m->row && m->group && m->gain
+                             ? find_gains(m, all)
+                             : no_memory(m->path, all->err);
+    if (!status) {
+        status = find_rows(all);
+    }
+    if (!status) {
+        lay_rows(m, all, row_of);
+    }
+    free(row_of);
+    return status;
+}
+
+static murk_status from_table(murk_measurements *m, const murk_table *table,
+                              const murk_scene *scene,
+                              const murk_domain *domain, murk_error *err)
+{
+    murk_reading_source source = {
+        .table = table, .scene = scene, .domain = domain};
+    murk_status status = murk_reading_columns(&source, err);
+    if (status) {
+        return status;
+    }
+    if (table->rows < 1 || table->rows > MURK_READINGS_MAX) {
+        return murk_fail(err, MURK_BAD_FILE, table->path,
+                         "%zu readings, must be 1..%d", table->rows,
+                         MURK_READINGS_MAX);
+    }
+    listing all = {.table = table,
+                   .item = calloc(table->rows, sizeof *all.item),
+                   .n = table->rows,
+                   .err = err};
+    status = all.item ? read_lines(&all, &source) : no_memory(m->path, err);
+    if (!status) {
+        status = fill(m, &all);
+    }
+    free(all.item);
+    return status;
+}
+
+murk_status murk_measurements_read(murk_measurements **out, const char *path,
+                                   const murk_scene *scene,
+                                   const murk_domain *domain, murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    murk_table *table = NULL;
+    murk_status status =
+        murk_file_read(&text, &size, path, FILE_BYTES_MAX, err);
+    if (status) {
+        return status;
+    }
+    murk_measurements *m = calloc(1, sizeof *m);
+    if (!m || !(m->path = strdup(path))) {
+        free(text);
+        free(m);
+        return no_memory(path, err);
+    }
+    murk_sha256_hex(text, size, m->sha256);
+    status = murk_table_parse(&table, path, text, size, err);
+    if (!status) {
+        status = from_table(m, table, scene, domain, err);
+    }
+    if (!status) {
+        tell(m);
+        *out = m;
+        m = NULL;
+    }
+    murk_table_destroy(table);
+    murk_measurements_destroy(m);
+    return status;
+}
+
+void murk_measurements_destroy(murk_measurements *measured)
+{
+    if (measured) {
+        free(measured->path);
+        free(measured->reading);
+        free(measured->row);
+        free(measured->group);
+        free(measured->gain);
+        free(measured);
+    }
+}

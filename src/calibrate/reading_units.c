@@ -1,0 +1,261 @@
+#include "calibrate/reading_units.h"
+
+#include "base/photometry.h"
+#include "scene/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The contract's: extinction = 3.912 / visibility = 2.996 / optical range. */
+#define VISIBILITY    3.912
+#define OPTICAL_RANGE 2.996
+#define DECIBEL       (10 / 2.302585092994046) /* -10 log10 T = DECIBEL * -ln T */
+
+/* Beyond these the logarithm and its slope leave the range of numbers, and
+ * nothing that was measured lies there. */
+#define T_LEAST 1e-300
+#define T_MOST  (1 - 0x1p-53)
+
+#define COVERAGE BIT(MURK_READ_COVERAGE)
+#define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
+#define BEAM     BIT(MURK_READ_TRANSMITTANCE)
+#define BIT(k)   (1u << (k))
+
+typedef struct unit_row {
+    const char *name;
+    unsigned kinds;
+    double least, most; /* beyond which a reading is of another unit */
+    const char *range;
+    const char *law;
+} unit_row;
+
+/* Noise carries readings past 0 and 1, so ranges leave room for half as much
+ * again. */
+static const unit_row UNITS[MURK_READING_UNITS] = {
+    [MURK_UNIT_FRACTION] = {"fraction", COVERAGE | BEAM, -.5, 1.5,
+                            "0..1, and noise up to half beyond", NULL},
+    [MURK_UNIT_PERCENT] = {"percent", COVERAGE | BEAM | LIGHT, -INFINITY,
+                           INFINITY, "", NULL},
+    [MURK_UNIT_W_PER_M2] = {"w_per_m2", LIGHT, -INFINITY, INFINITY, "", NULL},
+    [MURK_UNIT_LUX] = {"lux", LIGHT, -INFINITY, INFINITY, "", NULL},
+    [MURK_UNIT_PHOTONS] = {"photons_per_s_m2", LIGHT, -INFINITY, INFINITY, "",
+                           NULL},
+    [MURK_UNIT_PAR] = {"par_umol_per_s_m2", LIGHT, -INFINITY, INFINITY, "",
+                       NULL},
+    [MURK_UNIT_RELATIVE] = {"relative", LIGHT, -INFINITY, INFINITY, "", NULL},
+    [MURK_UNIT_TRANSMISSION_PERCENT_PER_M] =
+        {"transmission_percent_per_m", BEAM, -50, 150,
+         "0..100, and noise up to half beyond", "100 T^(1/L)"},
+    [MURK_UNIT_OBSCURATION_PERCENT_PER_M] =
+        {"obscuration_percent_per_m", BEAM, -50, 150,
+         "0..100, and noise up to half beyond", "100 (1 - T^(1/L))"},
+    [MURK_UNIT_DB_PER_KM] = {"db_per_km", BEAM, -INFINITY, INFINITY, "",
+                             "-10 log10(T) / L, L in km"},
+    [MURK_UNIT_EXTINCTION_PER_M] = {"extinction_per_m", BEAM, -INFINITY,
+                                    INFINITY, "", "-ln(T) / L"},
+    [MURK_UNIT_VISIBILITY_M] = {"visibility_m", BEAM, 0, INFINITY,
+                                "more than 0 m", "3.912 L / -ln(T)"},
+    [MURK_UNIT_MOR_M] = {"mor_m", BEAM, 0, INFINITY, "more than 0 m",
+                         "2.996 L / -ln(T)"},
+};
+
+/* Other spellings of them. */
+static const struct {
+    const char *name;
+    murk_reading_unit unit;
+} ALSO[] = {
+    {"1", MURK_UNIT_FRACTION},
+    {"%", MURK_UNIT_PERCENT},
+    {"W/m2", MURK_UNIT_W_PER_M2},
+    {"lx", MURK_UNIT_LUX},
+    {"1/s/m2", MURK_UNIT_PHOTONS},
+    {"umol/s/m2", MURK_UNIT_PAR},
+    {"umol/m2/s", MURK_UNIT_PAR},
+    {"umol_per_s_m2", MURK_UNIT_PAR},
+    {"umol_per_m2_s", MURK_UNIT_PAR},
+    {"par", MURK_UNIT_PAR},
+    {"photons", MURK_UNIT_PHOTONS},
+    {"photons_per_m2_s", MURK_UNIT_PHOTONS},
+    {"dB/km", MURK_UNIT_DB_PER_KM},
+    {"1/m", MURK_UNIT_EXTINCTION_PER_M},
+    {"per_m", MURK_UNIT_EXTINCTION_PER_M},
+};
+#define ALSO_N (sizeof ALSO / sizeof *ALSO)
+
+static const char *const AMBIGUOUS[] = {"percent_per_m", "%/m", "pct_per_m",
+                                        "percent/m"};
+
+const char *murk_reading_unit_name(murk_reading_unit unit)
+{
+    return UNITS[unit].name;
+}
+
+unsigned murk_reading_unit_kinds(murk_reading_unit unit)
+{
+    return UNITS[unit].kinds;
+}
+
+const char *murk_reading_unit_law(murk_reading_unit unit)
+{
+    return UNITS[unit].law;
+}
+
+bool murk_reading_unit_takes_gain(murk_reading_unit unit)
+{
+    return !UNITS[unit].law;
+}
+
+bool murk_reading_unit_needs_gain(murk_reading_unit unit,
+                                  murk_reading_kind kind)
+{
+    return (BIT(kind) & LIGHT) &&
+           (unit == MURK_UNIT_PERCENT || unit == MURK_UNIT_RELATIVE);
+}
+
+/* The units of a kind, for a message. */
+static void list_of(char *out, size_t size, murk_reading_kind kind)
+{
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < MURK_READING_UNITS; ++i) {
+        if ((UNITS[i].kinds & BIT(kind)) && used + 40 < size) {
+            used += (size_t)snprintf(out + used, size - used, "%s%s",
+                                     used ? ", " : "", UNITS[i].name);
+        }
+    }
+}
+
+static murk_status wrong_unit(const char *word, murk_reading_kind kind,
+                              const char *where, murk_error *err)
+{
+    const char *names[MURK_READING_UNITS];
+    char shown[48], all[400];
+    for (int i = 0; i < MURK_READING_UNITS; ++i) {
+        names[i] = UNITS[i].kinds & BIT(kind) ? UNITS[i].name : NULL;
+    }
+    murk_words_show(shown, sizeof shown, word);
+    const char *meant = murk_words_meant(word, names, MURK_READING_UNITS);
+    if (meant) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%s is no unit, did you mean %s?", shown, meant);
+    }
+    list_of(all, sizeof all, kind);
+    return murk_fail(err, MURK_BAD_VALUE, where, "%s, must be one of %s",
+                     shown[0] ? shown : "nothing", all);
+}
+
+static int unit_of(const char *word)
+{
+    for (int i = 0; i < MURK_READING_UNITS; ++i) {
+        if (strcmp(UNITS[i].name, word) == 0) {
+            return i;
+        }
+    }
+    for (size_t i = 0; i < ALSO_N; ++i) {
+        if (strcmp(ALSO[i].name, word) == 0) {
+            return (int)ALSO[i].unit;
+        }
+    }
+    return -1;
+}
+
+murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
+                                   murk_reading_kind kind, const char *where,
+                                   murk_error *err)
+{
+    for (size_t i = 0; i < sizeof AMBIGUOUS / sizeof *AMBIGUOUS; ++i) {
+        if (strcmp(word, AMBIGUOUS[i]) == 0) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "%s is ambiguous, must be "
+                             "transmission_percent_per_m (100 is clear) or "
+                             "obscuration_percent_per_m (0 is clear)",
+                             word);
+        }
+    }
+    const int unit = word[0] == '\0' && !(BIT(kind) & LIGHT)
+                         ? (int)MURK_UNIT_FRACTION
+                         : unit_of(word);
+    if (unit < 0) {
+        return wrong_unit(word, kind, where, err);
+    }
+    if (!(UNITS[unit].kinds & BIT(kind))) {
+        char all[400];
+        list_of(all, sizeof all, kind);
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%s is no unit of such a reading, must be one of %s",
+                         UNITS[unit].name, all);
+    }
+    *out = (murk_reading_unit)unit;
+    return MURK_OK;
+}
+
+murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
+                                    const char *where, murk_error *err)
+{
+    const unit_row *u = &UNITS[unit];
+    const bool is_above = u->least != 0 || value > 0;
+    return is_above && value >= u->least && value <= u->most
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, where,
+                           "%.9g as a %s, must be %s", value, u->name,
+                           u->range);
+}
+
+double murk_reading_in_unit(murk_reading_unit unit, double model,
+                            double length_m, double *slope)
+{
+    if (unit == MURK_UNIT_PERCENT) {
+        *slope = 100;
+        return 100 * model;
+    }
+    if (!UNITS[unit].law) {
+        *slope = 1;
+        return model;
+    }
+    const double t = model < T_LEAST  ? T_LEAST
+                     : model > T_MOST ? T_MOST
+                                      : model;
+    const double per_m = -log(t) / length_m;
+    const double d_per_m = -1 / (t * length_m);
+    switch (unit) {
+    case MURK_UNIT_TRANSMISSION_PERCENT_PER_M:
+    case MURK_UNIT_OBSCURATION_PERCENT_PER_M: {
+        const double kept = 100 * exp(-per_m);
+        const bool is_kept = unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M;
+        *slope = (is_kept ? -kept : kept) * d_per_m;
+        return is_kept ? kept : 100 - kept;
+    }
+    case MURK_UNIT_DB_PER_KM:
+        *slope = 1000 * DECIBEL * d_per_m;
+        return 1000 * DECIBEL * per_m;
+    case MURK_UNIT_VISIBILITY_M:
+        *slope = -VISIBILITY / (per_m * per_m) * d_per_m;
+        return VISIBILITY / per_m;
+    case MURK_UNIT_MOR_M:
+        *slope = -OPTICAL_RANGE / (per_m * per_m) * d_per_m;
+        return OPTICAL_RANGE / per_m;
+    default:
+        *slope = d_per_m;
+        return per_m;
+    }
+}
+
+murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
+                                    const murk_scene *scene)
+{
+    murk_spectrum out = murk_spectrum_flat(1, scene->bands);
+    const murk_quantity quantity = unit == MURK_UNIT_LUX ? MURK_PHOTOMETRIC
+                                   : unit == MURK_UNIT_PHOTONS ? MURK_PHOTONS
+                                   : unit == MURK_UNIT_PAR     ? MURK_PAR
+                                                           : MURK_RADIOMETRIC;
+    for (int b = 0; b < scene->bands; ++b) {
+        out.band[b] =
+            scene->has_edges
+                ? murk_quantity_per_watt(quantity, scene->band_edge_nm[b],
+                                         scene->band_edge_nm[b + 1])
+                : murk_quantity_per_watt(quantity, scene->band_nm[b],
+                                         scene->band_nm[b]);
+    }
+    return out;
+}
