@@ -9,15 +9,12 @@
  * hidden heights, which keeps energy just as well, is refused by the same
  * check. Then a whole sea with murk, glass and an island, which absorb nothing.
  *
- * Reflectance. Of the sun: Jin, Qiao, Wang, Fang and Yi, Opt. Express 19 (2011)
- * 26429, doi:10.1364/OE.19.026429, their fit to computed albedos of Cox and
- * Munk's sea, eq. 1, 2 and 4 (coefficients at second hand: ClimaAtmos.jl,
- * surface albedo, 2024). Models of the surface differ by 10 to 18 % among
- * themselves (Mobley, Appl. Opt. 54 (2015) 4828, doi:10.1364/AO.54.004828): 10
- * % is asked for where the sun is 20 degrees high or more and up to 10 m/s, 18
- * % down to 2 degrees and up to 20 m/s. Of a diffuse sky over level water:
- * Walsh's closed form (Duntley, J. Opt. Soc. Am. 32 (1942) 61,
- * doi:10.1364/JOSA.32.000061); over waves it falls with the wind.
+ * Reflectance. Of the sun: Jin et al. 2011 (sea_surface.h). Models of the
+ * surface differ by 10 to 18 % among themselves (Mobley, Appl. Opt. 54 (2015)
+ * 4828, doi:10.1364/AO.54.004828): 10 % is asked for where the sun is 20
+ * degrees high or more and up to 10 m/s, 18 % down to 2 degrees and up to 20
+ * m/s. Of a diffuse sky over level water: Walsh's closed form; over waves it
+ * falls with the wind.
  *
  * Bottom. Black, grey and white Lambertian bottoms under clear water send
  * Rs + (1 - Rs) A (1 - Ri) / (1 - A Ri) back, with Rs of the surface for the
@@ -28,12 +25,12 @@
 #include "check.h"
 #include "medium/fresnel.h"
 #include "medium/waves.h"
+#include "sea_surface.h"
 #include "transport/facets.h"
 #include "worlds.h"
 
 #include <stdlib.h>
 
-#define WATER   1.34
 #define PHOTONS 200000
 #define Z_TESTS 2000 /* at most */
 
@@ -106,12 +103,12 @@ static ways follow(meeting meet, double mean_square_slope, uint32_t seed)
     const murk_vec3 up = {0, 0, 1};
     for (uint64_t i = 0; i < PHOTONS; ++i) {
         const murk_random4 r = murk_random(seed, MURK_TEST, i, 1, 0);
-        const bool in_water = r.u[0] > 1 / (1 + WATER * WATER);
+        const bool in_water = r.u[0] > 1 / (1 + SEA_INDEX * SEA_INDEX);
         const double mu = sqrt(r.u[1]), side = in_water ? -1 : 1;
         const murk_vec3 in = murk_about(up, -side * mu, 2 * MURK_PI * r.u[2]);
         const murk_address address = {seed, MURK_TEST, i, 2};
         murk_bounce out;
-        if (!meet(&address, in_water ? WATER : 1, in_water ? 1 : WATER,
+        if (!meet(&address, in_water ? SEA_INDEX : 1, in_water ? 1 : SEA_INDEX,
                   mean_square_slope, in, murk_scale(side, up), &out)) {
             w.lost += 1;
             continue;
@@ -134,7 +131,7 @@ static double off_lambert(const ways *w)
 {
     double worst = 0;
     for (int c = 0; c < CLASSES; ++c) {
-        const double air = 1 / (1 + WATER * WATER);
+        const double air = 1 / (1 + SEA_INDEX * SEA_INDEX);
         const double share = (c < STEPS ? air : 1 - air) / STEPS;
         worst = fmax(worst, sigmas_off(w->to[c] / PHOTONS, share,
                                        sqrt(share * (1 - share) / PHOTONS)));
@@ -178,45 +175,15 @@ static void test_isotropic_light_stays_so(uint32_t seed)
 
 /* ---- reflectance ---- */
 
-/* Share of light at that cosine that a surface sends back; diffuse where the
- * cosine is 0. */
-static murk_estimate reflected(double n_from, double n_to, double mean_square,
-                               double cosine, uint64_t photons, uint32_t seed)
-{
-    double back = 0;
-    for (uint64_t i = 0; i < photons; ++i) {
-        const murk_address address = {seed, MURK_TEST, i, 3};
-        const double mu =
-            cosine > 0 ? cosine : sqrt(murk_random_at(&address, 0).u[0]);
-        murk_bounce out;
-        CHECK(murk_meet_facets(&address, n_from, n_to, mean_square,
-                               murk_vec(sqrt(1 - mu * mu), 0, -mu),
-                               murk_vec(0, 0, 1), &out));
-        back += out.outcome == MURK_MIRRORED;
-    }
-    const double share = back / (double)photons;
-    return (murk_estimate){share, sqrt(share * (1 - share) / (double)photons)};
-}
-
-static double sun_by_jin(double cosine, double width)
-{
-    double unused;
-    const double c = cosine, w = width;
-    const double f =
-        (.0152 - 1.7873 * c + 6.8972 * c * c - 8.5778 * c * c * c + 4.071 * w -
-         7.6446 * c * w) *
-        exp(.1643 - 7.8409 * c - 3.5639 * c * c - 2.3588 * w + 10.0538 * c * w);
-    return murk_fresnel(1, WATER, c, &unused) - f;
-}
-
 /* How far off Jin's value, as a share of it, after what noise may do. */
 static double off_jin(double zenith_deg, double wind, double slope_per_wind,
                       uint32_t seed)
 {
     const double mean_square = .003 + slope_per_wind * wind;
     const double mu = cos(zenith_deg * MURK_PI / 180);
-    const murk_estimate e = reflected(1, WATER, mean_square, mu, 20000, seed);
-    const double jin = sun_by_jin(mu, sqrt(.003 + .00512 * wind));
+    const murk_estimate e =
+        sea_reflected(1, SEA_INDEX, mean_square, mu, 20000, seed);
+    const double jin = sea_sun_by_jin(mu, sqrt(.003 + .00512 * wind));
     return fmax(0, fabs(e.value - jin) - limit() * e.standard_error) / jin;
 }
 
@@ -236,36 +203,30 @@ static void test_the_sun_is_reflected_as_computed(uint32_t seed)
     CHECK(off_jin(88, 20, .00128, seed) > .18);
 }
 
-/* Of level water, for Lambertian light from air. */
-static double walsh(double n)
-{
-    const double n2 = n * n, n4 = n2 * n2;
-    return .5 + (n - 1) * (3 * n + 1) / (6 * (n + 1) * (n + 1)) +
-           n2 * (n2 - 1) * (n2 - 1) / pow(n2 + 1, 3) * log((n - 1) / (n + 1)) -
-           2 * n * n2 * (n2 + 2 * n - 1) / ((n2 + 1) * (n4 - 1)) +
-           8 * n4 * (n4 + 1) / ((n2 + 1) * (n4 - 1) * (n4 - 1)) * log(n);
-}
-
 static double from_below(double from_above)
 {
-    return 1 - (1 - from_above) / (WATER * WATER);
+    return 1 - (1 - from_above) / (SEA_INDEX * SEA_INDEX);
 }
 
 static void test_the_sky_is_reflected_less_by_more_wind(uint32_t seed)
 {
-    const murk_estimate level = reflected(1, WATER, 1e-10, 0, PHOTONS, seed);
-    CHECK_WITHIN(limit(), level.value, walsh(WATER), level.standard_error);
-    CHECK(sigmas_off(level.value, walsh(1.28), level.standard_error) > limit());
+    const murk_estimate level =
+        sea_reflected(1, SEA_INDEX, 1e-10, 0, PHOTONS, seed);
+    CHECK_WITHIN(limit(), level.value, sea_sky_by_walsh(SEA_INDEX),
+                 level.standard_error);
+    CHECK(sigmas_off(level.value, sea_sky_by_walsh(1.28),
+                     level.standard_error) > limit());
     murk_estimate before = level;
     for (int wind = 5; wind <= 20; wind += 5) {
         const double slope = murk_wind_mean_square_slope(wind);
-        const murk_estimate e = reflected(1, WATER, slope, 0, PHOTONS, seed);
+        const murk_estimate e =
+            sea_reflected(1, SEA_INDEX, slope, 0, PHOTONS, seed);
         const murk_estimate below =
-            reflected(WATER, 1, slope, 0, PHOTONS, seed + 1);
+            sea_reflected(SEA_INDEX, 1, slope, 0, PHOTONS, seed + 1);
         CHECK(e.value < before.value);
-        CHECK_WITHIN(
-            limit(), below.value, from_below(e.value),
-            hypot(below.standard_error, e.standard_error / (WATER * WATER)));
+        CHECK_WITHIN(limit(), below.value, from_below(e.value),
+                     hypot(below.standard_error,
+                           e.standard_error / (SEA_INDEX * SEA_INDEX)));
         before = e;
     }
     CHECK(before.value > .04); /* some .048 at 20 m/s, .066 without wind */
@@ -280,7 +241,7 @@ static murk_region sea(double mean_square_slope)
     murk_region region = test_everywhere(0);
     region.shape = MURK_REGION_BELOW;
     region.below_z_m = 0;
-    region.ior = WATER;
+    region.ior = SEA_INDEX;
     region.mean_square_slope = mean_square_slope;
     return region;
 }
@@ -314,7 +275,7 @@ static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
                                  .position = {0, 0, -2},
                                  .edge1 = x,
                                  .edge2 = y,
-                                 .power_w = {{WATER * WATER}},
+                                 .power_w = {{SEA_INDEX * SEA_INDEX}},
                                  .where = "bottom"}};
     const murk_material materials[] = {test_material(1, 0, 0, 0),
                                        test_material(0, 0, 1, 1.5)};
@@ -353,7 +314,7 @@ static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
     test_world_unmade(&w);
     double worst = 0;
     for (int c = 0; c < CLASSES; ++c) {
-        const double air = 1 / (1 + WATER * WATER);
+        const double air = 1 / (1 + SEA_INDEX * SEA_INDEX);
         const double share = (c < STEPS ? air : 1 - air) / STEPS;
         worst = fmax(worst, sigmas_off(e.n[c] / 40000, share,
                                        sqrt(share * (1 - share) / 40000)));
@@ -363,8 +324,8 @@ static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
 
 static void test_a_lossless_sea_keeps_its_light(uint32_t seed)
 {
-    CHECK(off_in_a_whole_sea(WATER, false, seed) < limit());
-    CHECK(off_in_a_whole_sea(WATER, true, seed + 1) < limit());
+    CHECK(off_in_a_whole_sea(SEA_INDEX, false, seed) < limit());
+    CHECK(off_in_a_whole_sea(SEA_INDEX, true, seed + 1) < limit());
     CHECK(off_in_a_whole_sea(1.5, false, seed) > limit()); /* teeth */
 }
 
@@ -435,16 +396,19 @@ static double from_a_bottom_by_hand(double albedo, double sun, double sky)
 static void test_bottoms_of_sand(uint32_t seed)
 {
     double unused;
-    const double sun = murk_fresnel(1, WATER, .8, &unused);
+    const double sun = murk_fresnel(1, SEA_INDEX, .8, &unused);
     const double slope = murk_wind_mean_square_slope(10);
-    const murk_estimate rough = reflected(1, WATER, slope, .8, PHOTONS, seed);
-    const murk_estimate sky = reflected(1, WATER, slope, 0, PHOTONS, seed + 7);
+    const murk_estimate rough =
+        sea_reflected(1, SEA_INDEX, slope, .8, PHOTONS, seed);
+    const murk_estimate sky =
+        sea_reflected(1, SEA_INDEX, slope, 0, PHOTONS, seed + 7);
     for (int i = 0; i < 4; ++i) {
         const double albedo = (const double[]){0, .25, .7, .95}[i];
         const murk_estimate level = from_a_bottom(albedo, 0, seed);
-        CHECK_WITHIN(limit(), level.value,
-                     from_a_bottom_by_hand(albedo, sun, walsh(WATER)),
-                     level.standard_error);
+        CHECK_WITHIN(
+            limit(), level.value,
+            from_a_bottom_by_hand(albedo, sun, sea_sky_by_walsh(SEA_INDEX)),
+            level.standard_error);
         const murk_estimate waves = from_a_bottom(albedo, slope, seed + 1);
         const double hand =
             from_a_bottom_by_hand(albedo, rough.value, sky.value);
@@ -460,8 +424,10 @@ static void test_bottoms_of_sand(uint32_t seed)
                      hypot(waves.standard_error, hypot(by_sun, by_sky)));
     }
     const murk_estimate grey = from_a_bottom(.7, 0, seed);
-    CHECK(sigmas_off(grey.value, from_a_bottom_by_hand(.72, sun, walsh(WATER)),
-                     grey.standard_error) > limit()); /* teeth */
+    CHECK(
+        sigmas_off(grey.value,
+                   from_a_bottom_by_hand(.72, sun, sea_sky_by_walsh(SEA_INDEX)),
+                   grey.standard_error) > limit()); /* teeth */
 }
 
 int main(int argc, char **argv)

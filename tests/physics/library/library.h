@@ -11,7 +11,8 @@
 #include <stdio.h>
 
 #define MURK_LIBRARY_SUBJECTS(X) \
-    X(calendar) X(night) X(sun) X(water) X(droplets) X(presets)
+    X(calendar)                  \
+    X(night) X(sun) X(dome) X(water) X(surface) X(droplets) X(presets)
 
 typedef struct murk_library {
     FILE *out;
