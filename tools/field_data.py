@@ -284,6 +284,7 @@ SEA_BAND_NM = (526.5, 536.5)
 SEA_ERROR = .05          # of the reading
 SEA_DEPTHS_M = (4, 40)   # boat and waves above, weather within a cast below
 SEA_STEP_M = 4
+SEA_RADIUS_M = 1.4       # much less than 1 / K: the mean over it is 1 % high
 SEA_PATH_M = .25         # of the transmissometer; extinction needs no more
 
 SEA_SCENE = """\
@@ -292,7 +293,7 @@ SEA_SCENE = """\
 # scattered forward for light not scattered at all.
 murk: 1
 band_edges_nm: [{low:g}, {high:g}]
-domain: {{min_m: [-4, -4, -60], max_m: [4, 4, 1], sides: periodic}}
+domain: {{min_m: [-1.5, -1.5, -60], max_m: [1.5, 1.5, 1], sides: periodic}}
 site: {{latitude_deg: {latitude:g}, longitude_deg: {longitude:g}, time: {time}}}
 media:
   sea:
@@ -301,7 +302,7 @@ media:
     phase: {{fournier_forand: [1.10, 3.5835]}}
 regions: [{{medium: sea, below_z_m: 0, ior: 1.34}}]
 lights: [{{type: sun}}, {{type: sky}}]
-photons: {{emit: 200000, maps: none}}
+photons: {{emit: 300000, maps: none}}
 """
 
 
@@ -345,7 +346,7 @@ def sea(path, station, acceptance_deg=None, with_beam=True, near_m=None):
              f"{SEA_STEP_M} m, or without a reading"]
     c = sum(beam) / len(beam)
     rows = [{"kind": "fluence", "x_m": 0, "y_m": 0, "z_m": -d,
-             "radius_m": 1.5, "gain": "e0", "unit": "relative", "value": e,
+             "radius_m": SEA_RADIUS_M, "gain": "e0", "unit": "relative", "value": e,
              "standard_error": float(f"{SEA_ERROR * e:.6g}"), "use": "fit"}
             for d, e in light]
     if with_beam:
