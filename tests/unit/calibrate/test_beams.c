@@ -236,8 +236,87 @@ static void test_acceptance_needs_one_albedo(void)
     rmdir(folder);
 }
 
+/* A cube of 2 m as a file; its triangles are sorted out by themselves. */
+static void write_cube(const char *path)
+{
+    static const int face[6][4] = {{1, 2, 4, 3}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                   {3, 4, 8, 7}, {1, 3, 7, 5}, {2, 4, 8, 6}};
+    FILE *file = fopen(path, "w");
+    CHECK(file != NULL);
+    for (int i = 0; file && i < 8; ++i) {
+        fprintf(file, "v %d %d %d\n", i & 1 ? 1 : -1, i & 2 ? 1 : -1,
+                i & 4 ? 1 : -1);
+    }
+    for (int i = 0; file && i < 6; ++i) {
+        fprintf(file, "f %d %d %d %d\n", face[i][0], face[i][1], face[i][2],
+                face[i][3]);
+    }
+    if (file) {
+        fclose(file);
+    }
+}
+
+/* A region that is a mesh: the way within it counts, with an index it bends. */
+static void test_in_a_mesh(void)
+{
+    static const char *const dense[] = {"media.m.extinction_per_m=0.7", NULL};
+    char folder[] = "/tmp/murk_beams_XXXXXX", path[64], text[512];
+    CHECK(mkdtemp(folder) != NULL);
+    snprintf(path, sizeof path, "%s/cube.obj", folder);
+    write_cube(path);
+    snprintf(text, sizeof text,
+             "murk: 1\n"
+             "domain: {min_m: [-9, -9, -9], max_m: [9, 9, 9]}\n"
+             "media: {m: {extinction_per_m: 0.3, albedo: 0.5}}\n"
+             "regions: [{medium: m, mesh: %s}]\n"
+             "lights: [{type: point, position_m: [5, 0, 0], power_w: 1}]\n",
+             path);
+    murk_stage *stage = stage_text_create(text, NULL);
+    murk_stage *other = stage_text_create(text, dense);
+    const murk_reading across = segment(-3, 0.1, 0.2, 3, 0.1, 0.2);
+    const murk_reading from_within = segment(0.5, 0.1, 0.2, 3, 0.1, 0.2);
+    if (stage && other) {
+        CHECK_NEAR(transmittance(stage, stage, &across), exp(-2 * 0.3), 1e-6);
+        CHECK_NEAR(transmittance(stage, other, &across), exp(-2 * 0.7), 1e-6);
+        CHECK_NEAR(transmittance(stage, other, &from_within), exp(-0.5 * 0.7),
+                   1e-6);
+    }
+    CHECK(stage && other);
+    stage_text_destroy(stage);
+    stage_text_destroy(other);
+    CHECK_TEXT(refusal(text, across).text, "");
+    char *end = strstr(text, "obj}");
+    CHECK(end != NULL);
+    snprintf(end, sizeof text - (size_t)(end - text), "%s",
+             "obj, ior: 1.3}]\nlights: [{type: point, position_m: [5, 0, 0], "
+             "power_w: 1}]\n");
+    CHECK_MENTIONS(refusal(text, across).text, "index of refraction changes");
+    unlink(path);
+    rmdir(folder);
+}
+
+/* Straight from end to end, though the other way round would be nearer. */
+static void test_periodic(void)
+{
+    murk_stage *stage = stage_text_create(
+        "murk: 1\n"
+        "domain: {min_m: [-9, -9, -9], max_m: [9, 9, 9], sides: periodic}\n"
+        "media: {m: {extinction_per_m: 0.1, albedo: 0.5}}\n"
+        "regions: [{medium: m}]\n"
+        "lights: [{type: point, position_m: [5, 0, 0], power_w: 1}]\n",
+        NULL);
+    const murk_reading r = segment(-8, 0, 0, 8, 0, 0);
+    CHECK(stage != NULL);
+    if (stage) {
+        CHECK_NEAR(transmittance(stage, stage, &r), exp(-1.6), EXACT);
+    }
+    stage_text_destroy(stage);
+}
+
 int main(void)
 {
+    test_in_a_mesh();
+    test_periodic();
     test_acceptance_needs_one_albedo();
     test_layers_by_hand();
     test_values_of_another_scene();
