@@ -1,5 +1,6 @@
 #include "app/results.h"
 #include "app/table_out.h"
+#include "app/told.h"
 #include "app/version.h"
 
 #include "base/log.h"
@@ -16,23 +17,11 @@ typedef struct study_session {
     murk_study_file *study;
     murk_sweep *sweep;
     murk_results results;
-    double begun_s;
-    size_t done_before; /* rows kept */
+    murk_told told;
+    double begun_s, read_s; /* when it began, and when all rows were read */
+    size_t done_before;     /* rows kept */
     bool shows_progress;
 } study_session;
-
-/* A note that no earlier row has. */
-static bool is_news(const murk_sweep *sweep, size_t row)
-{
-    const char *note = sweep->row[row].found.note;
-    for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
-        if (i != row && sweep->row[i].is_done && !sweep->row[i].is_kept &&
-            strcmp(sweep->row[i].found.note, note) == 0) {
-            return false;
-        }
-    }
-    return note[0] != '\0';
-}
 
 /* One line a row, on standard error: what it was and how long the rest takes.
  */
@@ -46,11 +35,12 @@ static void tell_row(void *context, size_t row)
     if (found->failed[0]) {
         murk_warn(where, "failed: %s", found->failed);
     }
-    if (is_news(s->sweep, row)) {
-        murk_note(where, "%s", found->note);
+    char news[MURK_ROW_TEXT_SIZE];
+    if (murk_told_news(&s->told, found->note, news, sizeof news)) {
+        murk_note(where, "%s", news);
     }
     if (s->shows_progress) {
-        const double spent_s = murk_clock_s() - s->begun_s;
+        const double spent_s = murk_clock_s() - s->read_s;
         const double left_s =
             spent_s / (double)(done - s->done_before) * (double)(rows - done);
         fprintf(stderr, "%s done; %zu of %zu in all, %.0f s left\n", where,
@@ -104,6 +94,7 @@ static murk_status begin(study_session *s, murk_error *err)
     }
     if (!status) {
         s->done_before = murk_sweep_done(s->sweep);
+        s->read_s = murk_clock_s();
         tell_early_failures(s);
     }
     return status;
@@ -203,7 +194,10 @@ static void print_study(const study_session *s)
            s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
     printf("time        %.2f s\n", murk_clock_s() - s->begun_s);
     if (s->options->out) {
-        printf("files       %s: study.json table.csv rows/\n", s->options->out);
+        printf("files       %s: study.json table.csv %srows/\n",
+               s->options->out,
+               s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE] ? "fluence_*.vdb "
+                                                            : "");
     } else {
         printf("files       none: -o DIR writes them, and keeps rows that are "
                "done\n");
@@ -236,6 +230,7 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
                            "no plan for all rows: %s",
                            murk_sweep_why_no_plan(s.sweep));
     }
+    murk_told_release(&s.told);
     murk_results_end(&s.results);
     murk_sweep_destroy(s.sweep);
     murk_study_file_destroy(s.study);

@@ -1,12 +1,10 @@
 #include "scene/study_axes.h"
 
-#include "base/calendar.h"
-#include "scene/number.h"
 #include "scene/print.h"
+#include "scene/study_range.h"
 #include "scene/value.h"
 #include "scene/words.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -86,6 +84,25 @@ static murk_status read_list(const reading *r)
     return status;
 }
 
+/* Names are told in messages of one line, and in tables. */
+static bool is_printable(const char *name)
+{
+    while (*name && (unsigned char)*name >= ' ' && *name != 127) {
+        ++name;
+    }
+    return *name == '\0';
+}
+
+static bool has_printable_keys(const murk_yaml *map)
+{
+    for (size_t i = 0; i < map->n; ++i) {
+        if (!is_printable(map->key[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static murk_status read_names(const reading *r)
 {
     murk_status status = make_room(r, r->node->n);
@@ -99,6 +116,10 @@ static murk_status read_names(const reading *r)
                                    "from, to and steps",
                                    found);
         }
+        if (!is_printable(r->node->key[i]) ||
+            (item->kind == MURK_YAML_MAP && !has_printable_keys(item))) {
+            return fail(r, item, "a name with control characters");
+        }
         murk_yaml *copy = murk_yaml_copy(item);
         if (copy && copy->kind != MURK_YAML_MAP) {
             murk_yaml_clear(copy);
@@ -111,156 +132,21 @@ static murk_status read_names(const reading *r)
 
 /* ---- ranges ---- */
 
-typedef enum range_scale { NUMBERS, TIMES, DATES, CLOCKS } range_scale;
-
-typedef struct range {
-    range_scale scale;
-    double from, to;
-    int zone_min; /* of TIMES */
-    bool is_log;
-    size_t steps;
-} range;
-
-/* One end of a range, on whichever scale it is. */
-static bool read_end(const murk_yaml *node, range_scale *scale, double *value,
-                     int *zone_min)
-{
-    murk_date date;
-    double local_s;
-    bool has_zone = false;
-    if (!node || node->kind != MURK_YAML_SCALAR) {
-        return false;
-    }
-    if (murk_yaml_number(node, value)) {
-        *scale = NUMBERS;
-        return true;
-    }
-    if (murk_date_read(node->text, &date)) {
-        *scale = DATES;
-        *value = murk_date_days(date);
-        return true;
-    }
-    if (murk_clock_read(node->text, value)) {
-        *scale = CLOCKS;
-        return true;
-    }
-    if (murk_time_read(node->text, &local_s, &has_zone, zone_min) && has_zone) {
-        *scale = TIMES;
-        *value = local_s - 60. * *zone_min;
-        return true;
-    }
-    return false;
-}
-
-static murk_status read_ends(const reading *r, range *out)
-{
-    const murk_yaml *from = murk_yaml_get(r->node, "from"),
-                    *to = murk_yaml_get(r->node, "to");
-    range_scale scale_to = NUMBERS;
-    int zone_to = 0;
-    if (!read_end(from, &out->scale, &out->from, &out->zone_min) ||
-        !read_end(to, &scale_to, &out->to, &zone_to) ||
-        scale_to != out->scale) {
-        return fail(r, r->node,
-                    "from and to, must be two numbers, two times with their "
-                    "zone (2026-06-21T00:00:00+02:00), two dates or two times "
-                    "of day");
-    }
-    if (out->is_log &&
-        !(out->scale == NUMBERS && out->from > 0 && out->to > 0)) {
-        return fail(r, r->node,
-                    "spacing: log, from and to must be numbers above 0");
-    }
-    return MURK_OK;
-}
-
-static murk_status read_range_keys(const reading *r, range *out)
-{
-    static const char *const names[] = {"from", "to", "steps", "spacing"};
-    for (size_t i = 0; i < r->node->n; ++i) {
-        const char *meant = murk_words_meant(r->node->key[i], names, 4);
-        if (!meant || strcmp(meant, r->node->key[i]) != 0) {
-            return murk_study_fail(r->node->child[i], r->key, true, r->err,
-                                   "%s is no key of a range, which has from, "
-                                   "to, steps and spacing",
-                                   r->node->key[i]);
-        }
-    }
-    const murk_yaml *steps = murk_yaml_get(r->node, "steps"),
-                    *spacing = murk_yaml_get(r->node, "spacing");
-    uint64_t n = 0;
-    if (!steps || !murk_yaml_count(steps, &n) || n < 1 ||
-        n > MURK_STUDY_ROWS_MAX) {
-        char found[MURK_FOUND_SIZE] = "nothing";
-        if (steps) {
-            murk_value_found(steps, found);
-        }
-        return murk_study_fail(steps ? steps : r->node, r->key, !steps, r->err,
-                               "steps: %s, must be a whole number, 1..%d",
-                               found, MURK_STUDY_ROWS_MAX);
-    }
-    out->steps = (size_t)n;
-    const char *word = spacing && spacing->kind == MURK_YAML_SCALAR
-                           ? spacing->text
-                       : spacing ? ""
-                                 : "linear";
-    out->is_log = strcmp(word, "log") == 0;
-    if (!out->is_log && strcmp(word, "linear") != 0) {
-        return murk_study_fail(spacing, r->key, false, r->err,
-                               "spacing: must be linear or log");
-    }
-    return MURK_OK;
-}
-
-/* The ends are met exactly. */
-static double value_at(const range *g, size_t i)
-{
-    if (i == 0 || g->steps == 1) {
-        return g->from;
-    }
-    if (i == g->steps - 1) {
-        return g->to;
-    }
-    const double u = (double)i / (double)(g->steps - 1);
-    return g->is_log ? g->from * pow(g->to / g->from, u)
-                     : g->from + u * (g->to - g->from);
-}
-
-static void print_at(const range *g, double value, char out[MURK_TIME_SIZE])
-{
-    if (g->scale == TIMES) {
-        murk_time_print(out, value, g->zone_min);
-    } else if (g->scale == DATES) {
-        const murk_date d = murk_date_of_days(floor(value + .5));
-        snprintf(out, MURK_TIME_SIZE, "%04d-%02d-%02d", d.year, d.month, d.day);
-    } else if (g->scale == CLOCKS) {
-        const int s = (int)floor(value + .5);
-        snprintf(out, MURK_TIME_SIZE, "%02d:%02d:%02d", s / 3600, s / 60 % 60,
-                 s % 60);
-    } else {
-        _Static_assert(MURK_NUMBER_SIZE <= MURK_TIME_SIZE, "numbers fit");
-        murk_number_print(out, value);
-    }
-}
-
 static murk_status read_range(const reading *r)
 {
-    range g = {0};
-    murk_status status = read_range_keys(r, &g);
+    murk_study_range range;
+    murk_status status = murk_study_range_read(&range, r->node, r->key, r->err);
     if (!status) {
-        status = read_ends(r, &g);
+        status = make_room(r, range.steps);
     }
-    if (!status) {
-        status = make_room(r, g.steps);
-    }
-    for (size_t i = 0; !status && i < g.steps; ++i) {
+    for (size_t i = 0; !status && i < range.steps; ++i) {
         char text[MURK_TIME_SIZE];
-        print_at(&g, value_at(&g, i), text);
+        murk_study_range_print(&range, i, text);
         murk_yaml *value = murk_yaml_make(MURK_YAML_SCALAR, r->node->source);
         if (value) {
             value->line = r->node->line;
             value->column = r->node->column;
-            value->is_quoted = g.scale != NUMBERS;
+            value->is_quoted = range.scale != MURK_STUDY_NUMBERS;
         }
         status = put(r, i, value, strdup(text));
         if (!status && !murk_yaml_set_text(value, text)) {
@@ -313,10 +199,14 @@ static murk_status read_axis(murk_study_axis *axis, const char *name,
     murk_status status = MURK_OK;
     axis->name = name;
     axis->path = path_of(name);
-    snprintf(r.key, sizeof r.key, "axes.%s", name);
+    char shown[MURK_SCENE_NAME_SIZE];
+    murk_words_show(shown, sizeof shown, name); /* it may hold line ends */
+    snprintf(r.key, sizeof r.key, "axes.%s", shown);
     murk_walk_where(node, r.key, true, axis->where);
     if (name[0] == '\0') {
         status = fail(&r, node, "an axis without a name");
+    } else if (!is_printable(name)) {
+        status = fail(&r, node, "a name with control characters");
     } else if (node->kind == MURK_YAML_LIST) {
         status = read_list(&r);
     } else if (node->kind == MURK_YAML_MAP && is_range(node)) {

@@ -113,8 +113,10 @@ static murk_status read_outputs(const reading *r)
         }
         for (size_t k = 0; k < i; ++k) {
             if (strcmp(study->output[k], item->text) == 0) {
+                char shown[MURK_SCENE_NAME_SIZE];
+                murk_words_show(shown, sizeof shown, item->text);
                 return murk_study_fail(item, "outputs", false, r->err,
-                                       "%s stands there twice", item->text);
+                                       "%s stands there twice", shown);
             }
         }
         study->output[i] = strdup(item->text);
@@ -129,7 +131,8 @@ static murk_status read_outputs(const reading *r)
 static murk_status read_fluence_size(const reading *r)
 {
     const murk_yaml *node = murk_yaml_get(r->root, "fluence_size");
-    const char *allowed = "[nx, ny, nz], each 1..4096";
+    const char *allowed = "[nx, ny, nz], each 1..4096, at most 2^31 cells";
+    uint64_t cells = 1;
     if (!node) {
         return MURK_OK;
     }
@@ -142,8 +145,10 @@ static murk_status read_fluence_size(const reading *r)
             return wrong(r, node->child[i], "fluence_size", allowed);
         }
         r->study->fluence_size[i] = (size_t)n;
+        cells *= n;
     }
-    return MURK_OK;
+    return cells <= UINT64_C(1) << 31 ? MURK_OK
+                                      : wrong(r, node, "fluence_size", allowed);
 }
 
 static murk_status read_units(const reading *r)

@@ -10,7 +10,7 @@
 #include "sensing/sensor.h"
 
 #define MURK_ROW_NAME_SIZE 160
-#define MURK_ROW_TEXT_SIZE 1024
+#define MURK_ROW_TEXT_SIZE 4096
 #define MURK_ROW_SUM_SIZE  33
 
 typedef struct murk_study_value {
@@ -48,7 +48,8 @@ murk_status murk_study_row_set_sensors(murk_study_row *row,
  * with MURK_BAD_VALUE where the scene has no such type, or MURK_NO_MEMORY. */
 murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
                                  const murk_scene *scene, murk_error *err);
-/* Puts a text behind the note; "" changes nothing. */
+/* Puts a text behind the note, cut with "..." where it is full; "" changes
+ * nothing. */
 void murk_study_row_add_note(murk_study_row *row, const char *text);
 /* Says in `failed` why. */
 void murk_study_row_fail(murk_study_row *row, const murk_error *why);

@@ -2,16 +2,18 @@
 
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "study/placement_in.h"
+#include "study/sweep_groups.h"
 #include "study/sweep_kept.h"
 #include "study/sweep_keys.h"
 #include "study/sweep_looks.h"
 #include "study/sweep_plans.h"
 #include "study/sweep_work.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static murk_status no_memory(const murk_sweep_desc *desc, murk_error *err)
 {
@@ -36,8 +38,50 @@ static void tell_failure(murk_sweep_row *row, const murk_error *why)
     row->is_done = true;
 }
 
+/* A file that is no placement is none in any row; a sensor that a row does not
+ * know, or that lies outside its domain, fails that row. */
+static murk_status check_plan(const murk_sweep_desc *desc,
+                              const murk_scene *scene, murk_error *err)
+{
+    const murk_domain everywhere = {
+        .box = {murk_vec(-INFINITY, -INFINITY, -INFINITY),
+                murk_vec(INFINITY, INFINITY, INFINITY)}};
+    murk_pose *sensor = NULL;
+    murk_error why = {0};
+    size_t n = 0;
+    if (!desc->study->plan) {
+        return MURK_OK;
+    }
+    const murk_status status = murk_placement_read(
+        &sensor, &n, desc->study->plan, 1, scene, &everywhere, &why);
+    free(sensor);
+    return status && status != MURK_BAD_VALUE
+               ? murk_fail(err, why.status, why.where, "%s", why.text)
+               : MURK_OK;
+}
+
 /* What is wrong with the outputs is wrong with the study; else the row alone
  * fails. */
+static murk_status look_at_first(reading *r, const murk_scene *scene,
+                                 murk_error *err)
+{
+    murk_sweep *sweep = r->sweep;
+    memcpy(sweep->scene_sha256, scene->sha256, sizeof scene->sha256);
+    sweep->seed = scene->seed;
+    sweep->sees_in_the_dark = murk_sweep_needs_no_light(scene);
+    r->has_outputs = true;
+    murk_status status = check_plan(&sweep->desc, scene, err);
+    if (!status) {
+        status =
+            murk_outputs_choose(&sweep->outputs, sweep->desc.study, scene, err);
+    }
+    sweep->plan[MURK_SWEEP_MEAN].is_wanted =
+        sweep->outputs.wants[MURK_OUTPUT_ONE_MEAN];
+    sweep->plan[MURK_SWEEP_WORST].is_wanted =
+        sweep->outputs.wants[MURK_OUTPUT_ONE_WORST];
+    return status;
+}
+
 static murk_status read_row(reading *r, size_t i, murk_error *err)
 {
     murk_sweep *sweep = r->sweep;
@@ -50,15 +94,7 @@ static murk_status read_row(reading *r, size_t i, murk_error *err)
         goto done;
     }
     if (!r->has_outputs) {
-        status = murk_outputs_choose(&sweep->outputs, desc->study, scene, err);
-        memcpy(sweep->scene_sha256, scene->sha256, sizeof scene->sha256);
-        sweep->seed = scene->seed;
-        sweep->plan[MURK_SWEEP_MEAN].is_wanted =
-            sweep->outputs.wants[MURK_OUTPUT_ONE_MEAN];
-        sweep->plan[MURK_SWEEP_WORST].is_wanted =
-            sweep->outputs.wants[MURK_OUTPUT_ONE_WORST];
-        sweep->sees_in_the_dark = murk_sweep_needs_no_light(scene);
-        r->has_outputs = true;
+        status = look_at_first(r, scene, err);
     }
     if (!status) {
         murk_sweep_keys_of(&r->keys[i], &r->sums, scene, &sweep->outputs,
@@ -73,70 +109,7 @@ done:
     return status;
 }
 
-static murk_status group_rows(reading *r, murk_error *err)
-{
-    murk_sweep *sweep = r->sweep;
-    const size_t rows = sweep->desc.study->rows;
-    sweep->group = calloc(rows + 1, sizeof *sweep->group);
-    if (!sweep->group) {
-        return no_memory(&sweep->desc, err);
-    }
-    for (size_t i = 0; i < rows; ++i) {
-        size_t g = 0;
-        if (sweep->row[i].is_done) { /* it cannot be read */
-            sweep->row[i].group = SIZE_MAX;
-            continue;
-        }
-        while (g < sweep->groups &&
-               strcmp(r->keys[sweep->group[g].row[0]].world,
-                      r->keys[i].world) != 0) {
-            ++g;
-        }
-        murk_sweep_group *group = &sweep->group[g];
-        size_t *grown = realloc(group->row, (group->n + 1) * sizeof *grown);
-        if (!grown) {
-            return no_memory(&sweep->desc, err);
-        }
-        group->row = grown;
-        group->row[group->n++] = i;
-        sweep->groups += g == sweep->groups;
-        sweep->row[i].group = g;
-    }
-    return MURK_OK;
-}
-
-/* A row is known by itself, and by the different lights in its group: how many
- * photons its light got hangs on them. */
-static murk_status sign_rows(const reading *r, murk_error *err)
-{
-    murk_sweep *sweep = r->sweep;
-    for (size_t g = 0; g < sweep->groups; ++g) {
-        murk_sweep_group *group = &sweep->group[g];
-        char *lights = malloc(group->n * 64 + 1);
-        if (!lights) {
-            return no_memory(&sweep->desc, err);
-        }
-        for (size_t k = 0; k < group->n; ++k) {
-            const char *own = r->keys[group->row[k]].light;
-            bool is_new = true;
-            for (size_t j = 0; j < group->lights && is_new; ++j) {
-                is_new = memcmp(lights + 64 * j, own, 64) != 0;
-            }
-            if (is_new) {
-                memcpy(lights + 64 * group->lights++, own, 64);
-            }
-        }
-        for (size_t k = 0; k < group->n; ++k) {
-            char text[130], all[65];
-            murk_sha256_hex(lights, 64 * group->lights, all);
-            snprintf(text, sizeof text, "%s\n%s", r->keys[group->row[k]].own,
-                     all);
-            murk_sha256_hex(text, strlen(text), sweep->row[group->row[k]].key);
-        }
-        free(lights);
-    }
-    return MURK_OK;
-}
+/* ---- what is kept ---- */
 
 static void load_row(murk_sweep *sweep, size_t i)
 {
@@ -169,14 +142,6 @@ static murk_status check_overrides(const murk_sweep_desc *desc, murk_error *err)
         }
     }
     return MURK_OK;
-}
-
-static murk_status check_plan(const murk_sweep_desc *desc, murk_error *err)
-{
-    return desc->study->plan && access(desc->study->plan, R_OK) != 0
-               ? murk_fail(err, MURK_BAD_FILE, desc->study->plan,
-                           "cannot be read (plan)")
-               : MURK_OK;
 }
 
 /* One plan for all rows is of one list of candidates. */
@@ -222,9 +187,9 @@ static murk_status read_rows(reading *r, murk_error *err)
         status = check_looks(r, err);
     }
     if (!status) {
-        status = group_rows(r, err);
+        status = murk_sweep_group_rows(sweep, r->keys, err);
     }
-    return status ? status : sign_rows(r, err);
+    return status;
 }
 
 murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
@@ -241,9 +206,6 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
         sweep && sweep->row && r.keys ? MURK_OK : no_memory(desc, err);
     if (!status) {
         status = check_overrides(desc, err);
-    }
-    if (!status) {
-        status = check_plan(desc, err);
     }
     if (!status) {
         status = read_rows(&r, err);

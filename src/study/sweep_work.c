@@ -28,11 +28,13 @@ static char heard[MURK_ROW_TEXT_SIZE];
 
 static void hear(const char *where, const char *text)
 {
+    static const char cut[] = " ...";
     char line[MURK_ROW_TEXT_SIZE];
     snprintf(line, sizeof line, "%s: %s", where, text);
-    const size_t n = strlen(heard);
-    if (!strstr(heard, line)) {
-        snprintf(heard + n, sizeof heard - n, "%s%.1000s", n ? "; " : "", line);
+    const size_t n = strlen(heard), room = sizeof heard - n;
+    if (!strstr(heard, line) && (size_t)snprintf(heard + n, room, "%s%s",
+                                                 n ? "; " : "", line) >= room) {
+        memcpy(heard + sizeof heard - sizeof cut, cut, sizeof cut);
     }
 }
 

@@ -67,6 +67,8 @@ refused 'axes: 1000000000 rows, must be at most 10000' "$head
 axes: {lights.0.power_w: {from: 1, to: 2, steps: 1000}, seed: {from: 1, to: 1000, steps: 1000}, media.fog.albedo: {from: 0, to: 1, steps: 1000}}"
 refused 'bad.yaml:3:50: axes.lights.0.power_w: steps: 1e9, must be a whole number, 1..10000' "$head
 axes: {lights.0.power_w: {from: 1, to: 2, steps: 1e9}}"
+refused 'bad.yaml:3:40: axes.seed: steps: 1000000000, must be a whole number, 1..10000' "$head
+axes: {seed: {from: 1, to: 1e9, steps: 1000000000}}"
 refused 'steps: -3, must be a whole number' "$head
 axes: {$power: {from: 1, to: 2, steps: -3}}"
 refused 'steps: nothing, must be' "$head
@@ -95,7 +97,17 @@ axes: {$power: [1, 2, 3], seed: [1, 2]}"
 refused 'mode: pair, must be grid or paired' "$head
 mode: pair
 axes: {}"
+refused 'axes.a?b: a name with control characters' "$head
+axes: {\"a\\x01b\": [1]}"
+refused 'a name with control characters' "$head
+axes: {lamp: {on: {\"a\\x01b\": 1}}}"
 # values that no row can have
+refused 'no meda in the scene, did you mean media?' "$head
+axes: {meda.fog.albedo: [0.1, 0.2]}"
+refused 'no albdo in media, did you mean albedo?' "$head
+axes: {media.fog.albdo: [0.1, 0.2]}"
+refused 'item 7 of a list of 1, must be 0..0' "$head
+axes: {lights.7.power_w: [0.1, 0.2]}"
 refused 'no fgo in media, did you mean fog?' "$head
 axes: {media.fgo.albedo: [0.1, 0.2]}"
 refused 'media.fog.albedo: 7, must be 0..1' "$head
@@ -117,9 +129,19 @@ outputs: [coverage_fixed]"
 refused 'coverage needs sensors' "$head
 axes: {}
 outputs: [coverage_best]"
-refused 'plan.csv: cannot be read' "$head
+refused 'plan.csv: cannot read' "$head
 axes: {}
 plan: plan.csv"
+refused '/dev/zero: cannot read: not a file' "$head
+axes: {}
+plan: /dev/zero"
+refused 'scene.yaml:2: 6 cells' "$head
+axes: {}
+plan: scene.yaml"
+refused 'at most 2^31 cells' "$head
+axes: {}
+fluence_size: [4096, 4096, 4096]
+outputs: [fluence_vdb]"
 refused 'fluence_size' "$head
 axes: {}
 fluence_size: [1, 2]

@@ -1,0 +1,65 @@
+#include "app/told.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PART_SIZE 4100 /* a row's notes are shorter */
+
+static void strip_numbers(char *text)
+{
+    char *to = text;
+    for (const char *from = text; *from; ++from) {
+        if (!isdigit((unsigned char)*from) && *from != '.' && *from != '-') {
+            *to++ = *from;
+        }
+    }
+    *to = '\0';
+}
+
+static bool is_told(murk_told *told, const char *part)
+{
+    char text[PART_SIZE];
+    snprintf(text, sizeof text, "%s", part);
+    strip_numbers(text);
+    for (size_t i = 0; i < told->n; ++i) {
+        if (strcmp(told->text[i], text) == 0) {
+            return true;
+        }
+    }
+    char **grown = realloc(told->text, (told->n + 1) * sizeof *grown);
+    if (grown) {
+        told->text = grown;
+        grown[told->n] = strdup(text);
+        told->n += grown[told->n] != NULL;
+    }
+    return false;
+}
+
+bool murk_told_news(murk_told *told, const char *notes, char *out, size_t size)
+{
+    size_t n = 0;
+    out[0] = '\0';
+    while (*notes) {
+        char part[PART_SIZE];
+        const char *end = strstr(notes, "; ");
+        const size_t length = end ? (size_t)(end - notes) : strlen(notes);
+        snprintf(part, sizeof part, "%.*s", (int)length, notes);
+        if (!is_told(told, part) && n < size) {
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? "; " : "",
+                                  part);
+        }
+        notes += length + (end ? 2 : 0);
+    }
+    return out[0] != '\0';
+}
+
+void murk_told_release(murk_told *told)
+{
+    for (size_t i = 0; i < told->n; ++i) {
+        free(told->text[i]);
+    }
+    free(told->text);
+    *told = (murk_told){0};
+}
