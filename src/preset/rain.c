@@ -7,12 +7,19 @@
  * each takes twice its cross section, half by rays and half by diffraction:
  * extinction = pi 8000 / slope^3 mm2/m3. At rate 0 there is none.
  *
+ * Both give one half: what is diffracted (rays: 0), or the rays (rays: 1), of
+ * which Marshall and Palmer's drops of that rate absorb a part.
+ *
  * Source: Marshall & Palmer, J. Meteorol. 5 (1948) 165,
  * doi:10.1175/1520-0469(1948)005<0165:TDORWS>2.0.CO;2; van de Hulst, Light
  * Scattering by Small Particles, Wiley (1957), ch. 8. */
+#include "preset/rain.h"
+
 #include "preset/laws.h"
+#include "preset/refraction.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #define PI         3.14159265358979323846
 #define DROPS      8000.0 /* per m3 and mm */
@@ -20,11 +27,68 @@
 #define SLOPE_FALL .21
 #define M2_PER_MM2 1e-6
 
-static murk_status fill(murk_optics *out, const murk_law_call *call,
-                        double extinction_per_m)
+/* Midpoints: of the angle of incidence, which leave 1e-4 of what is absorbed;
+ * and of sizes, up to where 1e-5 of all cross section is larger. */
+#define ANGLES       64
+#define SIZES        48
+#define SIZES_SLOPES 16.0
+
+/* 1 / slope [mm], so that no rain is no trouble. */
+static double size_of(double rate)
 {
+    return pow(rate, SLOPE_FALL) / SLOPE;
+}
+
+/* Of light that would go in but for the reflectance, along a chord that leaves
+ * that share. */
+static double taken(double reflectance, double left)
+{
+    return (1 - reflectance) * (1 - left) / (1 - reflectance * left);
+}
+
+double murk_drop_absorbs(double diameter_m, double n, double absorption_per_m)
+{
+    double sum = 0;
+    for (int i = 0; i < ANGLES; ++i) {
+        const double angle = (i + .5) / ANGLES * PI / 2;
+        const double sine = sin(angle), cosine = cos(angle);
+        const double inside = sqrt(1 - sine * sine / (n * n));
+        const double left = exp(-absorption_per_m * diameter_m * inside);
+        const double across = (cosine - n * inside) / (cosine + n * inside);
+        const double along = (n * cosine - inside) / (n * cosine + inside);
+        sum += sine * cosine *
+               (taken(across * across, left) + taken(along * along, left));
+    }
+    return sum * PI / 2 / ANGLES;
+}
+
+/* The share of rays that the drops of a rate absorb. */
+static double rain_absorbs(double rate, double wavelength_nm)
+{
+    const murk_mie_index index = murk_water_refraction(wavelength_nm);
+    const double per_m = 4 * PI * index.k / (wavelength_nm * 1e-9);
+    const double m = size_of(rate) * 1e-3;
+    double sum = 0, all = 0;
+    for (int i = 0; i < SIZES; ++i) {
+        const double size = (i + .5) / SIZES * SIZES_SLOPES;
+        const double area = size * size * exp(-size);
+        sum += area * murk_drop_absorbs(size * m, index.n, per_m);
+        all += area;
+    }
+    return sum / all;
+}
+
+/* One half of the extinction, by the parameter `rays`. */
+static murk_status fill(murk_optics *out, const murk_law_call *call,
+                        double extinction_per_m, bool is_rays)
+{
+    const double rate = call->words->value[MURK_WORD_RAIN][0];
+    const double half = extinction_per_m / 2;
     for (size_t i = 0; i < call->n; ++i) {
-        out->scattering_per_m[i] = extinction_per_m;
+        const double share =
+            is_rays ? rain_absorbs(rate, call->wavelength_nm[i]) : 0;
+        out->absorption_per_m[i] = half * share;
+        out->scattering_per_m[i] = half * (1 - share);
     }
     return MURK_OK;
 }
@@ -34,16 +98,16 @@ murk_status murk_law_rain_power(murk_optics *out, const murk_law_call *call,
 {
     (void)err;
     const double rate = call->words->value[MURK_WORD_RAIN][0];
-    const double db_per_km = call->parameter[0] * pow(rate, call->parameter[1]);
-    return fill(out, call, db_per_km * log(10) / 10 / 1000);
+    const double db_per_km = call->parameter[1] * pow(rate, call->parameter[2]);
+    return fill(out, call, db_per_km * log(10) / 10 / 1000,
+                call->parameter[0] > 0);
 }
 
 murk_status murk_law_marshall_palmer(murk_optics *out,
                                      const murk_law_call *call, murk_error *err)
 {
     (void)err;
-    const double rate = call->words->value[MURK_WORD_RAIN][0];
-    /* 1 / slope, so that no rain is no trouble */
-    const double mm = pow(rate, SLOPE_FALL) / SLOPE;
-    return fill(out, call, PI * DROPS * mm * mm * mm * M2_PER_MM2);
+    const double mm = size_of(call->words->value[MURK_WORD_RAIN][0]);
+    return fill(out, call, PI * DROPS * mm * mm * mm * M2_PER_MM2,
+                call->parameter[0] > 0);
 }
