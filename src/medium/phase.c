@@ -164,3 +164,13 @@ double murk_phase_mean_cosine(const murk_phase *phase)
     }
     return phase->g;
 }
+
+bool murk_phase_is_same(const murk_phase *a, const murk_phase *b)
+{
+    if (a->kind != b->kind) {
+        return false;
+    }
+    return a->kind == MURK_PHASE_TABLE
+               ? murk_phase_table_is_same(a->table, b->table)
+               : a->g == b->g && a->g2 == b->g2 && a->weight == b->weight;
+}

@@ -15,6 +15,8 @@
 #include "base/status.h"
 #include "medium/phase_table.h"
 
+#include <stdbool.h>
+
 typedef enum murk_phase_kind {
     MURK_PHASE_HG,       /* Henyey-Greenstein; isotropic where g is 0 */
     MURK_PHASE_RAYLEIGH, /* 3 (1 + mu^2) / (16 pi) */
@@ -51,6 +53,9 @@ double murk_phase_sample(const murk_phase *phase, double u);
 double murk_phase_share_within(const murk_phase *phase, double angle_rad);
 
 double murk_phase_mean_cosine(const murk_phase *phase);
+
+/* Whether both are one law to the last bit. */
+bool murk_phase_is_same(const murk_phase *a, const murk_phase *b);
 
 /* Density [1/sr] at mu = cos(angle), for mean cosine g.
  * Needs -1 <= mu <= 1 and -1 < g < 1. */

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define DEGREE 0.017453292519943295
 
@@ -244,4 +245,12 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
     murk_phase_nodes_begin(&nodes, s, forand_density(&f, s), .5 * (slope - 5));
     murk_phase_nodes_law(&nodes, 2, forand_density, &f);
     return murk_phase_nodes_finish(out, &nodes, where, err);
+}
+
+bool murk_phase_table_is_same(const murk_phase_table *a,
+                              const murk_phase_table *b)
+{
+    return a == b ||
+           (a->nodes == b->nodes && a->power == b->power &&
+            memcmp(a->node, b->node, a->nodes * sizeof *a->node) == 0);
 }

@@ -12,6 +12,7 @@
 
 #include "base/status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #define MURK_PHASE_TOLERANCE 1e-5
@@ -55,6 +56,10 @@ double murk_phase_table_sample(const murk_phase_table *table, double u);
 /* Share of the light that turns by less than the angle of which s is 1 - cos,
  * 0 <= s <= 2. */
 double murk_phase_table_share(const murk_phase_table *table, double s);
+
+/* Whether both have the same nodes, bit by bit. */
+bool murk_phase_table_is_same(const murk_phase_table *a,
+                              const murk_phase_table *b);
 
 typedef struct murk_phase_facts {
     double integral;                  /* over the sphere, before it became 1 */
