@@ -75,6 +75,7 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
     murk_followed *f = calloc(1, sizeof *f);
     if (f) {
         f->channels = murk_lights_channels(desc->stage->lights);
+        f->bands = desc->stage->world.bands;
         f->media = desc->media;
         f->medium = calloc(desc->media + 1, sizeof *f->medium);
         f->emitted_in = calloc(f->channels, sizeof *f->emitted_in);

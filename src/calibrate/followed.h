@@ -75,7 +75,8 @@ murk_contribution_is_record(const murk_contribution *contribution)
 typedef struct murk_followed {
     size_t media, *medium; /* [media] numbers of the scene */
     uint64_t emitted;      /* photons */
-    size_t channels;
+    int bands;
+    size_t channels;      /* light * bands + band */
     uint64_t *emitted_in; /* [channels] photons */
     double *packet_w;     /* [channels] */
     size_t n;

@@ -1,5 +1,11 @@
 /* Contributions at other parameters: each one's weight, and its slope by each
- * of them. */
+ * of them.
+ *
+ * The weight is that of calibrate/followed.h; a chord's is the mean of it along
+ * the chord, by (1 - exp(-x)) / x with x the sum over media of (sigma_t' -
+ * sigma_t) times the chord's density path: exact where the density is even
+ * across the receiver's sphere, else off by x times the share by which the
+ * density's mean place lies off the chord's middle. */
 #ifndef MURK_CALIBRATE_REWEIGH_H
 #define MURK_CALIBRATE_REWEIGH_H
 
@@ -13,6 +19,9 @@ typedef struct murk_optics_sides {
     double span; /* high less low, of the parameter */
 } murk_optics_sides;
 
+/* A ratio beyond is cut off: its light tells nothing, but sums stay finite. */
+#define MURK_RATIO_MAX 1e130
+
 typedef struct murk_reweighed {
     size_t n, keys;
     double *ratio; /* [n] of the contribution's weight to that traced, its
@@ -25,7 +34,11 @@ typedef struct murk_reweighed {
 
 /* followed was traced with `traced`; wanted at `at`. sides[keys] are the
  * parameters'; low NULL: the parameter has no say here (slope 0). What is
- * wanted must not differ from what was traced but in optics. */
+ * wanted must not differ from what was traced but in optics, and not in those
+ * of media that were not kept, nor in phase functions where no cosines were.
+ * Fails where light was traced without a scattering, extinction or power that
+ * is now wanted, when out of memory, and when interrupted. The same bits for
+ * any number of threads. On success, release with murk_reweighed_release(). */
 murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
                          const murk_optics *traced, const murk_optics *at,
                          const murk_optics_sides *sides, size_t keys,

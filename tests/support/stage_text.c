@@ -9,12 +9,11 @@
 
 #define OVERRIDES_MAX 16
 
-murk_stage *stage_text_create(const char *yaml, const char *const *overrides)
+murk_scene *scene_text_create(const char *yaml, const char *const *overrides)
 {
     char path[] = "/tmp/murk_test_scene_XXXXXX";
     murk_error err = {0};
     murk_scene *scene = NULL;
-    murk_stage *stage = NULL;
     murk_override list[OVERRIDES_MAX];
     size_t n = 0;
     while (overrides && overrides[n] && n < OVERRIDES_MAX) {
@@ -24,14 +23,24 @@ murk_stage *stage_text_create(const char *yaml, const char *const *overrides)
     const int fd = mkstemp(path);
     if (fd < 0 || write(fd, yaml, strlen(yaml)) < 0) {
         printf("cannot write %s\n", path);
-    } else if (murk_scene_read(&scene, path, list, n, &err) ||
-               murk_stage_create(&stage, scene, &err)) {
+    } else if (murk_scene_read(&scene, path, list, n, &err)) {
         printf("%s: %s\n", err.where, err.text);
-        murk_scene_destroy(scene);
     }
     if (fd >= 0) {
         close(fd);
         unlink(path);
+    }
+    return scene;
+}
+
+murk_stage *stage_text_create(const char *yaml, const char *const *overrides)
+{
+    murk_error err = {0};
+    murk_stage *stage = NULL;
+    murk_scene *scene = scene_text_create(yaml, overrides);
+    if (scene && murk_stage_create(&stage, scene, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        murk_scene_destroy(scene);
     }
     return stage;
 }

@@ -1,0 +1,188 @@
+#include "calibrate/change.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* sigma_s over that traced. An albedo that is the same, a grid's too, is left
+ * out. */
+static double scattering_ratio(const murk_optics *traced, const murk_optics *at,
+                               size_t medium, size_t band)
+{
+    const double t = traced->extinction_per_m[medium].band[band];
+    const double a = traced->albedo[medium].band[band];
+    const double t_at = at->extinction_per_m[medium].band[band];
+    const double a_at = at->albedo[medium].band[band];
+    return (t_at == t ? 1 : t_at / t) * (a_at == a ? 1 : a_at / a);
+}
+
+/* Light that never was there cannot be given weight. */
+static murk_status check(const murk_optics *traced, const murk_optics *at,
+                         size_t medium, size_t band, murk_error *err)
+{
+    const char *name = traced->scene->media[medium].name;
+    const double t = traced->extinction_per_m[medium].band[band];
+    const double a = traced->albedo[medium].band[band];
+    const double t_at = at->extinction_per_m[medium].band[band];
+    const double a_at = at->albedo[medium].band[band];
+    char where[128];
+    if ((t == 0 && t_at > 0) || (a == 0 && a_at > 0)) {
+        snprintf(where, sizeof where, "media.%.80s", name);
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%s is 0 in band %zu, which cannot be re-weighted to "
+                         "%g: must start above 0",
+                         t == 0 ? "extinction_per_m" : "albedo", band,
+                         t == 0 ? t_at : a_at);
+    }
+    return MURK_OK;
+}
+
+static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
+                                  size_t band, const murk_optics *traced,
+                                  const murk_optics *at,
+                                  const murk_optics_sides *sides,
+                                  murk_error *err)
+{
+    const size_t i = m * (size_t)c->bands + band;
+    const murk_phase *phase = &traced->phases->medium[medium][band];
+    const murk_status status = check(traced, at, medium, band, err);
+    if (status) {
+        return status;
+    }
+    murk_change *change = &c->medium[i];
+    *change =
+        (murk_change){.scattering = scattering_ratio(traced, at, medium, band),
+                      .more_per_m = at->extinction_per_m[medium].band[band] -
+                                    traced->extinction_per_m[medium].band[band],
+                      .traced = phase,
+                      .at = &at->phases->medium[medium][band]};
+    change->log_scattering =
+        change->scattering > 0 ? log(change->scattering) : 0;
+    change->turns = !murk_phase_is_same(change->traced, change->at);
+    c->any_turns |= change->turns;
+    for (size_t k = 0; k < c->keys; ++k) {
+        if (!(c->span[k] > 0)) {
+            continue;
+        }
+        const murk_optics *low = sides[k].low, *high = sides[k].high;
+        murk_change_slope *slope =
+            &c->slope[k * c->media * (size_t)c->bands + i];
+        *slope = (murk_change_slope){
+            .scattering = (scattering_ratio(traced, high, medium, band) -
+                           scattering_ratio(traced, low, medium, band)) /
+                          c->span[k],
+            .more_per_m = (high->extinction_per_m[medium].band[band] -
+                           low->extinction_per_m[medium].band[band]) /
+                          c->span[k],
+            .low = &low->phases->medium[medium][band],
+            .high = &high->phases->medium[medium][band]};
+        slope->turns = !murk_phase_is_same(slope->low, slope->high);
+        c->any_turns |= slope->turns;
+    }
+    return MURK_OK;
+}
+
+static double power_ratio(double traced_w, double at_w)
+{
+    return at_w == traced_w ? 1 : at_w / traced_w;
+}
+
+static murk_status compare_power(murk_changes *c, size_t channel,
+                                 const murk_optics *traced,
+                                 const murk_optics *at,
+                                 const murk_optics_sides *sides,
+                                 murk_error *err)
+{
+    const double traced_w = traced->power_w[channel];
+    const double at_w = at->power_w[channel];
+    if (traced_w == 0 && at_w > 0) {
+        char where[64];
+        snprintf(where, sizeof where, "lights.%zu", channel / (size_t)c->bands);
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "its power is 0 in band %zu, which cannot be "
+                         "re-weighted to %g W: must start above 0",
+                         channel % (size_t)c->bands, at_w);
+    }
+    c->power[channel] = power_ratio(traced_w, at_w);
+    for (size_t k = 0; k < c->keys && traced_w > 0; ++k) {
+        if (c->span[k] > 0) {
+            c->power_slope[k * c->channels + channel] =
+                (sides[k].high->power_w[channel] -
+                 sides[k].low->power_w[channel]) /
+                (c->span[k] * traced_w);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_changes *new_changes(const murk_followed *followed, int bands,
+                                 size_t keys)
+{
+    const size_t cells = followed->media * (size_t)bands;
+    murk_changes *c = calloc(1, sizeof *c);
+    if (c) {
+        c->media = followed->media;
+        c->channels = followed->channels;
+        c->keys = keys;
+        c->bands = bands;
+        c->span = calloc(keys + 1, sizeof *c->span);
+        c->medium = calloc(cells + 1, sizeof *c->medium);
+        c->slope = calloc(keys * cells + 1, sizeof *c->slope);
+        c->power = calloc(c->channels + 1, sizeof *c->power);
+        c->power_slope = calloc(keys * c->channels + 1, sizeof *c->power_slope);
+    }
+    if (c &&
+        (!c->span || !c->medium || !c->slope || !c->power || !c->power_slope)) {
+        murk_changes_destroy(c);
+        c = NULL;
+    }
+    return c;
+}
+
+murk_status murk_changes_create(murk_changes **out,
+                                const murk_followed *followed,
+                                const murk_optics *traced,
+                                const murk_optics *at,
+                                const murk_optics_sides *sides, size_t keys,
+                                murk_error *err)
+{
+    assert(traced->channels == followed->channels &&
+           at->channels == followed->channels && at->media == traced->media);
+    murk_status status = MURK_OK;
+    murk_changes *c = new_changes(followed, traced->bands, keys);
+    if (!c) {
+        return murk_fail(err, MURK_NO_MEMORY, "fit",
+                         "no memory for %zu parameters", keys);
+    }
+    for (size_t k = 0; k < keys; ++k) {
+        assert(!sides[k].low || (sides[k].high && sides[k].span > 0));
+        c->span[k] = sides[k].low ? sides[k].span : 0;
+    }
+    const size_t bands = (size_t)c->bands;
+    for (size_t i = 0; i < c->media * bands && !status; ++i) {
+        status = compare_medium(c, i / bands, followed->medium[i / bands],
+                                i % bands, traced, at, sides, err);
+    }
+    for (size_t channel = 0; channel < c->channels && !status; ++channel) {
+        status = compare_power(c, channel, traced, at, sides, err);
+    }
+    if (status) {
+        murk_changes_destroy(c);
+        return status;
+    }
+    *out = c;
+    return MURK_OK;
+}
+
+void murk_changes_destroy(murk_changes *c)
+{
+    if (c) {
+        free(c->span);
+        free(c->medium);
+        free(c->slope);
+        free(c->power);
+        free(c->power_slope);
+        free(c);
+    }
+}

@@ -1,0 +1,300 @@
+#include "calibrate/reweigh.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "calibrate/change.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Contributions that one thread takes at a time. */
+#define BATCH 8192
+
+/* Below, the series of the mean's slope is right to rounding; beyond, its
+ * closed form loses less than another ten. */
+#define SERIES_BELOW 0.1
+#define SERIES_TERMS 10
+
+/* A density of 0 counts as this, whose logarithm is finite. */
+#define LEAST_DENSITY 1e-300
+
+typedef struct job {
+    const murk_followed *followed;
+    const murk_changes *changes;
+    murk_reweighed *out;
+    double *turned; /* [threads][keys]: of a worker's present photon */
+} job;
+
+/* ---- the mean of exp(-x t) over t from 0 to 1, and its slope by x ---- */
+
+static double mean_along(double x)
+{
+    return x == 0 ? 1 : -expm1(-x) / x;
+}
+
+static double mean_slope(double x)
+{
+    if (fabs(x) >= SERIES_BELOW) {
+        return (exp(-x) - mean_along(x)) / x;
+    }
+    double sum = 0; /* of (-1)^n n x^(n - 1) / (n + 1)! */
+    double term = -.5;
+    for (int n = 1; n <= SERIES_TERMS; ++n) {
+        sum += term;
+        term *= -x * (n + 1) / ((double)n * (n + 2));
+    }
+    return sum;
+}
+
+/* ---- turns ---- */
+
+/* What the turns of a photon come to so far. */
+typedef struct turns {
+    uint32_t photon, done;
+    double log_ratio;
+    double *slope; /* [keys] of it */
+} turns;
+
+static double log_density(const murk_phase *phase, double mu)
+{
+    return log(fmax(murk_phase_density(phase, mu), LEAST_DENSITY));
+}
+
+static void take_turn(const job *j, turns *t, size_t i, size_t band)
+{
+    const murk_followed *f = j->followed;
+    const murk_changes *c = j->changes;
+    const size_t m = f->turn_medium[i];
+    const murk_change *change = murk_change_of(c, m, band);
+    const double mu = 1 - (double)f->turn[i];
+    if (change->turns) {
+        t->log_ratio +=
+            log_density(change->at, mu) - log_density(change->traced, mu);
+    }
+    for (size_t k = 0; k < c->keys; ++k) {
+        const murk_change_slope *s = murk_change_slope_of(c, k, m, band);
+        if (s->turns) {
+            t->slope[k] +=
+                (log_density(s->high, mu) - log_density(s->low, mu)) /
+                c->span[k];
+        }
+    }
+}
+
+/* Up to this contribution of the same photon. */
+static void follow_turns(const job *j, turns *t, const murk_contribution *of)
+{
+    if (!j->changes->any_turns) {
+        return;
+    }
+    assert(j->followed->turns > 0 || of->turns == 0);
+    if (t->photon != of->photon) {
+        t->photon = of->photon;
+        t->done = 0;
+        t->log_ratio = 0;
+        memset(t->slope, 0, j->changes->keys * sizeof *t->slope);
+    }
+    for (; t->done < of->turns; ++t->done) {
+        take_turn(j, t, (size_t)of->first + t->done, of->band);
+    }
+}
+
+/* ---- one contribution ---- */
+
+/* How the scatterings of the media go by: those whose sigma_s has become 0 are
+ * counted apart, as their slope is not a logarithm's. */
+typedef struct weight {
+    double log_ratio; /* of the others, of paths and turns */
+    uint32_t zeros;   /* scatterings that cannot happen any more */
+    size_t zero;      /* the medium of one */
+    double x;         /* depth added across the chord */
+} weight;
+
+static weight weigh(const job *j, const turns *t, size_t i, size_t band)
+{
+    const murk_followed *f = j->followed;
+    weight w = {.log_ratio = t->log_ratio};
+    for (size_t m = 0; m < f->media; ++m) {
+        const murk_change *change = murk_change_of(j->changes, m, band);
+        const uint32_t n = f->count[i * f->media + m];
+        w.log_ratio -= change->more_per_m * (double)f->path_m[i * f->media + m];
+        w.x += change->more_per_m * (double)f->chord_m[i * f->media + m];
+        if (n > 0 && change->scattering > 0) {
+            w.log_ratio += n * change->log_scattering;
+        } else if (n > 0) {
+            w.zeros += n;
+            w.zero = m;
+        }
+    }
+    return w;
+}
+
+/* By a key: of log_ratio and x. */
+static void weigh_slope(const job *j, size_t k, size_t i, size_t band,
+                        double *log_slope, double *x_slope)
+{
+    const murk_followed *f = j->followed;
+    for (size_t m = 0; m < f->media; ++m) {
+        const murk_change_slope *s =
+            murk_change_slope_of(j->changes, k, m, band);
+        const double scattering =
+            murk_change_of(j->changes, m, band)->scattering;
+        const uint32_t n = f->count[i * f->media + m];
+        *log_slope -= s->more_per_m * (double)f->path_m[i * f->media + m];
+        *x_slope += s->more_per_m * (double)f->chord_m[i * f->media + m];
+        if (n > 0 && scattering > 0) {
+            *log_slope += n * s->scattering / scattering;
+        }
+    }
+}
+
+static void reweigh_one(const job *j, turns *t, size_t i)
+{
+    const murk_changes *c = j->changes;
+    const murk_contribution *of = &j->followed->contribution[i];
+    const size_t band = of->band, n = j->followed->n;
+    const size_t channel = of->light * (size_t)c->bands + band;
+    follow_turns(j, t, of);
+    const weight w = weigh(j, t, i, band);
+    const double power = c->power[channel];
+    const double before = exp(w.log_ratio), mean = mean_along(w.x);
+    const double path = before * mean; /* but for scatterings that are 0 */
+    const bool is_cut = !(path * power <= MURK_RATIO_MAX);
+    j->out->ratio[i] = is_cut ? MURK_RATIO_MAX : w.zeros > 0 ? 0 : path * power;
+    for (size_t k = 0; k < c->keys; ++k) {
+        double *slope = &j->out->slope[k * n + i];
+        *slope = 0;
+        if (!(c->span[k] > 0) || is_cut || w.zeros > 1) {
+            continue;
+        }
+        if (w.zeros == 1) {
+            *slope = path * power *
+                     murk_change_slope_of(c, k, w.zero, band)->scattering;
+            continue;
+        }
+        double log_slope = t->slope[k], x_slope = 0;
+        weigh_slope(j, k, i, band, &log_slope, &x_slope);
+        *slope =
+            power * (path * log_slope +
+                     (x_slope != 0 ? before * mean_slope(w.x) * x_slope : 0)) +
+            path * c->power_slope[k * c->channels + channel];
+    }
+}
+
+static void reweigh_batch(void *context, unsigned worker, uint64_t batch)
+{
+    const job *j = context;
+    const size_t n = j->followed->n, from = (size_t)batch * BATCH;
+    const size_t to = n - from < BATCH ? n : from + BATCH;
+    turns t = {.photon = UINT32_MAX, /* none is: there are fewer */
+               .slope = j->turned + worker * j->changes->keys};
+    memset(t.slope, 0, j->changes->keys * sizeof *t.slope);
+    for (size_t i = from; i < to; ++i) {
+        reweigh_one(j, &t, i);
+    }
+}
+
+/* ---- all ---- */
+
+/* Sums over a receiver's contributions, or a map's, by what each was worth. */
+typedef struct worth {
+    double sum, ratio, squares;
+} worth;
+
+static double share_of(const worth *w)
+{
+    return w->sum > 0 ? w->ratio * w->ratio / (w->sum * w->squares) : 1;
+}
+
+static size_t receivers_of(const murk_followed *f)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < f->n; ++i) {
+        const murk_contribution *c = &f->contribution[i];
+        if (!murk_contribution_is_record(c) && c->receiver >= most) {
+            most = (size_t)c->receiver + 1;
+        }
+    }
+    return most;
+}
+
+static bool find_effective_share(murk_reweighed *out, const murk_followed *f)
+{
+    const size_t receivers = receivers_of(f);
+    worth *sums = calloc(receivers + 2, sizeof *sums);
+    if (!sums) {
+        return false;
+    }
+    for (size_t i = 0; i < f->n; ++i) {
+        const murk_contribution *c = &f->contribution[i];
+        worth *w = c->receiver == MURK_RECORD_OF_SURFACE  ? &sums[receivers]
+                   : c->receiver == MURK_RECORD_OF_VOLUME ? &sums[receivers + 1]
+                                                          : &sums[c->receiver];
+        const double value = (double)c->value *
+                             f->packet_w[c->light * (size_t)f->bands + c->band];
+        w->sum += value;
+        w->ratio += value * out->ratio[i];
+        w->squares += value * out->ratio[i] * out->ratio[i];
+    }
+    out->effective_share = 1;
+    for (size_t i = 0; i < receivers + 2; ++i) {
+        /* a share that is no number is none: all ratios 0 */
+        const double share = share_of(&sums[i]);
+        out->effective_share =
+            share > 0 ? fmin(out->effective_share, share) : 0;
+    }
+    free(sums);
+    return true;
+}
+
+murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
+                         const murk_optics *traced, const murk_optics *at,
+                         const murk_optics_sides *sides, size_t keys,
+                         unsigned threads, murk_error *err)
+{
+    assert(out && threads >= 1);
+    const size_t n = followed->n;
+    murk_reweighed made = {.n = n, .keys = keys};
+    murk_changes *changes = NULL;
+    double *turned = NULL;
+    murk_status status =
+        murk_changes_create(&changes, followed, traced, at, sides, keys, err);
+    if (status) {
+        return status;
+    }
+    made.ratio = malloc((n + 1) * sizeof *made.ratio);
+    made.slope = malloc((keys * n + 1) * sizeof *made.slope);
+    turned = malloc((threads * keys + 1) * sizeof *turned);
+    if (!made.ratio || !made.slope || !turned) {
+        status = murk_fail(err, MURK_NO_MEMORY, "fit",
+                           "no memory for %zu contributions and their slopes "
+                           "by %zu parameters",
+                           n, keys);
+        goto done;
+    }
+    job j = {followed, changes, &made, turned};
+    murk_crew_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
+    if (murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    } else if (!find_effective_share(&made, followed)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for sums");
+    }
+    if (!status) {
+        *out = made;
+        made = (murk_reweighed){0};
+    }
+done:
+    free(turned);
+    murk_changes_destroy(changes);
+    murk_reweighed_release(&made);
+    return status;
+}
+
+void murk_reweighed_release(murk_reweighed *reweighed)
+{
+    free(reweighed->ratio);
+    free(reweighed->slope);
+    *reweighed = (murk_reweighed){0};
+}
