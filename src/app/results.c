@@ -169,6 +169,24 @@ void murk_json_vector(cJSON *object, const char *key, murk_vec3 v)
     cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(xyz, 3));
 }
 
+void murk_json_box(cJSON *object, const char *key, const murk_box *box)
+{
+    if (!(box->min.x <= box->max.x)) {
+        cJSON_AddNullToObject(object, key);
+        return;
+    }
+    cJSON *item = cJSON_AddObjectToObject(object, key);
+    murk_json_vector(item, "min_m", box->min);
+    murk_json_vector(item, "max_m", box->max);
+}
+
+void murk_json_spectrum(cJSON *object, const char *key,
+                        const murk_spectrum *spectrum, int bands)
+{
+    cJSON_AddItemToObject(object, key,
+                          cJSON_CreateDoubleArray(spectrum->band, bands));
+}
+
 cJSON *murk_json_begin_murk(void)
 {
     cJSON *root = cJSON_CreateObject();

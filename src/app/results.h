@@ -71,6 +71,11 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run);
 
 void murk_json_number(cJSON *object, const char *key, double value);
 void murk_json_vector(cJSON *object, const char *key, murk_vec3 v);
+/* {min_m, max_m}; null for an empty box. */
+void murk_json_box(cJSON *object, const char *key, const murk_box *box);
+/* A list, band by band. */
+void murk_json_spectrum(cJSON *object, const char *key,
+                        const murk_spectrum *spectrum, int bands);
 
 /* ledger.json's own fields. */
 void murk_json_ledger(cJSON *object, const murk_traced *traced,

@@ -1,0 +1,259 @@
+#include "app/check_media.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "app/results.h"
+#include "study/extent.h"
+
+/* What the region fills; of an unbounded one the part in the domain. */
+static murk_box region_box(const murk_stage *stage, size_t i)
+{
+    const murk_scene_region *r = &stage->scene->regions[i];
+    murk_box box = stage->world.domain.box;
+    if (murk_extent_is_bounded(r)) {
+        return murk_extent_region(stage->scene, r, stage->grid[r->medium],
+                                  stage->region_mesh[i]);
+    }
+    const murk_scene_numbers *z = &stage->scene->media[r->medium].profile_z_m;
+    if (z->n > 0) {
+        box.min.z = fmax(box.min.z, z->value[0]);
+        box.max.z = fmin(box.max.z, z->value[z->n - 1]);
+    }
+    if (r->shape == MURK_SCENE_BELOW && r->below_z_m < box.max.z) {
+        box.max.z = r->below_z_m;
+    }
+    return box.min.z < box.max.z ? box : murk_box_empty();
+}
+
+static const murk_phase *phase_of(const murk_stage *stage, size_t medium,
+                                  int band)
+{
+    return &stage->phases->medium[medium][band];
+}
+
+/* A band's phase function, and of a table what normalising it told. */
+static cJSON *phase_json(const murk_stage *stage, size_t medium, int band)
+{
+    const murk_scene_medium *m = &stage->scene->media[medium];
+    const murk_phase *phase = phase_of(stage, medium, band);
+    cJSON *item = cJSON_CreateObject();
+    cJSON_AddStringToObject(item, "kind", murk_phases_kind(m, band));
+    cJSON_AddNumberToObject(item, "mean_cosine", murk_phase_mean_cosine(phase));
+    if (phase->table) {
+        const murk_phase_facts *facts = murk_phase_table_facts(phase->table);
+        cJSON_AddNumberToObject(item, "backward", facts->backward);
+        cJSON_AddNumberToObject(item, "integral", facts->integral);
+        cJSON_AddNumberToObject(item, "before_first", facts->before_first);
+        cJSON_AddNumberToObject(item, "behind_last", facts->behind_last);
+    }
+    return item;
+}
+
+static void add_phases(cJSON *item, const murk_stage *stage, size_t medium)
+{
+    const int bands = stage->scene->bands;
+    murk_spectrum mean = {{0}};
+    cJSON *list = cJSON_AddArrayToObject(item, "phase");
+    for (int band = 0; band < bands; ++band) {
+        mean.band[band] = murk_phase_mean_cosine(phase_of(stage, medium, band));
+        cJSON_AddItemToArray(list, phase_json(stage, medium, band));
+    }
+    murk_json_spectrum(item, "mean_cosine", &mean, bands);
+}
+
+static murk_spectrum profile_maximum(const murk_scene_medium *m)
+{
+    murk_spectrum most = {{0}};
+    for (size_t i = 0; i < m->profile_per_m.n; ++i) {
+        for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+            most.band[band] =
+                fmax(most.band[band], m->profile_per_m.value[i].band[band]);
+        }
+    }
+    return most;
+}
+
+static void add_profile(cJSON *item, const murk_scene_medium *m, int bands)
+{
+    const murk_scene_numbers *z = &m->profile_z_m;
+    const double ends[] = {z->value[0], z->value[z->n - 1]};
+    const murk_spectrum most = profile_maximum(m);
+    cJSON *profile = cJSON_AddObjectToObject(item, "profile");
+    cJSON_AddNumberToObject(profile, "heights", (double)z->n);
+    cJSON_AddItemToObject(profile, "z_m", cJSON_CreateDoubleArray(ends, 2));
+    murk_json_spectrum(profile, "maximum_per_m", &most, bands);
+}
+
+static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
+{
+    if (!grid) {
+        return;
+    }
+    const murk_grid_facts *facts = murk_grid_describe(grid);
+    cJSON *g = cJSON_AddObjectToObject(item, key);
+    cJSON_AddStringToObject(g, "name", facts->name);
+    cJSON_AddNumberToObject(g, "active_voxels", (double)facts->active);
+    cJSON_AddNumberToObject(g, "minimum", facts->minimum);
+    cJSON_AddNumberToObject(g, "maximum", facts->maximum);
+    cJSON_AddNumberToObject(g, "sum", facts->sum);
+    cJSON_AddItemToObject(g, "voxel_m",
+                          cJSON_CreateDoubleArray(facts->voxel_m, 3));
+}
+
+void murk_json_media(cJSON *root, const murk_stage *stage)
+{
+    const murk_scene *scene = stage->scene;
+    cJSON *media = cJSON_AddArrayToObject(root, "media");
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", m->name);
+        if (m->profile_z_m.n > 0) {
+            add_profile(item, m, scene->bands);
+        } else {
+            murk_json_spectrum(item, "extinction_per_m", &m->extinction_per_m,
+                               scene->bands);
+        }
+        if (!m->albedo_grid) {
+            murk_json_spectrum(item, "albedo", &m->albedo, scene->bands);
+        }
+        add_phases(item, stage, i);
+        add_grid(item, "grid", stage->fillings->grid[i]);
+        add_grid(item, "albedo_grid", stage->fillings->albedo[i]);
+        cJSON_AddItemToArray(media, item);
+    }
+    cJSON *regions = cJSON_AddArrayToObject(root, "regions");
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "medium", scene->media[r->medium].name);
+        const murk_box box = region_box(stage, i);
+        murk_json_box(item, "bounds", &box);
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            const murk_hull_facts mesh =
+                murk_hulls_describe(stage->hulls, (int)i);
+            cJSON_AddNumberToObject(item, "triangles", (double)mesh.triangles);
+            cJSON_AddNumberToObject(item, "crossings", (double)mesh.crossings);
+        }
+        if (r->ior > 0) {
+            cJSON_AddNumberToObject(item, "ior", r->ior);
+        }
+        if (r->wind_m_per_s > 0) {
+            cJSON_AddNumberToObject(item, "wind_m_per_s", r->wind_m_per_s);
+        }
+        cJSON_AddItemToArray(regions, item);
+    }
+}
+
+static void print_phase(const murk_stage *stage, size_t medium, int band)
+{
+    const murk_phase *phase = phase_of(stage, medium, band);
+    const char *kind = murk_phases_kind(&stage->scene->media[medium], band);
+    printf("%s, mean cosine %.6g", kind, murk_phase_mean_cosine(phase));
+    if (phase->table) {
+        printf(", %.4g backward",
+               murk_phase_table_facts(phase->table)->backward);
+    }
+    if (strcmp(kind, "table") == 0) {
+        const murk_phase_facts *facts = murk_phase_table_facts(phase->table);
+        printf(" (integral %.6g before it became 1; share before the first "
+               "row %.3g, behind the last %.3g)",
+               facts->integral, facts->before_first, facts->behind_last);
+    }
+}
+
+static bool is_same(const murk_phase *a, const murk_phase *b)
+{
+    return a->kind == b->kind && a->g == b->g && a->g2 == b->g2 &&
+           a->weight == b->weight && a->table == b->table;
+}
+
+/* One phase, or one a band where they differ. */
+static void print_phases(const murk_stage *stage, size_t medium)
+{
+    const murk_scene *scene = stage->scene;
+    bool are_equal = true;
+    for (int band = 1; band < scene->bands; ++band) {
+        are_equal = are_equal && is_same(phase_of(stage, medium, band),
+                                         phase_of(stage, medium, 0));
+    }
+    printf("phase       %s: ", scene->media[medium].name);
+    for (int band = 0; band < (are_equal ? 1 : scene->bands); ++band) {
+        if (!are_equal) {
+            printf("%s%.6g nm ", band ? "; " : "", scene->band_nm[band]);
+        }
+        print_phase(stage, medium, band);
+    }
+    printf("\n");
+}
+
+static void print_medium(const murk_stage *stage, size_t medium)
+{
+    const murk_scene_medium *m = &stage->scene->media[medium];
+    const murk_fillings *fillings = stage->fillings;
+    const murk_grid *grid = fillings->grid[medium];
+    const murk_grid *albedo = fillings->albedo[medium];
+    if (m->profile_z_m.n > 0) {
+        printf("medium      %s: %zu heights, %.4g to %.4g m, extinction up to "
+               "%.6g /m",
+               m->name, m->profile_z_m.n, m->profile_z_m.value[0],
+               m->profile_z_m.value[m->profile_z_m.n - 1],
+               profile_maximum(m).band[0]);
+    } else {
+        printf("medium      %s: extinction %.6g /m", m->name,
+               m->extinction_per_m.band[0]);
+    }
+    if (albedo) {
+        const murk_grid_facts *facts = murk_grid_describe(albedo);
+        printf(", albedo %.4g..%.4g by grid %s, %.4g elsewhere", facts->minimum,
+               facts->maximum, facts->name, facts->background);
+    } else {
+        printf(", albedo %.4g", m->albedo.band[0]);
+    }
+    if (grid) {
+        const murk_grid_facts *facts = murk_grid_describe(grid);
+        printf("; %sgrid %s: %llu voxels of %.4g m, density %.4g..%.4g",
+               m->is_linear ? "linear " : "", facts->name,
+               (unsigned long long)facts->active, facts->voxel_m[0],
+               facts->minimum, facts->maximum);
+    }
+}
+
+void murk_print_media(const murk_stage *stage)
+{
+    const murk_scene *scene = stage->scene;
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        print_medium(stage, i);
+        printf("%s\n", scene->bands > 1 ? " (first band)" : "");
+        print_phases(stage, i);
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        const murk_box box = region_box(stage, i);
+        printf("region      %s", scene->media[r->medium].name);
+        if (r->shape == MURK_SCENE_EVERYWHERE) {
+            printf(" everywhere");
+            if (scene->media[r->medium].profile_z_m.n > 0) {
+                printf(" at %.4g to %.4g m", box.min.z, box.max.z);
+            }
+        } else if (r->shape == MURK_SCENE_BELOW) {
+            printf(" below z = %.4g m", r->below_z_m);
+        } else {
+            printf(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
+                   box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
+        }
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            printf(", a mesh of %zu triangles",
+                   murk_hulls_describe(stage->hulls, (int)i).triangles);
+        }
+        if (r->ior > 0) {
+            printf(", index %.5g", r->ior);
+        }
+        if (r->wind_m_per_s > 0) {
+            printf(", waves of %.3g m/s wind", r->wind_m_per_s);
+        }
+        printf("\n");
+    }
+}
