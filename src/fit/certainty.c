@@ -1,0 +1,202 @@
+#include "fit/certainty.h"
+
+#include "fit/ceres_bridge.h"
+
+#include <assert.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Where nothing depends on a direction, rounding may still give it so much of a
+ * parameter that has no part in it; a parameter with no more is called free of
+ * it. Overlooked is then what moves a parameter by less than this share of its
+ * scale where the direction's others move by all of theirs. */
+#define SHARE_MIN 1.5e-8 /* sqrt(DBL_EPSILON), rounded up */
+
+/* The free parameters' columns, in units of their scales. */
+typedef struct scaled {
+    size_t n, rows;
+    size_t *parameter; /* [n] */
+    double *jacobian;  /* [rows][n] */
+    double *singular;  /* [n] */
+    double *direction; /* [n][n] */
+} scaled;
+
+static murk_status check(const double *jacobian, size_t rows, size_t n,
+                         const double *scale, double undetermined,
+                         murk_error *err)
+{
+    if (!(undetermined > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, "fit",
+                         "undetermined is %g, must be above 0", undetermined);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        if (!(scale[j] > 0 && isfinite(scale[j]))) {
+            return murk_fail(err, MURK_BAD_VALUE, "fit",
+                             "the scale of parameter %zu is %g, must be above "
+                             "0",
+                             j, scale[j]);
+        }
+        for (size_t i = 0; i < rows; ++i) {
+            const double slope = jacobian[i * n + j];
+            if (!isfinite(slope * scale[j])) {
+                return murk_fail(err, MURK_BAD_VALUE, "fit",
+                                 "row %zu depends on parameter %zu by %g, must "
+                                 "be finite",
+                                 i + 1, j, slope);
+            }
+        }
+    }
+    return MURK_OK;
+}
+
+static void scaled_release(scaled *s)
+{
+    free(s->parameter);
+    free(s->jacobian);
+    free(s->singular);
+    free(s->direction);
+}
+
+static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
+                                 size_t n, const bool *is_fixed,
+                                 const double *scale, murk_error *err)
+{
+    s->rows = rows;
+    s->parameter = calloc(n, sizeof *s->parameter);
+    s->jacobian = calloc(rows * n, sizeof *s->jacobian);
+    s->singular = calloc(n, sizeof *s->singular);
+    s->direction = calloc(n * n, sizeof *s->direction);
+    if (!s->parameter || !s->jacobian || !s->singular || !s->direction) {
+        return murk_fail(err, MURK_NO_MEMORY, "fit",
+                         "no memory for the errors of %zu parameters", n);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        if (!is_fixed || !is_fixed[j]) {
+            s->parameter[s->n++] = j;
+        }
+    }
+    for (size_t i = 0; i < rows; ++i) {
+        for (size_t k = 0; k < s->n; ++k) {
+            const size_t j = s->parameter[k];
+            s->jacobian[i * s->n + k] = jacobian[i * n + j] * scale[j];
+        }
+    }
+    return s->n ? murk_eigen_singular(s->singular, s->direction, s->jacobian,
+                                      rows, s->n, err)
+                : MURK_OK;
+}
+
+/* Singular values below this are rounding's. */
+static double rounding(const scaled *s)
+{
+    const size_t size = s->rows > s->n ? s->rows : s->n;
+    return s->n ? (double)size * DBL_EPSILON * s->singular[0] : 0;
+}
+
+static void read_directions(murk_certainty *out, const scaled *s,
+                            double undetermined)
+{
+    const double nothing = rounding(s);
+    out->directions = s->n;
+    for (size_t d = 0; d < s->n; ++d) {
+        out->direction_error[d] =
+            s->singular[d] > nothing ? 1 / s->singular[d] : INFINITY;
+        out->determined += out->direction_error[d] <= undetermined;
+        for (size_t k = 0; k < s->n; ++k) {
+            out->direction[d * out->n + s->parameter[k]] =
+                s->direction[d * s->n + k];
+        }
+    }
+}
+
+/* In scaled parameters; infinite where a direction without end has a share in
+ * either. */
+static double covariance_of(const murk_certainty *c, size_t i, size_t j)
+{
+    double sum = 0;
+    for (size_t d = 0; d < c->directions; ++d) {
+        const double a = c->direction[d * c->n + i];
+        const double b = c->direction[d * c->n + j];
+        const double error = c->direction_error[d];
+        if (isfinite(error)) {
+            sum += a * error * (b * error);
+        } else if (fabs(a) > SHARE_MIN || fabs(b) > SHARE_MIN) {
+            return INFINITY;
+        }
+    }
+    return sum;
+}
+
+static void read_errors(murk_certainty *out, const bool *is_fixed,
+                        const double *scale, double undetermined)
+{
+    const size_t n = out->n;
+    for (size_t j = 0; j < n; ++j) {
+        const bool is_free = !is_fixed || !is_fixed[j];
+        const double error = sqrt(covariance_of(out, j, j));
+        out->standard_error[j] =
+            is_free && error <= undetermined ? error * scale[j] : NAN;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t j = 0; j <= i; ++j) {
+            const double a = out->standard_error[i], b = out->standard_error[j];
+            double covariance = NAN, correlation = NAN;
+            if (isfinite(a) && isfinite(b)) {
+                covariance = covariance_of(out, i, j) * scale[i] * scale[j];
+                correlation = i == j ? 1 : covariance / (a * b);
+            }
+            out->covariance[i * n + j] = out->covariance[j * n + i] =
+                covariance;
+            out->correlation[i * n + j] = out->correlation[j * n + i] =
+                correlation;
+        }
+    }
+}
+
+murk_status murk_certainty_create(murk_certainty *out, const double *jacobian,
+                                  size_t rows, size_t n, const bool *is_fixed,
+                                  const double *scale, double undetermined,
+                                  murk_error *err)
+{
+    assert(out && jacobian && rows > 0 && n > 0 && scale);
+    murk_certainty c = {.n = n};
+    scaled s = {0};
+    murk_status status = check(jacobian, rows, n, scale, undetermined, err);
+    if (status) {
+        goto done;
+    }
+    status = scaled_create(&s, jacobian, rows, n, is_fixed, scale, err);
+    if (status) {
+        goto done;
+    }
+    c.covariance = calloc(n * n, sizeof *c.covariance);
+    c.correlation = calloc(n * n, sizeof *c.correlation);
+    c.standard_error = calloc(n, sizeof *c.standard_error);
+    c.direction = calloc(n * n, sizeof *c.direction);
+    c.direction_error = calloc(n, sizeof *c.direction_error);
+    if (!c.covariance || !c.correlation || !c.standard_error || !c.direction ||
+        !c.direction_error) {
+        status = murk_fail(err, MURK_NO_MEMORY, "fit",
+                           "no memory for the errors of %zu parameters", n);
+        goto done;
+    }
+    read_directions(&c, &s, undetermined);
+    read_errors(&c, is_fixed, scale, undetermined);
+    *out = c;
+    c = (murk_certainty){0};
+done:
+    murk_certainty_release(&c);
+    scaled_release(&s);
+    return status;
+}
+
+void murk_certainty_release(murk_certainty *certainty)
+{
+    free(certainty->covariance);
+    free(certainty->correlation);
+    free(certainty->standard_error);
+    free(certainty->direction);
+    free(certainty->direction_error);
+    *certainty = (murk_certainty){0};
+}
