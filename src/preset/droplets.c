@@ -14,9 +14,6 @@
 
 #define PI 3.141592653589793
 
-/* Share of the integrals that the ends leave out. */
-#define LEFT_OUT 1e-7
-
 /* A faint absorption narrows no resonance that this one leaves: what spheres
  * absorb is worked out for it and is in proportion to k below. Light caught in
  * resonances that are narrower still, which chance sizes would hit or miss, is
@@ -37,180 +34,6 @@
 
 /* Fewer spheres leave fringes in a phase function. */
 #define RADII_MIN 500
-
-murk_droplets murk_droplets_gamma(double effective_radius_um,
-                                  double effective_variance)
-{
-    assert(effective_radius_um > 0);
-    assert(effective_variance > 0 && effective_variance < 1. / 3);
-    return (murk_droplets){.a = 1 / effective_variance - 3,
-                           .b = 1 / (effective_radius_um * effective_variance),
-                           .c = 1};
-}
-
-/* Share of the gamma distribution of that order that lies below t: the series
- * t^order e^-t / Gamma(order + 1) (1 + t / (order + 1) + ...), all of one
- * sign. Where it is 1 to rounding, no more terms are asked for. */
-static double share_below(double order, double t)
-{
-    if (!(t < order + 40 + 12 * sqrt(order))) {
-        return 1;
-    }
-    double term = 1, sum = 1;
-    for (int i = 1; i < 10000 && term > 1e-17 * sum; ++i) {
-        term *= t / (order + i);
-        sum += term;
-    }
-    return fmin(1, sum * exp(order * log(t) - t - lgamma(order + 1)));
-}
-
-/* Share of all droplets that are counted. */
-static double counted(const murk_droplets *shape)
-{
-    const double t = shape->b * pow(MURK_COUNTED_FROM_UM, shape->c);
-    return 1 - share_below((shape->a + 1) / shape->c, t);
-}
-
-/* Mean of r^power over all droplets, counted or not. */
-static double moment(const murk_droplets *shape, double power)
-{
-    const double c = shape->c;
-    return exp(lgamma((shape->a + 1 + power) / c) - lgamma((shape->a + 1) / c) -
-               power / c * log(shape->b));
-}
-
-double murk_droplets_effective_radius_um(const murk_droplets *shape)
-{
-    return moment(shape, 3) / moment(shape, 2);
-}
-
-double murk_droplets_effective_variance(const murk_droplets *shape)
-{
-    const double third = moment(shape, 3);
-    return moment(shape, 4) * moment(shape, 2) / (third * third) - 1;
-}
-
-double murk_droplets_water_g_per_m3(const murk_droplets *shape)
-{
-    /* um3 in a cm3 are 1e-12 parts; a cubic metre of water is 1e6 g */
-    return 4 * PI / 3 * moment(shape, 3) / counted(shape) * 1e-12 * 1e6;
-}
-
-murk_status murk_droplets_check(const murk_droplets *shape, const char *where,
-                                murk_error *err)
-{
-    if (!(shape->a >= 0 && shape->a <= 40)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "the power of r is %g, must be 0..40", shape->a);
-    }
-    if (!(shape->c >= .1 && shape->c <= 6)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "the power of r in the exponential is %g, must be "
-                         "0.1..6",
-                         shape->c);
-    }
-    if (!(shape->b > 0 && isfinite(shape->b))) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "the factor in the exponential is %g, must be more "
-                         "than 0 [um^-%g]",
-                         shape->b, shape->c);
-    }
-    const double radius = murk_droplets_effective_radius_um(shape);
-    if (!(radius >= .05 && radius <= 50)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "the droplet sizes make an effective radius of %g, "
-                         "must be 0.05..50 um",
-                         radius);
-    }
-    const double variance = murk_droplets_effective_variance(shape);
-    if (!(variance >= .003 && variance <= 10)) {
-        return murk_fail(
-            err, MURK_BAD_VALUE, where,
-            "the droplet sizes make an effective variance of %g, must be "
-            "0.003..10",
-            variance);
-    }
-    if (!(counted(shape) >= .01)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "the droplet sizes leave %.2g of the droplets above a "
-                         "radius of %g um, "
-                         "from which they are counted; must be 0.01 or more",
-                         counted(shape), MURK_COUNTED_FROM_UM);
-    }
-    return MURK_OK;
-}
-
-/* The distribution times r^2 at size parameter x, for dr = r d(ln x). */
-typedef struct population {
-    murk_droplets shape;
-    double radius_um; /* of x = 1 */
-    double log_norm;
-} population;
-
-static double area_per_log(const population *p, double x)
-{
-    const double log_r = log(x * p->radius_um);
-    return exp(p->log_norm + (p->shape.a + 3) * log_r -
-               p->shape.b * exp(p->shape.c * log_r));
-}
-
-static population population_of(const murk_droplets *shape,
-                                double wavelength_nm)
-{
-    const double order = (shape->a + 1) / shape->c;
-    return (population){.shape = *shape,
-                        .radius_um = wavelength_nm / 1000 / (2 * PI),
-                        .log_norm = log(shape->c) + order * log(shape->b) -
-                                    lgamma(order) - log(counted(shape))};
-}
-
-/* What the ends are judged by: what a sphere takes from light and where it
- * sends it, without the fringes. Small ones scatter as x^4 and absorb as x;
- * large ones scatter forward as x^2. */
-static double weight_small(double x)
-{
-    return x / (1 + x);
-}
-
-static double weight_large(double x)
-{
-    return x * x * x * x / (1 + x * x);
-}
-
-/* The sizes that matter: those between which all but LEFT_OUT of the integral
- * lies, by the weight of each end. Scanned in equal steps of ln x, which is
- * safe as the integrand has one peak and is wider than 1/40 for every shape
- * that passes the check. */
-static void ends_of(const population *p, double *least, double *most)
-{
-    const double step = 1. / 64;
-    const int from = -64 * 14, to = 64 * 10; /* x 8e-7..2.2e4 */
-    double small = 0, large = 0;
-    for (int i = from; i <= to; ++i) {
-        const double x = exp(i * step), area = area_per_log(p, x);
-        small += area * weight_small(x);
-        large += area * weight_large(x);
-    }
-    int low = from, high = to;
-    double sum = 0;
-    for (; low < to; ++low) {
-        const double x = exp(low * step);
-        sum += area_per_log(p, x) * weight_small(x);
-        if (!(sum < LEFT_OUT * small)) {
-            break;
-        }
-    }
-    sum = 0;
-    for (; high > low + 1; --high) {
-        const double x = exp(high * step);
-        sum += area_per_log(p, x) * weight_large(x);
-        if (!(sum < LEFT_OUT * large)) {
-            break;
-        }
-    }
-    *least = fmax(exp(low * step), MURK_MIE_SIZE_MIN);
-    *most = fmin(exp(high * step), MURK_MIE_SIZE_MAX);
-}
 
 /* The nodes of one level: s = from, from + step, ... */
 typedef struct ladder {
@@ -257,7 +80,7 @@ typedef struct sums {
 
 typedef struct task {
     murk_mie *mie;
-    population population;
+    murk_droplet_population population;
     murk_mie_index index; /* k at least FAINT_K */
     double faint;         /* true k over that one */
     double most;          /* largest size parameter */
@@ -274,7 +97,7 @@ static void add_sphere(sums *total, const task *job, const ladder *nodes,
         return; /* rounding, or past the last step */
     }
     const double stretch = 1 / (1 + x / nodes->wide); /* d(ln x) / ds */
-    const double weight = PI * area_per_log(&job->population, x) * stretch;
+    const double weight = PI * murk_droplet_area(&job->population, x) * stretch;
     const murk_mie_sphere sphere = murk_mie_solve(job->mie, x, job->index);
     const double absorbed = sphere.absorption * job->faint;
     total->scattering += weight * (sphere.extinction - absorbed);
@@ -366,11 +189,11 @@ murk_status murk_droplets_solve(murk_droplet_optics *out,
     assert(out && shape && (angles == 0 || (mu && phase_per_sr)));
     assert(wavelength_nm >= 200 && wavelength_nm <= 20000);
     assert(tolerance >= 1e-4 && tolerance <= .1);
-    task job = {.population = population_of(shape, wavelength_nm),
+    task job = {.population = murk_droplet_population_of(shape, wavelength_nm),
                 .index = {index.n, fmax(index.k, FAINT_K)}};
     job.faint = index.k / job.index.k;
     double least;
-    ends_of(&job.population, &least, &job.most);
+    murk_droplet_ends(&job.population, &least, &job.most);
     murk_status status = murk_mie_create(&job.mie, job.most, err);
     if (status) {
         return status;
