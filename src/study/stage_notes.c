@@ -1,6 +1,7 @@
 #include "study/stage_notes.h"
 
 #include "base/log.h"
+#include "study/dark.h"
 #include "study/extent.h"
 #include "study/winds.h"
 
@@ -114,7 +115,9 @@ static void note_of_dark(const murk_stage *stage)
     if (murk_lights_lit(stage->lights) == 0) {
         murk_note(scene->where[0] ? scene->where : scene->path,
                   "it is dark: no light has any power, so nothing is emitted, "
-                  "tallies are 0 and coverage is null");
+                  "tallies are 0 and %s",
+                  murk_plan_is_dark(stage) ? "coverage is null"
+                                           : "coverage is of the targets");
     }
 }
 

@@ -267,6 +267,8 @@ def test_dark_rows_with_targets(f):
     plan = f.json("place/plan.json")["coverage"]
     check(number(table[1], "coverage_best") ==
           (plan["held_out"], plan["held_out_standard_error"]), table[1], plan)
+    note = f.json("targets/study.json")["rows"][1]["note"]
+    check("coverage is of the targets" in note and "null" not in note, note)
 
 
 def test_threads(f):
