@@ -12,10 +12,11 @@ static void note_to_stderr(const char *where, const char *text)
 }
 
 static murk_warn_sink current = murk_warn_to_stderr;
+static _Thread_local bool is_hushed;
 
 void murk_warn(const char *where, const char *format, ...)
 {
-    if (!current) {
+    if (!current || is_hushed) {
         return;
     }
     char text[TEXT_SIZE];
@@ -28,7 +29,7 @@ void murk_warn(const char *where, const char *format, ...)
 
 void murk_note(const char *where, const char *format, ...)
 {
-    if (!current) {
+    if (!current || is_hushed) {
         return;
     }
     char text[TEXT_SIZE];
@@ -43,6 +44,13 @@ void murk_note(const char *where, const char *format, ...)
 void murk_warn_to(murk_warn_sink sink)
 {
     current = sink;
+}
+
+bool murk_warn_hush(bool is_silent)
+{
+    const bool before = is_hushed;
+    is_hushed = is_silent;
+    return before;
 }
 
 void murk_warn_to_stderr(const char *where, const char *text)

@@ -3,6 +3,8 @@
 #ifndef MURK_BASE_LOG_H
 #define MURK_BASE_LOG_H
 
+#include <stdbool.h>
+
 /* One line: "murk: warning: WHERE: TEXT" on standard error by default. */
 void murk_warn(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
@@ -16,5 +18,9 @@ void murk_note(const char *where, const char *format, ...)
 typedef void (*murk_warn_sink)(const char *where, const char *text);
 void murk_warn_to(murk_warn_sink sink);
 void murk_warn_to_stderr(const char *where, const char *text);
+
+/* Whether this thread keeps silent: of what is read a second time, all has been
+ * said. Gives back what held before. */
+bool murk_warn_hush(bool is_silent);
 
 #endif

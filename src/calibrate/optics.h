@@ -2,8 +2,8 @@
  * and phase function in each band, and its lights' power; and how these change
  * with a parameter.
  *
- * Derivatives are central differences of the scene's own laws, which have no
- * noise: off by some 1e-9 of themselves. */
+ * Derivatives are differences of the scene's own laws, which have no noise:
+ * murk_free_key_around() says how far apart. */
 #ifndef MURK_CALIBRATE_OPTICS_H
 #define MURK_CALIBRATE_OPTICS_H
 
@@ -15,16 +15,22 @@
 typedef struct murk_optics {
     size_t media, channels; /* channel: light * bands + band */
     int bands;
-    murk_spectrum *extinction_per_m; /* [media] times density */
-    murk_spectrum *albedo;           /* [media] */
+    murk_spectrum *extinction_per_m; /* [media] times density; 1 where a profile
+                                        says it */
+    murk_spectrum *albedo;           /* [media]; 0 where it is a grid */
     murk_phases *phases;             /* phases->medium[media][band] */
-    double *power_w;                 /* [channels] */
+    double *power_w;                 /* [channels]; all 0: it is dark */
     murk_scene *scene;               /* owned: what it was read from */
 } murk_optics;
 
-/* Takes the scene over, also on failure. *out is the caller's. */
+/* Takes the scene over, also on failure. Says no warnings: those are the
+ * stage's to say. *out is the caller's. */
 murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
                                const murk_domain *domain, murk_error *err);
 void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
+
+/* Whether a medium turns light alike in a band of both, to rounding. */
+bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,
+                            size_t medium, int band);
 
 #endif

@@ -1,0 +1,324 @@
+#include "calibrate/free_keys.h"
+
+#include "base/log.h"
+#include "calibrate/free_parts.h"
+#include "calibrate/key_bounds.h"
+#include "calibrate/key_range.h"
+#include "calibrate/turned.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Trees of numbers made here name the option, not a line of the scene. */
+#define SOURCE "--free"
+
+/* What a key is changed by to see what it does, as a share of its size. */
+#define PROBE 1e-3
+
+/* Of differences; see free_keys.h. */
+#define STEP       1e-5
+#define STEP_TABLE 2e-2
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, SOURCE, "no memory for free keys");
+}
+
+static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
+                        const char *text)
+{
+    return murk_fail(err, MURK_BAD_VALUE, keys->spot[k].source, "%s", text);
+}
+
+/* ---- places ---- */
+
+/* Where key k is in condition c, for which it may be meant. */
+static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
+                            const murk_yaml *root, bool *is_first,
+                            murk_error *err)
+{
+    murk_free_spot *spot = &keys->spot[k];
+    murk_free_key *key = &keys->key[k];
+    murk_key_place place;
+    murk_key_range range;
+    murk_status status =
+        murk_key_place_find(&place, root, key->path, spot->source, err);
+    if (!status && *is_first) {
+        status =
+            murk_key_range_of(&range, &place, key->path, spot->source, err);
+    }
+    if (status) {
+        return status;
+    }
+    spot->is_in[c] = true;
+    if (place.list) {
+        spot->list[c] = murk_yaml_copy(place.list);
+        spot->index = place.index;
+        spot->put[place.put] = '\0';
+        if (!spot->list[c]) {
+            return no_memory(err);
+        }
+    }
+    if (*is_first) {
+        key->start = place.value;
+        key->lower = range.lower;
+        key->upper = range.upper;
+        key->is_log = range.is_log;
+        *is_first = false;
+    }
+    return MURK_OK;
+}
+
+static void tell_absence(const murk_free_keys *keys, size_t k)
+{
+    for (size_t c = 0; c < keys->conditions; ++c) {
+        const bool is_meant = keys->key[k].condition == SIZE_MAX;
+        if (is_meant && !keys->spot[k].is_in[c]) {
+            murk_note(keys->spot[k].source,
+                      "%s has no such key: its readings have no say in it",
+                      keys->condition_name[c][0] ? keys->condition_name[c]
+                                                 : "the scene as it stands");
+        }
+    }
+}
+
+/* The resolved scene of each condition, as a tree. */
+static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t c = 0; c < keys->conditions && !status; ++c) {
+        murk_scene *scene = NULL;
+        status = murk_free_spot_scene(&scene, keys, c, NULL, err);
+        if (!status) {
+            status = murk_yaml_parse(&root[c], scene->resolved,
+                                     strlen(scene->resolved), SOURCE, err);
+        }
+        murk_scene_destroy(scene);
+    }
+    return status;
+}
+
+static murk_status place_key(murk_free_keys *keys, size_t k,
+                             murk_yaml *const *root, murk_error *err)
+{
+    murk_error first = {0};
+    bool is_first = true;
+    for (size_t c = 0; c < keys->conditions; ++c) {
+        const size_t own = keys->key[k].condition;
+        murk_error told = {0};
+        if (own != SIZE_MAX && own != c) {
+            continue;
+        }
+        const murk_status status =
+            place_in(keys, k, c, root[c], &is_first, &told);
+        if (status == MURK_NO_MEMORY) {
+            return no_memory(err);
+        }
+        first = status && !first.status ? told : first;
+    }
+    if (is_first) { /* nowhere */
+        return murk_fail(err, first.status, first.where, "%s", first.text);
+    }
+    tell_absence(keys, k);
+    return MURK_OK;
+}
+
+static murk_status place_all(murk_free_keys *keys, murk_error *err)
+{
+    murk_yaml **root = calloc(keys->conditions + 1, sizeof *root);
+    murk_status status = root ? read_trees(root, keys, err) : no_memory(err);
+    for (size_t k = 0; k < keys->n && !status; ++k) {
+        status = keys->key[k].gain != SIZE_MAX
+                     ? murk_free_place_gain(keys, k, err)
+                     : place_key(keys, k, root, err);
+    }
+    for (size_t c = 0; root && c < keys->conditions; ++c) {
+        murk_yaml_destroy(root[c]);
+    }
+    free(root);
+    return status;
+}
+
+/* ---- kinds ---- */
+
+/* What changes of a key are measured by. */
+static double size_of(const murk_free_key *key, double value)
+{
+    const double range = key->upper - key->lower;
+    return key->is_log ? value : fmax(fabs(value), fmin(1, range));
+}
+
+static void around(const murk_free_key *key, double step, double value,
+                   double *low, double *high)
+{
+    const double h = step * size_of(key, value);
+    const double below = value - key->lower, above = key->upper - value;
+    const double even = fmin(fmin(below, above), h);
+    if (even > h / 4) {
+        *low = value - even;
+        *high = value + even;
+    } else if (above >= below) {
+        *low = value;
+        *high = fmin(value + h, key->upper);
+    } else {
+        *low = fmax(value - h, key->lower);
+        *high = value;
+    }
+}
+
+/* Of key k in condition c: what differs between the start and a value beside
+ * it. */
+static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
+                         size_t c, double *value, const murk_optics *base,
+                         murk_error *err)
+{
+    murk_optics *moved = NULL;
+    double low, high;
+    around(&keys->key[k], PROBE, value[k], &low, &high);
+    const double start = value[k];
+    value[k] = high > start ? high : low;
+    murk_status status = murk_free_optics(&moved, keys, c, value, err);
+    value[k] = start;
+    if (status) {
+        return status;
+    }
+    status = murk_turned_add(turned, base, moved, err);
+    char nothing[96];
+    if (!status && !turned->world &&
+        murk_turned_from_nothing(nothing, sizeof nothing, base, moved)) {
+        status = murk_fail(err, MURK_BAD_VALUE, keys->spot[k].source,
+                           "%s has no extinction, scattering or power at the "
+                           "start, and nothing cannot be re-weighted: must "
+                           "start above 0, by --set %s=VALUE",
+                           nothing, keys->key[k].path);
+    }
+    murk_optics_destroy(moved);
+    return status;
+}
+
+static murk_status tell_kind(murk_free_keys *keys, size_t k,
+                             const murk_turned *turned, murk_error *err)
+{
+    murk_free_key *key = &keys->key[k];
+    if (!turned->world && !turned->optics && !turned->power) {
+        return fail(keys, k, err,
+                    "changes nothing in the light of the scene, must be a key "
+                    "that does");
+    }
+    key->kind = turned->world || (turned->optics && turned->power)
+                    ? MURK_FREE_WORLD
+                : turned->optics ? MURK_FREE_MEDIUM
+                                 : MURK_FREE_LIGHT;
+    key->turns_phase = key->kind == MURK_FREE_MEDIUM && turned->phase;
+    keys->spot[k].step = turned->tables ? STEP_TABLE : STEP;
+    return MURK_OK;
+}
+
+static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
+{
+    double *value = calloc(keys->n + 1, sizeof *value);
+    murk_turned *turned = calloc(keys->n + 1, sizeof *turned);
+    murk_status status = value && turned ? MURK_OK : no_memory(err);
+    for (size_t k = 0; k < keys->n && !status; ++k) {
+        value[k] = keys->key[k].start;
+    }
+    for (size_t c = 0; c < keys->conditions && !status; ++c) {
+        murk_optics *base = NULL;
+        status = murk_free_optics(&base, keys, c, value, err);
+        for (size_t k = 0; k < keys->n && !status; ++k) {
+            if (keys->spot[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
+                status = probe(&turned[k], keys, k, c, value, base, err);
+            }
+        }
+        murk_optics_destroy(base);
+    }
+    for (size_t k = 0; k < keys->n && !status; ++k) {
+        if (keys->key[k].gain == SIZE_MAX) {
+            status = tell_kind(keys, k, &turned[k], err);
+        }
+    }
+    free(value);
+    free(turned);
+    return status;
+}
+
+/* ---- all ---- */
+
+static murk_status check_count(const murk_free_keys *keys, murk_error *err)
+{
+    const murk_measurements *m = keys->desc.measured;
+    if (keys->n == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, SOURCE,
+                         "no keys, must be one or more");
+    }
+    return keys->n <= m->rows - m->held_out
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, m->path,
+                           "%zu rows to be fitted (%zu held out) for %zu "
+                           "parameters, must be as many or more",
+                           m->rows - m->held_out, m->held_out, keys->n);
+}
+
+murk_status murk_free_keys_create(murk_free_keys **out,
+                                  const murk_free_desc *desc, murk_error *err)
+{
+    murk_free_keys *keys = calloc(1, sizeof *keys);
+    if (!keys) {
+        return no_memory(err);
+    }
+    keys->desc = *desc;
+    murk_status status = murk_free_find_conditions(keys, err);
+    if (status || (status = murk_free_add_all(keys, err)) ||
+        (status = place_all(keys, err)) ||
+        (status = murk_free_check_gains(keys, err)) ||
+        (status = murk_key_bounds_apply(keys, err)) ||
+        (status = check_count(keys, err)) || (status = find_kinds(keys, err))) {
+        murk_free_keys_destroy(keys);
+        return status;
+    }
+    *out = keys;
+    return MURK_OK;
+}
+
+void murk_free_keys_destroy(murk_free_keys *keys)
+{
+    if (keys) {
+        for (size_t k = 0; k < keys->n; ++k) {
+            murk_free_spot_release(&keys->spot[k], keys->conditions);
+        }
+        free(keys->spot);
+        free(keys->key);
+        free(keys->condition);
+        free(keys->condition_name);
+        free(keys);
+    }
+}
+
+murk_status murk_free_scene(murk_scene **out, const murk_free_keys *keys,
+                            size_t c, const double *value, murk_error *err)
+{
+    return murk_free_spot_scene(out, keys, c, value, err);
+}
+
+murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
+                             size_t c, const double *value, murk_error *err)
+{
+    murk_scene *scene = NULL;
+    const murk_status status =
+        murk_free_spot_scene(&scene, keys, c, value, err);
+    return status ? status
+                  : murk_optics_create(out, scene, keys->desc.domain, err);
+}
+
+bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c)
+{
+    return keys->spot[k].is_in[c];
+}
+
+void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
+                          double *low, double *high)
+{
+    around(&keys->key[k], keys->spot[k].step, value, low, high);
+}

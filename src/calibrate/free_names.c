@@ -1,0 +1,259 @@
+#include "calibrate/free_parts.h"
+
+#include "base/log.h"
+#include "scene/words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EACH   "@each"
+#define GAIN   "gain."
+#define SOURCE "--free"
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, SOURCE, "no memory for free keys");
+}
+
+static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
+                        const char *text)
+{
+    return murk_fail(err, MURK_BAD_VALUE, keys->spot[k].source, "%s", text);
+}
+
+/* ---- conditions ---- */
+
+/* Those of the data, and the file's checksum. */
+murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
+{
+    const murk_free_desc *desc = &keys->desc;
+    const murk_measurements *m = desc->measured;
+    murk_scene *scene = NULL;
+    bool is_used[MURK_SCENE_CONDITIONS_MAX + 1] = {false}; /* [0]: none */
+    const bool was_silent = murk_warn_hush(true);
+    const murk_status status = murk_scene_read(
+        &scene, desc->scene_path, desc->overrides, desc->n_overrides, err);
+    murk_warn_hush(was_silent);
+    if (status) {
+        return status;
+    }
+    for (size_t i = 0; i < m->readings; ++i) {
+        const size_t c = m->reading[i].condition;
+        is_used[c < scene->n_conditions ? c + 1 : 0] = true;
+    }
+    keys->condition = calloc(scene->n_conditions + 1, sizeof *keys->condition);
+    keys->condition_name =
+        calloc(scene->n_conditions + 1, sizeof *keys->condition_name);
+    const bool is_whole = keys->condition && keys->condition_name;
+    for (size_t i = 0; is_whole && i <= scene->n_conditions; ++i) {
+        if (is_used[i]) {
+            const size_t c = keys->conditions++;
+            keys->condition[c] = i - 1; /* SIZE_MAX of none */
+            if (i > 0) {
+                memcpy(keys->condition_name[c], scene->conditions[i - 1].name,
+                       sizeof keys->condition_name[c]);
+            }
+        }
+    }
+    memcpy(keys->sha256, scene->sha256, sizeof keys->sha256);
+    murk_scene_destroy(scene);
+    return is_whole ? MURK_OK : no_memory(err);
+}
+
+/* ---- names ---- */
+
+static const char *condition_text(const murk_free_keys *keys, size_t c)
+{
+    return keys->condition_name[c][0] ? keys->condition_name[c] : "scene";
+}
+
+static murk_status add(murk_free_keys *keys, const char *name, const char *path,
+                       size_t condition, size_t gain, murk_error *err)
+{
+    for (size_t k = 0; k < keys->n; ++k) {
+        const murk_free_key *other = &keys->key[k];
+        if (other->gain == gain && strcmp(other->path, path) == 0 &&
+            (other->condition == condition || other->condition == SIZE_MAX ||
+             condition == SIZE_MAX)) {
+            return fail(keys, k, err, "asked for twice");
+        }
+    }
+    if (keys->n == MURK_FREE_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, SOURCE,
+                         "more than %d parameters, the most there may be",
+                         MURK_FREE_MAX);
+    }
+    murk_free_key *key = &keys->key[keys->n];
+    *key = (murk_free_key){.condition = condition, .gain = gain};
+    snprintf(key->name, sizeof key->name, "%s", name);
+    snprintf(key->path, sizeof key->path, "%s", path);
+    murk_free_spot *spot = &keys->spot[keys->n++];
+    spot->put = strdup(path);
+    return murk_free_spot_make(spot, name, keys->conditions) && spot->put
+               ? MURK_OK
+               : no_memory(err);
+}
+
+static murk_status add_gain(murk_free_keys *keys, const char *asked,
+                            murk_error *err)
+{
+    const murk_measurements *m = keys->desc.measured;
+    const char *name = asked + strlen(GAIN), *known[MURK_READING_GAINS_MAX];
+    char where[120], shown[64];
+    for (size_t g = 0; g < m->gains; ++g) {
+        if (strcmp(m->gain[g], name) == 0) {
+            return add(keys, asked, "", SIZE_MAX, g, err);
+        }
+        known[g] = m->gain[g];
+    }
+    murk_words_show(shown, sizeof shown, name);
+    snprintf(where, sizeof where, SOURCE " " GAIN "%s", shown);
+    const char *meant = murk_words_meant(name, known, m->gains);
+    return murk_fail(err, MURK_BAD_VALUE, where,
+                     "no reading of %.200s names this factor%s%s%s", m->path,
+                     meant ? ", did you mean " : "", meant ? meant : "",
+                     meant ? "?" : "");
+}
+
+/* Keys that a fit may move. */
+static murk_status check_part(const char *path, const char *where,
+                              murk_error *err)
+{
+    static const char *const parts[] = {"media", "regions", "lights", "site"};
+    char first[40] = "", shown[64];
+    const size_t length = strcspn(path, ".");
+    for (size_t i = 0; i < 4; ++i) {
+        if (length == strlen(parts[i]) &&
+            strncmp(path, parts[i], length) == 0) {
+            return MURK_OK;
+        }
+    }
+    snprintf(first, sizeof first, "%.*s", (int)(length < 39 ? length : 39),
+             path);
+    const char *meant = murk_words_meant(first, parts, 4);
+    murk_words_show(shown, sizeof shown, first);
+    return meant
+               ? murk_fail(err, MURK_BAD_VALUE, where,
+                           "no %s in the scene, did you mean %s?", shown, meant)
+               : murk_fail(err, MURK_BAD_VALUE, where,
+                           "a key of %s, must be of media, regions, lights "
+                           "or site",
+                           shown[0] ? shown : "nothing");
+}
+
+static murk_status add_key(murk_free_keys *keys, const char *asked,
+                           murk_error *err)
+{
+    char path[sizeof keys->key->path], name[sizeof keys->key->name];
+    char where[200], shown[160];
+    const char *at = strrchr(asked, '@');
+    const size_t length = at ? (size_t)(at - asked) : strlen(asked);
+    murk_words_show(shown, sizeof shown, asked);
+    snprintf(where, sizeof where, SOURCE " %s", shown);
+    if (length >= sizeof path) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a key of %zu bytes, must be at most %zu", length,
+                         sizeof path - 1);
+    }
+    if (at && strcmp(at, EACH) != 0) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%.40s behind the key, must be " EACH
+                         " (one value for each condition) or nothing",
+                         at);
+    }
+    memcpy(path, asked, length);
+    path[length] = '\0';
+    murk_status status = check_part(path, where, err);
+    if (!at && !status) {
+        status = add(keys, path, path, SIZE_MAX, SIZE_MAX, err);
+    }
+    for (size_t c = 0; at && c < keys->conditions && !status; ++c) {
+        snprintf(name, sizeof name, "%s@%s", path, condition_text(keys, c));
+        status = add(keys, name, path, c, SIZE_MAX, err);
+    }
+    return status;
+}
+
+murk_status murk_free_add_all(murk_free_keys *keys, murk_error *err)
+{
+    const murk_free_desc *desc = &keys->desc;
+    murk_status status = MURK_OK;
+    keys->key = calloc(MURK_FREE_MAX, sizeof *keys->key);
+    keys->spot = calloc(MURK_FREE_MAX, sizeof *keys->spot);
+    if (!keys->key || !keys->spot) {
+        return no_memory(err);
+    }
+    for (size_t i = 0; i < desc->n_asked && !status; ++i) {
+        const bool is_gain = strncmp(desc->asked[i], GAIN, strlen(GAIN)) == 0;
+        status = is_gain ? add_gain(keys, desc->asked[i], err)
+                         : add_key(keys, desc->asked[i], err);
+    }
+    return status;
+}
+
+/* ---- gains ---- */
+
+/* The first reading of a gain, of all or of those to be fitted. */
+static const murk_reading *reading_of(const murk_measurements *m, size_t gain,
+                                      bool is_fitted)
+{
+    for (size_t i = 0; i < m->readings; ++i) {
+        if (m->reading[i].gain == gain &&
+            !(is_fitted && m->reading[i].is_held_out)) {
+            return &m->reading[i];
+        }
+    }
+    return NULL;
+}
+
+murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
+                                 murk_error *err)
+{
+    const murk_measurements *m = keys->desc.measured;
+    murk_free_key *key = &keys->key[k];
+    key->kind = MURK_FREE_GAIN;
+    key->start = 1;
+    key->lower = 0;
+    key->upper = INFINITY;
+    for (size_t c = 0; c < keys->conditions; ++c) {
+        for (size_t i = 0; i < m->readings; ++i) {
+            keys->spot[k].is_in[c] |=
+                m->reading[i].gain == key->gain &&
+                m->reading[i].condition == keys->condition[c];
+        }
+    }
+    return reading_of(m, key->gain, true)
+               ? MURK_OK
+               : fail(keys, k, err,
+                      "all readings of this factor are held out, must be one "
+                      "or more to be fitted");
+}
+
+/* Relative light says nothing of its size. */
+murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
+{
+    const murk_measurements *m = keys->desc.measured;
+    for (size_t g = 0; g < m->gains; ++g) {
+        const murk_reading *reading = reading_of(m, g, false);
+        bool is_free = false;
+        for (size_t k = 0; k < keys->n; ++k) {
+            is_free = is_free || keys->key[k].gain == g;
+        }
+        const bool is_light = reading->kind == MURK_READ_FLUENCE ||
+                              reading->kind == MURK_READ_IRRADIANCE;
+        const bool is_relative = reading->unit == MURK_UNIT_RELATIVE ||
+                                 reading->unit == MURK_UNIT_PERCENT;
+        if (!is_free && is_light && is_relative) {
+            char where[320];
+            snprintf(where, sizeof where, "%.250s:%zu: gain", m->path,
+                     reading->line);
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "light in %s by factor %s, which is not free: "
+                             "must be, by --free " GAIN "%s",
+                             murk_reading_unit_name(reading->unit), m->gain[g],
+                             m->gain[g]);
+        }
+    }
+    return MURK_OK;
+}

@@ -1,0 +1,135 @@
+#include "calibrate/free_parts.h"
+
+#include "base/log.h"
+#include "scene/number.h"
+#include "scene/variant.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool murk_free_spot_make(murk_free_spot *spot, const char *name,
+                         size_t conditions)
+{
+    const size_t size = strlen(name) + sizeof "--free ";
+    spot->source = malloc(size);
+    spot->is_in = calloc(conditions + 1, sizeof *spot->is_in);
+    spot->list = calloc(conditions + 1, sizeof *spot->list);
+    if (spot->source) {
+        snprintf(spot->source, size, "--free %s", name);
+    }
+    return spot->source && spot->is_in && spot->list;
+}
+
+void murk_free_spot_release(murk_free_spot *spot, size_t conditions)
+{
+    for (size_t c = 0; spot->list && c < conditions; ++c) {
+        murk_yaml_destroy(spot->list[c]);
+    }
+    free(spot->list);
+    free(spot->is_in);
+    free(spot->source);
+    free(spot->put);
+}
+
+static murk_status no_memory(const murk_free_keys *keys, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, keys->desc.scene_path,
+                     "no memory for a variant of the scene");
+}
+
+typedef struct changes {
+    murk_change *change; /* [n] */
+    murk_yaml **node;    /* [n] owned: their values */
+    size_t n;
+} changes;
+
+static void release(changes *all)
+{
+    for (size_t i = 0; all->node && i < all->n; ++i) {
+        murk_yaml_destroy(all->node[i]);
+    }
+    free(all->node);
+    free(all->change);
+}
+
+static bool set_number(murk_yaml *node, double value)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_number_print(text, value);
+    return murk_yaml_set_text(node, text);
+}
+
+/* The list that an earlier key of the same one has put, or NULL. */
+static murk_yaml *find_list(const changes *all, const char *put)
+{
+    for (size_t i = 0; i < all->n; ++i) {
+        if (strcmp(all->change[i].path, put) == 0) {
+            return all->node[i];
+        }
+    }
+    return NULL;
+}
+
+static bool add_change(changes *all, const murk_free_spot *spot, size_t c,
+                       double value)
+{
+    const murk_yaml *list = spot->list[c];
+    murk_yaml *there = list ? find_list(all, spot->put) : NULL;
+    if (there) {
+        return set_number(there->child[spot->index], value);
+    }
+    murk_yaml *node = list ? murk_yaml_copy(list)
+                           : murk_yaml_make(MURK_YAML_SCALAR, spot->source);
+    if (!node) {
+        return false;
+    }
+    all->node[all->n] = node;
+    all->change[all->n++] =
+        (murk_change){.path = spot->put, .value = node, .where = spot->source};
+    return set_number(list ? node->child[spot->index] : node, value);
+}
+
+static murk_status check_file(const murk_free_keys *keys,
+                              const murk_scene *scene, murk_error *err)
+{
+    return keys->sha256[0] == '\0' || strcmp(keys->sha256, scene->sha256) == 0
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_FILE, keys->desc.scene_path,
+                           "changed while it was fitted, must stay as it is");
+}
+
+murk_status murk_free_spot_scene(murk_scene **out, const murk_free_keys *keys,
+                                 size_t c, const double *value, murk_error *err)
+{
+    const murk_free_desc *desc = &keys->desc;
+    changes all = {calloc(keys->n + 1, sizeof *all.change),
+                   calloc(keys->n + 1, sizeof *all.node), 0};
+    bool is_whole = all.change && all.node;
+    for (size_t k = 0; is_whole && value && k < keys->n; ++k) {
+        if (keys->spot[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
+            is_whole = add_change(&all, &keys->spot[k], c, value[k]);
+        }
+    }
+    const murk_variant variant = {
+        keys->condition_name[c][0] ? keys->condition_name[c] : NULL, all.change,
+        all.n};
+    murk_scene *scene = NULL;
+    const bool was_silent = murk_warn_hush(true);
+    murk_status status =
+        is_whole
+            ? murk_scene_read_variant(&scene, desc->scene_path, desc->overrides,
+                                      desc->n_overrides, &variant, err)
+            : no_memory(keys, err);
+    murk_warn_hush(was_silent);
+    if (!status) {
+        status = check_file(keys, scene, err);
+    }
+    release(&all);
+    if (status) {
+        murk_scene_destroy(scene);
+        return status;
+    }
+    *out = scene;
+    return MURK_OK;
+}

@@ -1,0 +1,246 @@
+#include "calibrate/key_place.h"
+
+#include "scene/number.h"
+#include "scene/words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define NAMES_MAX 400
+
+/* Where a path has come to. `row` is of the present node; in_item: the node is
+ * an item of the row's list or one of its names, so its keys are the row's. */
+typedef struct spot {
+    const murk_yaml *node;
+    const murk_key *row;
+    bool in_item;
+} spot;
+
+typedef struct finding {
+    const char *path, *at; /* the part to be found next */
+    const char *where;
+    murk_error *err;
+} finding;
+
+static murk_status fail(const finding *f, const char *text)
+{
+    return murk_fail(f->err, MURK_BAD_VALUE, f->where, "%s", text);
+}
+
+/* The path up to here, for messages. */
+static void shown_so_far(const finding *f, char *out, size_t size)
+{
+    char part[200];
+    size_t n = (size_t)(f->at - f->path);
+    n = n > 0 ? n - 1 : 0;
+    snprintf(part, sizeof part, "%.*s", (int)n, f->path);
+    murk_words_show(out, size, n ? part : "the scene");
+}
+
+static bool is_map_row(const spot *at)
+{
+    return !at->row || at->in_item || at->row->kind == MURK_KEY_MAP ||
+           at->row->kind == MURK_KEY_PER_BAND ||
+           at->row->kind == MURK_KEY_SPECTRUM;
+}
+
+static const murk_keys *keys_of(const spot *at)
+{
+    return at->row ? at->row->keys : &murk_scene_keys;
+}
+
+static murk_status unknown(const finding *f, const spot *at, const char *part)
+{
+    const char *names[NAMES_MAX];
+    char owner[120], shown[64], text[400];
+    size_t n = 0;
+    const murk_keys *keys = is_map_row(at) ? keys_of(at) : NULL;
+    shown_so_far(f, owner, sizeof owner);
+    murk_words_show(shown, sizeof shown, part);
+    if (keys && murk_keys_find(keys, part)) {
+        snprintf(text, sizeof text,
+                 "%s has no %s to start from, must be in the scene, or given "
+                 "by --set",
+                 owner, shown);
+        return fail(f, text);
+    }
+    for (size_t i = 0; i < at->node->n && n < NAMES_MAX; ++i) {
+        names[n++] = at->node->key[i];
+    }
+    for (const murk_key *k = keys ? keys->key : NULL;
+         k && k->name && n < NAMES_MAX; ++k) {
+        names[n++] = k->name;
+    }
+    const char *meant = murk_words_meant(part, names, n);
+    snprintf(text, sizeof text, "no %s in %s%s%.60s%s", shown, owner,
+             meant ? ", did you mean " : "", meant ? meant : "",
+             meant ? "?" : "");
+    return fail(f, text);
+}
+
+/* Bytes of the next part: a name that holds dots is taken whole. */
+static size_t part_length(const spot *at, const char *path)
+{
+    size_t length = strcspn(path, ".");
+    const murk_yaml *map = at->node;
+    for (size_t i = 0; map->kind == MURK_YAML_MAP && i < map->n; ++i) {
+        const size_t n = strlen(map->key[i]);
+        if (n > length && strncmp(path, map->key[i], n) == 0 &&
+            (path[n] == '.' || path[n] == '\0')) {
+            length = n;
+        }
+    }
+    return length;
+}
+
+static murk_status step_map(const finding *f, spot *at, const char *part)
+{
+    const murk_yaml *child = murk_yaml_get(at->node, part);
+    if (!child) {
+        return unknown(f, at, part);
+    }
+    at->node = child;
+    if (is_map_row(at)) {
+        const murk_keys *keys = keys_of(at);
+        at->row = keys ? murk_keys_find(keys, part) : NULL;
+        at->in_item = false;
+    } else {
+        at->in_item = true; /* one of its names */
+    }
+    return MURK_OK;
+}
+
+static murk_status step_list(const finding *f, spot *at, const char *part)
+{
+    uint64_t index;
+    char owner[120], shown[64], text[300];
+    if (!murk_count_parse(part, &index) || index >= at->node->n) {
+        shown_so_far(f, owner, sizeof owner);
+        murk_words_show(shown, sizeof shown, part);
+        snprintf(text, sizeof text,
+                 "item %s of %s, a list of %zu, must be 0..%zu", shown, owner,
+                 at->node->n, at->node->n ? at->node->n - 1 : 0);
+        return fail(f, text);
+    }
+    at->node = at->node->child[index];
+    at->in_item = true;
+    return MURK_OK;
+}
+
+/* One part down. */
+static murk_status step(const finding *f, spot *at, const char *part)
+{
+    char owner[120], text[300];
+    if (at->node->kind == MURK_YAML_MAP) {
+        return step_map(f, at, part);
+    }
+    if (at->node->kind == MURK_YAML_LIST) {
+        return step_list(f, at, part);
+    }
+    shown_so_far(f, owner, sizeof owner);
+    snprintf(text, sizeof text, "%s is %.40s, one value%s", owner,
+             at->node->text,
+             at->row && at->row->kind == MURK_KEY_SPECTRUM
+                 ? " for all bands: free it as it is, or write a list"
+                 : "");
+    return fail(f, text);
+}
+
+/* What may be free: numbers that may be any within a range. */
+static murk_status check_end(murk_key_place *out, const finding *f,
+                             const spot *at)
+{
+    char text[300], shown[64];
+    if (at->node->kind != MURK_YAML_SCALAR) {
+        const bool is_list = at->node->kind == MURK_YAML_LIST;
+        if (is_list && at->node->n > 0 &&
+            at->node->child[0]->kind == MURK_YAML_SCALAR) {
+            snprintf(text, sizeof text,
+                     "a list of %zu, must be one number: %.100s.0 is its first",
+                     at->node->n, f->path);
+        } else {
+            snprintf(text, sizeof text, "%s, must be one number",
+                     is_list ? "a list" : "a map");
+        }
+        return fail(f, text);
+    }
+    if (!murk_yaml_number(at->node, &out->value)) {
+        murk_words_show(shown, sizeof shown, at->node->text);
+        snprintf(text, sizeof text, "%s, must be a number", shown);
+        return fail(f, text);
+    }
+    const bool is_number =
+        at->row &&
+        (at->row->kind == MURK_KEY_NUMBER || at->row->kind == MURK_KEY_VECTOR ||
+         at->row->kind == MURK_KEY_NUMBERS ||
+         at->row->kind == MURK_KEY_NUMBER_LIST ||
+         at->row->kind == MURK_KEY_SPECTRUM_LIST ||
+         at->row->kind == MURK_KEY_SPECTRUM ||
+         at->row->kind == MURK_KEY_SHARED);
+    return is_number ? MURK_OK
+                     : fail(f, "a choice or a count, must be a number that may "
+                               "be any");
+}
+
+/* Notes what the path goes through. */
+static void note_list(murk_key_place *out, const spot *before, const spot *at,
+                      const finding *f)
+{
+    const murk_yaml *list = before->node;
+    if (list->kind != MURK_YAML_LIST || at->node->kind != MURK_YAML_SCALAR) {
+        return;
+    }
+    out->list = list;
+    while (list->child[out->index] != at->node) {
+        ++out->index;
+    }
+    out->put = (size_t)(f->at - f->path) - 1;
+    if (at->row && at->row->kind == MURK_KEY_NUMBERS) {
+        out->item = &at->row->items[out->index];
+    }
+}
+
+static bool is_medium(const spot *at)
+{
+    return at->in_item && at->row && strcmp(at->row->name, "media") == 0;
+}
+
+murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
+                                const char *path, const char *where,
+                                murk_error *err)
+{
+    finding f = {path, path, where, err};
+    spot at = {root, NULL, false};
+    murk_key_place place = {.put = strlen(path)};
+    char *part = malloc(strlen(path) + 1);
+    murk_status status =
+        part ? MURK_OK : murk_fail(err, MURK_NO_MEMORY, where, "no memory");
+    while (!status) {
+        const size_t length = part_length(&at, f.at);
+        const spot before = at;
+        memcpy(part, f.at, length);
+        part[length] = '\0';
+        status = length ? step(&f, &at, part)
+                        : fail(&f, "an empty part of a key, must be such as "
+                                   "media.fog.visibility_m");
+        if (status) {
+            break;
+        }
+        note_list(&place, &before, &at, &f);
+        place.medium = is_medium(&at) ? at.node : place.medium;
+        if (f.at[length] == '\0') {
+            break;
+        }
+        f.at += length + 1;
+    }
+    free(part);
+    if (!status) {
+        place.row = at.row;
+        status = check_end(&place, &f, &at);
+    }
+    if (!status) {
+        *out = place;
+    }
+    return status;
+}

@@ -1,0 +1,93 @@
+#include "calibrate/optics.h"
+
+#include "base/log.h"
+#include "study/relight.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static murk_status no_memory(const murk_scene *scene, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                     "no memory for its optics");
+}
+
+static murk_status fill(murk_optics *o, const murk_domain *domain,
+                        murk_error *err)
+{
+    const murk_scene *scene = o->scene;
+    o->extinction_per_m = calloc(o->media + 1, sizeof *o->extinction_per_m);
+    o->albedo = calloc(o->media + 1, sizeof *o->albedo);
+    if (!o->extinction_per_m || !o->albedo) {
+        return no_memory(scene, err);
+    }
+    for (size_t i = 0; i < o->media; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        o->albedo[i] = m->albedo;
+        o->extinction_per_m[i] = m->profile_z_m.n > 0
+                                     ? murk_spectrum_flat(1, scene->bands)
+                                     : m->extinction_per_m;
+    }
+    const murk_status status = murk_phases_create(&o->phases, scene, err);
+    return status ? status
+                  : murk_relight_powers(&o->power_w, scene, domain, err);
+}
+
+murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
+                               const murk_domain *domain, murk_error *err)
+{
+    murk_optics *o = calloc(1, sizeof *o);
+    if (!o) {
+        const murk_status status = no_memory(scene, err);
+        murk_scene_destroy(scene);
+        return status;
+    }
+    const bool was_silent = murk_warn_hush(true);
+    o->scene = scene;
+    o->media = scene->n_media;
+    o->bands = scene->bands;
+    o->channels = scene->n_lights * (size_t)scene->bands;
+    const murk_status status = fill(o, domain, err);
+    murk_warn_hush(was_silent);
+    if (status) {
+        murk_optics_destroy(o);
+        return status;
+    }
+    *out = o;
+    return MURK_OK;
+}
+
+void murk_optics_destroy(murk_optics *optics)
+{
+    if (optics) {
+        free(optics->extinction_per_m);
+        free(optics->albedo);
+        murk_phases_destroy(optics->phases);
+        free(optics->power_w);
+        murk_scene_destroy(optics->scene);
+        free(optics);
+    }
+}
+
+/* Angles at which two phase functions are held against each other: dense where
+ * diffraction is. */
+#define ANGLES 60
+
+/* More than laws round off, less than a parameter changed by a thousandth
+ * makes. */
+#define ALIKE 1e-9
+
+bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,
+                            size_t medium, int band)
+{
+    const murk_phase *p = &a->phases->medium[medium][band];
+    const murk_phase *q = &b->phases->medium[medium][band];
+    bool is_alike = true;
+    for (int k = 0; k <= ANGLES && is_alike; ++k) {
+        const double angle_rad = MURK_PI * pow(10, -5 + 5. * k / ANGLES);
+        const double x = murk_phase_density(p, cos(angle_rad));
+        const double y = murk_phase_density(q, cos(angle_rad));
+        is_alike = fabs(x - y) <= ALIKE * fmax(x, y);
+    }
+    return is_alike;
+}

@@ -1,0 +1,174 @@
+#include "calibrate/turned.h"
+
+#include "preset/words.h"
+#include "scene/keys.h"
+#include "scene/print.h"
+#include "study/light_shapes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "",
+                     "no memory to compare two scenes");
+}
+
+/* ---- the world ---- */
+
+/* What light does not depend on, what is compared as optics, and lights with
+ * what places them, which are compared as they shine. */
+static bool is_of_world(const char *key)
+{
+    const murk_key *row = murk_keys_find(&murk_scene_keys, key);
+    return row && row->lights && strcmp(key, "lights") != 0 &&
+           strcmp(key, "site") != 0;
+}
+
+static void drop_optics(murk_yaml *medium)
+{
+    const murk_yaml *albedo = murk_yaml_get(medium, "albedo");
+    if (albedo && albedo->kind != MURK_YAML_MAP) { /* a map names a grid */
+        murk_yaml_remove(medium, "albedo");
+    }
+    murk_yaml_remove(medium, "extinction_per_m");
+    murk_yaml_remove(medium, "phase");
+    for (int i = 0; i < MURK_WORDS; ++i) {
+        murk_yaml_remove(medium, murk_word_name((murk_word_id)i));
+    }
+}
+
+/* All of the world but optics and lights, as text; NULL when out of memory. */
+static char *print_world(const murk_scene *scene)
+{
+    murk_yaml *root = NULL;
+    if (murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved),
+                        scene->path, NULL)) {
+        return NULL; /* it was printed by ourselves */
+    }
+    murk_yaml *media = murk_yaml_get(root, "media");
+    for (size_t i = 0; media && media->kind == MURK_YAML_MAP && i < media->n;
+         ++i) {
+        drop_optics(media->child[i]);
+    }
+    char *text = murk_print_file(root, is_of_world);
+    murk_yaml_destroy(root);
+    return text;
+}
+
+static murk_status print_lights(char **out, const murk_scene *scene,
+                                murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (!to) {
+        return no_memory(err);
+    }
+    murk_status status = murk_light_shapes_print(to, scene, err);
+    const bool failed = ferror(to) != 0;
+    if ((fclose(to) != 0 || failed) && !status) {
+        status = no_memory(err);
+    }
+    if (status) {
+        free(text);
+        return status;
+    }
+    *out = text;
+    return MURK_OK;
+}
+
+static murk_status compare_worlds(bool *differs, const murk_scene *a,
+                                  const murk_scene *b, murk_error *err)
+{
+    char *world_a = print_world(a), *world_b = print_world(b);
+    char *lights_a = NULL, *lights_b = NULL;
+    murk_status status = world_a && world_b ? MURK_OK : no_memory(err);
+    if (!status) {
+        status = print_lights(&lights_a, a, err);
+    }
+    if (!status) {
+        status = print_lights(&lights_b, b, err);
+    }
+    if (!status) {
+        *differs = strcmp(world_a, world_b) != 0 ||
+                   strcmp(lights_a, lights_b) != 0 ||
+                   a->n_media != b->n_media || a->n_lights != b->n_lights ||
+                   a->bands != b->bands;
+    }
+    free(world_a);
+    free(world_b);
+    free(lights_a);
+    free(lights_b);
+    return status;
+}
+
+/* ---- optics ---- */
+
+static void compare_media(murk_turned *turned, const murk_optics *a,
+                          const murk_optics *b)
+{
+    for (size_t i = 0; i < a->media; ++i) {
+        for (int k = 0; k < a->bands; ++k) {
+            const bool turns = !murk_optics_turn_alike(a, b, i, k);
+            turned->phase = turned->phase || turns;
+            turned->tables =
+                turned->tables ||
+                (turns && a->phases->medium[i][k].kind == MURK_PHASE_TABLE);
+            turned->optics = turned->optics || turns ||
+                             a->extinction_per_m[i].band[k] !=
+                                 b->extinction_per_m[i].band[k] ||
+                             a->albedo[i].band[k] != b->albedo[i].band[k];
+        }
+    }
+}
+
+murk_status murk_turned_add(murk_turned *turned, const murk_optics *a,
+                            const murk_optics *b, murk_error *err)
+{
+    bool differs = false;
+    const murk_status status =
+        compare_worlds(&differs, a->scene, b->scene, err);
+    if (status) {
+        return status;
+    }
+    turned->world = turned->world || differs;
+    if (differs) {
+        return MURK_OK; /* media and lights need not be the same ones */
+    }
+    compare_media(turned, a, b);
+    for (size_t c = 0; c < a->channels; ++c) {
+        turned->power = turned->power || a->power_w[c] != b->power_w[c];
+    }
+    return MURK_OK;
+}
+
+static double scattering(const murk_optics *o, size_t medium, int band)
+{
+    return o->extinction_per_m[medium].band[band] *
+           o->albedo[medium].band[band];
+}
+
+bool murk_turned_from_nothing(char *key, size_t size, const murk_optics *a,
+                              const murk_optics *b)
+{
+    for (size_t i = 0; i < a->media; ++i) {
+        for (int k = 0; k < a->bands; ++k) {
+            const bool had_extinction = a->extinction_per_m[i].band[k] > 0;
+            const bool has_extinction = b->extinction_per_m[i].band[k] > 0;
+            if ((!had_extinction && has_extinction) ||
+                (!(scattering(a, i, k) > 0) && scattering(b, i, k) > 0)) {
+                snprintf(key, size, "media.%s", a->scene->media[i].name);
+                return true;
+            }
+        }
+    }
+    for (size_t c = 0; c < a->channels; ++c) {
+        if (!(a->power_w[c] > 0) && b->power_w[c] > 0) {
+            snprintf(key, size, "lights.%zu", c / (size_t)a->bands);
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,14 @@
+/* All of a scene's lights but their power, as text: scenes of equal texts have
+ * lights that differ in power alone. */
+#ifndef MURK_STUDY_LIGHT_SHAPES_H
+#define MURK_STUDY_LIGHT_SHAPES_H
+
+#include "scene/scene.h"
+
+#include <stdio.h>
+
+/* Fails as murk_sky_light(). */
+murk_status murk_light_shapes_print(FILE *out, const murk_scene *scene,
+                                    murk_error *err);
+
+#endif

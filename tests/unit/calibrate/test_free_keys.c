@@ -1,0 +1,550 @@
+/* Free keys: what each turns, where it starts and between what it may move, and
+ * scenes at other values. Deterministic. */
+#include "base/log.h"
+#include "base/progress.h"
+#include "calibrate/free_keys.h"
+#include "check.h"
+#include "scene/yaml.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+static const char *const SCENE =
+    "murk: 1\n"
+    "bands_nm: [450, 532]\n"
+    "north: [0, 1, 0]\n"
+    "domain: {min_m: [0, 0, -10], max_m: [30, 20, 10]}\n"
+    "site: {latitude_deg: 52, longitude_deg: 5, time: 2026-06-21T12:00:00Z}\n"
+    "media:\n"
+    "  fog: {preset: fog/kruse, visibility_m: 80}\n"
+    "  rain: {preset: rain/marshall-palmer}\n"
+    "  plain: {extinction_per_m: .2, albedo: .9, phase: {hg: .8}}\n"
+    "  two: {extinction_per_m: [.2, .3], albedo: [.9, .95],"
+    " phase: {two_hg: [.9, -.1, .95]}}\n"
+    "  sharp: {extinction_per_m: 1, albedo: .8,"
+    " phase: {fournier_forand: [1.1, 3.6]}}\n"
+    "  each: {extinction_per_m: 1, albedo: .8, phase: [{hg: .5}, {hg: .6}]}\n"
+    "  layer: {profile: {z_m: [0, 2, 5], extinction_per_m: [.2, .1, 0]},"
+    " albedo: .9}\n"
+    "  sea: {preset: water/case-1}\n"
+    "  black: {extinction_per_m: .1, albedo: 0}\n"
+    "  clear: {extinction_per_m: 0, albedo: .5}\n"
+    "regions:\n"
+    "  - {medium: fog}\n"
+    "  - {medium: plain, box: {min_m: [1, 1, 1], max_m: [2, 2, 2]}}\n"
+    "  - {medium: two, sphere: {center_m: [5, 5, 5], radius_m: 2}}\n"
+    "  - {medium: sea, below_z_m: 0, ior: 1.34, wind_m_per_s: 5}\n"
+    "lights:\n"
+    "  - {type: sphere, center_m: [15, 10, 9], radius_m: .1, power_w: 100}\n"
+    "  - {type: beam, origin_m: [0, 0, 1], direction: [1, 0, 0],"
+    " divergence_deg: 5, power_w: [1, 2]}\n"
+    "  - {type: directional, direction: [0, .1, -1],"
+    " irradiance_w_per_m2: 10}\n"
+    "  - {type: sun, irradiance_w_per_m2: [5, 6]}\n"
+    "  - {type: point, position_m: [1, 2, 3], power_w: 0}\n"
+    "conditions:\n"
+    "  dawn: {media.fog.visibility_m: 50}\n"
+    "  noon: {media.plain: {profile: {z_m: [0, 5],"
+    " extinction_per_m: [.2, .1]}, albedo: .5}}\n";
+
+static char path[] = "/tmp/murk-free-XXXXXX";
+static char noted[2000];
+static murk_scene *scene;
+
+static void keep_note(const char *where, const char *text)
+{
+    const size_t used = strlen(noted);
+    snprintf(noted + used, sizeof noted - used, "%s: %s\n", where, text);
+}
+
+/* Readings of conditions 0, 1 and of none, as bits 1, 2, 4; eight of each. */
+typedef struct field {
+    murk_reading reading[32];
+    murk_measured_row row[32];
+    char gain[2][64];
+    murk_measurements all;
+} field;
+
+static void make_field(field *f, unsigned conditions)
+{
+    *f = (field){.gain = {"probe", "other"}};
+    f->all = (murk_measurements){.path = "field.csv",
+                                 .reading = f->reading,
+                                 .row = f->row,
+                                 .gain = f->gain,
+                                 .gains = 2};
+    for (unsigned c = 0; c < 3; ++c) {
+        for (int i = 0; i < 8 && (conditions >> c & 1); ++i) {
+            const size_t n = f->all.readings++;
+            f->reading[n] = (murk_reading){.kind = MURK_READ_FLUENCE,
+                                           .unit = MURK_UNIT_W_PER_M2,
+                                           .line = n + 2,
+                                           .gain = n < 2 ? n : SIZE_MAX,
+                                           .condition = c < 2 ? c : SIZE_MAX,
+                                           .value = 1,
+                                           .standard_error = .1};
+            f->row[f->all.rows++] = (murk_measured_row){n, 1};
+        }
+    }
+}
+
+#define AS_IT_STANDS 4u
+
+static murk_status create(murk_free_keys **out, const field *f,
+                          const char *const *asked, size_t n,
+                          const char *bounds, murk_error *err)
+{
+    static const char *held[1];
+    static const char *asked_for[16];
+    held[0] = bounds;
+    memcpy(asked_for, asked, n * sizeof *asked);
+    *err = (murk_error){0};
+    noted[0] = '\0';
+    const murk_free_desc desc = {.scene_path = path,
+                                 .asked = asked_for,
+                                 .n_asked = n,
+                                 .bounds = held,
+                                 .n_bounds = bounds ? 1 : 0,
+                                 .measured = &f->all,
+                                 .domain = &scene->domain};
+    *out = NULL;
+    return murk_free_keys_create(out, &desc, err);
+}
+
+static murk_free_keys *made(const field *f, const char *const *asked, size_t n,
+                            const char *bounds)
+{
+    murk_free_keys *keys;
+    murk_error err;
+    if (create(&keys, f, asked, n, bounds, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+    }
+    CHECK(keys != NULL);
+    return keys;
+}
+
+/* ---- what a key turns ---- */
+
+typedef struct expected {
+    const char *key;
+    murk_free_kind kind;
+    double start;
+    bool is_log, turns_phase;
+} expected;
+
+static void check_key(const expected *want)
+{
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, &want->key, 1, NULL);
+    if (!keys) {
+        printf("  %s\n", want->key);
+        return;
+    }
+    const murk_free_key *key = &keys->key[0];
+    const bool is_so = key->kind == want->kind && key->start == want->start &&
+                       key->is_log == want->is_log &&
+                       key->turns_phase == want->turns_phase;
+    if (!is_so) {
+        printf("%s: kind %d, start %.9g, log %d, phase %d\n", want->key,
+               (int)key->kind, key->start, key->is_log, key->turns_phase);
+    }
+    CHECK(is_so);
+    CHECK(key->lower < key->start || !key->is_log);
+    CHECK(key->start >= key->lower && key->start <= key->upper);
+    CHECK_TEXT(key->name, want->key);
+    murk_free_keys_destroy(keys);
+}
+
+static void test_keys_are_what_they_turn(void)
+{
+    static const expected medium[] = {
+        {"media.fog.visibility_m", MURK_FREE_MEDIUM, 80, true, false},
+        {"media.rain.rain_mm_per_h", MURK_FREE_MEDIUM, 10, true, false},
+        {"media.plain.extinction_per_m", MURK_FREE_MEDIUM, .2, true, false},
+        {"media.plain.albedo", MURK_FREE_MEDIUM, .9, false, false},
+        {"media.plain.phase.hg", MURK_FREE_MEDIUM, .8, false, true},
+        {"media.two.extinction_per_m.1", MURK_FREE_MEDIUM, .3, true, false},
+        {"media.two.albedo.0", MURK_FREE_MEDIUM, .9, false, false},
+        {"media.two.phase.two_hg.2", MURK_FREE_MEDIUM, .95, false, true},
+        {"media.sharp.phase.fournier_forand.0", MURK_FREE_MEDIUM, 1.1, false,
+         true},
+        {"media.each.phase.1.hg", MURK_FREE_MEDIUM, .6, false, true},
+        {"media.layer.albedo", MURK_FREE_MEDIUM, .9, false, false},
+        {"media.sea.chlorophyll_mg_per_m3", MURK_FREE_MEDIUM, .5, true, true},
+    };
+    static const expected light[] = {
+        {"lights.0.power_w", MURK_FREE_LIGHT, 100, true, false},
+        {"lights.1.power_w.1", MURK_FREE_LIGHT, 2, true, false},
+        {"lights.2.irradiance_w_per_m2", MURK_FREE_LIGHT, 10, true, false},
+        {"lights.3.irradiance_w_per_m2.0", MURK_FREE_LIGHT, 5, true, false},
+    };
+    static const expected world[] = {
+        {"media.layer.profile.extinction_per_m.0", MURK_FREE_WORLD, .2, true,
+         false},
+        {"media.layer.profile.extinction_per_m.2", MURK_FREE_WORLD, 0, false,
+         false},
+        {"media.layer.profile.z_m.1", MURK_FREE_WORLD, 2, false, false},
+        {"regions.1.translate_m.2", MURK_FREE_WORLD, 0, false, false},
+        {"regions.1.rotate_deg.0", MURK_FREE_WORLD, 0, false, false},
+        {"regions.1.scale", MURK_FREE_WORLD, 1, true, false},
+        {"regions.1.box.max_m.2", MURK_FREE_WORLD, 2, false, false},
+        {"regions.2.sphere.radius_m", MURK_FREE_WORLD, 2, true, false},
+        {"regions.3.below_z_m", MURK_FREE_WORLD, 0, false, false},
+        {"regions.3.ior", MURK_FREE_WORLD, 1.34, false, false},
+        {"regions.3.wind_m_per_s", MURK_FREE_WORLD, 5, false, false},
+        {"lights.0.center_m.2", MURK_FREE_WORLD, 9, false, false},
+        {"lights.0.radius_m", MURK_FREE_WORLD, .1, true, false},
+        {"lights.1.divergence_deg", MURK_FREE_WORLD, 5, false, false},
+        {"lights.1.direction.2", MURK_FREE_WORLD, 0, false, false},
+        {"lights.2.direction.1", MURK_FREE_WORLD, .1, false, false},
+        {"site.latitude_deg", MURK_FREE_WORLD, 52, false, false},
+    };
+    for (size_t i = 0; i < sizeof medium / sizeof *medium; ++i) {
+        check_key(&medium[i]);
+    }
+    for (size_t i = 0; i < sizeof light / sizeof *light; ++i) {
+        check_key(&light[i]);
+    }
+    for (size_t i = 0; i < sizeof world / sizeof *world; ++i) {
+        check_key(&world[i]);
+    }
+}
+
+static void test_ranges_are_natural(void)
+{
+    static const char *const asked[] = {
+        "media.plain.albedo", "media.plain.phase.hg",
+        "media.plain.extinction_per_m", "media.fog.visibility_m",
+        "regions.1.translate_m.0"};
+    static const double lower[] = {0, -.999, 0, 10, -INFINITY};
+    static const double upper[] = {1, .999, INFINITY, 2e5, INFINITY};
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, asked, 5, NULL);
+    for (size_t k = 0; keys && k < 5; ++k) {
+        CHECK(keys->key[k].lower == lower[k] && keys->key[k].upper == upper[k]);
+    }
+    murk_free_keys_destroy(keys);
+    keys = made(&f, asked, 5, "media.plain.albedo=.5:");
+    CHECK(keys && keys->key[0].lower == .5 && keys->key[0].upper == 1);
+    murk_free_keys_destroy(keys);
+    keys = made(&f, asked, 5, "media.fog.visibility_m=20:500");
+    CHECK(keys && keys->key[3].lower == 20 && keys->key[3].upper == 500);
+    murk_free_keys_destroy(keys);
+}
+
+/* ---- scenes at values ---- */
+
+static double resolved(const murk_scene *at, const char *const *part, size_t n)
+{
+    murk_yaml *root = NULL;
+    double value = NAN;
+    CHECK(murk_yaml_parse(&root, at->resolved, strlen(at->resolved), "r",
+                          NULL) == MURK_OK);
+    const murk_yaml *node = root;
+    for (size_t i = 0; node && i < n; ++i) {
+        node = node->kind == MURK_YAML_LIST
+                   ? node->child[strtoul(part[i], NULL, 10)]
+                   : murk_yaml_get(node, part[i]);
+    }
+    CHECK(node && murk_yaml_number(node, &value));
+    murk_yaml_destroy(root);
+    return value;
+}
+
+/* Two items of one list that the file leaves to its default, a value with all
+ * its digits, and a power. */
+static void test_a_scene_has_the_values(void)
+{
+    static const char *const asked[] = {
+        "regions.1.translate_m.0", "regions.1.translate_m.2",
+        "media.plain.albedo", "lights.1.power_w.0"};
+    static const double value[] = {.25, -1, .1 + .2, 7};
+    static const char *const way[4][4] = {{"regions", "1", "translate_m", "0"},
+                                          {"regions", "1", "translate_m", "2"},
+                                          {"media", "plain", "albedo"},
+                                          {"lights", "1", "power_w", "0"}};
+    static const size_t ways[] = {4, 4, 3, 4};
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, asked, 4, NULL);
+    murk_scene *at = NULL;
+    murk_optics *optics = NULL;
+    CHECK(murk_free_scene(&at, keys, 0, value, NULL) == MURK_OK);
+    for (size_t k = 0; k < 4; ++k) {
+        CHECK(resolved(at, way[k], ways[k]) == value[k]);
+    }
+    CHECK(at->regions[1].translate_m.y == 0 && at->n_conditions == 0);
+    murk_scene_destroy(at);
+    CHECK(murk_free_optics(&optics, keys, 0, value, NULL) == MURK_OK);
+    CHECK(optics->media == 10 && optics->bands == 2 && optics->channels == 10);
+    CHECK(optics->albedo[2].band[1] == .1 + .2);
+    CHECK_NEAR(optics->power_w[2], 7, 1e-14);
+    CHECK_NEAR(optics->power_w[3], 2, 1e-14);
+    CHECK(optics->extinction_per_m[6].band[0] == 1); /* as a profile says */
+    murk_optics_destroy(optics);
+    murk_free_keys_destroy(keys);
+}
+
+static void test_values_out_of_range_are_named(void)
+{
+    static const char *const asked[] = {"media.plain.albedo"};
+    const double value = 1.5;
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, asked, 1, NULL);
+    murk_scene *at = NULL;
+    murk_error err = {0};
+    CHECK(murk_free_scene(&at, keys, 0, &value, &err) == MURK_BAD_VALUE);
+    CHECK(at == NULL);
+    CHECK_MENTIONS(err.where, "--free media.plain.albedo");
+    CHECK_MENTIONS(err.text, "0..1");
+    murk_free_keys_destroy(keys);
+}
+
+/* ---- conditions ---- */
+
+static void test_each_condition_has_its_own(void)
+{
+    static const char *const asked[] = {"media.fog.visibility_m@each",
+                                        "media.two.albedo.0"};
+    field f;
+    make_field(&f, AS_IT_STANDS | 1);
+    murk_free_keys *keys = made(&f, asked, 2, NULL);
+    CHECK(keys->conditions == 2 && keys->n == 3);
+    CHECK(keys->condition[0] == SIZE_MAX && keys->condition[1] == 0);
+    CHECK_TEXT(keys->condition_name[1], "dawn");
+    CHECK_TEXT(keys->key[0].name, "media.fog.visibility_m@scene");
+    CHECK_TEXT(keys->key[1].name, "media.fog.visibility_m@dawn");
+    CHECK(keys->key[0].start == 80 && keys->key[1].start == 50);
+    CHECK(murk_free_key_is_in(keys, 0, 0) && !murk_free_key_is_in(keys, 0, 1));
+    CHECK(!murk_free_key_is_in(keys, 1, 0) && murk_free_key_is_in(keys, 1, 1));
+    CHECK(murk_free_key_is_in(keys, 2, 0) && murk_free_key_is_in(keys, 2, 1));
+    const double value[] = {60, 40, .7};
+    for (size_t c = 0; c < 2; ++c) {
+        murk_scene *at = NULL;
+        static const char *const way[] = {"media", "fog", "visibility_m"};
+        CHECK(murk_free_scene(&at, keys, c, value, NULL) == MURK_OK);
+        CHECK(resolved(at, way, 3) == value[c]);
+        CHECK(at->media[3].albedo.band[0] == .7);
+        CHECK(at->media[3].albedo.band[1] == .95);
+        murk_scene_destroy(at);
+    }
+    murk_free_keys_destroy(keys);
+}
+
+/* One value for all wins over what a condition sets; where a condition puts
+ * another medium, the key has no say. */
+static void test_one_value_wins_over_a_condition(void)
+{
+    static const char *const asked[] = {"media.fog.visibility_m",
+                                        "media.plain.extinction_per_m"};
+    field f;
+    make_field(&f, 3);
+    murk_free_keys *keys = made(&f, asked, 2, NULL);
+    CHECK(keys->conditions == 2 && keys->n == 2);
+    CHECK(keys->key[0].start == 50); /* of dawn, the first in use */
+    CHECK(murk_free_key_is_in(keys, 1, 0) && !murk_free_key_is_in(keys, 1, 1));
+    CHECK_MENTIONS(noted, "noon has no such key");
+    const double value[] = {33, .4};
+    for (size_t c = 0; c < 2; ++c) {
+        murk_scene *at = NULL;
+        static const char *const way[] = {"media", "fog", "visibility_m"};
+        CHECK(murk_free_scene(&at, keys, c, value, NULL) == MURK_OK);
+        CHECK(resolved(at, way, 3) == 33);
+        CHECK(at->media[2].profile_z_m.n == (c == 0 ? 0 : 2));
+        murk_scene_destroy(at);
+    }
+    murk_free_keys_destroy(keys);
+}
+
+static void test_gains_are_of_readings(void)
+{
+    static const char *const asked[] = {"gain.other", "media.plain.albedo"};
+    field f;
+    make_field(&f, AS_IT_STANDS | 1);
+    murk_free_keys *keys = made(&f, asked, 2, NULL);
+    CHECK(keys->key[0].kind == MURK_FREE_GAIN && keys->key[0].gain == 1);
+    CHECK(keys->key[0].start == 1 && keys->key[0].lower == 0);
+    CHECK(keys->key[1].gain == SIZE_MAX);
+    CHECK(!murk_free_key_is_in(keys, 0, 0) && murk_free_key_is_in(keys, 0, 1));
+    murk_free_keys_destroy(keys);
+}
+
+/* ---- differences ---- */
+
+static void test_differences_keep_the_bounds(void)
+{
+    static const char *const asked[] = {"media.plain.albedo",
+                                        "media.plain.extinction_per_m",
+                                        "media.sharp.phase.fournier_forand.1"};
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, asked, 3, NULL);
+    double low, high;
+    murk_free_key_around(keys, 0, .9, &low, &high);
+    CHECK_NEAR(high - .9, .9 - low, 1e-15);
+    CHECK(high - low > 1e-6 && high - low < 1e-4);
+    murk_free_key_around(keys, 0, 1, &low, &high);
+    CHECK(high == 1 && low < 1 && low > .9999);
+    murk_free_key_around(keys, 0, 0, &low, &high);
+    CHECK(low == 0 && high > 0 && high < 1e-4);
+    murk_free_key_around(keys, 1, 1e-6, &low, &high);
+    CHECK_NEAR((high - low) / 1e-6, 2e-5, 1e-9);
+    /* tables: their nodes are right to 1e-5 alone */
+    murk_free_key_around(keys, 2, 3.6, &low, &high);
+    CHECK(high - low > .1 && high < 4.9999);
+    murk_free_keys_destroy(keys);
+}
+
+/* The slope of extinction by visibility is -extinction / visibility at 550 nm,
+ * and Kruse's exponent turns with visibility, too. */
+static void test_differences_are_the_laws_slopes(void)
+{
+    static const char *const asked[] = {"media.fog.visibility_m"};
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, asked, 1, NULL);
+    double low, high;
+    murk_optics *at_low = NULL, *at_high = NULL;
+    murk_free_key_around(keys, 0, 80, &low, &high);
+    CHECK(murk_free_optics(&at_low, keys, 0, &low, NULL) == MURK_OK);
+    CHECK(murk_free_optics(&at_high, keys, 0, &high, NULL) == MURK_OK);
+    const double q = .585 * cbrt(.08), l = log(532. / 550);
+    const double sigma = -log(.02) / 80 * exp(-q * l);
+    const double want = -sigma / 80 * (1 + q / 3 * l);
+    const double got = (at_high->extinction_per_m[0].band[1] -
+                        at_low->extinction_per_m[0].band[1]) /
+                       (high - low);
+    CHECK_NEAR(got / want, 1, 1e-8);
+    murk_optics_destroy(at_low);
+    murk_optics_destroy(at_high);
+    murk_free_keys_destroy(keys);
+}
+
+/* ---- what is refused ---- */
+
+static void refused_with(const field *f, const char *asked, const char *bounds,
+                         const char *where, const char *why)
+{
+    murk_free_keys *keys;
+    murk_error err;
+    const char *all[] = {asked};
+    const murk_status status = create(&keys, f, all, 1, bounds, &err);
+    CHECK(status == MURK_BAD_VALUE);
+    CHECK(keys == NULL);
+    CHECK_MENTIONS(err.where, where);
+    CHECK_MENTIONS(err.text, why);
+    CHECK(!strchr(err.text, '\n'));
+    murk_free_keys_destroy(keys);
+}
+
+static void refused(const char *asked, const char *why)
+{
+    field f;
+    char where[200];
+    make_field(&f, AS_IT_STANDS);
+    snprintf(where, sizeof where, "--free %s", asked);
+    refused_with(&f, asked, NULL, where, why);
+}
+
+static void test_keys_are_refused(void)
+{
+    refused("", "nothing, must be of media, regions, lights or site");
+    refused("medi.fog.visibility_m",
+            "no medi in the scene, did you mean media");
+    refused("photons.emit", "a key of photons, must be of media");
+    refused("sensors.count", "must be of media, regions, lights or site");
+    refused("media.fgo.visibility_m", "no fgo in media, did you mean fog?");
+    refused("media.fog.visiblity_m",
+            "no visiblity_m in media.fog, did you mean visibility_m?");
+    refused("media.fog.mor_m", "media.fog has no mor_m to start from");
+    refused("media.fog.albedo", "media.fog has no albedo to start from");
+    refused("media.fog", "a map, must be one number");
+    refused("media", "a map, must be one number");
+    refused("media.fog.", "an empty part of a key");
+    refused("media.two.albedo",
+            "a list of 2, must be one number: media.two.albedo.0 is its first");
+    refused("media.two.albedo.2", "item 2 of media.two.albedo, a list of 2");
+    refused("media.plain.albedo.0",
+            "media.plain.albedo is 0.9, one value for all bands");
+    refused("media.plain.phase", "a map, must be one number");
+    refused("media.fog.preset", "fog/kruse, must be a number");
+    refused("regions.9.scale", "item 9 of regions, a list of 4, must be 0..3");
+    refused("regions.0.scale", "to start from");
+    refused("regions.1.replace", "false, must be a number");
+    refused("lights.0.schedule", "must be a number");
+    refused("media.plain.albedo@dawn", "must be @each");
+    refused("gain.prob", "did you mean probe?");
+    refused("media.black.albedo",
+            "media.black has no extinction, scattering or power at the start");
+    refused("media.clear.extinction_per_m",
+            "must start above 0, by --set media.clear.extinction_per_m=VALUE");
+    refused("lights.4.power_w", "lights.4 has no extinction");
+    refused("lights.3.linke_turbidity", "changes nothing in the light");
+}
+
+static void test_counts_and_bounds_are_refused(void)
+{
+    static const char *const twice[] = {"media.plain.albedo",
+                                        "media.plain.albedo@each"};
+    field f;
+    murk_free_keys *keys;
+    murk_error err;
+    make_field(&f, AS_IT_STANDS);
+    CHECK(create(&keys, &f, twice, 2, NULL, &err) == MURK_BAD_VALUE);
+    CHECK_MENTIONS(err.text, "asked for twice");
+    CHECK(create(&keys, &f, twice, 0, NULL, &err) == MURK_BAD_VALUE);
+    CHECK_MENTIONS(err.text, "no keys");
+    f.all.held_out = 8;
+    refused_with(&f, "media.plain.albedo", NULL, "field.csv",
+                 "0 rows to be fitted (8 held out) for 1 parameters");
+    f.all.held_out = 0;
+    refused_with(&f, "media.plain.albedo", "media.plain.albdo=0:1", "--bounds",
+                 "no free key, did you mean media.plain.albedo?");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5", "--bounds",
+                 "must be KEY=LOW:HIGH");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5:x",
+                 "--bounds", "must be KEY=LOW:HIGH");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5:.4",
+                 "--bounds", "less than the second");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=0:2", "--bounds",
+                 "must be within 0 to 1");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.1:.4",
+                 "--free media.plain.albedo",
+                 "starts at 0.9, must be within its bounds, 0.1 to 0.4");
+    f.reading[0].unit = MURK_UNIT_RELATIVE;
+    refused_with(&f, "media.plain.albedo", NULL, "field.csv:2: gain",
+                 "by --free gain.probe");
+    f.reading[1].is_held_out = true;
+    refused_with(&f, "gain.other", NULL, "--free gain.other", "held out");
+}
+
+int main(void)
+{
+    murk_error err = {0};
+    const int handle = mkstemp(path);
+    CHECK(handle >= 0);
+    FILE *to = fdopen(handle, "w");
+    CHECK(to && fputs(SCENE, to) >= 0 && fclose(to) == 0);
+    murk_warn_to(keep_note);
+    if (murk_scene_read(&scene, path, NULL, 0, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        return 1;
+    }
+    test_keys_are_what_they_turn();
+    test_ranges_are_natural();
+    test_a_scene_has_the_values();
+    test_values_out_of_range_are_named();
+    test_each_condition_has_its_own();
+    test_one_value_wins_over_a_condition();
+    test_gains_are_of_readings();
+    test_differences_keep_the_bounds();
+    test_differences_are_the_laws_slopes();
+    test_keys_are_refused();
+    test_counts_and_bounds_are_refused();
+    unlink(path);
+    murk_scene_destroy(scene);
+    return check_done();
+}
