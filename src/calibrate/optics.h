@@ -29,7 +29,8 @@ murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
                                const murk_domain *domain, murk_error *err);
 void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
 
-/* Whether a medium turns light alike in a band of both, to rounding. */
+/* Whether a medium turns light alike in a band of both, to 1e-7 of the density
+ * at any angle. */
 bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,
                             size_t medium, int band);
 

@@ -86,10 +86,9 @@ static void take_turn(const job *j, turns *t, size_t i, size_t band)
 /* Up to this contribution of the same photon. */
 static void follow_turns(const job *j, turns *t, const murk_contribution *of)
 {
-    if (!j->changes->any_turns) {
-        return;
+    if (!j->changes->any_turns || j->followed->turns == 0) {
+        return; /* without cosines phases differ by what does not matter */
     }
-    assert(j->followed->turns > 0 || of->turns == 0);
     if (t->photon != of->photon) {
         t->photon = of->photon;
         t->done = 0;
