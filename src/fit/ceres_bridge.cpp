@@ -8,7 +8,6 @@ extern "C" {
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <deque>
@@ -34,10 +33,11 @@ const double SHORT_STEP = 1e-12;
 class AllRows final : public ceres::EvaluationCallback
 {
   public:
-    AllRows(double *x, const murk_least_squares &problem) : problem_(problem)
+    AllRows(double *x, const bool *is_held, const murk_least_squares &problem)
+        : problem_(problem)
     {
         for (size_t j = 0; j < problem.n; ++j) {
-            if (problem.lower[j] < problem.upper[j]) {
+            if (!is_held[j]) {
                 free_.push_back(j);
                 block_.push_back(x[j]);
             }
@@ -206,10 +206,11 @@ ceres::Solver::Options options_for(const murk_least_squares &p, Watch &watch)
     return options;
 }
 
-void minimise(murk_ceres_found *found, double *x, const murk_least_squares &p)
+void minimise(murk_ceres_found *found, double *x, const bool *is_held,
+              const murk_least_squares &p)
 {
     silence();
-    AllRows all(x, p);
+    AllRows all(x, is_held, p);
     Watch watch(all, p);
     const std::unique_ptr<ceres::LossFunction> loss = make_loss(p);
     std::deque<Row> rows; /* whose places stay */
@@ -223,17 +224,6 @@ void minimise(murk_ceres_found *found, double *x, const murk_least_squares &p)
     for (size_t i = 0; i < p.rows; ++i) {
         rows.emplace_back(all, i);
         problem.AddResidualBlock(&rows.back(), loss.get(), block);
-    }
-    for (size_t i = 0; i < all.free().size(); ++i) {
-        const size_t j = all.free()[i];
-        if (std::isfinite(p.lower[j])) {
-            problem.SetParameterLowerBound(block, static_cast<int>(i),
-                                           p.lower[j]);
-        }
-        if (std::isfinite(p.upper[j])) {
-            problem.SetParameterUpperBound(block, static_cast<int>(i),
-                                           p.upper[j]);
-        }
     }
     ceres::Solver::Summary summary;
     ceres::Solve(options_for(p, watch), &problem, &summary);
@@ -268,10 +258,11 @@ template <typename Work> murk_status guard(murk_error *err, Work work)
 } // namespace
 
 extern "C" murk_status murk_ceres_minimise(murk_ceres_found *found, double *x,
+                                           const bool *is_held,
                                            const murk_least_squares *problem,
                                            murk_error *err)
 {
-    return guard(err, [&] { minimise(found, x, *problem); });
+    return guard(err, [&] { minimise(found, x, is_held, *problem); });
 }
 
 extern "C" murk_status murk_eigen_cholesky(double *a, size_t n,

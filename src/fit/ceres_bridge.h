@@ -25,12 +25,13 @@ typedef struct murk_ceres_found {
     char message[256]; /* Ceres' own, one line */
 } murk_ceres_found;
 
-/* One run of Ceres from x[n] for a problem that least_squares.c has checked;
- * parameters whose bounds are equal stay, at least one is free. The watch is
- * called with the best x so far, which is in x[n] at the end; its cost is that
- * of the last step where that failed. Residuals and Jacobian must be finite
- * where the callback returns true. */
+/* One run of Ceres from x[n] for a problem that least_squares.c has checked,
+ * without its bounds; parameters that are held stay, at least one is free. The
+ * watch is called with the best x so far, which is in x[n] at the end; its cost
+ * is that of the last step where that failed. Residuals and Jacobian must be
+ * finite where the callback returns true. */
 murk_status murk_ceres_minimise(murk_ceres_found *found, double *x,
+                                const bool *is_held,
                                 const murk_least_squares *problem,
                                 murk_error *err);
 
