@@ -1,44 +1,171 @@
+/* Receivers lie in a tree of boxes, which a leg goes through in one order,
+ * whatever its way: a box's parts come right after it, and what it misses is
+ * skipped. */
 #include "calibrate/chords.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
+#define LEAF 4
+
+/* Boxes are larger than their spheres by these shares of radius and place, far
+ * beyond what rounding could make of a leg. */
+#define GROWN_RADIUS 1e-6
+#define GROWN_PLACE  1e-12
+
+/* A direction as flat as this is level: its inverse stays finite. */
+#define LEVEL 1e-300
+
+typedef struct node {
+    murk_box box;
+    uint32_t skip;     /* the node after all of its parts */
+    uint32_t first, n; /* n > 0: a leaf of order[first .. first + n) */
+} node;
+
 struct murk_chords {
     const murk_receiver *receiver;
-    size_t n;
+    uint32_t *order; /* [receivers] */
+    node *nodes;
+    size_t n_nodes;
 };
+
+/* ---- the tree ---- */
+
+static double along_axis(murk_vec3 p, int axis)
+{
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/* What a receiver is sorted by: its place along the axis, then its number. */
+typedef struct sorted {
+    double at;
+    uint32_t receiver;
+} sorted;
+
+static int compare(const void *a, const void *b)
+{
+    const sorted *x = a, *y = b;
+    return x->at != y->at
+               ? (x->at < y->at ? -1 : 1)
+               : (x->receiver > y->receiver) - (x->receiver < y->receiver);
+}
+
+static murk_box box_of(const murk_chords *c, uint32_t first, uint32_t n)
+{
+    murk_box box = murk_box_empty();
+    for (uint32_t i = first; i < first + n; ++i) {
+        const murk_receiver *r = &c->receiver[c->order[i]];
+        const double out = r->radius_m * (1 + GROWN_RADIUS) +
+                           murk_length(r->center) * GROWN_PLACE;
+        const murk_vec3 reach = murk_vec(out, out, out);
+        box = murk_box_with(box, murk_sub(r->center, reach));
+        box = murk_box_with(box, murk_add(r->center, reach));
+    }
+    return box;
+}
+
+/* Halves by the longest axis, over and over: as deep as n has digits. */
+static void split(murk_chords *c, sorted *scratch, uint32_t first, uint32_t n)
+{
+    node *made = &c->nodes[c->n_nodes++];
+    made->box = box_of(c, first, n);
+    made->first = first;
+    made->n = n <= LEAF ? n : 0;
+    if (n > LEAF) {
+        const murk_vec3 size = murk_sub(made->box.max, made->box.min);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0
+                         : size.y >= size.z                   ? 1
+                                                              : 2;
+        for (uint32_t i = 0; i < n; ++i) {
+            const uint32_t r = c->order[first + i];
+            scratch[i] = (sorted){along_axis(c->receiver[r].center, axis), r};
+        }
+        qsort(scratch, n, sizeof *scratch, compare);
+        for (uint32_t i = 0; i < n; ++i) {
+            c->order[first + i] = scratch[i].receiver;
+        }
+        split(c, scratch, first, n / 2);
+        split(c, scratch, first + n / 2, n - n / 2);
+    }
+    made->skip = (uint32_t)c->n_nodes;
+}
 
 murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
                                size_t n, murk_error *err)
 {
-    murk_chords *chords = calloc(1, sizeof *chords);
-    if (!chords) {
+    assert(n < UINT32_MAX / 4);
+    murk_chords *c = calloc(1, sizeof *c);
+    sorted *scratch = malloc((n + 1) * sizeof *scratch);
+    if (c) {
+        c->receiver = receiver;
+        c->order = malloc((n + 1) * sizeof *c->order);
+        c->nodes = malloc((2 * n + 1) * sizeof *c->nodes);
+    }
+    if (!c || !scratch || !c->order || !c->nodes) {
+        murk_chords_destroy(c);
+        free(scratch);
         return murk_fail(err, MURK_NO_MEMORY, "receivers",
                          "no memory for %zu receivers", n);
     }
     for (size_t i = 0; i < n; ++i) {
         assert(receiver[i].radius_m > 0 && murk_is_finite(receiver[i].center));
+        c->order[i] = (uint32_t)i;
     }
-    chords->receiver = receiver;
-    chords->n = n;
-    *out = chords;
+    if (n > 0) {
+        split(c, scratch, 0, (uint32_t)n);
+    }
+    free(scratch);
+    *out = c;
     return MURK_OK;
 }
 
 void murk_chords_destroy(murk_chords *chords)
 {
-    free(chords);
+    if (chords) {
+        free(chords->order);
+        free(chords->nodes);
+        free(chords);
+    }
+}
+
+/* ---- a leg ---- */
+
+typedef struct leg {
+    murk_vec3 from, direction, inverse;
+    double length_m;
+} leg;
+
+static double inverse_of(double d)
+{
+    return 1 / (fabs(d) < LEVEL ? LEVEL : d);
+}
+
+static inline void clip(double low, double high, double from, double inverse,
+                        double *t0, double *t1)
+{
+    const double a = (low - from) * inverse, b = (high - from) * inverse;
+    const double enter = a < b ? a : b, leave = a < b ? b : a;
+    *t0 = enter > *t0 ? enter : *t0;
+    *t1 = leave < *t1 ? leave : *t1;
+}
+
+static inline bool meets(const leg *l, const murk_box *box)
+{
+    double t0 = 0, t1 = l->length_m;
+    clip(box->min.x, box->max.x, l->from.x, l->inverse.x, &t0, &t1);
+    clip(box->min.y, box->max.y, l->from.y, l->inverse.y, &t0, &t1);
+    clip(box->min.z, box->max.z, l->from.z, l->inverse.z, &t0, &t1);
+    return t0 <= t1;
 }
 
 /* The length of the chord is taken from the line's nearest point to the
  * centre, which keeps its digits for a small sphere far away. */
-static inline bool cross(const murk_receiver *receiver, murk_vec3 from,
-                         murk_vec3 direction, double length_m,
+static inline bool cross(const leg *l, const murk_receiver *receiver,
                          murk_chord *chord)
 {
-    const murk_vec3 to_center = murk_sub(receiver->center, from);
-    const double along = murk_dot(to_center, direction);
-    const murk_vec3 off = murk_along(to_center, -along, direction);
+    const murk_vec3 to_center = murk_sub(receiver->center, l->from);
+    const double along = murk_dot(to_center, l->direction);
+    const murk_vec3 off = murk_along(to_center, -along, l->direction);
     const double left =
         receiver->radius_m * receiver->radius_m - murk_dot(off, off);
     if (!(left > 0)) {
@@ -46,18 +173,31 @@ static inline bool cross(const murk_receiver *receiver, murk_vec3 from,
     }
     const double half = sqrt(left);
     chord->from_m = along - half > 0 ? along - half : 0;
-    chord->to_m = along + half < length_m ? along + half : length_m;
+    chord->to_m = along + half < l->length_m ? along + half : l->length_m;
     return chord->to_m > chord->from_m;
 }
 
 size_t murk_chords_of(const murk_chords *chords, murk_vec3 from,
                       murk_vec3 direction, double length_m, murk_chord *chord)
 {
-    size_t n = 0;
-    for (size_t i = 0; i < chords->n; ++i) {
-        if (cross(&chords->receiver[i], from, direction, length_m, &chord[n])) {
-            chord[n++].receiver = (uint32_t)i;
+    const leg l = {from, direction,
+                   murk_vec(inverse_of(direction.x), inverse_of(direction.y),
+                            inverse_of(direction.z)),
+                   length_m};
+    size_t found = 0;
+    for (size_t i = 0; i < chords->n_nodes;) {
+        const node *at = &chords->nodes[i];
+        if (!meets(&l, &at->box)) {
+            i = at->skip;
+            continue;
         }
+        for (uint32_t k = 0; k < at->n; ++k) {
+            const uint32_t receiver = chords->order[at->first + k];
+            if (cross(&l, &chords->receiver[receiver], &chord[found])) {
+                chord[found++].receiver = receiver;
+            }
+        }
+        ++i;
     }
-    return n;
+    return found;
 }

@@ -16,7 +16,8 @@ murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
                                size_t n, murk_error *err);
 void murk_chords_destroy(murk_chords *chords); /* NULL is fine */
 
-/* Fills chord[receivers], by rising receiver; returns how many. */
+/* Fills chord[receivers], in an order that is the receivers' own; returns how
+ * many. */
 size_t murk_chords_of(const murk_chords *chords, murk_vec3 from,
                       murk_vec3 direction, double length_m, murk_chord *chord);
 
