@@ -17,6 +17,19 @@ static double scattering_ratio(const murk_optics *traced, const murk_optics *at,
     return (t_at == t ? 1 : t_at / t) * (a_at == a ? 1 : a_at / a);
 }
 
+/* Tables that differ by rounding alone are one law: slopes by small steps would
+ * make much of what their nodes are off by. */
+static bool do_turn(const murk_optics *a, const murk_optics *b, size_t medium,
+                    size_t band)
+{
+    const murk_phase *of_a = &a->phases->medium[medium][band];
+    const murk_phase *of_b = &b->phases->medium[medium][band];
+    const bool are_tables =
+        of_a->kind == MURK_PHASE_TABLE && of_b->kind == MURK_PHASE_TABLE;
+    return !murk_phase_is_same(of_a, of_b) &&
+           !(are_tables && murk_optics_turn_alike(a, b, medium, (int)band));
+}
+
 /* Light that never was there cannot be given weight. */
 static murk_status check(const murk_optics *traced, const murk_optics *at,
                          size_t medium, size_t band, murk_error *err)
@@ -59,7 +72,7 @@ static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
                       .at = &at->phases->medium[medium][band]};
     change->log_scattering =
         change->scattering > 0 ? log(change->scattering) : 0;
-    change->turns = !murk_phase_is_same(change->traced, change->at);
+    change->turns = do_turn(traced, at, medium, band);
     c->any_turns |= change->turns;
     for (size_t k = 0; k < c->keys; ++k) {
         if (!(c->span[k] > 0)) {
@@ -77,7 +90,7 @@ static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
                           c->span[k],
             .low = &low->phases->medium[medium][band],
             .high = &high->phases->medium[medium][band]};
-        slope->turns = !murk_phase_is_same(slope->low, slope->high);
+        slope->turns = do_turn(low, high, medium, band);
         c->any_turns |= slope->turns;
     }
     return MURK_OK;

@@ -10,7 +10,7 @@ typedef struct murk_change {
     double scattering;     /* sigma_s' / sigma_s */
     double log_scattering; /* of it; where it is 0, 0 */
     double more_per_m;     /* sigma_t' - sigma_t */
-    bool turns;            /* the phase functions differ */
+    bool turns; /* the phase functions differ by more than rounding */
     const murk_phase *traced, *at;
 } murk_change;
 
