@@ -57,7 +57,7 @@ static const murk_receiver receivers[RECEIVERS] = {
 
 typedef struct lit {
     murk_stage *stage;
-    murk_optics optics;
+    murk_optics *optics;
     murk_followed *followed;
 } lit;
 
@@ -68,7 +68,7 @@ static lit lit_at(const char *const *overrides)
     if (!l.stage) {
         exit(1);
     }
-    l.optics = optics_text_read(scene_text, overrides);
+    l.optics = optics_text_create(scene_text, overrides);
     const murk_followed_desc desc = {.stage = l.stage,
                                      .threads = 2,
                                      .medium = kept_media,
@@ -87,7 +87,7 @@ static lit lit_at(const char *const *overrides)
 static void put_out(lit *l)
 {
     murk_followed_destroy(l->followed);
-    optics_text_release(&l->optics);
+    murk_optics_destroy(l->optics);
     stage_text_destroy(l->stage);
 }
 
@@ -157,7 +157,7 @@ static reweighed reweigh(const lit *l, const murk_optics *at,
     reweighed out = {0};
     murk_reweighed r;
     murk_error err = {0};
-    if (murk_reweigh(&r, l->followed, &l->optics, at, sides, sides != NULL, 2,
+    if (murk_reweigh(&r, l->followed, l->optics, at, sides, sides != NULL, 2,
                      &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
@@ -179,7 +179,7 @@ static reweighed reweigh(const lit *l, const murk_optics *at,
 
 static reweighed as_traced(const lit *l)
 {
-    return reweigh(l, &l->optics, NULL);
+    return reweigh(l, l->optics, NULL);
 }
 
 /* The difference, in sigmas of both. */
@@ -208,7 +208,7 @@ static void check(const char *what, size_t i, murk_estimate got,
 static void check_value(const lit *l, const char *const *overrides)
 {
     lit other = lit_at(overrides);
-    const reweighed got = reweigh(l, &other.optics, NULL);
+    const reweighed got = reweigh(l, other.optics, NULL);
     const reweighed want = as_traced(&other);
     char what[96];
     snprintf(what, sizeof what, "%s%s%s", strchr(overrides[1], '.') + 1,
@@ -242,14 +242,14 @@ static void test_would_notice_a_wrong_weight(const lit *l)
     const reweighed want = as_traced(&other);
     for (int i = 0; i < 3; ++i) {
         const char *const overrides[] = {wrong[i][0], wrong[i][1], NULL};
-        murk_optics at = optics_text_read(scene_text, overrides);
-        const reweighed got = reweigh(l, &at, NULL);
+        murk_optics *at = optics_text_create(scene_text, overrides);
+        const reweighed got = reweigh(l, at, NULL);
         double most = 0;
         for (size_t k = 0; k < SUMS; ++k) {
             most = fmax(most, sigmas(got.value[k], want.value[k]));
         }
         CHECK(most > murk_sidak_limit(BUDGET, CHECKS));
-        optics_text_release(&at);
+        murk_optics_destroy(at);
     }
     put_out(&other);
 }
@@ -257,16 +257,16 @@ static void test_would_notice_a_wrong_weight(const lit *l)
 /* ---- slopes: differences of light traced at both sides ---- */
 
 static murk_optics_sides sides_at(const char *key, double value,
-                                  const char *also, murk_optics sides[2])
+                                  const char *also, murk_optics *sides[2])
 {
     const double step = 1e-5 * value;
     for (int s = 0; s < 2; ++s) {
         char text[64];
         snprintf(text, sizeof text, "%s%.17g", key, value + (s ? step : -step));
         const char *const overrides[] = {text, also, NULL};
-        sides[s] = optics_text_read(scene_text, overrides);
+        sides[s] = optics_text_create(scene_text, overrides);
     }
-    return (murk_optics_sides){&sides[0], &sides[1], 2 * step};
+    return (murk_optics_sides){sides[0], sides[1], 2 * step};
 }
 
 /* Differences over +-5 %; by Simpson's rule the mean slope between is that of
@@ -291,13 +291,13 @@ static void check_slope(const lit *l, const char *key, double value,
         char text[64];
         snprintf(text, sizeof text, "%s%.17g", key, at_value);
         const char *const overrides[] = {text, NULL};
-        murk_optics at = optics_text_read(scene_text, overrides), sides[2];
+        murk_optics *at = optics_text_create(scene_text, overrides), *sides[2];
         const murk_optics_sides both = sides_at(key, at_value, NULL, sides);
-        const reweighed r = reweigh(l, &at, &both);
+        const reweighed r = reweigh(l, at, &both);
         memcpy(slope[s], r.slope, sizeof slope[s]);
-        optics_text_release(&at);
-        optics_text_release(&sides[0]);
-        optics_text_release(&sides[1]);
+        murk_optics_destroy(at);
+        murk_optics_destroy(sides[0]);
+        murk_optics_destroy(sides[1]);
     }
     char what[64];
     snprintf(what, sizeof what, "d/d %s", strchr(key, '.') + 1);
@@ -336,7 +336,7 @@ static void test_all_comes_out(void)
                                       {ALBEDO "1", EXTINCTION "1.6"},
                                       {ALBEDO "1", HG "0.5"}};
     for (int i = 0; i < 3; ++i) {
-        murk_optics at = optics_text_read(scene_text, places[i]), sides[2];
+        murk_optics *at = optics_text_create(scene_text, places[i]), *sides[2];
         const bool is_hg = i == 2;
         const murk_optics_sides both = sides_at(is_hg ? HG : EXTINCTION,
                                                 is_hg ? 0.5
@@ -345,7 +345,7 @@ static void test_all_comes_out(void)
                                                 ALBEDO "1", sides);
         murk_reweighed r;
         murk_error err = {0};
-        CHECK(!murk_reweigh(&r, l.followed, &l.optics, &at, &both, 1, 2, &err));
+        CHECK(!murk_reweigh(&r, l.followed, l.optics, at, &both, 1, 2, &err));
         const sums value = sums_of(&l, r.ratio), slope = sums_of(&l, r.slope);
         sums out = {0};
         for (size_t b = 0; b < BATCHES; ++b) {
@@ -360,9 +360,9 @@ static void test_all_comes_out(void)
                      change.standard_error);
         CHECK(all.standard_error < 0.005);
         murk_reweighed_release(&r);
-        optics_text_release(&at);
-        optics_text_release(&sides[0]);
-        optics_text_release(&sides[1]);
+        murk_optics_destroy(at);
+        murk_optics_destroy(sides[0]);
+        murk_optics_destroy(sides[1]);
     }
     put_out(&l);
 }
@@ -392,24 +392,24 @@ static void check_rows(const char *key, double low, double high,
         const char *const overrides[] = {
             text, fixed_1, fixed_2, seed, "photons.emit=250000", NULL};
         lit l = lit_at(overrides);
-        murk_optics sides[2];
+        murk_optics *sides[2];
         const double step = 1e-5 * value;
         for (int s = 0; s < 2; ++s) {
             snprintf(text, sizeof text, "%s%.17g", key,
                      value + (s ? step : -step));
             const char *const side[] = {text, fixed_1, fixed_2, NULL};
-            sides[s] = optics_text_read(scene_text, side);
+            sides[s] = optics_text_create(scene_text, side);
         }
-        const murk_optics_sides both = {&sides[0], &sides[1], 2 * step};
-        const reweighed r = reweigh(&l, &l.optics, &both);
+        const murk_optics_sides both = {sides[0], sides[1], 2 * step};
+        const reweighed r = reweigh(&l, l.optics, &both);
         for (int i = 0; i < 2; ++i) {
             const double w = .5 * (high - low) * weight[p];
             sum[i] += w * r.slope[i].value;
             variance[i] +=
                 w * w * r.slope[i].standard_error * r.slope[i].standard_error;
         }
-        optics_text_release(&sides[0]);
-        optics_text_release(&sides[1]);
+        murk_optics_destroy(sides[0]);
+        murk_optics_destroy(sides[1]);
         put_out(&l);
     }
     for (size_t i = 0; i < 2; ++i) {

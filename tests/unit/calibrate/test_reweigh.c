@@ -55,7 +55,7 @@ static const murk_receiver receivers[RECEIVERS] = {
 /* Light that was traced, and with what. */
 typedef struct lit {
     murk_stage *stage;
-    murk_optics optics;
+    murk_optics *optics;
     murk_followed *followed;
 } lit;
 
@@ -66,7 +66,7 @@ static lit lit_of(const char *const *overrides)
     if (!l.stage) {
         exit(1);
     }
-    l.optics = optics_text_read(scene_text, overrides);
+    l.optics = optics_text_create(scene_text, overrides);
     const murk_followed_desc desc = {.stage = l.stage,
                                      .threads = 2,
                                      .medium = kept_media,
@@ -85,16 +85,16 @@ static lit lit_of(const char *const *overrides)
 static void put_out(lit *l)
 {
     murk_followed_destroy(l->followed);
-    optics_text_release(&l->optics);
+    murk_optics_destroy(l->optics);
     stage_text_destroy(l->stage);
 }
 
-static murk_optics varied_at(const char *key, double value)
+static murk_optics *varied_at(const char *key, double value)
 {
     char text[96];
     snprintf(text, sizeof text, "%s=%.17g", key, value);
     const char *const overrides[] = {text, NULL};
-    return optics_text_read(scene_text, overrides);
+    return optics_text_create(scene_text, overrides);
 }
 
 /* Sums over receivers and maps, and their slopes by one key where there are
@@ -110,7 +110,7 @@ static void read_sums(const lit *l, const murk_optics *at,
     for (size_t i = 0; i < RECEIVERS; ++i) {
         per_watt[i] = murk_spectrum_flat(1. + (double)i, 2);
     }
-    CHECK(!murk_reweigh(&r, l->followed, &l->optics, at, sides, keys, 2, &err));
+    CHECK(!murk_reweigh(&r, l->followed, l->optics, at, sides, keys, 2, &err));
     murk_receivers_read(sum, slope, batch, BATCHES, receivers, per_watt,
                         RECEIVERS, l->followed, &r);
     for (size_t map = 0; map < 2; ++map) {
@@ -139,17 +139,17 @@ static void read_sums(const lit *l, const murk_optics *at,
 /* At a value other than that traced, so that ratios are not 1. */
 static void check_slope(const lit *l, const char *key, double value)
 {
-    murk_optics at = varied_at(key, value);
-    murk_optics low = varied_at(key, value * (1 - SIDE));
-    murk_optics high = varied_at(key, value * (1 + SIDE));
-    const murk_optics_sides sides = {&low, &high, 2 * SIDE * value};
+    murk_optics *at = varied_at(key, value);
+    murk_optics *low = varied_at(key, value * (1 - SIDE));
+    murk_optics *high = varied_at(key, value * (1 + SIDE));
+    const murk_optics_sides sides = {low, high, 2 * SIDE * value};
     double sum[SUMS], slope[SUMS], other[4][SUMS], none[SUMS];
-    read_sums(l, &at, &sides, 1, sum, slope);
+    read_sums(l, at, &sides, 1, sum, slope);
     const double steps[4] = {-2, -1, 1, 2};
     for (int s = 0; s < 4; ++s) {
-        murk_optics beside = varied_at(key, value * (1 + steps[s] * SHARE));
-        read_sums(l, &beside, NULL, 0, other[s], none);
-        optics_text_release(&beside);
+        murk_optics *beside = varied_at(key, value * (1 + steps[s] * SHARE));
+        read_sums(l, beside, NULL, 0, other[s], none);
+        murk_optics_destroy(beside);
     }
     for (size_t i = 0; i < SUMS; ++i) {
         const double difference =
@@ -159,9 +159,9 @@ static void check_slope(const lit *l, const char *key, double value)
         CHECK(sum[i] > 0);
         CHECK_NEAR(slope[i], difference, 1e-6 * scale);
     }
-    optics_text_release(&at);
-    optics_text_release(&low);
-    optics_text_release(&high);
+    murk_optics_destroy(at);
+    murk_optics_destroy(low);
+    murk_optics_destroy(high);
 }
 
 static void test_slopes_are_the_values(const lit *l)
@@ -183,21 +183,21 @@ static void test_threads_and_batches_do_not_matter(const lit *l)
     const char *const keys[] = {"media.haze.extinction_per_m",
                                 "media.haze.phase.hg", "lights.0.power_w.1"};
     const double values[] = {0.6, 0.8, 4};
-    murk_optics low[3], high[3];
+    murk_optics *low[3], *high[3];
     murk_optics_sides sides[4];
     for (int k = 0; k < 3; ++k) {
         low[k] = varied_at(keys[k], values[k] * .999);
         high[k] = varied_at(keys[k], values[k] * 1.001);
-        sides[k] = (murk_optics_sides){&low[k], &high[k], .002 * values[k]};
+        sides[k] = (murk_optics_sides){low[k], high[k], .002 * values[k]};
     }
     sides[3] = (murk_optics_sides){NULL, NULL, 0}; /* has no say */
-    murk_optics at = varied_at(keys[0], 0.7);
+    murk_optics *at = varied_at(keys[0], 0.7);
     murk_reweighed one;
     murk_error err = {0};
-    CHECK(!murk_reweigh(&one, l->followed, &l->optics, &at, sides, 4, 1, &err));
+    CHECK(!murk_reweigh(&one, l->followed, l->optics, at, sides, 4, 1, &err));
     for (unsigned threads = 2; threads < 6; threads += 3) {
         murk_reweighed many;
-        CHECK(!murk_reweigh(&many, l->followed, &l->optics, &at, sides, 4,
+        CHECK(!murk_reweigh(&many, l->followed, l->optics, at, sides, 4,
                             threads, &err));
         CHECK(!memcmp(one.ratio, many.ratio, one.n * sizeof *one.ratio));
         CHECK(!memcmp(one.slope, many.slope, 4 * one.n * sizeof *one.slope));
@@ -230,10 +230,10 @@ static void test_threads_and_batches_do_not_matter(const lit *l)
         CHECK(empty < 50);
     }
     murk_reweighed_release(&one);
-    optics_text_release(&at);
+    murk_optics_destroy(at);
     for (int k = 0; k < 3; ++k) {
-        optics_text_release(&low[k]);
-        optics_text_release(&high[k]);
+        murk_optics_destroy(low[k]);
+        murk_optics_destroy(high[k]);
     }
 }
 
@@ -243,8 +243,8 @@ static void test_the_same_is_the_same(const lit *l)
 {
     murk_reweighed r;
     murk_error err = {0};
-    murk_optics same = varied_at("seed", 7);
-    CHECK(!murk_reweigh(&r, l->followed, &l->optics, &same, NULL, 0, 2, &err));
+    murk_optics *same = varied_at("seed", 7);
+    CHECK(!murk_reweigh(&r, l->followed, l->optics, same, NULL, 0, 2, &err));
     size_t off = 0;
     for (size_t i = 0; i < r.n; ++i) {
         off += r.ratio[i] != 1;
@@ -252,7 +252,7 @@ static void test_the_same_is_the_same(const lit *l)
     CHECK(off == 0);
     CHECK_NEAR(r.effective_share, 1, 1e-12);
     murk_reweighed_release(&r);
-    optics_text_release(&same);
+    murk_optics_destroy(same);
 }
 
 /* Powers are factors: the lamp's own share counts twice as much. */
@@ -260,15 +260,15 @@ static void test_power_scales(const lit *l)
 {
     murk_reweighed r;
     murk_error err = {0};
-    murk_optics twice = varied_at("lights.1.power_w", 4);
-    CHECK(!murk_reweigh(&r, l->followed, &l->optics, &twice, NULL, 0, 2, &err));
+    murk_optics *twice = varied_at("lights.1.power_w", 4);
+    CHECK(!murk_reweigh(&r, l->followed, l->optics, twice, NULL, 0, 2, &err));
     size_t off = 0;
     for (size_t i = 0; i < r.n; ++i) {
         off += r.ratio[i] != 1. + l->followed->contribution[i].light;
     }
     CHECK(off == 0);
     murk_reweighed_release(&r);
-    optics_text_release(&twice);
+    murk_optics_destroy(twice);
 }
 
 /* Black haze: what it scattered is gone, and what it scattered once is what
@@ -276,27 +276,27 @@ static void test_power_scales(const lit *l)
 static void test_zero_is_a_value_like_others(const lit *l)
 {
     const double step = 1e-7;
-    murk_optics black = varied_at("media.haze.albedo", 0);
-    murk_optics grey = varied_at("media.haze.albedo", step);
-    const murk_optics_sides sides = {&black, &grey, step};
+    murk_optics *black = varied_at("media.haze.albedo", 0);
+    murk_optics *grey = varied_at("media.haze.albedo", step);
+    const murk_optics_sides sides = {black, grey, step};
     double sum[SUMS], slope[SUMS], other[SUMS], none[SUMS];
-    read_sums(l, &black, &sides, 1, sum, slope);
-    read_sums(l, &grey, NULL, 0, other, none);
+    read_sums(l, black, &sides, 1, sum, slope);
+    read_sums(l, grey, NULL, 0, other, none);
     for (size_t i = 0; i < SUMS; ++i) {
         const double difference = (other[i] - sum[i]) / step;
         CHECK(difference > 0);
         CHECK_NEAR(slope[i], difference, 1e-4 * difference);
     }
-    optics_text_release(&black);
-    optics_text_release(&grey);
+    murk_optics_destroy(black);
+    murk_optics_destroy(grey);
 }
 
 static void test_too_far_is_cut_off(const lit *l)
 {
     murk_reweighed r;
     murk_error err = {0};
-    murk_optics far = varied_at("media.haze.extinction_per_m", 1e9);
-    CHECK(!murk_reweigh(&r, l->followed, &l->optics, &far, NULL, 0, 2, &err));
+    murk_optics *far = varied_at("media.haze.extinction_per_m", 1e9);
+    CHECK(!murk_reweigh(&r, l->followed, l->optics, far, NULL, 0, 2, &err));
     size_t wrong = 0;
     for (size_t i = 0; i < r.n; ++i) {
         wrong += !(r.ratio[i] >= 0 && r.ratio[i] <= MURK_RATIO_MAX);
@@ -304,7 +304,7 @@ static void test_too_far_is_cut_off(const lit *l)
     CHECK(wrong == 0);
     CHECK(r.effective_share >= 0 && r.effective_share < 0.01);
     murk_reweighed_release(&r);
-    optics_text_release(&far);
+    murk_optics_destroy(far);
 }
 
 /* ---- refusals ---- */
@@ -314,14 +314,14 @@ static void check_refused(const char *traced_key, const char *key, double value,
 {
     const char *const overrides[] = {traced_key, NULL};
     lit l = lit_of(overrides);
-    murk_optics at = varied_at(key, value);
+    murk_optics *at = varied_at(key, value);
     murk_reweighed r;
     murk_error err = {0};
-    CHECK(murk_reweigh(&r, l.followed, &l.optics, &at, NULL, 0, 1, &err) ==
+    CHECK(murk_reweigh(&r, l.followed, l.optics, at, NULL, 0, 1, &err) ==
           MURK_BAD_VALUE);
     CHECK_TEXT(err.where, where);
     CHECK_MENTIONS(err.text, part);
-    optics_text_release(&at);
+    murk_optics_destroy(at);
     put_out(&l);
 }
 
