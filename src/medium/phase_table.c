@@ -1,6 +1,7 @@
 #include "medium/phase_table.h"
 
 #include "medium/fournier_forand.h"
+#include "medium/phase_kept.h"
 #include "medium/phase_nodes.h"
 
 #include <math.h>
@@ -169,18 +170,14 @@ static murk_status lay_rows(murk_phase_nodes *nodes,
     return MURK_OK;
 }
 
-murk_status murk_phase_table_create(murk_phase_table **out,
-                                    const murk_phase_rows *rows,
-                                    murk_error *err)
+static murk_status lay_table(murk_phase_table **out,
+                             const murk_phase_rows *rows, murk_error *err)
 {
     murk_phase_nodes nodes = {0};
     murk_phase_table *table = NULL;
-    murk_status status = check_rows(rows, err);
-    double before = 0, covered = 0;
-    if (!status) {
-        status = lay_head(&nodes, rows, err);
-        before = murk_phase_nodes_integral(&nodes);
-    }
+    murk_status status = lay_head(&nodes, rows, err);
+    const double before = murk_phase_nodes_integral(&nodes);
+    double covered = 0;
     if (!status) {
         status = lay_rows(&nodes, rows, err);
         covered = murk_phase_nodes_integral(&nodes);
@@ -195,6 +192,26 @@ murk_status murk_phase_table_create(murk_phase_table **out,
         *out = table;
     }
     free(nodes.node);
+    return status;
+}
+
+murk_status murk_phase_table_create(murk_phase_table **out,
+                                    const murk_phase_rows *rows,
+                                    murk_error *err)
+{
+    murk_status status = check_rows(rows, err);
+    if (status) {
+        return status;
+    }
+    const murk_phase_origin origin = {rows->rows, rows->angle_deg,
+                                      rows->phase_per_sr};
+    if (murk_phase_kept_find(out, &origin)) {
+        return MURK_OK;
+    }
+    status = lay_table(out, rows, err);
+    if (!status) {
+        murk_phase_kept_put(*out, &origin);
+    }
     return status;
 }
 
@@ -240,11 +257,19 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
                          slope, MURK_FORAND_LEAST, MURK_FORAND_MOST);
     }
     const forand f = {n, slope};
+    const murk_phase_origin origin = {1, &n, &slope};
+    if (murk_phase_kept_find(out, &origin)) {
+        return MURK_OK;
+    }
     const double s = forand_head(&f);
     murk_phase_nodes nodes = {0};
     murk_phase_nodes_begin(&nodes, s, forand_density(&f, s), .5 * (slope - 5));
     murk_phase_nodes_law(&nodes, 2, forand_density, &f);
-    return murk_phase_nodes_finish(out, &nodes, where, err);
+    const murk_status status = murk_phase_nodes_finish(out, &nodes, where, err);
+    if (!status) {
+        murk_phase_kept_put(*out, &origin);
+    }
+    return status;
 }
 
 bool murk_phase_table_is_same(const murk_phase_table *a,

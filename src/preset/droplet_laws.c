@@ -12,6 +12,7 @@
 
 #include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/kept.h"
 #include "preset/droplets.h"
 #include "preset/refraction.h"
 
@@ -87,13 +88,37 @@ static murk_status lay(nodes *all, const murk_law_call *call, murk_error *err)
     return MURK_OK;
 }
 
+/* What droplets do does not depend on how many there are: a fit of visibility
+ * asks for the same ones each time. */
+static murk_kept kept = MURK_KEPT_NONE;
+
+typedef struct solved {
+    murk_droplet_optics optics;
+    double phase[MURK_DROPLET_ANGLES_MAX];
+} solved;
+
 static void solve_node(void *context, uint64_t batch)
 {
     nodes *all = context;
     node *one = &all->node[batch];
+    const double key[] = {all->shape.a, all->shape.b, all->shape.c, one->nm};
+    const size_t phase_bytes = all->angles * sizeof *one->phase;
+    size_t size;
+    solved *found = murk_kept_find(&kept, key, sizeof key, &size);
+    if (found) {
+        one->optics = found->optics;
+        memcpy(one->phase, found->phase, phase_bytes);
+        free(found);
+        return;
+    }
     one->status = murk_droplets_solve(
         &one->optics, &all->shape, one->nm, murk_water_refraction(one->nm),
         TOLERANCE, all->angles, all->mu, one->phase, &one->err);
+    if (!one->status) {
+        solved made = {.optics = one->optics};
+        memcpy(made.phase, one->phase, phase_bytes);
+        murk_kept_put(&kept, key, sizeof key, &made, sizeof made);
+    }
 }
 
 static murk_status solve(nodes *all, const char *where, murk_error *err)
