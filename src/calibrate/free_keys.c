@@ -216,17 +216,43 @@ static murk_status tell_kind(murk_free_keys *keys, size_t k,
     return MURK_OK;
 }
 
+/* Lights by time and place take longer than all else of optics. */
+static murk_status keep_power(murk_free_keys *keys, size_t c,
+                              const murk_optics *base, murk_error *err)
+{
+    bool is_free = false;
+    for (size_t k = 0; k < keys->n; ++k) {
+        const char *path = keys->key[k].path;
+        is_free = is_free || strncmp(path, "lights.", 7) == 0 ||
+                  strncmp(path, "site.", 5) == 0;
+    }
+    if (is_free) {
+        return MURK_OK;
+    }
+    keys->power_w[c] = calloc(base->channels + 1, sizeof(double));
+    if (!keys->power_w[c]) {
+        return no_memory(err);
+    }
+    memcpy(keys->power_w[c], base->power_w, base->channels * sizeof(double));
+    return MURK_OK;
+}
+
 static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
 {
     double *value = calloc(keys->n + 1, sizeof *value);
     murk_turned *turned = calloc(keys->n + 1, sizeof *turned);
-    murk_status status = value && turned ? MURK_OK : no_memory(err);
+    keys->power_w = calloc(keys->conditions + 1, sizeof *keys->power_w);
+    murk_status status =
+        value && turned && keys->power_w ? MURK_OK : no_memory(err);
     for (size_t k = 0; k < keys->n && !status; ++k) {
         value[k] = keys->key[k].start;
     }
     for (size_t c = 0; c < keys->conditions && !status; ++c) {
         murk_optics *base = NULL;
         status = murk_free_optics(&base, keys, c, value, err);
+        if (!status) {
+            status = keep_power(keys, c, base, err);
+        }
         for (size_t k = 0; k < keys->n && !status; ++k) {
             if (keys->spot[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
                 status = probe(&turned[k], keys, k, c, value, base, err);
@@ -288,6 +314,10 @@ void murk_free_keys_destroy(murk_free_keys *keys)
         for (size_t k = 0; k < keys->n; ++k) {
             murk_free_spot_release(&keys->spot[k], keys->conditions);
         }
+        for (size_t c = 0; keys->power_w && c < keys->conditions; ++c) {
+            free(keys->power_w[c]);
+        }
+        free(keys->power_w);
         free(keys->spot);
         free(keys->key);
         free(keys->condition);
@@ -308,8 +338,12 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
     murk_scene *scene = NULL;
     const murk_status status =
         murk_free_spot_scene(&scene, keys, c, value, err);
-    return status ? status
-                  : murk_optics_create(out, scene, keys->desc.domain, err);
+    if (status) {
+        return status;
+    }
+    const double *power_w = keys->power_w ? keys->power_w[c] : NULL;
+    return power_w ? murk_optics_create_lit(out, scene, power_w, err)
+                   : murk_optics_create(out, scene, keys->desc.domain, err);
 }
 
 bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c)

@@ -57,7 +57,9 @@ typedef struct murk_free_keys {
     murk_scene_name *condition_name; /* [conditions]; empty: as it stands */
     murk_free_desc desc;             /* what it points to must outlive this */
     murk_free_spot *spot;            /* [n] private */
-    char sha256[65]; /* of the scene's file, which must stay as it is */
+    double **power_w; /* [conditions] private: of channels, where no key has
+                         a say in them; else NULL */
+    char sha256[65];  /* of the scene's file, which must stay as it is */
 } murk_free_keys;
 
 /* Starts are the values of the scene, or of the first condition in use that has

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static murk_status no_memory(const murk_scene *scene, murk_error *err)
 {
@@ -12,8 +13,7 @@ static murk_status no_memory(const murk_scene *scene, murk_error *err)
                      "no memory for its optics");
 }
 
-static murk_status fill(murk_optics *o, const murk_domain *domain,
-                        murk_error *err)
+static murk_status fill_media(murk_optics *o, murk_error *err)
 {
     const murk_scene *scene = o->scene;
     o->extinction_per_m = calloc(o->media + 1, sizeof *o->extinction_per_m);
@@ -28,13 +28,24 @@ static murk_status fill(murk_optics *o, const murk_domain *domain,
                                      ? murk_spectrum_flat(1, scene->bands)
                                      : m->extinction_per_m;
     }
-    const murk_status status = murk_phases_create(&o->phases, scene, err);
-    return status ? status
-                  : murk_relight_powers(&o->power_w, scene, domain, err);
+    return murk_phases_create(&o->phases, scene, err);
 }
 
-murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
-                               const murk_domain *domain, murk_error *err)
+static murk_status copy_power(murk_optics *o, const double *power_w,
+                              murk_error *err)
+{
+    o->power_w = calloc(o->channels + 1, sizeof *o->power_w);
+    if (!o->power_w) {
+        return no_memory(o->scene, err);
+    }
+    memcpy(o->power_w, power_w, o->channels * sizeof *power_w);
+    return MURK_OK;
+}
+
+/* power_w NULL: to be worked out, in the domain. */
+static murk_status create(murk_optics **out, murk_scene *scene,
+                          const murk_domain *domain, const double *power_w,
+                          murk_error *err)
 {
     murk_optics *o = calloc(1, sizeof *o);
     if (!o) {
@@ -47,7 +58,11 @@ murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
     o->media = scene->n_media;
     o->bands = scene->bands;
     o->channels = scene->n_lights * (size_t)scene->bands;
-    const murk_status status = fill(o, domain, err);
+    murk_status status = fill_media(o, err);
+    if (!status) {
+        status = power_w ? copy_power(o, power_w, err)
+                         : murk_relight_powers(&o->power_w, scene, domain, err);
+    }
     murk_warn_hush(was_silent);
     if (status) {
         murk_optics_destroy(o);
@@ -55,6 +70,18 @@ murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
     }
     *out = o;
     return MURK_OK;
+}
+
+murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
+                               const murk_domain *domain, murk_error *err)
+{
+    return create(out, scene, domain, NULL, err);
+}
+
+murk_status murk_optics_create_lit(murk_optics **out, murk_scene *scene,
+                                   const double *power_w, murk_error *err)
+{
+    return create(out, scene, NULL, power_w, err);
 }
 
 void murk_optics_destroy(murk_optics *optics)

@@ -29,6 +29,10 @@ murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
                                const murk_domain *domain, murk_error *err);
 void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
 
+/* The same where the channels' power is known: power_w[channels], copied. */
+murk_status murk_optics_create_lit(murk_optics **out, murk_scene *scene,
+                                   const double *power_w, murk_error *err);
+
 /* Whether a medium turns light alike in a band of both, to 1e-7 of the density
  * at any angle. */
 bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,
