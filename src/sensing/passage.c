@@ -85,27 +85,51 @@ static double depth_through_meshes(const murk_passages *p, int band,
                                     l->direction, l->length_m - from);
 }
 
-double murk_passage_transmittance(const murk_passages *p, int band,
-                                  murk_vec3 photon)
+/* Of the pieces of the way to a photon, in their order; returns how many. */
+static int depths_of(const murk_passages *p, int band, murk_vec3 photon,
+                     double depth[MURK_SEGMENT_PIECES])
 {
-    murk_segment piece[MURK_SEGMENT_PIECES];
-    double through = 1;
     if (!p->hulls) {
         /* From the photon on. */
+        murk_segment piece[MURK_SEGMENT_PIECES];
         const murk_vec3 to = murk_nearest_image(p->domain, p->sensor, photon);
         const int n = murk_segment_cut(p->domain, photon, to, 0, piece);
         for (int i = 0; i < n; ++i) {
-            through *= murk_media_transmittance(p->media, band, 0,
-                                                piece[i].from, piece[i].to);
+            const murk_vec3 way = murk_sub(piece[i].to, piece[i].from);
+            const double length = murk_length(way);
+            depth[i] = length > 0 ? murk_media_optical_depth(
+                                        p->media, band, 0, piece[i].from,
+                                        murk_scale(1 / length, way), length)
+                                  : 0;
         }
-        return through;
+        return n;
     }
     murk_leg leg[MURK_SEGMENT_PIECES];
     const int n = murk_passage_legs(p, photon, leg);
     for (int i = 0; i < n; ++i) {
-        if (leg[i].length_m > 0) {
-            through *= exp(-depth_through_meshes(p, band, &leg[i]));
-        }
+        depth[i] =
+            leg[i].length_m > 0 ? depth_through_meshes(p, band, &leg[i]) : 0;
+    }
+    return n;
+}
+
+double murk_passage_depth(const murk_passages *p, int band, murk_vec3 photon)
+{
+    double piece[MURK_SEGMENT_PIECES], depth = 0;
+    const int n = depths_of(p, band, photon, piece);
+    for (int i = 0; i < n; ++i) {
+        depth += piece[i];
+    }
+    return depth;
+}
+
+double murk_passage_transmittance(const murk_passages *p, int band,
+                                  murk_vec3 photon)
+{
+    double piece[MURK_SEGMENT_PIECES], through = 1;
+    const int n = depths_of(p, band, photon, piece);
+    for (int i = 0; i < n; ++i) {
+        through *= exp(-piece[i]);
     }
     return through;
 }

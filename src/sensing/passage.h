@@ -53,7 +53,10 @@ bool murk_passage_change(const murk_passages *passages, const murk_leg *leg,
 int murk_passage_legs(const murk_passages *passages, murk_vec3 point,
                       murk_leg leg[MURK_SEGMENT_PIECES]);
 
-/* exp(-optical depth) to a photon's place, by the nearest image. */
+/* Optical depth, and exp(-optical depth), to a photon's place, by the nearest
+ * image. */
+double murk_passage_depth(const murk_passages *passages, int band,
+                          murk_vec3 photon);
 double murk_passage_transmittance(const murk_passages *passages, int band,
                                   murk_vec3 photon);
 

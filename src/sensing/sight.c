@@ -309,6 +309,15 @@ size_t murk_sight_photons(const murk_sight *sight)
     return sight->photons;
 }
 
+const murk_photon *murk_sight_photon(const murk_sight *sight, size_t i)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    const size_t surface = murk_photon_map_count(desc->surface_map);
+    return i < surface
+               ? murk_photon_map_photons(desc->surface_map) + i
+               : murk_photon_map_photons(desc->volume_map) + (i - surface);
+}
+
 uint64_t murk_sight_regions(const murk_sight *sight, size_t i)
 {
     return sight->regions ? sight->regions[i] : 0;
@@ -316,15 +325,11 @@ uint64_t murk_sight_regions(const murk_sight *sight, size_t i)
 
 double murk_sight_power_w(const murk_sight *sight, size_t i)
 {
-    const murk_sight_desc *desc = &sight->desc;
-    const size_t surface = murk_photon_map_count(desc->surface_map);
-    const murk_photon *photon =
-        i < surface ? murk_photon_map_photons(desc->surface_map) + i
-                    : murk_photon_map_photons(desc->volume_map) + (i - surface);
-    return sight->regions
-               ? (double)photon->power_w *
-                     murk_interest_factor(desc->interest, sight->regions[i])
-               : (double)photon->power_w;
+    const murk_photon *photon = murk_sight_photon(sight, i);
+    return sight->regions ? (double)photon->power_w *
+                                murk_interest_factor(sight->desc.interest,
+                                                     sight->regions[i])
+                          : (double)photon->power_w;
 }
 
 const murk_sight_desc *murk_sight_described(const murk_sight *sight)

@@ -114,6 +114,9 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
 
+/* Photon i, by its number in looks. */
+const murk_photon *murk_sight_photon(const murk_sight *sight, size_t i);
+
 /* The regions of interest that photon i lies in, and its power times their
  * factor. */
 uint64_t murk_sight_regions(const murk_sight *sight, size_t i);

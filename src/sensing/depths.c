@@ -1,0 +1,47 @@
+#include "sensing/depths.h"
+
+#include "sensing/facing.h"
+#include "sensing/passage.h"
+#include "sensing/sight_parts.h"
+
+/* Where sightlines to a photon start. */
+static murk_vec3 start_of(const murk_photon *photon,
+                          const murk_surfaces *surfaces,
+                          murk_side sides[MURK_SIDES])
+{
+    const float *x = photon->position_m;
+    const murk_vec3 at = murk_vec((double)x[0], (double)x[1], (double)x[2]);
+    return murk_photon_is_volume(photon)
+               ? at
+               : murk_add(
+                     at,
+                     murk_side_recall(sides, surfaces, photon->normal)->off);
+}
+
+void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
+                       const murk_pose *pose, const uint32_t *photon, size_t n,
+                       const murk_media *const *media, size_t count)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    murk_side sides[MURK_SIDES] = {{0}};
+    for (size_t i = 0; i < n; ++i) {
+        sheets[i] = 1;
+        if (sight->has_sheets) {
+            const murk_photon *p = murk_sight_photon(sight, photon[i]);
+            const murk_vec3 from = start_of(p, desc->surfaces, sides);
+            const murk_vec3 to =
+                murk_nearest_image(&desc->domain, pose->position, from);
+            sheets[i] = murk_segment_sheets(desc->surfaces, &desc->domain, from,
+                                            to, p->band);
+        }
+    }
+    for (size_t m = 0; m < count; ++m) {
+        const murk_passages passages = murk_passages_from(
+            media[m], desc->hulls, &desc->domain, pose->position);
+        for (size_t i = 0; i < n; ++i) {
+            const murk_photon *p = murk_sight_photon(sight, photon[i]);
+            depth[i * count + m] = murk_passage_depth(
+                &passages, p->band, start_of(p, desc->surfaces, sides));
+        }
+    }
+}
