@@ -1,8 +1,14 @@
 /* Coverage of groups of sensors from re-weighted records.
  *
- * C = sum w D / sum w, map by map as the scene weighs them; D' of the clearest
- * sightline (weighted) or of independent chances. How clear a sightline is at
- * other parameters follows from the density path along it, kept by medium. */
+ * C = sum w D / sum w, map by map as the scene weighs them, w the records'
+ * power times regions of interest times murk_reweighed.ratio, and
+ *     dC = [sum (w' D + w D') - C sum w'] / sum w.
+ * D is of the clearest sightlines, as many as the scene's redundancy
+ * (detection: weighted), or of independent chances. How clear a sightline is at
+ * other parameters follows from the density path along it, kept by medium, and
+ * from extinctions as a sensor of such acceptance sees them
+ * (medium/acceptance.h). What murk_coverage_measure() finds of the same records
+ * differs by rounding to 1/65535 alone. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 
@@ -20,15 +26,22 @@ typedef struct murk_covered_desc {
     unsigned threads;
 } murk_covered_desc;
 
-/* Refuses detection: threshold and power, and through: refract. Borrows what
- * desc points to. */
+/* Refuses detection: threshold and power, through: refract, targets, poses
+ * outside the domain, sensors with acceptance where an albedo is a grid, and
+ * sightlines beyond what the machine holds: 4 bytes and 4 for each kept medium,
+ * sheets and other media 4 more. MURK_RUN_FAILED where no record has weight.
+ * Borrows stage and followed. */
 murk_status murk_covered_create(murk_covered **out,
                                 const murk_covered_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */
 
-/* value[groups], slope[groups][keys]; batch[batches][groups]: the linearised
- * parts of batches of photons, whose total over batches is the value and whose
- * covariance is the values'. */
+/* value[groups], slope[groups][keys]; batch[batches][groups], or NULL with 0:
+ * the linearised parts of batches of photons, whose total over batches is the
+ * value and whose covariance is the values' (calibrate/coverage_ratio.h);
+ * photon p is in batch p * batches / emitted, rounded down. Where several
+ * sightlines are equally the clearest, the slope is the first's. Fails with
+ * MURK_BAD_VALUE (a medium that followed does not keep is another),
+ * MURK_RUN_FAILED (no weight is left), MURK_INTERRUPTED or MURK_NO_MEMORY. */
 murk_status murk_covered_read(double *value, double *slope, double *batch,
                               size_t batches, const murk_covered *covered,
                               const murk_reweighed *reweighed,

@@ -1,0 +1,200 @@
+#include "calibrate/coverage_sums.h"
+
+#include "base/crew.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The batches of a run. */
+static void run_of(const murk_coverage_sums *r, size_t run, size_t *first,
+                   size_t *last)
+{
+    *first = run * r->batches / r->runs;
+    *last = (run + 1) * r->batches / r->runs;
+}
+
+/* slope[keys] += a contribution's own slopes times a factor. */
+static void add_slopes(double *slope, const murk_coverage_sums *r,
+                       size_t contribution, double factor)
+{
+    const double *of = r->reweighed->slope + contribution;
+    for (size_t k = 0; k < r->keys; ++k) {
+        if (r->has_say[k]) {
+            slope[k] += factor * of[k * r->reweighed->n];
+        }
+    }
+}
+
+static void sum_all(void *context, uint64_t run)
+{
+    murk_coverage_sums *r = context;
+    const murk_seen *seen = r->seen;
+    double *slope = r->all_slope + run * MURK_MAP_PARTS * r->keys;
+    size_t first, last;
+    run_of(r, run, &first, &last);
+    for (size_t b = first; b < last; ++b) {
+        for (size_t i = r->bound[b]; i < r->bound[b + 1]; ++i) {
+            if (seen->worth_w[i] > 0) {
+                const size_t map = seen->kind[i] & 1;
+                r->all[b * MURK_MAP_PARTS + map] +=
+                    seen->worth_w[i] * r->reweighed->ratio[i];
+                add_slopes(slope + map * r->keys, r, i, seen->worth_w[i]);
+            }
+        }
+    }
+}
+
+/* D of through[n] as the scene combines them, and by[n], its slope by each. */
+static double combine(const murk_coverage_sums *r, const double *through,
+                      size_t n, double *by)
+{
+    double before = 1, after = 1;
+    if (r->combining == MURK_COMBINE_INDEPENDENT) {
+        for (size_t j = 0; j < n; ++j) {
+            by[j] = before;
+            before *= 1 - through[j];
+        }
+        for (size_t j = n; j-- > 0;) {
+            by[j] *= after;
+            after *= 1 - through[j];
+        }
+        return 1 - before;
+    }
+    memset(by, 0, n * sizeof *by);
+    const double each = 1 / (double)r->redundancy;
+    double sum = 0;
+    for (size_t k = 0; k < r->redundancy && k < n; ++k) {
+        size_t best = n;
+        for (size_t j = 0; j < n; ++j) {
+            if (by[j] == 0 && (best == n || through[j] > through[best])) {
+                best = j;
+            }
+        }
+        by[best] = each;
+        sum += each * through[best];
+    }
+    return sum;
+}
+
+/* Of sightline i: its row of extinctions, a number of acceptance and band. */
+static size_t row_of(const murk_coverage_sums *r, const murk_sightlines *lines,
+                     size_t i)
+{
+    const size_t a =
+        lines->acceptance ? lines->acceptance[i] : lines->acceptance_all;
+    return a * r->bands + (r->seen->kind[lines->contribution[i]] >> 1);
+}
+
+static double through_of(const murk_coverage_sums *r,
+                         const murk_sightlines *lines, size_t i)
+{
+    const size_t media = r->seen->media;
+    const double *extinction = r->extinction + row_of(r, lines, i) * media;
+    double depth = 0;
+    for (size_t m = 0; m < media; ++m) {
+        depth += extinction[m] * (double)lines->path_m[i * media + m];
+    }
+    return (lines->rest ? (double)lines->rest[i] : 1) * exp(-depth);
+}
+
+/* What a run needs beside its sums. */
+typedef struct scratch {
+    double *through, *by; /* [most] of a record's sightlines */
+    double *less;         /* [MURK_MAP_PARTS][cells] sum w c T path */
+} scratch;
+
+/* The record whose sightlines are [i, end). */
+static void add_record(const murk_coverage_sums *r,
+                       const murk_sightlines *lines, size_t i, size_t end,
+                       scratch *s, double seen_by[MURK_MAP_PARTS],
+                       double *slope)
+{
+    const murk_seen *seen = r->seen;
+    const size_t media = seen->media;
+    const size_t contribution = lines->contribution[i];
+    const size_t map = seen->kind[contribution] & 1;
+    const double worth_w = seen->worth_w[contribution];
+    const double w = worth_w * r->reweighed->ratio[contribution];
+    for (size_t j = i; j < end; ++j) {
+        s->through[j - i] = through_of(r, lines, j);
+    }
+    const double clarity = combine(r, s->through, end - i, s->by);
+    seen_by[map] += w * clarity;
+    add_slopes(slope + map * r->keys, r, contribution, worth_w * clarity);
+    double *less = s->less + map * murk_coverage_cells(r);
+    for (size_t j = i; j < end; ++j) {
+        const double factor = w * s->by[j - i] * s->through[j - i];
+        double *row = less + row_of(r, lines, j) * media;
+        for (size_t m = 0; factor > 0 && m < media; ++m) {
+            row[m] += factor * (double)lines->path_m[j * media + m];
+        }
+    }
+}
+
+static size_t first_at_least(const murk_sightlines *lines, size_t contribution)
+{
+    size_t low = 0, high = lines->n;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (lines->contribution[middle] < contribution) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+static void sum_seen(void *context, uint64_t job)
+{
+    murk_coverage_sums *r = context;
+    const size_t group = job / r->runs, run = job % r->runs;
+    const murk_sightlines *lines = &r->seen->of[group];
+    const size_t cells = murk_coverage_cells(r);
+    double *slope = r->in_view_slope + job * MURK_MAP_PARTS * r->keys;
+    scratch s = {.through = malloc(lines->most * sizeof *s.through + 1),
+                 .by = malloc(lines->most * sizeof *s.by + 1),
+                 .less = calloc(MURK_MAP_PARTS * cells + 1, sizeof *s.less)};
+    size_t first, last;
+    run_of(r, run, &first, &last);
+    size_t i = first_at_least(lines, r->bound[first]);
+    const bool has_room = s.through && s.by && s.less;
+    for (size_t b = first; has_room && b < last; ++b) {
+        double *seen_by =
+            r->in_view + (group * r->batches + b) * MURK_MAP_PARTS;
+        while (i < lines->n && lines->contribution[i] < r->bound[b + 1]) {
+            size_t end = i + 1;
+            while (end < lines->n &&
+                   lines->contribution[end] == lines->contribution[i]) {
+                ++end;
+            }
+            add_record(r, lines, i, end, &s, seen_by, slope);
+            i = end;
+        }
+    }
+    for (size_t map = 0; has_room && map < MURK_MAP_PARTS; ++map) {
+        for (size_t k = 0; k < r->keys; ++k) {
+            for (size_t cell = 0; cell < cells; ++cell) {
+                slope[map * r->keys + k] -=
+                    r->steepness[k * cells + cell] * s.less[map * cells + cell];
+            }
+        }
+    }
+    murk_tally_add(&r->failures, !has_room);
+    free(s.through);
+    free(s.by);
+    free(s.less);
+}
+
+size_t murk_coverage_cells(const murk_coverage_sums *sums)
+{
+    return sums->seen->acceptances * sums->bands * sums->seen->media;
+}
+
+bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads)
+{
+    murk_crew_run(threads, sums->runs, sum_all, sums);
+    murk_crew_run(threads, sums->seen->groups * sums->runs, sum_seen, sums);
+    return murk_tally_read(&sums->failures) == 0;
+}

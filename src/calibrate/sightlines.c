@@ -1,0 +1,170 @@
+#include "calibrate/sightlines.h"
+
+#include "sensing/depths.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Sightlines that let less through of the light as traced are left out: a
+ * coverage misses less than this by each, and less than its root where the
+ * media have thinned to half. Looks leave out 8000 times as much. */
+#define LEAST_THROUGH 0x1p-30
+
+#define CHUNK 512 /* sightlines measured together */
+
+static size_t bytes_each(const murk_sightlines_through *t)
+{
+    return sizeof(uint32_t) + t->media * sizeof(float) +
+           (t->has_rest ? sizeof(float) : 0);
+}
+
+static bool make_room(murk_sightlines *lines, const murk_sightlines_through *t,
+                      size_t n, bool has_acceptances)
+{
+    lines->contribution = malloc(n * sizeof *lines->contribution + 1);
+    lines->path_m = malloc(n * t->media * sizeof *lines->path_m + 1);
+    lines->rest = t->has_rest ? malloc(n * sizeof *lines->rest + 1) : NULL;
+    lines->acceptance =
+        has_acceptances ? malloc(n * sizeof *lines->acceptance + 1) : NULL;
+    return lines->contribution && lines->path_m &&
+           (lines->rest || !t->has_rest) &&
+           (lines->acceptance || !has_acceptances);
+}
+
+/* Gives back what is not used; where that fails, more is kept than needed. */
+static void *shrunk(void *array, size_t bytes)
+{
+    void *less = array ? realloc(array, bytes + 1) : NULL;
+    return less ? less : array;
+}
+
+/* Keeps those of n <= CHUNK that let enough through; depth[n * media] is
+ * scratch. */
+static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
+                 const murk_pose *pose, const uint32_t *photon, size_t n,
+                 double *depth)
+{
+    const size_t media = t->media;
+    double sheets[CHUNK], other[CHUNK] = {0};
+    if (t->other) {
+        murk_sight_depths(other, sheets, t->sight, pose, photon, n, &t->other,
+                          1);
+    }
+    murk_sight_depths(depth, sheets, t->sight, pose, photon, n, t->alone,
+                      media);
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon *p = murk_sight_photon(t->sight, photon[i]);
+        const double *extinction = t->extinction + p->band * media;
+        const double rest = sheets[i] * exp(-other[i]);
+        double kept = 0;
+        for (size_t m = 0; m < media; ++m) {
+            kept += extinction[m] * depth[i * media + m];
+        }
+        if (!(rest * exp(-kept) >= LEAST_THROUGH)) {
+            continue;
+        }
+        lines->contribution[lines->n] = p->emitted;
+        for (size_t m = 0; m < media; ++m) {
+            lines->path_m[lines->n * media + m] = (float)depth[i * media + m];
+        }
+        if (lines->rest) {
+            lines->rest[lines->n] = (float)rest;
+        }
+        ++lines->n;
+    }
+}
+
+bool murk_sightlines_find(murk_sightlines *out,
+                          const murk_sightlines_through *t, unsigned worker,
+                          const murk_pose *pose, murk_sightlines_room *room)
+{
+    murk_look look;
+    murk_sight_look(t->sight, worker, pose, &look);
+    const int64_t most = (int64_t)(look.seen * bytes_each(t));
+    murk_tally_add(&room->bytes, most);
+    if ((double)murk_tally_read(&room->bytes) > room->most_bytes) {
+        return false;
+    }
+    double *depth = malloc(CHUNK * t->media * sizeof *depth + 1);
+    if (!depth || !make_room(out, t, look.seen, false)) {
+        free(depth);
+        return false;
+    }
+    for (size_t i = 0; i < look.seen; i += CHUNK) {
+        const size_t left = look.seen - i;
+        keep(out, t, pose, look.photon + i, left < CHUNK ? left : CHUNK, depth);
+    }
+    free(depth);
+    out->contribution =
+        shrunk(out->contribution, out->n * sizeof *out->contribution);
+    out->path_m = shrunk(out->path_m, out->n * t->media * sizeof *out->path_m);
+    out->rest = shrunk(out->rest, out->n * sizeof *out->rest);
+    murk_tally_add(&room->bytes, (int64_t)(out->n * bytes_each(t)) - most);
+    return true;
+}
+
+/* place[c]: where the next line to contribution c goes. */
+static void put(murk_sightlines *to, const murk_sightlines *from,
+                uint32_t *place, size_t media)
+{
+    for (size_t i = 0; i < from->n; ++i) {
+        const uint32_t c = from->contribution[i];
+        const size_t at = place[c]++;
+        to->contribution[at] = c;
+        memcpy(to->path_m + at * media, from->path_m + i * media,
+               media * sizeof *to->path_m);
+        if (to->rest) {
+            to->rest[at] = from->rest[i];
+        }
+        if (to->acceptance) {
+            to->acceptance[at] = from->acceptance_all;
+        }
+    }
+}
+
+bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
+                          size_t parts, const murk_sightlines_through *t,
+                          size_t contributions)
+{
+    size_t n = 0;
+    bool has_acceptances = false;
+    for (size_t j = 0; j < parts; ++j) {
+        n += part[j].n;
+        has_acceptances =
+            has_acceptances || part[j].acceptance_all != part[0].acceptance_all;
+    }
+    uint32_t *place = calloc(contributions + 1, sizeof *place);
+    if (!place || n > UINT32_MAX || !make_room(out, t, n, has_acceptances)) {
+        free(place);
+        return false;
+    }
+    out->n = n;
+    out->acceptance_all = parts ? part[0].acceptance_all : 0;
+    for (size_t j = 0; j < parts; ++j) {
+        for (size_t i = 0; i < part[j].n; ++i) {
+            ++place[part[j].contribution[i]];
+        }
+    }
+    uint32_t before = 0;
+    for (size_t c = 0; c < contributions; ++c) {
+        const uint32_t here = place[c];
+        out->most = here > out->most ? here : out->most;
+        place[c] = before;
+        before += here;
+    }
+    for (size_t j = 0; j < parts; ++j) {
+        put(out, &part[j], place, t->media);
+        murk_sightlines_release(&part[j]);
+    }
+    free(place);
+    return true;
+}
+
+void murk_sightlines_release(murk_sightlines *lines)
+{
+    free(lines->contribution);
+    free(lines->path_m);
+    free(lines->rest);
+    free(lines->acceptance);
+    *lines = (murk_sightlines){0};
+}
