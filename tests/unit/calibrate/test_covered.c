@@ -1,5 +1,6 @@
 /* Coverage from re-weighted records is what sensing measures of such records,
  * and its slopes and errors are its own. */
+#include "calibrate/sightlines.h"
 #include "covered_case.h"
 #include "study/plan.h"
 
@@ -316,6 +317,33 @@ static void test_what_has_no_slope_is_refused(void)
     check_refused("placement.redundancy=1", &outside, "outside the domain");
 }
 
+/* Lines are counted before they are kept: what would take more than there is
+ * room for is not even begun. */
+static void test_memory_is_bounded(void)
+{
+    lit l = lit_with(NULL, MEDIA);
+    const murk_traced traced = {.surface = l.followed->surface,
+                                .volume = l.followed->volume,
+                                .emitted = l.followed->n};
+    murk_sight *sight = NULL;
+    murk_look look;
+    CHECK(!murk_plan_sight(&sight, l.stage, &traced, 1, NULL));
+    murk_sight_look(sight, 0, &poses[0], &look);
+    const double needed = (double)(look.seen * sizeof(uint32_t));
+    const murk_sightlines_through through = {.sight = sight};
+    for (int is_enough = 0; is_enough < 2; ++is_enough) {
+        murk_sightlines lines = {0};
+        murk_sightlines_room room = {.most_bytes = needed - !is_enough};
+        CHECK(murk_sightlines_find(&lines, &through, 0, &poses[0], &room) ==
+              is_enough);
+        CHECK(lines.n == (is_enough ? look.seen : 0));
+        CHECK(!lines.contribution == !is_enough);
+        murk_sightlines_release(&lines);
+    }
+    murk_sight_destroy(sight);
+    put_out(&l);
+}
+
 int main(void)
 {
     test_is_what_sensing_measures();
@@ -325,5 +353,6 @@ int main(void)
     test_threads_cannot_be_told();
     test_other_media_stay();
     test_what_has_no_slope_is_refused();
+    test_memory_is_bounded();
     return check_done();
 }
