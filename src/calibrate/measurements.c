@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FILE_BYTES_MAX 64000000
+#define FILE_BYTES_MAX 32000000
 
 /* A reading with the names of its line, which point into the table. */
 typedef struct named {

@@ -1,0 +1,209 @@
+/* Files of readings and names of keys that are cut off, changed, noise, or far
+ * too large: whatever they are, they are read or refused in one line, within
+ * bounded time and memory. Deterministic. */
+#include "base/log.h"
+#include "base/progress.h"
+#include "base/rng.h"
+#include "calibrate/key_place.h"
+#include "calibrate/measurements.h"
+#include "check.h"
+
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#define SLOWEST_S 10.0 /* the project's bound for any bad input */
+#define MOST_KB   2000000L
+
+static const char SCENE[] =
+    "murk: 1\n"
+    "bands_nm: [450, 532]\n"
+    "domain: {min_m: [0, 0, 0], max_m: [30, 20, 10]}\n"
+    "media:\n"
+    "  fog: {preset: fog/kruse, visibility_m: 80}\n"
+    "  a.b: {extinction_per_m: [1, 2], albedo: .5, phase: [{hg: .5}, {hg: "
+    ".6}]}\n"
+    "regions:\n"
+    "  - {medium: fog}\n"
+    "  - {medium: a.b, box: {min_m: [1, 1, 1], max_m: [2, 2, 2]}}\n"
+    "lights: [{type: point, position_m: [1, 1, 1], power_w: [1, 2]}]\n"
+    "sensors: {types: [{name: cam, range_m: 9, view: {cone_deg: 60}}]}\n"
+    "conditions: {dawn: {}, noon: {}}\n";
+
+static const char GOOD[] =
+    "kind,condition,x_m,y_m,z_m,x2_m,y2_m,z2_m,direction_x,direction_y,"
+    "direction_z,radius_m,acceptance_deg,band_nm,sensor,heading_deg,tilt_deg,"
+    "group,gain,unit,value,standard_error,use\n"
+    "coverage,dawn,1,2,3,,,,,,,,,,cam,90,-30,A,,,.4,.02,fit\n"
+    "coverage,dawn,2,2,3,,,,,,,,,,cam,90,-30,A,,,.4,.02,fit\n"
+    "fluence,,4,5,6,,,,,,,.5,,532,,,,,,lux,50,2,hold_out\n"
+    "irradiance,noon,4,5,6,,,,0,0,-2,.5,60,,,,,,,W/m2,1.5,.1,\n"
+    "transmittance,,1,1,1,1,1,4,,,,,1,,,,,\"B \"\"1\"\"\",,db_per_km,87,3,\n"
+    "fluence,,4,5,6,,,,,,,.5,,,,,,,probe,percent,40,5,\n";
+
+static char path[] = "/tmp/murk-readings-XXXXXX";
+static murk_scene *scene;
+static int read_well;
+
+static void check_refusal(murk_status status, const murk_error *err)
+{
+    CHECK(status == MURK_BAD_FILE || status == MURK_BAD_VALUE);
+    CHECK(err->text[0] != '\0');
+    CHECK(!strchr(err->text, '\n') && !strchr(err->where, '\n'));
+}
+
+static void try_file(const char *bytes, size_t size)
+{
+    murk_measurements *m = NULL;
+    murk_error err = {0};
+    FILE *to = fopen(path, "wb");
+    CHECK(to && fwrite(bytes, 1, size, to) == size && fclose(to) == 0);
+    const murk_status status =
+        murk_measurements_read(&m, path, scene, &scene->domain, &err);
+    if (status) {
+        CHECK(m == NULL);
+        check_refusal(status, &err);
+        return;
+    }
+    ++read_well;
+    CHECK(m->rows > 0 && m->rows <= m->readings && m->held_out <= m->rows);
+    for (size_t i = 0; i < m->readings; ++i) {
+        CHECK(isfinite(m->reading[i].value));
+        CHECK(m->reading[i].standard_error > 0);
+        CHECK(murk_box_contains(&scene->domain.box, m->reading[i].position));
+    }
+    murk_measurements_destroy(m);
+}
+
+static void test_cut_off_anywhere(void)
+{
+    for (size_t size = 0; size < sizeof GOOD - 1; ++size) {
+        try_file(GOOD, size);
+    }
+}
+
+static void test_flipped_bytes(void)
+{
+    static const char what[] = ",\n\"#0123456789-+.eE \0naif_";
+    for (uint64_t i = 0; i < 4000; ++i) {
+        char text[sizeof GOOD];
+        memcpy(text, GOOD, sizeof GOOD);
+        for (uint32_t k = 0; k <= i % 4; ++k) {
+            uint32_t word[4];
+            murk_random_words(11, MURK_TEST, i, k, 0, word);
+            const uint32_t at = murk_random_below(word[0], sizeof GOOD - 1);
+            text[at] = i / 4 % 2
+                           ? what[murk_random_below(word[1], sizeof what - 1)]
+                           : (char)(word[1] & 0xff);
+        }
+        try_file(text, sizeof GOOD - 1);
+    }
+}
+
+static void test_noise(void)
+{
+    char noise[2000];
+    for (uint64_t i = 0; i < 50; ++i) {
+        for (uint32_t k = 0; k < sizeof noise; k += 4) {
+            uint32_t word[4];
+            murk_random_words(12, MURK_TEST, i, k, 0, word);
+            memcpy(noise + k, word, 4);
+        }
+        try_file(noise, sizeof noise);
+    }
+    try_file("{\"murk\": {}, \"parameters\": [1, 2]}\n", 35);
+    try_file("murk: 1\nmedia: {}\n", 18);
+}
+
+/* Ten million rows, and one row without end. */
+static void test_too_large(void)
+{
+    static const char head[] = "kind,value,standard_error\n";
+    const size_t rows = 10000000, room = sizeof head + 3 * rows;
+    const double start_s = murk_clock_s();
+    char *text = malloc(room);
+    CHECK(text != NULL);
+    memcpy(text, head, sizeof head - 1);
+    for (size_t i = 0; i < rows; ++i) {
+        memcpy(text + sizeof head - 1 + 3 * i, ",,\n", 3);
+    }
+    const int before = read_well;
+    try_file(text, room - 1);
+    memset(text, ',', room);
+    try_file(text, room);
+    memset(text, '"', room);
+    try_file(text, room);
+    CHECK(read_well == before);
+    CHECK(murk_clock_s() - start_s < SLOWEST_S);
+    free(text);
+}
+
+/* Paths of keys with parts dropped, doubled and changed. */
+static void test_names_of_keys(void)
+{
+    static const char *const paths[] = {
+        "media.fog.visibility_m", "media.a.b.extinction_per_m.1",
+        "media.a.b.phase.0.hg", "regions.1.box.max_m.2", "lights.0.power_w.1"};
+    murk_yaml *root = NULL;
+    int found = 0;
+    CHECK(murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved),
+                          "resolved", NULL) == MURK_OK);
+    for (uint64_t i = 0; i < 20000; ++i) {
+        char name[400];
+        murk_key_place place;
+        murk_error err = {0};
+        uint32_t word[4];
+        const size_t n =
+            (size_t)snprintf(name, sizeof name, "%s", paths[i % 5]);
+        murk_random_words(13, MURK_TEST, i, 0, 0, word);
+        const uint32_t at = murk_random_below(word[0], (uint32_t)n);
+        if (i % 3 == 0) {
+            name[at] = '\0';
+        } else if (i % 3 == 1) {
+            name[at] = ".0123456789@-_ \x7f\xff"[word[1] % 17];
+        } else if (i >= 15) {
+            snprintf(name + at, sizeof name - at, "%s", paths[word[1] % 5]);
+        }
+        const murk_status status =
+            murk_key_place_find(&place, root, name, "--free", &err);
+        if (status) {
+            check_refusal(status, &err);
+        } else {
+            ++found;
+            CHECK(isfinite(place.value) && place.put <= strlen(name));
+        }
+    }
+    CHECK(found >= 5 && found < 10000);
+    murk_yaml_destroy(root);
+}
+
+static long most_kb(void)
+{
+    struct rusage use;
+    getrusage(RUSAGE_SELF, &use);
+    return use.ru_maxrss;
+}
+
+int main(void)
+{
+    murk_error err = {0};
+    murk_warn_to(NULL);
+    const int handle = mkstemp(path);
+    CHECK(handle >= 0);
+    close(handle);
+    CHECK(murk_scene_parse(&scene, SCENE, "s.yaml", NULL, 0, &err) == MURK_OK);
+    if (scene) {
+        try_file(GOOD, sizeof GOOD - 1);
+        CHECK(read_well == 1);
+        test_cut_off_anywhere();
+        test_flipped_bytes();
+        test_noise();
+        CHECK(read_well > 50); /* both ways were taken */
+        test_too_large();
+        test_names_of_keys();
+        CHECK(most_kb() < MOST_KB);
+    }
+    unlink(path);
+    murk_scene_destroy(scene);
+    return check_done();
+}
