@@ -41,9 +41,11 @@ void murk_note(const char *where, const char *format, ...)
     (to_stderr ? note_to_stderr : current)(where ? where : "", text);
 }
 
-void murk_warn_to(murk_warn_sink sink)
+murk_warn_sink murk_warn_to(murk_warn_sink sink)
 {
+    const murk_warn_sink before = current;
     current = sink;
+    return before;
 }
 
 bool murk_warn_hush(bool is_silent)

@@ -13,10 +13,10 @@ void murk_warn(const char *where, const char *format, ...)
 void murk_note(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Sends both elsewhere; NULL silences them. Set it before any thread
- * starts. */
+/* Sends both elsewhere; NULL silences them. Set it while no thread runs that
+ * might warn. Returns where they went before. */
 typedef void (*murk_warn_sink)(const char *where, const char *text);
-void murk_warn_to(murk_warn_sink sink);
+murk_warn_sink murk_warn_to(murk_warn_sink sink);
 void murk_warn_to_stderr(const char *where, const char *text);
 
 /* Whether this thread keeps silent: of what is read a second time, all has been
