@@ -85,3 +85,90 @@ void murk_coverage_ratio(double *value, double *slope, double *batch,
             linearised(mix, ratio, seen + b * MAPS, sums->all + b * MAPS);
     }
 }
+
+/* X and Y of a run, and how they turn with key k. */
+typedef struct run_sums {
+    double seen[MAPS], all[MAPS], seen_slope[MAPS], all_slope[MAPS];
+} run_sums;
+
+static void add_run(run_sums *to, const murk_coverage_sums *sums, size_t group,
+                    size_t run, size_t k)
+{
+    const double *seen = sums->in_view + group * sums->batches * MAPS;
+    const double *of =
+        sums->in_view_slope + group * sums->runs * MAPS * sums->keys;
+    const size_t first = run * sums->batches / sums->runs;
+    const size_t last = (run + 1) * sums->batches / sums->runs;
+    for (size_t b = first; b < last; ++b) {
+        for (int map = 0; map < MAPS; ++map) {
+            to->seen[map] += seen[b * MAPS + (size_t)map];
+            to->all[map] += sums->all[b * MAPS + (size_t)map];
+        }
+    }
+    for (int map = 0; map < MAPS; ++map) {
+        const size_t at = (run * MAPS + (size_t)map) * sums->keys + k;
+        to->seen_slope[map] += of[at];
+        to->all_slope[map] += sums->all_slope[at];
+    }
+}
+
+static double slope_part(const run_sums *run, const double ratio[MAPS],
+                         const double turn[MAPS], const murk_coverage_mix *mix,
+                         const double by_whole[MAPS])
+{
+    double sum = 0;
+    for (int map = 0; map < MAPS; ++map) {
+        if (mix->part[map] > 0) {
+            const double off = run->seen[map] - ratio[map] * run->all[map];
+            sum += mix->part[map] / mix->whole[map] *
+                   (run->seen_slope[map] - ratio[map] * run->all_slope[map] -
+                    turn[map] * run->all[map] - off * by_whole[map]);
+        }
+    }
+    return sum;
+}
+
+/* How the ratio that Y counts for turns, and the whole's relative slope. */
+static void turns_of(double turn[MAPS], double by_whole[MAPS],
+                     const run_sums *total, const double ratio[MAPS],
+                     const murk_coverage_mix *mix)
+{
+    double all_turn = 0, all_whole = 0;
+    for (int map = 0; map < MAPS; ++map) {
+        const bool counts = mix->part[map] > 0;
+        turn[map] = counts ? (total->seen_slope[map] -
+                              ratio[map] * total->all_slope[map]) /
+                                 mix->whole[map]
+                           : 0;
+        by_whole[map] = counts ? total->all_slope[map] / mix->whole[map] : 0;
+        all_turn += mix->part[map] * turn[map];
+        all_whole += mix->part[map] * by_whole[map];
+    }
+    for (int map = 0; map < MAPS && mix->is_one; ++map) {
+        turn[map] = all_turn;
+        by_whole[map] = all_whole;
+    }
+}
+
+void murk_coverage_slope_parts(double *part, size_t stride, const double *slope,
+                               size_t group, const murk_coverage_sums *sums,
+                               const murk_coverage_mix *mix)
+{
+    double ratio[MAPS], turn[MAPS], by_whole[MAPS];
+    (void)find_ratios(ratio, sums->in_view + group * sums->batches * MAPS,
+                      sums->batches, mix);
+    for (size_t k = 0; k < sums->keys; ++k) {
+        run_sums total = {{0}, {0}, {0}, {0}};
+        for (size_t run = 0; run < sums->runs; ++run) {
+            add_run(&total, sums, group, run, k);
+        }
+        turns_of(turn, by_whole, &total, ratio, mix);
+        for (size_t run = 0; run < sums->runs; ++run) {
+            run_sums one = {{0}, {0}, {0}, {0}};
+            add_run(&one, sums, group, run, k);
+            part[run * stride + k] =
+                slope[k] / (double)sums->runs +
+                slope_part(&one, ratio, turn, mix, by_whole);
+        }
+    }
+}

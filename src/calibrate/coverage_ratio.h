@@ -32,4 +32,11 @@ void murk_coverage_ratio(double *value, double *slope, double *batch,
                          const murk_coverage_sums *sums,
                          const murk_coverage_mix *mix);
 
+/* Runs' parts of the slopes, part[runs * stride], each [keys], which add up to
+ * slope[keys]: of the linearised residuals (X_b - C Y_b) / Y, by the quotient's
+ * own rule. */
+void murk_coverage_slope_parts(double *part, size_t stride, const double *slope,
+                               size_t group, const murk_coverage_sums *sums,
+                               const murk_coverage_mix *mix);
+
 #endif

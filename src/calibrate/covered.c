@@ -259,7 +259,8 @@ static murk_status add_up(murk_coverage_sums *s, const murk_covered *c,
 }
 
 murk_status murk_covered_read(double *value, double *slope, double *batch,
-                              size_t batches, const murk_covered *covered,
+                              size_t batches, double *slope_batch, size_t runs,
+                              const murk_covered *covered,
                               const murk_reweighed *reweighed,
                               const murk_optics *traced, const murk_optics *at,
                               const murk_optics_sides *sides, size_t keys,
@@ -274,7 +275,9 @@ murk_status murk_covered_read(double *value, double *slope, double *batch,
                                .bands =
                                    (size_t)covered->desc.stage->scene->bands,
                                .batches = parts,
-                               .runs = parts < RUNS ? parts : RUNS,
+                               .runs = slope_batch    ? runs
+                                       : parts < RUNS ? parts
+                                                      : RUNS,
                                .keys = keys};
     murk_coverage_mix mix;
     murk_status status = check_others(covered, traced, at, err);
@@ -296,6 +299,11 @@ murk_status murk_covered_read(double *value, double *slope, double *batch,
         murk_coverage_ratio(&value[g], slope + g * keys,
                             batches > 0 ? batch + g : NULL,
                             covered->desc.groups, g, &sums, &mix);
+        if (slope_batch) {
+            murk_coverage_slope_parts(slope_batch + g * keys,
+                                      covered->desc.groups * keys,
+                                      slope + g * keys, g, &sums, &mix);
+        }
     }
     release(&sums);
     return status;

@@ -38,12 +38,14 @@ void murk_covered_destroy(murk_covered *covered); /* NULL is fine */
 /* value[groups], slope[groups][keys]; batch[batches][groups], or NULL with 0:
  * the linearised parts of batches of photons, whose total over batches is the
  * value and whose covariance is the values' (calibrate/coverage_ratio.h);
- * photon p is in batch p * batches / emitted, rounded down. Where several
- * sightlines are equally the clearest, the slope is the first's. Fails with
- * MURK_BAD_VALUE (a medium that followed does not keep is another),
+ * photon p is in batch p * batches / emitted, rounded down. slope_batch
+ * [runs][groups][keys], or NULL: likewise of the slopes, runs dividing batches.
+ * Where several sightlines are equally the clearest, the slope is the first's.
+ * Fails with MURK_BAD_VALUE (a medium that followed does not keep is another),
  * MURK_RUN_FAILED (no weight is left), MURK_INTERRUPTED or MURK_NO_MEMORY. */
 murk_status murk_covered_read(double *value, double *slope, double *batch,
-                              size_t batches, const murk_covered *covered,
+                              size_t batches, double *slope_batch, size_t runs,
+                              const murk_covered *covered,
                               const murk_reweighed *reweighed,
                               const murk_optics *traced, const murk_optics *at,
                               const murk_optics_sides *sides, size_t keys,

@@ -4,7 +4,8 @@
 #include <string.h>
 
 void murk_receivers_read(double *value, double *slope, double *batch,
-                         size_t batches, const murk_receiver *receiver,
+                         size_t batches, double *slope_batch, size_t runs,
+                         const murk_receiver *receiver,
                          const murk_spectrum *per_watt, size_t receivers,
                          const murk_followed *followed,
                          const murk_reweighed *reweighed)
@@ -14,6 +15,9 @@ void murk_receivers_read(double *value, double *slope, double *batch,
     memset(value, 0, receivers * sizeof *value);
     memset(slope, 0, receivers * keys * sizeof *slope);
     memset(batch, 0, batches * receivers * sizeof *batch);
+    if (slope_batch) {
+        memset(slope_batch, 0, runs * receivers * keys * sizeof *slope_batch);
+    }
     for (size_t i = 0; i < f->n; ++i) {
         const murk_contribution *c = &f->contribution[i];
         const size_t r = c->receiver;
@@ -28,8 +32,13 @@ void murk_receivers_read(double *value, double *slope, double *batch,
             per_watt[r].band[c->band] / volume;
         const size_t b = (size_t)(c->photon * (uint64_t)batches / f->emitted);
         batch[b * receivers + r] += worth * reweighed->ratio[i];
+        const size_t run = (size_t)(c->photon * (uint64_t)runs / f->emitted);
         for (size_t k = 0; k < keys; ++k) {
-            slope[r * keys + k] += worth * reweighed->slope[k * f->n + i];
+            const double part = worth * reweighed->slope[k * f->n + i];
+            slope[r * keys + k] += part;
+            if (slope_batch) {
+                slope_batch[(run * receivers + r) * keys + k] += part;
+            }
         }
     }
     for (size_t b = 0; b < batches; ++b) {

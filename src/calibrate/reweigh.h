@@ -48,9 +48,11 @@ void murk_reweighed_release(murk_reweighed *reweighed);
 /* What receivers read, W/m2 in each band that they take, times per_watt[r] by
  * band: value[receivers], slope[receivers][keys], and sums by batch of photons
  * batch[batches][receivers] whose totals are the values. Batches are runs of
- * photons' indices. */
+ * photons' indices. slope_batch[runs][receivers][keys], NULL or likewise of the
+ * slopes. */
 void murk_receivers_read(double *value, double *slope, double *batch,
-                         size_t batches, const murk_receiver *receiver,
+                         size_t batches, double *slope_batch, size_t runs,
+                         const murk_receiver *receiver,
                          const murk_spectrum *per_watt, size_t receivers,
                          const murk_followed *followed,
                          const murk_reweighed *reweighed);

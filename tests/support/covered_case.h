@@ -214,9 +214,9 @@ static inline read_out read_at(const lit *l, const double at[KEYS], double step,
     }
     murk_reweighed reweighed =
         reweigh(l->followed, &l->traced->optics, &here.optics, sides);
-    out.status = murk_covered_read(out.value, out.slope[0], out.batch, batches,
-                                   l->covered, &reweighed, &l->traced->optics,
-                                   &here.optics, sides, KEYS, &out.err);
+    out.status = murk_covered_read(
+        out.value, out.slope[0], out.batch, batches, NULL, 0, l->covered,
+        &reweighed, &l->traced->optics, &here.optics, sides, KEYS, &out.err);
     murk_reweighed_release(&reweighed);
     return out;
 }

@@ -219,9 +219,9 @@ static void test_slopes_need_sightlines(void)
     const murk_optics_sides *const wrong[] = {turned, still};
     for (size_t i = 0; i < 2; ++i) {
         read_out off;
-        CHECK(!murk_covered_read(off.value, off.slope[0], NULL, 0, l.covered,
-                                 &reweighed, &l.traced->optics, &here.optics,
-                                 wrong[i], KEYS, NULL));
+        CHECK(!murk_covered_read(off.value, off.slope[0], NULL, 0, NULL, 0,
+                                 l.covered, &reweighed, &l.traced->optics,
+                                 &here.optics, wrong[i], KEYS, NULL));
         for (size_t g = 0; g < GROUPS; ++g) {
             CHECK(off.value[g] == got.value[g]);
             CHECK(fabs(off.slope[g][FOG] - got.slope[g][FOG]) > 1e-3);
@@ -275,9 +275,9 @@ static void test_other_media_stay(void)
     free(got.batch);
     got = read_at(&all, clearer, STEP, 0);
     double value[GROUPS], slope[GROUPS][KEYS];
-    CHECK(!murk_covered_read(value, slope[0], NULL, 0, l.covered, &reweighed,
-                             &l.traced->optics, &there.optics, none, KEYS,
-                             NULL));
+    CHECK(!murk_covered_read(value, slope[0], NULL, 0, NULL, 0, l.covered,
+                             &reweighed, &l.traced->optics, &there.optics, none,
+                             KEYS, NULL));
     for (size_t g = 0; g < GROUPS; ++g) {
         /* single precision of what is kept by path, or all in one */
         CHECK_NEAR(value[g], got.value[g], 1e-6);
@@ -285,9 +285,9 @@ static void test_other_media_stay(void)
     }
     memset(reweighed.ratio, 0, reweighed.n * sizeof *reweighed.ratio);
     murk_error err = {0};
-    CHECK(murk_covered_read(value, slope[0], NULL, 0, l.covered, &reweighed,
-                            &l.traced->optics, &there.optics, none, KEYS,
-                            &err) == MURK_RUN_FAILED);
+    CHECK(murk_covered_read(value, slope[0], NULL, 0, NULL, 0, l.covered,
+                            &reweighed, &l.traced->optics, &there.optics, none,
+                            KEYS, &err) == MURK_RUN_FAILED);
     CHECK_MENTIONS(err.text, "weigh 0 W on surfaces and 0 W in media");
     murk_reweighed_release(&reweighed);
     free(got.batch);
