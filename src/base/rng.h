@@ -26,6 +26,7 @@ typedef enum murk_purpose {
                              surfaces, 1 in the volume */
     MURK_JITTER = 24,     /* photon: draw; event: sensor */
     MURK_FREE_SPACE = 28, /* photon: place; event: which box or ball */
+    MURK_FIT_START = 30,  /* photon: start; event: parameter */
     MURK_TEST = 31        /* for tests */
 } murk_purpose;
 

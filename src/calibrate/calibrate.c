@@ -1,0 +1,398 @@
+#include "calibrate/calibrate.h"
+
+#include "base/interrupt.h"
+#include "base/rng.h"
+#include "calibrate/search.h"
+#include "calibrate/slope_noise.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Further starts lie within this factor of the scene's values, or in this share
+ * of the width of bounds. */
+#define START_FACTOR 4.0
+#define START_SHARE  .9
+
+/* A value nearer to a bound than this share of itself or of 1 is at it. */
+#define AT_BOUND 1e-6
+
+#define NORMAL_95 1.959963984540054
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
+}
+
+static murk_status set_aside(murk_calibration *out, size_t n, size_t rows,
+                             size_t starts, murk_error *err)
+{
+    out->n = n;
+    out->value = calloc(n + 1, sizeof *out->value);
+    out->lower = calloc(n + 1, sizeof *out->lower);
+    out->upper = calloc(n + 1, sizeof *out->upper);
+    out->standard_error = calloc(n + 1, sizeof *out->standard_error);
+    out->at_bound = calloc(n + 1, sizeof *out->at_bound);
+    out->covariance = calloc(n * n + 1, sizeof *out->covariance);
+    out->correlation = calloc(n * n + 1, sizeof *out->correlation);
+    out->information = calloc(n * n + 1, sizeof *out->information);
+    out->row = calloc(rows + 1, sizeof *out->row);
+    out->start = calloc(starts + 1, sizeof *out->start);
+    bool has_memory = out->value && out->lower && out->upper &&
+                      out->standard_error && out->at_bound && out->covariance &&
+                      out->correlation && out->information && out->row &&
+                      out->start;
+    for (size_t i = 0; has_memory && i < starts; ++i) {
+        out->start[i].from = calloc(n + 1, sizeof(double));
+        out->start[i].to = calloc(n + 1, sizeof(double));
+        out->start[i].chi2 = NAN;
+        has_memory = out->start[i].from && out->start[i].to;
+        out->starts = i + 1;
+    }
+    return has_memory ? MURK_OK : no_memory(err);
+}
+
+void murk_calibration_release(murk_calibration *c)
+{
+    for (size_t i = 0; i < c->starts; ++i) {
+        free(c->start[i].from);
+        free(c->start[i].to);
+    }
+    murk_certainty_release(&c->certainty);
+    murk_model_destroy(c->model);
+    free(c->start);
+    free(c->value);
+    free(c->lower);
+    free(c->upper);
+    free(c->standard_error);
+    free(c->at_bound);
+    free(c->covariance);
+    free(c->correlation);
+    free(c->information);
+    free(c->jacobian);
+    free(c->scale);
+    free(c->row);
+    *c = (murk_calibration){0};
+}
+
+/* Start i of a key: the scene's own value first, then some around it. */
+static double start_of(const murk_free_key *key, uint32_t seed, size_t i,
+                       size_t k)
+{
+    if (i == 0) {
+        return key->start;
+    }
+    const double u =
+        2 * murk_random(seed, MURK_FIT_START, i, (uint32_t)k, 0).u[0] - 1;
+    double v;
+    if (key->is_log) {
+        v = key->start * pow(START_FACTOR, u);
+    } else if (isfinite(key->lower) && isfinite(key->upper)) {
+        v = .5 * (key->lower + key->upper +
+                  START_SHARE * u * (key->upper - key->lower));
+    } else {
+        v = key->start + u * fmax(fabs(key->start), 1);
+    }
+    return fmin(fmax(v, key->lower), key->upper);
+}
+
+/* ---- what was found ---- */
+
+static double scale_of(const murk_free_key *key, double value)
+{
+    if (key->is_log) {
+        return 1;
+    }
+    return isfinite(key->lower) && isfinite(key->upper)
+               ? key->upper - key->lower
+               : fmax(fabs(value), 1);
+}
+
+static bool is_at_bound(const murk_free_key *key, double value)
+{
+    const double near = AT_BOUND * fmax(1, fabs(value));
+    const double ground = key->is_log ? AT_BOUND * value : near;
+    return value - key->lower <= ground || key->upper - value <= ground;
+}
+
+static void tell_values(murk_calibration *out, const murk_free_keys *keys)
+{
+    const size_t n = out->n;
+    for (size_t k = 0; k < n; ++k) {
+        const bool is_log = keys->key[k].is_log;
+        const double v = out->value[k];
+        const double error = out->certainty.standard_error[k];
+        out->standard_error[k] = is_log ? v * error : error;
+        const double reach = NORMAL_95 * error;
+        /* what cannot be is in no interval; NaN stays NaN */
+        const double low = is_log ? v * exp(-reach) : v - reach;
+        const double high = is_log ? v * exp(reach) : v + reach;
+        out->lower[k] = low < keys->key[k].lower ? keys->key[k].lower : low;
+        out->upper[k] = high > keys->key[k].upper ? keys->key[k].upper : high;
+        for (size_t j = 0; j < n; ++j) {
+            out->covariance[k * n + j] =
+                out->certainty.covariance[k * n + j] * (is_log ? v : 1) *
+                (keys->key[j].is_log ? out->value[j] : 1);
+            out->correlation[k * n + j] = out->certainty.correlation[k * n + j];
+        }
+    }
+}
+
+/* Rows as good as those of the data, without their photons' noise. */
+static murk_status inform(murk_calibration *out, const murk_fit_search *s,
+                          murk_error *err)
+{
+    const size_t n = s->n, rows = s->n_fitted;
+    double *room = calloc(rows * (n + 1) + 1, sizeof *room);
+    out->jacobian = calloc(n * n + 1, sizeof *out->jacobian);
+    out->fitted = n;
+    if (!room || !out->jacobian) {
+        free(room);
+        return no_memory(err);
+    }
+    murk_slope_noise noise;
+    murk_fit_search_residuals(s, room, room + rows);
+    murk_status status = murk_slope_noise_find(&noise, s, err);
+    if (!status) {
+        status =
+            murk_slope_noise_information(out->jacobian, &out->slope_noise,
+                                         &noise, room + rows, rows, n, err);
+    }
+    murk_slope_noise_release(&noise);
+    free(room);
+    return status;
+}
+
+static murk_status be_certain(murk_calibration *out, const murk_fit_search *s,
+                              murk_error *err)
+{
+    const size_t n = s->n;
+    const murk_free_keys *keys = s->desc->keys;
+    out->scale = calloc(n + 1, sizeof *out->scale);
+    murk_status status = out->scale ? inform(out, s, err) : no_memory(err);
+    for (size_t k = 0; k < n && !status; ++k) {
+        out->scale[k] = scale_of(&keys->key[k], out->value[k]);
+        out->at_bound[k] = is_at_bound(&keys->key[k], out->value[k]);
+    }
+    for (size_t i = 0; i < out->fitted && !status; ++i) {
+        for (size_t k = 0; k < n * n; ++k) {
+            out->information[k] +=
+                out->jacobian[i * n + k / n] * out->jacobian[i * n + k % n];
+        }
+    }
+    if (!status) {
+        status = murk_certainty_create(&out->certainty, out->jacobian,
+                                       out->fitted, n, out->at_bound,
+                                       out->scale, MURK_UNDETERMINED, err);
+    }
+    if (!status) {
+        tell_values(out, keys);
+    }
+    return status;
+}
+
+static murk_status tell_rows(murk_calibration *out, const murk_fit_search *s,
+                             murk_error *err)
+{
+    const size_t *lit;
+    size_t n;
+    double *noise;
+    const murk_status status =
+        murk_model_noise(s->model, &lit, &n, &noise, err);
+    if (status) {
+        return status;
+    }
+    for (size_t i = 0; i < s->rows; ++i) {
+        out->row[i] = (murk_calibrated_row){.predicted = s->predicted[i]};
+    }
+    for (size_t i = 0; i < n; ++i) {
+        out->row[lit[i]].photon_error = sqrt(noise[i * n + i]);
+    }
+    for (size_t i = 0; i < s->rows; ++i) {
+        murk_calibrated_row *row = &out->row[i];
+        row->residual = (s->measured[i] - row->predicted) /
+                        hypot(s->error[i], row->photon_error);
+    }
+    free(noise);
+    return MURK_OK;
+}
+
+static void judge_held_out(murk_calibration *out, const murk_fit_search *s)
+{
+    const murk_measurements *measured = s->desc->measured;
+    double squares = 0, sigmas = 0;
+    bool is_one_unit = true;
+    const murk_reading *first = NULL;
+    for (size_t i = 0; i < s->rows; ++i) {
+        const murk_reading *reading =
+            &measured->reading[measured->row[i].first];
+        if (!reading->is_held_out) {
+            continue;
+        }
+        first = first ? first : reading;
+        is_one_unit = is_one_unit && reading->unit == first->unit &&
+                      reading->kind == first->kind;
+        const double off = s->measured[i] - s->predicted[i];
+        squares += off * off;
+        sigmas += out->row[i].residual * out->row[i].residual;
+        ++out->held_out;
+    }
+    const double n = (double)out->held_out;
+    out->held_out_rms = n > 0 && is_one_unit ? sqrt(squares / n) : NAN;
+    out->held_out_rms_sigma = n > 0 ? sqrt(sigmas / n) : NAN;
+}
+
+/* Of the search that looks at the best start's end. */
+static murk_status tell(murk_calibration *out, const murk_fit_search *s,
+                        murk_error *err)
+{
+    const murk_calibration_start *best = &out->start[out->best];
+    memcpy(out->value, best->to, out->n * sizeof *out->value);
+    out->chi2 = best->chi2;
+    out->converged = best->converged;
+    snprintf(out->why, sizeof out->why, "%s", best->why);
+    out->effective_share = s->share;
+    murk_status status = tell_rows(out, s, err);
+    if (!status) {
+        judge_held_out(out, s);
+        status = be_certain(out, s, err);
+    }
+    long free_ones = 0;
+    for (size_t k = 0; k < out->n; ++k) {
+        free_ones += !out->at_bound[k];
+    }
+    out->degrees_of_freedom = (long)s->n_fitted - free_ones;
+    return status;
+}
+
+/* ---- the starts ---- */
+
+static bool is_better(const murk_calibration_start *a,
+                      const murk_calibration_start *b)
+{
+    return isnan(b->chi2) ||
+           (a->converged != b->converged ? a->converged : a->chi2 < b->chi2);
+}
+
+static murk_status look_at(murk_fit_search *s, murk_model *model,
+                           const double *value, double *x, murk_error *err)
+{
+    murk_fit_search_coordinates(s, value, x);
+    murk_status status = murk_model_trace(model, value, err);
+    return status ? status : murk_fit_search_look(s, x, err);
+}
+
+/* A start that cannot be is no failure of the others. */
+static murk_status run_start(murk_calibration *out, murk_fit_search *s,
+                             size_t i, double *x, murk_error *err)
+{
+    const murk_calibration_desc *desc = s->desc;
+    murk_calibration_start *start = &out->start[i];
+    for (size_t k = 0; k < out->n; ++k) {
+        start->from[k] = start_of(&desc->keys->key[k], desc->seed, i, k);
+    }
+    s->start = i;
+    murk_fit_search_coordinates(s, start->from, x);
+    murk_error told = {0};
+    const murk_status status = murk_fit_search_run(s, x, start, &told);
+    if (status) {
+        snprintf(start->why, sizeof start->why, "%.250s", told.text);
+        start->chi2 = NAN;
+        if (i == 0 || status == MURK_INTERRUPTED || status == MURK_NO_MEMORY) {
+            return murk_fail(err, status, told.where, "%s", told.text);
+        }
+        return MURK_OK;
+    }
+    murk_fit_search_values(s, x, start->to);
+    if (i == 0 || is_better(start, &out->start[out->best])) {
+        out->best = i;
+    }
+    return MURK_OK;
+}
+
+static murk_status only_predict(murk_calibration *out, murk_fit_search *s,
+                                murk_model *model, double *x, murk_error *err)
+{
+    for (size_t k = 0; k < out->n; ++k) {
+        out->value[k] = s->desc->keys->key[k].start;
+    }
+    murk_status status = look_at(s, model, out->value, x, err);
+    if (!status) {
+        status = tell_rows(out, s, err);
+    }
+    if (!status) {
+        judge_held_out(out, s);
+        out->effective_share = s->share;
+        out->chi2 = NAN;
+        snprintf(out->why, sizeof out->why, "nothing was fitted");
+    }
+    return status;
+}
+
+static murk_status run(murk_calibration *out, murk_fit_search *s,
+                       murk_model *model, murk_error *err)
+{
+    const murk_calibration_desc *desc = s->desc;
+    double *x = calloc(out->n + 1, sizeof *x);
+    murk_status status = x ? MURK_OK : no_memory(err);
+    if (!status && desc->only_predicts) {
+        status = only_predict(out, s, model, x, err);
+        free(x);
+        return status;
+    }
+    size_t done = 0;
+    for (; done < out->starts && !status; ++done) {
+        status = run_start(out, s, done, x, err);
+    }
+    const bool is_cut = status == MURK_INTERRUPTED && done > 1;
+    if (is_cut) {
+        out->starts_done = done - 1;
+        free(x);
+        return status; /* the values of the best; nothing else is known */
+    }
+    out->starts_done = done;
+    if (!status && out->best + 1 != out->starts) {
+        status = look_at(s, model, out->start[out->best].to, x, err);
+    }
+    if (!status) {
+        status = tell(out, s, err);
+    }
+    free(x);
+    return status;
+}
+
+murk_status murk_calibrate(murk_calibration *out,
+                           const murk_calibration_desc *desc, murk_error *err)
+{
+    *out = (murk_calibration){.held_out_rms = NAN, .held_out_rms_sigma = NAN};
+    const murk_model_desc model_desc = {.keys = desc->keys,
+                                        .measured = desc->measured,
+                                        .donors = desc->donors,
+                                        .threads = desc->threads};
+    murk_fit_search search = {0};
+    const size_t starts = desc->only_predicts ? 0
+                          : desc->starts      ? desc->starts
+                                              : 1;
+    murk_status status =
+        set_aside(out, desc->keys->n, desc->measured->rows, starts, err);
+    if (!status) {
+        status = murk_model_create(&out->model, &model_desc, err);
+    }
+    if (!status) {
+        status = murk_fit_search_create(&search, desc, out->model, err);
+    }
+    if (!status) {
+        status = run(out, &search, out->model, err);
+    }
+    const murk_model *model = out->model;
+    if (model) {
+        out->evaluations = search.evaluations;
+        out->iterations = search.iterations;
+        out->traces = murk_model_traces(model);
+        out->photons = murk_model_photons(model);
+        out->trace_s = murk_model_trace_s(model);
+    }
+    murk_fit_search_release(&search);
+    return status;
+}

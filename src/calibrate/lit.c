@@ -1,0 +1,204 @@
+#include "calibrate/lit.h"
+
+#include <stdlib.h>
+
+static murk_status follow(murk_lit *lit, murk_error *err)
+{
+    const murk_lit_desc *d = lit->desc;
+    const murk_posts *posts = d->posts;
+    const murk_followed_desc followed = {.stage = lit->stage,
+                                         .threads = d->threads,
+                                         .medium = d->medium,
+                                         .media = d->media,
+                                         .keeps_cosines = d->keeps_cosines,
+                                         .receiver = posts->receiver,
+                                         .receivers = posts->receivers,
+                                         .keeps_records = posts->groups > 0};
+    murk_status status = murk_followed_trace(&lit->followed, &followed, err);
+    if (!status && posts->groups) {
+        const murk_covered_desc covered = {.stage = lit->stage,
+                                           .followed = lit->followed,
+                                           .pose = posts->pose,
+                                           .group = posts->group,
+                                           .poses = posts->poses,
+                                           .groups = posts->groups,
+                                           .threads = d->threads};
+        status = murk_covered_create(&lit->covered, &covered, err);
+    }
+    return status;
+}
+
+murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
+                            const double *value, murk_error *err)
+{
+    *out = (murk_lit){.desc = desc};
+    const murk_free_keys *keys = desc->keys;
+    murk_status status =
+        murk_free_scene(&out->scene, keys, desc->condition, value, err);
+    if (!status) {
+        status =
+            murk_stage_import_beside(&out->stage, out->scene, desc->base, err);
+    }
+    if (!status) {
+        status = murk_stage_build(out->stage, err);
+    }
+    if (!status) {
+        status =
+            murk_free_optics(&out->optics, keys, desc->condition, value, err);
+    }
+    if (!status && desc->posts->lit) {
+        status = follow(out, err);
+    }
+    return status;
+}
+
+void murk_lit_release(murk_lit *lit)
+{
+    murk_covered_destroy(lit->covered);
+    murk_followed_destroy(lit->followed);
+    murk_optics_destroy(lit->optics);
+    murk_stage_destroy(lit->stage);
+    murk_scene_destroy(lit->scene);
+    *lit = (murk_lit){0};
+}
+
+murk_status murk_lit_rows_create(murk_lit_rows *out, const murk_lit_desc *desc,
+                                 size_t keys, murk_error *err)
+{
+    const size_t lit = desc->posts->lit + 1;
+    *out = (murk_lit_rows){
+        .value = calloc(lit, sizeof *out->value),
+        .slope = calloc(lit * (keys + 1), sizeof *out->slope),
+        .batch = calloc(lit * desc->batches, sizeof *out->batch),
+        .run = calloc(lit * desc->runs * (keys + 1), sizeof *out->run)};
+    return out->value && out->slope && out->batch && out->run
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for %zu rows of light", desc->posts->lit);
+}
+
+void murk_lit_rows_release(murk_lit_rows *rows)
+{
+    free(rows->value);
+    free(rows->slope);
+    free(rows->batch);
+    free(rows->run);
+    *rows = (murk_lit_rows){0};
+}
+
+/* Parts of some of the rows into their place among all. */
+static void place_runs(murk_lit_rows *out, const murk_lit_desc *desc,
+                       const double *run, size_t first, size_t n, size_t keys,
+                       const double *scale)
+{
+    for (size_t r = 0; r < desc->runs; ++r) {
+        for (size_t i = 0; i < n; ++i) {
+            double *to = out->run + (r * desc->posts->lit + first + i) * keys;
+            for (size_t k = 0; k < keys; ++k) {
+                to[k] = run[(r * n + i) * keys + k] * (scale ? scale[i] : 1);
+            }
+        }
+    }
+}
+
+/* Coverage is a fraction; its row may be in percent. */
+static void turn_groups(murk_lit_rows *out, const murk_lit_desc *desc,
+                        const murk_measurements *measured, const double *batch,
+                        double *scale, size_t keys)
+{
+    const murk_posts *posts = desc->posts;
+    for (size_t g = 0; g < posts->groups; ++g) {
+        const size_t i = posts->receivers + g;
+        const murk_measured_row *row = &measured->row[posts->lit_row[i]];
+        double slope;
+        out->value[i] = murk_reading_in_unit(measured->reading[row->first].unit,
+                                             out->value[i], 1, &slope);
+        scale[g] = slope;
+        for (size_t k = 0; k < keys; ++k) {
+            out->slope[i * keys + k] *= slope;
+        }
+        for (size_t b = 0; b < desc->batches; ++b) {
+            out->batch[b * posts->lit + i] =
+                batch[b * posts->groups + g] * slope;
+        }
+    }
+}
+
+static murk_status read_groups(murk_lit_rows *out, const murk_lit *lit,
+                               const murk_reweighed *reweighed,
+                               const murk_measurements *measured,
+                               const murk_optics *at,
+                               const murk_optics_sides *sides, size_t keys,
+                               murk_error *err)
+{
+    const murk_lit_desc *d = lit->desc;
+    const size_t first = d->posts->receivers, groups = d->posts->groups;
+    double *batch = calloc((d->batches + 1) * groups, sizeof *batch);
+    double *run = calloc(d->runs * groups * (keys + 1), sizeof *run);
+    murk_status status = MURK_OK;
+    if (!batch || !run) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for coverage");
+    } else {
+        status = murk_covered_read(
+            out->value + first, out->slope + first * keys, batch, d->batches,
+            keys ? run : NULL, d->runs, lit->covered, reweighed, lit->optics,
+            at, sides, keys, err);
+    }
+    if (!status) {
+        double *scale = batch + d->batches * groups;
+        turn_groups(out, d, measured, batch, scale, keys);
+        place_runs(out, d, run, first, groups, keys, scale);
+    }
+    free(batch);
+    free(run);
+    return status;
+}
+
+static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
+                                  const murk_reweighed *reweighed,
+                                  murk_error *err)
+{
+    const murk_lit_desc *d = lit->desc;
+    const murk_posts *posts = d->posts;
+    const size_t keys = reweighed->keys;
+    double *batch = calloc(d->batches * posts->receivers, sizeof *batch);
+    double *run = calloc(d->runs * posts->receivers * (keys + 1), sizeof *run);
+    if (!batch || !run) {
+        free(batch);
+        free(run);
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
+    }
+    murk_receivers_read(out->value, out->slope, batch, d->batches,
+                        keys ? run : NULL, d->runs, posts->receiver,
+                        posts->per_watt, posts->receivers, lit->followed,
+                        reweighed);
+    place_runs(out, d, run, 0, posts->receivers, keys, NULL);
+    free(run);
+    for (size_t b = 0; b < d->batches; ++b) {
+        for (size_t i = 0; i < posts->receivers; ++i) {
+            out->batch[b * posts->lit + i] = batch[b * posts->receivers + i];
+        }
+    }
+    free(batch);
+    return MURK_OK;
+}
+
+murk_status murk_lit_read(murk_lit_rows *out, const murk_lit *lit,
+                          const murk_measurements *measured,
+                          const murk_optics *at, const murk_optics_sides *sides,
+                          size_t keys, murk_error *err)
+{
+    murk_reweighed reweighed = {0};
+    murk_status status = murk_reweigh(&reweighed, lit->followed, lit->optics,
+                                      at, sides, keys, lit->desc->threads, err);
+    out->share = status ? 0 : reweighed.effective_share;
+    if (!status && lit->desc->posts->receivers) {
+        status = read_receivers(out, lit, &reweighed, err);
+    }
+    if (!status && lit->desc->posts->groups) {
+        status =
+            read_groups(out, lit, &reweighed, measured, at, sides, keys, err);
+    }
+    murk_reweighed_release(&reweighed);
+    return status;
+}

@@ -1,0 +1,350 @@
+#include "calibrate/model_parts.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+#include "calibrate/beams.h"
+#include "calibrate/world_slopes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Batches of photons: many more than rows, or their covariance reads low where
+ * it matters, and few enough for memory. */
+#define BATCHES_MAX  4096
+#define BATCHES_MIN  100
+#define BATCHES_ROOM (UINT64_C(1) << 25)
+
+/* Chords through a receiver, below which a warning is due. */
+#define PHOTONS_FEW 50
+
+/* Of slopes, which are not inverted, so fewer do. */
+#define RUNS_MAX 256
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit's model");
+}
+
+static void release_world(murk_model_world *w)
+{
+    murk_lit_rows_release(&w->rows);
+    murk_lit_release(&w->lit);
+    murk_posts_release(&w->posts);
+    murk_scene_destroy(w->scene);
+    free(w->medium);
+    free(w->world_slope);
+}
+
+void murk_model_destroy(murk_model *m)
+{
+    if (!m) {
+        return;
+    }
+    for (size_t c = 0; c < m->worlds; ++c) {
+        release_world(&m->world[c]);
+    }
+    free(m->world);
+    free(m->traced);
+    free(m->slope_off);
+    free(m->factor);
+    free(m->gain_key);
+    free(m->lit);
+    free(m->place);
+    free(m);
+}
+
+static bool differs(const murk_optics *a, const murk_optics *b, size_t medium)
+{
+    return memcmp(&a->extinction_per_m[medium], &b->extinction_per_m[medium],
+                  sizeof a->extinction_per_m[medium]) != 0 ||
+           memcmp(&a->albedo[medium], &b->albedo[medium],
+                  sizeof a->albedo[medium]) != 0;
+}
+
+static murk_status choose_media(murk_model *m, size_t c, const double *value,
+                                murk_error *err)
+{
+    murk_model_world *w = &m->world[c];
+    const size_t n_media = w->scene->n_media;
+    murk_sides around;
+    murk_status status = murk_model_look_around(&around, m, c, value, err);
+    w->medium = calloc(n_media + 1, sizeof *w->medium);
+    if (!status && !w->medium) {
+        status = no_memory(err);
+    }
+    w->desc.medium = w->medium;
+    for (size_t i = 0; i < n_media && !status; ++i) {
+        bool is_kept = false;
+        for (size_t k = 0; k < m->n; ++k) {
+            const murk_optics_sides *side = &around.side[k];
+            is_kept =
+                is_kept || (side->low && (differs(side->low, side->high, i) ||
+                                          m->desc.keys->key[k].turns_phase));
+        }
+        if (is_kept) {
+            w->medium[w->desc.media++] = i;
+        }
+    }
+    for (size_t k = 0; k < m->n && !status; ++k) {
+        w->desc.keeps_cosines =
+            w->desc.keeps_cosines ||
+            (around.side[k].low && m->desc.keys->key[k].turns_phase);
+        w->has_world_keys =
+            w->has_world_keys || murk_model_turns_world(m, k, c);
+    }
+    murk_sides_release(&around, m->n);
+    return status;
+}
+
+static murk_status begin_world(murk_model *m, size_t c, const double *start,
+                               murk_error *err)
+{
+    const murk_free_keys *keys = m->desc.keys;
+    murk_model_world *w = &m->world[c];
+    murk_status status = murk_free_scene(&w->scene, keys, c, start, err);
+    if (status) {
+        return status;
+    }
+    status = murk_posts_create(&w->posts, m->desc.measured, keys->condition[c],
+                               w->scene, err);
+    w->desc = (murk_lit_desc){
+        .keys = keys,
+        .posts = &w->posts,
+        .base = murk_donor_of(m->desc.donors, keys->condition[c]),
+        .condition = c,
+        .threads = m->desc.threads};
+    if (!status && w->posts.lit) {
+        status = choose_media(m, c, start, err);
+    }
+    return status;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
+    return (x > y) - (x < y);
+}
+
+static murk_status list_lit(murk_model *m, murk_error *err)
+{
+    for (size_t c = 0; c < m->worlds; ++c) {
+        const murk_posts *posts = &m->world[c].posts;
+        memcpy(m->lit + m->lits, posts->lit_row,
+               posts->lit * sizeof *posts->lit_row);
+        m->lits += posts->lit;
+    }
+    if (m->lits > MURK_MODEL_LIT_ROWS_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, m->desc.measured->path,
+                         "%zu rows of light and coverage, at most %d", m->lits,
+                         MURK_MODEL_LIT_ROWS_MAX);
+    }
+    qsort(m->lit, m->lits, sizeof *m->lit, by_size);
+    for (size_t i = 0; i < m->lits; ++i) {
+        m->place[m->lit[i]] = i;
+    }
+    return MURK_OK;
+}
+
+/* As many batches as there is room for. */
+static murk_status lay_batches(murk_model *m, murk_error *err)
+{
+    const uint64_t room = BATCHES_ROOM / (m->lits + 1);
+    m->batches = room < BATCHES_MAX ? (size_t)room : BATCHES_MAX;
+    murk_status status = MURK_OK;
+    for (size_t c = 0; c < m->worlds && !status; ++c) {
+        murk_model_world *w = &m->world[c];
+        const murk_scene_photons *photons = &w->scene->photons;
+        const uint64_t emit = photons->store ? photons->store : photons->emit;
+        if (w->posts.lit && emit < BATCHES_MIN) {
+            return murk_fail(err, MURK_BAD_VALUE, w->scene->path,
+                             "photons.emit: %llu, must be %d or more for a fit",
+                             (unsigned long long)emit, BATCHES_MIN);
+        }
+        if (w->posts.lit && emit < m->batches) {
+            m->batches = (size_t)emit;
+        }
+    }
+    m->runs = m->batches < RUNS_MAX ? m->batches : RUNS_MAX;
+    m->batches -= m->batches % m->runs;
+    for (size_t c = 0; c < m->worlds && !status; ++c) {
+        murk_model_world *w = &m->world[c];
+        w->desc.batches = m->batches;
+        w->desc.runs = m->runs;
+        if (w->posts.lit) {
+            w->world_slope =
+                calloc(w->posts.lit * m->n, sizeof *w->world_slope);
+            status = w->world_slope
+                         ? murk_lit_rows_create(&w->rows, &w->desc, m->n, err)
+                         : no_memory(err);
+        }
+    }
+    return status;
+}
+
+static murk_status fill(murk_model *m, murk_error *err)
+{
+    const murk_free_keys *keys = m->desc.keys;
+    m->world = calloc(keys->conditions + 1, sizeof *m->world);
+    m->traced = calloc(m->n + 1, sizeof *m->traced);
+    m->slope_off = calloc(m->n + 1, sizeof *m->slope_off);
+    m->factor = calloc(m->rows + 1, sizeof *m->factor);
+    m->gain_key = calloc(m->rows + 1, sizeof *m->gain_key);
+    m->lit = calloc(m->rows + 1, sizeof *m->lit);
+    m->place = calloc(m->rows + 1, sizeof *m->place);
+    double *start = calloc(m->n + 1, sizeof *start);
+    murk_status status = MURK_OK;
+    if (!m->world || !m->traced || !m->slope_off || !m->factor ||
+        !m->gain_key || !m->lit || !m->place || !start) {
+        status = no_memory(err);
+    }
+    for (size_t k = 0; k < m->n && !status; ++k) {
+        start[k] = keys->key[k].start;
+    }
+    for (size_t c = 0; c < keys->conditions && !status; ++c) {
+        m->worlds = c + 1;
+        status = begin_world(m, c, start, err);
+    }
+    free(start);
+    if (!status) {
+        status = list_lit(m, err);
+    }
+    return status ? status : lay_batches(m, err);
+}
+
+murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
+                              murk_error *err)
+{
+    murk_model *m = calloc(1, sizeof *m);
+    if (!m) {
+        return no_memory(err);
+    }
+    m->desc = *desc;
+    m->n = desc->keys->n;
+    m->rows = desc->measured->rows;
+    const murk_status status = fill(m, err);
+    if (status) {
+        murk_model_destroy(m);
+        return status;
+    }
+    *out = m;
+    return MURK_OK;
+}
+
+static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
+{
+    murk_model_world *w = &m->world[c];
+    const size_t lit = w->posts.lit;
+    double *slope = calloc(2 * lit + 1, sizeof *slope), *error = slope + lit;
+    murk_status status = slope ? MURK_OK : no_memory(err);
+    for (size_t k = 0; k < m->n && !status; ++k) {
+        if (!murk_model_turns_world(m, k, c)) {
+            continue;
+        }
+        status = murk_world_slopes(slope, error, &w->desc, m->desc.measured, k,
+                                   m->traced, err);
+        m->traces += MURK_WORLD_SLOPE_TRACES;
+        double squares = 0, errors = 0;
+        for (size_t i = 0; i < lit && !status; ++i) {
+            w->world_slope[i * m->n + k] = slope[i];
+            squares += slope[i] * slope[i];
+            errors += error[i] * error[i];
+        }
+        m->slope_off[k] += squares > 0 ? errors / squares : INFINITY;
+    }
+    free(slope);
+    return status;
+}
+
+/* A mean and its error by a handful of photons are not to be trusted. */
+static void warn_of_few(const murk_model *m, const murk_model_world *w)
+{
+    const murk_followed *f = w->lit.followed;
+    const murk_measurements *measured = m->desc.measured;
+    size_t *photons = calloc(w->posts.receivers + 1, sizeof *photons);
+    for (size_t i = 0; photons && i < f->n; ++i) {
+        const murk_contribution *c = &f->contribution[i];
+        photons[murk_contribution_is_record(c) ? w->posts.receivers
+                                               : c->receiver]++;
+    }
+    size_t few = 0, first = 0;
+    for (size_t i = 0; photons && i < w->posts.receivers; ++i) {
+        if (photons[i] < PHOTONS_FEW) {
+            first = few++ ? first : i;
+        }
+    }
+    if (few) {
+        const size_t row = w->posts.lit_row[first];
+        murk_warn(
+            measured->path,
+            "line %zu%s: %zu photons pass its sphere, from which neither "
+            "its value nor its noise can be told: take a larger radius_m, "
+            "or more photons",
+            measured->reading[measured->row[row].first].line,
+            few > 1 ? ", and others" : "", photons[first]);
+    }
+    free(photons);
+}
+
+murk_status murk_model_trace(murk_model *m, const double *value,
+                             murk_error *err)
+{
+    murk_status status = MURK_OK;
+    /* what there is to say of the worlds is said once */
+    const murk_warn_sink sink = m->was_built ? murk_warn_to(NULL) : NULL;
+    memcpy(m->traced, value, m->n * sizeof *value);
+    for (size_t k = 0; k < m->n; ++k) {
+        m->slope_off[k] = 0;
+    }
+    for (size_t c = 0; c < m->worlds && !status; ++c) {
+        murk_model_world *w = &m->world[c];
+        murk_lit_release(&w->lit);
+        const double begun_s = murk_clock_s();
+        status = murk_lit_create(&w->lit, &w->desc, value, err);
+        if (!status) {
+            status = murk_beams_check(w->lit.stage, m->desc.measured,
+                                      m->desc.keys->condition[c], err);
+        }
+        if (!status && w->posts.lit) {
+            ++m->traces;
+            m->photons = w->lit.followed->emitted;
+            warn_of_few(m, w);
+        }
+        if (!status && w->posts.lit && w->has_world_keys) {
+            const murk_warn_sink before = murk_warn_to(NULL);
+            status = slopes_of_world(m, c, err);
+            (void)murk_warn_to(before);
+        }
+        m->trace_s += murk_clock_s() - begun_s;
+    }
+    if (m->was_built) {
+        (void)murk_warn_to(sink);
+    }
+    m->was_built = true;
+    return status;
+}
+
+double murk_model_slope_error(const murk_model *m, size_t key)
+{
+    return m->slope_off[key] > 0 ? sqrt(m->slope_off[key]) : NAN;
+}
+
+const murk_stage *murk_model_stage(const murk_model *m, size_t c)
+{
+    return m->world[c].lit.stage;
+}
+
+size_t murk_model_traces(const murk_model *m)
+{
+    return m->traces;
+}
+
+uint64_t murk_model_photons(const murk_model *m)
+{
+    return m->photons;
+}
+
+double murk_model_trace_s(const murk_model *m)
+{
+    return m->trace_s;
+}

@@ -1,0 +1,279 @@
+#include "calibrate/next.h"
+
+#include "study/poses.h"
+#include "study/sites.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A reading is never better than this share of the largest one: else places
+ * where nothing is to be read would be the best. */
+#define FLOOR_SHARE .01
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for proposals");
+}
+
+void murk_next_release(murk_next *next)
+{
+    free(next->place);
+    free(next->standard_error);
+    *next = (murk_next){0};
+}
+
+static const murk_reading *reading_of(const murk_measurements *measured,
+                                      size_t row)
+{
+    return &measured->reading[measured->row[row].first];
+}
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* What kind of reading most are, its error, and one of them. */
+static murk_status choose_kind(murk_next *out, const murk_reading **example,
+                               const murk_measurements *measured,
+                               murk_error *err)
+{
+    size_t count[MURK_READ_TRANSMITTANCE + 1] = {0};
+    for (size_t i = 0; i < measured->rows; ++i) {
+        const murk_reading *reading = reading_of(measured, i);
+        count[reading->kind] += !reading->is_held_out;
+    }
+    out->kind = MURK_READ_COVERAGE;
+    for (int kind = 0; kind < MURK_READ_TRANSMITTANCE; ++kind) {
+        out->kind = count[kind] > count[out->kind] ? (murk_reading_kind)kind
+                                                   : out->kind;
+    }
+    const size_t n = count[out->kind];
+    if (n == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, measured->path,
+                         "no reading of coverage, fluence or irradiance is "
+                         "fitted: --next proposes places for such");
+    }
+    double *error = malloc(n * sizeof *error);
+    if (!error) {
+        return no_memory(err);
+    }
+    *example = NULL;
+    for (size_t i = 0, k = 0; i < measured->rows; ++i) {
+        const murk_reading *reading = reading_of(measured, i);
+        if (reading->kind == out->kind && !reading->is_held_out) {
+            *example = *example ? *example : reading;
+            error[k++] = reading->standard_error /
+                         fmax(fabs(reading->value), reading->standard_error);
+        }
+    }
+    qsort(error, n, sizeof *error, by_value);
+    out->relative_error = error[n / 2];
+    out->unit = (*example)->unit;
+    out->condition = (*example)->condition;
+    free(error);
+    return MURK_OK;
+}
+
+/* Poses of the scene's candidates; the caller's. */
+static murk_status list_poses(murk_pose **out, size_t *n, murk_next *next,
+                              const murk_stage *stage, unsigned threads,
+                              murk_error *err)
+{
+    murk_candidates *sites = NULL;
+    murk_poses *poses = NULL;
+    murk_status status = murk_sites_find(&sites, stage, threads, err);
+    const bool looks = next->kind == MURK_READ_COVERAGE;
+    if (!status && looks) {
+        status = murk_poses_create(&poses, stage->scene, &stage->world.domain,
+                                   sites->position, sites->usable, err);
+    }
+    if (!status) {
+        next->candidates = looks ? poses->count - poses->fixed : sites->usable;
+        const size_t every = (next->candidates + MURK_NEXT_CANDIDATES_MAX - 1) /
+                             MURK_NEXT_CANDIDATES_MAX;
+        *n = (next->candidates + every - 1) / every;
+        *out = calloc(*n + 1, sizeof **out);
+        status = *out ? MURK_OK : no_memory(err);
+        for (size_t i = 0; i < *n && !status; ++i) {
+            (*out)[i] =
+                looks ? poses->pose[i * every]
+                      : (murk_pose){.position = sites->position[i * every]};
+        }
+        next->judged = *n;
+    }
+    murk_poses_destroy(poses);
+    murk_candidates_destroy(sites);
+    return status;
+}
+
+/* Each candidate as a row like the example. */
+static murk_status make_rows(murk_measurements *out,
+                             const murk_measurements *measured,
+                             const murk_reading *example, const murk_pose *pose,
+                             size_t n, murk_error *err)
+{
+    *out = *measured;
+    out->reading = calloc(n + 1, sizeof *out->reading);
+    out->row = calloc(n + 1, sizeof *out->row);
+    out->readings = out->rows = n;
+    out->held_out = 0;
+    if (!out->reading || !out->row) {
+        return no_memory(err);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        out->reading[i] = *example;
+        out->reading[i].position = pose[i].position;
+        out->reading[i].pose = pose[i];
+        out->row[i] = (murk_measured_row){i, 1};
+    }
+    return MURK_OK;
+}
+
+/* Slopes by search coordinates over each reading's error. */
+static void weigh_rows(double *row, double *error, const double *predicted,
+                       const double *slope, size_t rows, double relative_error,
+                       const murk_free_keys *keys, const double *value)
+{
+    double most = 0;
+    for (size_t i = 0; i < rows; ++i) {
+        most = fmax(most, fabs(predicted[i]));
+    }
+    for (size_t i = 0; i < rows; ++i) {
+        error[i] =
+            relative_error * fmax(fabs(predicted[i]), FLOOR_SHARE * most);
+        for (size_t k = 0; k < keys->n; ++k) {
+            const double by_x = keys->key[k].is_log ? value[k] : 1;
+            const double at = slope[i * keys->n + k] * by_x;
+            row[i * keys->n + k] = error[i] > 0 ? at / error[i] : 0;
+        }
+    }
+}
+
+/* How sure the fit would be with the picks read as well. */
+static murk_status foresee(murk_next *out, const murk_calibration *found,
+                           const murk_free_keys *keys, const double *row,
+                           const murk_optimal_pick *pick, murk_error *err)
+{
+    const size_t n = keys->n, fitted = found->fitted;
+    double *all = malloc((fitted + out->n) * n * sizeof *all);
+    murk_certainty certainty = {0};
+    if (!all) {
+        return no_memory(err);
+    }
+    memcpy(all, found->jacobian, fitted * n * sizeof *all);
+    for (size_t i = 0; i < out->n; ++i) {
+        memcpy(all + (fitted + i) * n, row + pick[i].candidate * n,
+               n * sizeof *all);
+    }
+    murk_status status = murk_certainty_create(&certainty, all, fitted + out->n,
+                                               n, found->at_bound, found->scale,
+                                               MURK_UNDETERMINED, err);
+    for (size_t k = 0; k < n && !status; ++k) {
+        out->standard_error[k] = certainty.standard_error[k] *
+                                 (keys->key[k].is_log ? found->value[k] : 1);
+    }
+    murk_certainty_release(&certainty);
+    free(all);
+    return status;
+}
+
+static murk_status judge(murk_next *out, size_t k, murk_model *model,
+                         const murk_pose *pose, const murk_calibration *found,
+                         const murk_calibration_desc *desc, murk_error *err)
+{
+    const murk_free_keys *keys = desc->keys;
+    const size_t n = keys->n, rows = out->judged;
+    double share;
+    double *room = calloc(rows * (2 * n + 2) + 1, sizeof *room);
+    murk_optimal_pick *pick = calloc(k + 1, sizeof *pick);
+    if (!room || !pick) {
+        free(room);
+        free(pick);
+        return no_memory(err);
+    }
+    double *predicted = room, *error = room + rows, *slope = room + 2 * rows,
+           *row = room + 2 * rows + rows * n;
+    murk_status status = murk_model_trace(model, found->value, err);
+    if (!status) {
+        status = murk_model_predict(model, found->value, predicted, slope,
+                                    &share, err);
+    }
+    if (!status) {
+        weigh_rows(row, error, predicted, slope, rows, out->relative_error,
+                   keys, found->value);
+        out->n = k < rows ? k : rows;
+        status = murk_optimal_choose(pick, out->n, found->information, row,
+                                     rows, n, err);
+    }
+    for (size_t i = 0; i < out->n && !status; ++i) {
+        const size_t c = pick[i].candidate;
+        out->place[i] =
+            (murk_next_place){pose[c], pick[i].gain, predicted[c], error[c]};
+    }
+    if (!status) {
+        status = foresee(out, found, keys, row, pick, err);
+    }
+    free(room);
+    free(pick);
+    return status;
+}
+
+static murk_status stand(murk_pose **pose, size_t *n, murk_next *out,
+                         const murk_calibration *found,
+                         const murk_calibration_desc *desc, murk_error *err)
+{
+    size_t c = 0;
+    while (desc->keys->condition[c] != out->condition) {
+        ++c;
+    }
+    const murk_stage *stage = murk_model_stage(found->model, c);
+    return stage->scene->sensors.given
+               ? list_poses(pose, n, out, stage, desc->threads, err)
+               : murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
+                           "sensors: the scene has none, and --next chooses "
+                           "among its candidates");
+}
+
+murk_status murk_next_propose(murk_next *out, size_t k,
+                              const murk_calibration *found,
+                              const murk_calibration_desc *desc,
+                              murk_error *err)
+{
+    *out = (murk_next){.place = calloc(k + 1, sizeof *out->place),
+                       .standard_error = calloc(desc->keys->n + 1,
+                                                sizeof *out->standard_error)};
+    const murk_reading *example = NULL;
+    murk_measurements rows = {0};
+    murk_model *model = NULL;
+    murk_pose *pose = NULL;
+    size_t n = 0;
+    murk_status status =
+        out->place && out->standard_error ? MURK_OK : no_memory(err);
+    if (!status) {
+        status = choose_kind(out, &example, desc->measured, err);
+    }
+    if (!status) {
+        status = stand(&pose, &n, out, found, desc, err);
+    }
+    if (!status) {
+        status = make_rows(&rows, desc->measured, example, pose, n, err);
+    }
+    if (!status) {
+        const murk_model_desc of = {.keys = desc->keys,
+                                    .measured = &rows,
+                                    .donors = desc->donors,
+                                    .threads = desc->threads};
+        status = murk_model_create(&model, &of, err);
+    }
+    if (!status) {
+        status = judge(out, k, model, pose, found, desc, err);
+    }
+    murk_model_destroy(model);
+    free(rows.reading);
+    free(rows.row);
+    free(pose);
+    return status;
+}

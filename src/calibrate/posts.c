@@ -1,0 +1,83 @@
+#include "calibrate/posts.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static void add_receiver(murk_posts *p, const murk_reading *reading, size_t row,
+                         const murk_scene *scene)
+{
+    const bool has_side = reading->kind == MURK_READ_IRRADIANCE;
+    const double acceptance = reading->acceptance_rad;
+    p->lit_row[p->receivers] = row;
+    p->per_watt[p->receivers] = murk_reading_per_watt(reading->unit, scene);
+    p->receiver[p->receivers++] = (murk_receiver){
+        .center = reading->position,
+        .radius_m = reading->radius_m,
+        .normal = has_side ? reading->direction : murk_vec(0, 0, 0),
+        .least_cosine = isnan(acceptance) ? 0 : fmax(0, cos(acceptance)),
+        .band = reading->band};
+}
+
+static void add_group(murk_posts *p, const murk_measurements *measured,
+                      size_t row)
+{
+    const murk_measured_row *r = &measured->row[row];
+    for (size_t i = 0; i < r->n; ++i) {
+        p->pose[p->poses] = measured->reading[r->first + i].pose;
+        p->group[p->poses++] = p->groups;
+    }
+    p->lit_row[p->receivers + p->groups++] = row;
+}
+
+static const murk_reading *first_of(const murk_measurements *measured,
+                                    size_t row, size_t condition)
+{
+    const murk_reading *reading = &measured->reading[measured->row[row].first];
+    return reading->condition == condition ? reading : NULL;
+}
+
+murk_status murk_posts_create(murk_posts *out,
+                              const murk_measurements *measured,
+                              size_t condition, const murk_scene *scene,
+                              murk_error *err)
+{
+    const size_t rows = measured->rows + 1, readings = measured->readings + 1;
+    *out = (murk_posts){.receiver = calloc(rows, sizeof *out->receiver),
+                        .per_watt = calloc(rows, sizeof *out->per_watt),
+                        .pose = calloc(readings, sizeof *out->pose),
+                        .group = calloc(readings, sizeof *out->group),
+                        .lit_row = calloc(rows, sizeof *out->lit_row),
+                        .beam_row = calloc(rows, sizeof *out->beam_row)};
+    if (!out->receiver || !out->per_watt || !out->pose || !out->group ||
+        !out->lit_row || !out->beam_row) {
+        return murk_fail(err, MURK_NO_MEMORY, measured->path,
+                         "no memory for %zu readings", measured->readings);
+    }
+    for (size_t i = 0; i < measured->rows; ++i) {
+        const murk_reading *reading = first_of(measured, i, condition);
+        if (reading && reading->kind == MURK_READ_TRANSMITTANCE) {
+            out->beam_row[out->beams++] = i;
+        } else if (reading && reading->kind != MURK_READ_COVERAGE) {
+            add_receiver(out, reading, i, scene);
+        }
+    }
+    for (size_t i = 0; i < measured->rows; ++i) {
+        const murk_reading *reading = first_of(measured, i, condition);
+        if (reading && reading->kind == MURK_READ_COVERAGE) {
+            add_group(out, measured, i);
+        }
+    }
+    out->lit = out->receivers + out->groups;
+    return MURK_OK;
+}
+
+void murk_posts_release(murk_posts *posts)
+{
+    free(posts->receiver);
+    free(posts->per_watt);
+    free(posts->pose);
+    free(posts->group);
+    free(posts->lit_row);
+    free(posts->beam_row);
+    *posts = (murk_posts){0};
+}

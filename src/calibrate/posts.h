@@ -1,0 +1,32 @@
+/* What stands in one condition to measure: the rows of the data as receivers,
+ * sensors and beams. */
+#ifndef MURK_CALIBRATE_POSTS_H
+#define MURK_CALIBRATE_POSTS_H
+
+#include "calibrate/followed.h"
+#include "calibrate/measurements.h"
+
+/* Rows that need photons are its lit rows: receivers first, then groups. */
+typedef struct murk_posts {
+    size_t receivers;
+    murk_receiver *receiver; /* [receivers] */
+    murk_spectrum *per_watt; /* [receivers] to each one's unit, by band */
+    size_t groups, poses;
+    murk_pose *pose; /* [poses] group by group */
+    size_t *group;   /* [poses] */
+    size_t lit;      /* receivers + groups */
+    size_t *lit_row; /* [lit] numbers of the data's rows */
+    size_t beams;
+    size_t *beam_row; /* [beams] likewise */
+} murk_posts;
+
+/* Of the rows in a condition of the scene (SIZE_MAX: as it stands); the scene
+ * says what light units are worth in its bands. Release also after a failure.
+ */
+murk_status murk_posts_create(murk_posts *out,
+                              const murk_measurements *measured,
+                              size_t condition, const murk_scene *scene,
+                              murk_error *err);
+void murk_posts_release(murk_posts *posts);
+
+#endif

@@ -1,0 +1,383 @@
+#include "calibrate/search_steps.h"
+
+#include "base/interrupt.h"
+#include "calibrate/slope_noise.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A world key that has moved by less of its standard error, or of itself, needs
+ * no other slope. */
+#define WORLD_STILL .2
+#define WORLD_CLOSE 1e-3
+
+#define TRACES_MAX 12
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
+}
+
+static void list_rows(murk_fit_search *s)
+{
+    const murk_measurements *measured = s->desc->measured;
+    for (size_t pass = 0; pass < 2; ++pass) {
+        for (size_t i = 0; i < s->rows; ++i) {
+            const murk_reading *reading =
+                &measured->reading[measured->row[i].first];
+            const bool is_lit = reading->kind != MURK_READ_TRANSMITTANCE;
+            s->measured[i] = reading->value;
+            s->error[i] = reading->standard_error;
+            if (!reading->is_held_out && is_lit == (pass == 0)) {
+                s->fitted[s->n_fitted++] = i;
+                s->n_lit += is_lit;
+            }
+        }
+    }
+}
+
+murk_status murk_fit_search_create(murk_fit_search *out,
+                                   const murk_calibration_desc *desc,
+                                   murk_model *model, murk_error *err)
+{
+    const size_t n = desc->keys->n, rows = desc->measured->rows;
+    *out =
+        (murk_fit_search){.desc = desc,
+                          .model = model,
+                          .n = n,
+                          .rows = rows,
+                          .fitted = calloc(rows + 1, sizeof *out->fitted),
+                          .measured = calloc(rows + 1, sizeof *out->measured),
+                          .error = calloc(rows + 1, sizeof *out->error),
+                          .value = calloc(n + 1, sizeof *out->value),
+                          .predicted = calloc(rows + 1, sizeof *out->predicted),
+                          .offset = calloc(rows + 1, sizeof *out->offset),
+                          .slope = calloc(rows * n + 1, sizeof *out->slope)};
+    if (!out->fitted || !out->measured || !out->error || !out->value ||
+        !out->predicted || !out->offset || !out->slope) {
+        return no_memory(err);
+    }
+    list_rows(out);
+    return MURK_OK;
+}
+
+void murk_fit_search_release(murk_fit_search *s)
+{
+    murk_whitening_destroy(s->whitening);
+    free(s->fitted);
+    free(s->measured);
+    free(s->error);
+    free(s->value);
+    free(s->predicted);
+    free(s->offset);
+    free(s->slope);
+    *s = (murk_fit_search){0};
+}
+
+void murk_fit_search_values(const murk_fit_search *s, const double *x,
+                            double *value)
+{
+    for (size_t k = 0; k < s->n; ++k) {
+        const murk_free_key *key = &s->desc->keys->key[k];
+        const double v = key->is_log ? exp(x[k]) : x[k];
+        value[k] = fmin(fmax(v, key->lower), key->upper);
+    }
+}
+
+void murk_fit_search_coordinates(const murk_fit_search *s, const double *value,
+                                 double *x)
+{
+    for (size_t k = 0; k < s->n; ++k) {
+        x[k] = s->desc->keys->key[k].is_log ? log(value[k]) : value[k];
+    }
+}
+
+/* Covariance of the fitted rows of light: by photons, and as measured. */
+static murk_status whiten(murk_fit_search *s, murk_error *err)
+{
+    murk_whitening_destroy(s->whitening);
+    s->whitening = NULL;
+    if (s->n_lit == 0) {
+        return MURK_OK;
+    }
+    const size_t *lit;
+    size_t n;
+    double *all, *covariance = calloc(s->n_lit * s->n_lit, sizeof *covariance);
+    murk_status status = murk_model_noise(s->model, &lit, &n, &all, err);
+    if (!status && !covariance) {
+        status = no_memory(err);
+    }
+    /* both lists rise */
+    for (size_t i = 0, a = 0; i < s->n_lit && !status; ++i, ++a) {
+        for (; lit[a] != s->fitted[i]; ++a) {
+        }
+        for (size_t j = 0, b = 0; j < s->n_lit; ++j, ++b) {
+            for (; lit[b] != s->fitted[j]; ++b) {
+            }
+            covariance[i * s->n_lit + j] = all[a * n + b];
+        }
+        const double error = s->error[s->fitted[i]];
+        covariance[i * s->n_lit + i] += error * error;
+    }
+    if (!status) {
+        status =
+            murk_whitening_create(&s->whitening, covariance, s->n_lit, err);
+    }
+    free(covariance);
+    free(all);
+    return status;
+}
+
+static murk_status predict(murk_fit_search *s, const double *x,
+                           bool with_slopes, murk_error *err)
+{
+    ++s->evaluations;
+    murk_fit_search_values(s, x, s->value);
+    return murk_model_predict(s->model, s->value, s->predicted,
+                              with_slopes ? s->slope : NULL, &s->share, err);
+}
+
+murk_status murk_fit_search_look(murk_fit_search *s, const double *x,
+                                 murk_error *err)
+{
+    const murk_status status = predict(s, x, true, err);
+    return status ? status : whiten(s, err);
+}
+
+void murk_fit_search_residuals(const murk_fit_search *s, double *residual,
+                               double *jacobian)
+{
+    for (size_t i = 0; i < s->n_fitted; ++i) {
+        const size_t row = s->fitted[i];
+        const double scale = i < s->n_lit ? 1 : 1 / s->error[row];
+        residual[i] = scale * (s->measured[row] - s->predicted[row]);
+        for (size_t k = 0; jacobian && k < s->n; ++k) {
+            const double by_x = s->desc->keys->key[k].is_log ? s->value[k] : 1;
+            jacobian[i * s->n + k] = -scale * s->slope[row * s->n + k] * by_x;
+        }
+    }
+    if (s->whitening) {
+        murk_whitening_apply(s->whitening, residual, 1);
+        if (jacobian) {
+            murk_whitening_apply(s->whitening, jacobian, s->n);
+        }
+    }
+}
+
+static bool evaluate(void *context, const double *x, double *residual,
+                     double *jacobian)
+{
+    murk_fit_search *s = context;
+    s->err = (murk_error){0};
+    if (predict(s, x, jacobian != NULL, &s->err)) {
+        return false;
+    }
+    murk_fit_search_residuals(s, residual, jacobian);
+    for (size_t i = 0; i < s->n_fitted; ++i) {
+        residual[i] += s->offset[i];
+    }
+    return true;
+}
+
+static bool watch(void *context, const murk_least_squares_step *step)
+{
+    murk_fit_search *s = context;
+    ++s->iterations;
+    if (s->desc->watch && step->is_successful) {
+        double *value = malloc((s->n + 1) * sizeof *value);
+        if (value) {
+            murk_fit_search_values(s, step->x, value);
+            s->desc->watch(s->desc->context, s->start, s->traces,
+                           step->iteration, 2 * step->cost, value);
+        }
+        free(value);
+    }
+    s->is_starved = step->is_successful && s->share < MURK_LEAST_SHARE;
+    return !s->is_starved && !murk_interrupted();
+}
+
+murk_least_squares murk_fit_problem(murk_fit_search *s, const double *lower,
+                                    const double *upper)
+{
+    return (murk_least_squares){.n = s->n,
+                                .rows = s->n_fitted,
+                                .lower = lower,
+                                .upper = upper,
+                                .residuals = evaluate,
+                                .watch = watch,
+                                .context = s,
+                                .loss = s->desc->loss,
+                                .loss_width = s->desc->loss_width};
+}
+
+/* Whether light has to be traced at x for the slopes of world keys alone. */
+static bool world_moved(const murk_fit_search *s, const double *from,
+                        const double *x, const double *jacobian)
+{
+    for (size_t k = 0; k < s->n; ++k) {
+        double information = 0;
+        for (size_t i = 0; i < s->n_lit; ++i) {
+            const double j = jacobian[i * s->n + k];
+            information += j * j;
+        }
+        const double off = fabs(x[k] - from[k]);
+        if (s->desc->keys->key[k].kind == MURK_FREE_WORLD &&
+            off * sqrt(information) > WORLD_STILL &&
+            off > WORLD_CLOSE * fmax(1, fabs(x[k]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static double sum_of_squares(const double *a, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += a[i] * a[i];
+    }
+    return sum;
+}
+
+/* Offsets the rows against the noise that slopes share with values, where the
+ * search looks now. */
+static murk_status offset_rows(murk_fit_search *s, const double *jacobian,
+                               murk_error *err)
+{
+    murk_slope_noise noise;
+    murk_status status = murk_slope_noise_find(&noise, s, err);
+    if (!status) {
+        status = murk_slope_noise_offset(s->offset, &noise, jacobian,
+                                         s->n_fitted, s->n, err);
+    }
+    murk_slope_noise_release(&noise);
+    return status;
+}
+
+static murk_status trace_at(murk_fit_search *s, const murk_fit_desk *d,
+                            const double *x, double *chi2, murk_error *err)
+{
+    murk_fit_search_values(s, x, s->value);
+    ++s->traces;
+    murk_status status = murk_model_trace(s->model, s->value, err);
+    if (!status) {
+        status = murk_fit_search_look(s, x, err);
+    }
+    if (!status) {
+        murk_fit_search_residuals(s, d->residual, d->jacobian);
+        *chi2 = sum_of_squares(d->residual, s->n_fitted);
+        if (isfinite(*chi2)) {
+            status = offset_rows(s, d->jacobian, err);
+        } else {
+            status = murk_fail(err, MURK_RUN_FAILED, s->desc->measured->path,
+                               "a prediction is not finite at the present "
+                               "parameters: start nearer to what was measured");
+        }
+    }
+    return status;
+}
+
+/* What a search that ended has come to; true: to be traced anew at x. */
+static bool ended(murk_fit_search *s, const murk_fit_desk *d, double *x,
+                  const murk_least_squares_found *found,
+                  murk_calibration_start *to)
+{
+    to->converged = found->end == MURK_LEAST_SQUARES_CONVERGED;
+    snprintf(to->why, sizeof to->why, "%s", found->why);
+    if (found->end == MURK_LEAST_SQUARES_FAILED && s->err.status) {
+        snprintf(to->why, sizeof to->why, "%.250s", s->err.text);
+    }
+    return to->converged && world_moved(s, d->traced, x, d->jacobian);
+}
+
+static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
+                          murk_calibration_start *to, murk_error *err)
+{
+    const size_t most = s->desc->traces_max ? s->desc->traces_max : TRACES_MAX;
+    const size_t bytes = s->n * sizeof *x;
+    double best = INFINITY;
+    for (;;) {
+        double chi2;
+        murk_status status = trace_at(s, d, x, &chi2, err);
+        if (status) {
+            return status;
+        }
+        if (chi2 > 2 * best + (double)s->n_fitted && s->traces < most) {
+            for (size_t k = 0; k < s->n; ++k) { /* leapt too far */
+                x[k] = .5 * (x[k] + d->before[k]);
+            }
+            continue;
+        }
+        best = chi2;
+        memcpy(d->traced, x, bytes);
+        memcpy(d->before, x, bytes);
+        murk_least_squares_found found;
+        const murk_least_squares problem =
+            murk_fit_problem(s, d->lower, d->upper);
+        bool settled_away = false;
+        s->is_starved = false;
+        status = murk_least_squares_solve(&found, x, &problem, err);
+        if (status || murk_interrupted()) {
+            return status ? status
+                          : murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        }
+        if (!s->is_starved && s->n_lit &&
+            found.end == MURK_LEAST_SQUARES_CONVERGED) {
+            status = murk_fit_settle(s, d, x, err);
+            if (status) {
+                return status;
+            }
+            settled_away = s->is_starved;
+        }
+        const bool goes_on = s->is_starved || ended(s, d, x, &found, to);
+        if (!goes_on) {
+            return murk_fit_search_look(s, x, err);
+        }
+        if (s->traces >= most) {
+            to->converged = false;
+            snprintf(to->why, sizeof to->why,
+                     "light was traced %zu times and still had to be traced "
+                     "anew: start nearer, or free fewer keys",
+                     s->traces);
+            return murk_fit_search_look(s, x, err);
+        }
+        if (s->is_starved && !settled_away) {
+            memcpy(x, d->traced, bytes);
+            status = murk_fit_leap(s, x, d->residual, d->jacobian, err);
+            if (status) {
+                return status;
+            }
+        }
+    }
+}
+
+murk_status murk_fit_search_run(murk_fit_search *s, double *x,
+                                murk_calibration_start *to, murk_error *err)
+{
+    const size_t n = s->n, rows = s->n_fitted;
+    double *room = calloc(rows + rows * n + 4 * n + 1, sizeof *room);
+    if (!room) {
+        return no_memory(err);
+    }
+    const murk_fit_desk d = {.residual = room,
+                             .jacobian = room + rows,
+                             .traced = room + rows + rows * n,
+                             .before = room + rows + rows * n + n,
+                             .lower = room + rows + rows * n + 2 * n,
+                             .upper = room + rows + rows * n + 3 * n};
+    for (size_t k = 0; k < n; ++k) {
+        d.lower[k] = murk_free_lowest(&s->desc->keys->key[k]);
+        d.upper[k] = murk_free_highest(&s->desc->keys->key[k]);
+    }
+    s->traces = 0;
+    const murk_status status = search(s, &d, x, to, err);
+    to->traces = s->traces;
+    if (!status) {
+        murk_fit_search_residuals(s, d.residual, NULL);
+        to->chi2 = sum_of_squares(d.residual, rows);
+    }
+    free(room);
+    return status;
+}

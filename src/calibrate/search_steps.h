@@ -1,0 +1,45 @@
+/* What a search does beside least squares: leaps to where to trace next, and
+ * settling where photons' noise in slopes does not pull. Inside this room only.
+ */
+#ifndef MURK_CALIBRATE_SEARCH_STEPS_H
+#define MURK_CALIBRATE_SEARCH_STEPS_H
+
+#include "calibrate/search.h"
+
+#include <math.h>
+
+/* Room and bounds of one search. */
+typedef struct murk_fit_desk {
+    double *residual, *jacobian; /* where light was traced */
+    double *traced, *before;     /* [n] there, and the time before */
+    double *lower, *upper;
+} murk_fit_desk;
+
+/* Bounds in search coordinates. */
+static inline double murk_free_lowest(const murk_free_key *key)
+{
+    return key->is_log ? (key->lower > 0 ? log(key->lower) : -INFINITY)
+                       : key->lower;
+}
+
+static inline double murk_free_highest(const murk_free_key *key)
+{
+    return key->is_log ? log(key->upper) : key->upper;
+}
+
+/* Least squares over the re-weighted rows, between bounds. */
+murk_least_squares murk_fit_problem(murk_fit_search *search,
+                                    const double *lower, const double *upper);
+
+/* The model as linear about x, where residual and jacobian are: moves x to
+ * where to trace next. */
+murk_status murk_fit_leap(murk_fit_search *search, double *x,
+                          const double *residual, const double *jacobian,
+                          murk_error *err);
+
+/* From where least squares end to where they would without photons' noise in
+ * slopes. search->is_starved where there is too little light for that. */
+murk_status murk_fit_settle(murk_fit_search *search, const murk_fit_desk *desk,
+                            double *x, murk_error *err);
+
+#endif

@@ -1,0 +1,300 @@
+#include "calibrate/slope_noise.h"
+
+#include "fit/ceres_bridge.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Directions that the rows tell less of than this share of the best are none.
+ */
+#define NOTHING 1e-12
+
+/* Where more of what a direction seems to tell is noise, a step along it would
+ * be, too. */
+#define NOISE_MOST .5
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes' noise");
+}
+
+void murk_slope_noise_release(murk_slope_noise *noise)
+{
+    free(noise->bias);
+    free(noise->noise);
+    *noise = (murk_slope_noise){0};
+}
+
+/* How a run's fitted rows of light, [n_lit][1 + n], are off from its share of
+ * the whole, whitened. */
+static void off_of_run(double *off, const murk_fit_search *s,
+                       const double *part, const double *total, size_t run,
+                       size_t runs, const size_t *place, size_t lits)
+{
+    const size_t width = s->n + 1;
+    for (size_t i = 0; i < s->n_lit; ++i) {
+        const size_t at = place[i] * width;
+        for (size_t k = 0; k < width; ++k) {
+            off[i * width + k] = part[run * lits * width + at + k] -
+                                 total[at + k] / (double)runs;
+        }
+        for (size_t k = 0; k < s->n; ++k) {
+            off[i * width + 1 + k] *=
+                s->desc->keys->key[k].is_log ? s->value[k] : 1;
+        }
+    }
+    murk_whitening_apply(s->whitening, off, width);
+}
+
+static void add_up(murk_slope_noise *out, const murk_fit_search *s,
+                   const double *off)
+{
+    const size_t n = s->n, width = n + 1;
+    for (size_t i = 0; i < s->n_lit; ++i) {
+        const double *row = off + i * width;
+        out->share += row[0] * row[0];
+        for (size_t k = 0; k < n; ++k) {
+            out->bias[k] += row[0] * row[1 + k];
+            for (size_t j = 0; j < n; ++j) {
+                out->noise[k * n + j] += row[1 + k] * row[1 + j];
+            }
+        }
+    }
+}
+
+static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
+                            const double *part, size_t runs,
+                            const size_t *place, size_t lits, murk_error *err)
+{
+    const size_t n = s->n, width = n + 1;
+    double *total = calloc(lits * width + 1, sizeof *total);
+    double *off = calloc(s->n_lit * width + 1, sizeof *off);
+    if (!total || !off) {
+        free(total);
+        free(off);
+        return no_memory(err);
+    }
+    for (size_t i = 0; i < runs * lits * width; ++i) {
+        total[i % (lits * width)] += part[i];
+    }
+    for (size_t run = 0; run < runs; ++run) {
+        off_of_run(off, s, part, total, run, runs, place, lits);
+        add_up(out, s, off);
+    }
+    const double unbiased = (double)runs / ((double)runs - 1);
+    out->share *= unbiased / (double)s->n_lit;
+    out->share = fmin(out->share, 1);
+    for (size_t k = 0; k < n; ++k) {
+        out->bias[k] *= unbiased;
+    }
+    for (size_t k = 0; k < n * n; ++k) {
+        out->noise[k] *= unbiased;
+    }
+    free(total);
+    free(off);
+    return MURK_OK;
+}
+
+murk_status murk_slope_noise_find(murk_slope_noise *out,
+                                  const murk_fit_search *s, murk_error *err)
+{
+    *out = (murk_slope_noise){.bias = calloc(s->n + 1, sizeof *out->bias),
+                              .noise =
+                                  calloc(s->n * s->n + 1, sizeof *out->noise)};
+    if (!out->bias || !out->noise) {
+        return no_memory(err);
+    }
+    if (s->n_lit == 0) {
+        return MURK_OK;
+    }
+    size_t runs;
+    double *part;
+    murk_status status = murk_model_parts(s->model, &runs, &part, err);
+    size_t *place = calloc(s->n_lit, sizeof *place);
+    if (!status && !place) {
+        status = no_memory(err);
+    }
+    if (!status) {
+        size_t lits;
+        const size_t *lit = murk_model_lit(s->model, &lits);
+        for (size_t i = 0, a = 0; i < s->n_lit; ++i, ++a) { /* both rise */
+            for (; lit[a] != s->fitted[i]; ++a) {
+            }
+            place[i] = a;
+        }
+        status = sum_runs(out, s, part, runs, place, lits, err);
+    }
+    free(place);
+    free(part);
+    return status;
+}
+
+/* J = U diag(s) V^T: singular[n], direction[n][n]; and how many tell anything.
+ */
+static murk_status split(double *singular, double *direction, size_t *rank,
+                         const double *jacobian, size_t rows, size_t n,
+                         murk_error *err)
+{
+    const murk_status status =
+        murk_eigen_singular(singular, direction, jacobian, rows, n, err);
+    *rank = 0;
+    while (!status && *rank < n && singular[*rank] > NOTHING * singular[0]) {
+        ++*rank;
+    }
+    return status;
+}
+
+murk_status murk_slope_noise_offset(double *offset,
+                                    const murk_slope_noise *noise,
+                                    const double *jacobian, size_t rows,
+                                    size_t n, murk_error *err)
+{
+    double *room = calloc(n * n + 2 * n + 1, sizeof *room);
+    if (!room) {
+        return no_memory(err);
+    }
+    double *singular = room, *step = room + n, *direction = room + 2 * n;
+    size_t rank;
+    const murk_status status =
+        split(singular, direction, &rank, jacobian, rows, n, err);
+    for (size_t r = 0; r < rank && !status; ++r) { /* step = (J^T J)^-1 b */
+        const double *v = direction + r * n;
+        double along = 0;
+        for (size_t k = 0; k < n; ++k) {
+            along += v[k] * noise->bias[k];
+        }
+        for (size_t k = 0; k < n; ++k) {
+            step[k] += v[k] * along / (singular[r] * singular[r]);
+        }
+    }
+    for (size_t i = 0; i < rows && !status; ++i) {
+        offset[i] = 0;
+        for (size_t k = 0; k < n; ++k) {
+            offset[i] += jacobian[i * n + k] * step[k];
+        }
+    }
+    free(room);
+    return status;
+}
+
+/* N where J^T J is 1: T^T N T, T = V diag(1 / s). */
+static void in_own_scale(double *out, const double *noise,
+                         const double *singular, const double *direction,
+                         size_t rank, size_t n)
+{
+    for (size_t a = 0; a < rank; ++a) {
+        for (size_t b = 0; b < rank; ++b) {
+            double sum = 0;
+            for (size_t k = 0; k < n * n; ++k) {
+                sum += direction[a * n + k / n] * noise[k] *
+                       direction[b * n + k % n];
+            }
+            out[a * rank + b] = sum / (singular[a] * singular[b]);
+        }
+    }
+}
+
+/* What both uses need: J^T J = V diag(s^2) V^T, and N in its scale, Q
+ * diag(part) Q^T. */
+typedef struct axes {
+    size_t rank;
+    double *singular, *direction; /* [rank], [rank][n] */
+    double *part, *axis;          /* [rank], [rank][rank] */
+    double *room;
+} axes;
+
+static murk_status find_axes(axes *out, const murk_slope_noise *noise,
+                             const double *jacobian, size_t rows, size_t n,
+                             murk_error *err)
+{
+    *out = (axes){.room = calloc(3 * n * n + 2 * n + 1, sizeof *out->room)};
+    if (!out->room) {
+        return no_memory(err);
+    }
+    out->singular = out->room;
+    out->part = out->room + n;
+    out->direction = out->room + 2 * n;
+    out->axis = out->direction + n * n;
+    double *scaled = out->axis + n * n;
+    murk_status status = split(out->singular, out->direction, &out->rank,
+                               jacobian, rows, n, err);
+    if (!status && out->rank) {
+        in_own_scale(scaled, noise->noise, out->singular, out->direction,
+                     out->rank, n);
+        status = murk_eigen_singular(out->part, out->axis, scaled, out->rank,
+                                     out->rank, err);
+    }
+    return status;
+}
+
+murk_status murk_slope_noise_step(double *step, double *length,
+                                  const murk_slope_noise *noise,
+                                  const double *residual,
+                                  const double *jacobian, size_t rows, size_t n,
+                                  murk_error *err)
+{
+    axes a;
+    const murk_status status = find_axes(&a, noise, jacobian, rows, n, err);
+    double *score = status ? NULL : calloc(n + 1, sizeof *score);
+    if (!score) {
+        free(a.room);
+        return status ? status : no_memory(err);
+    }
+    for (size_t k = 0; k < n; ++k) {
+        score[k] = noise->bias[k];
+        for (size_t i = 0; i < rows; ++i) {
+            score[k] -= jacobian[i * n + k] * residual[i];
+        }
+        step[k] = 0;
+    }
+    *length = 0;
+    for (size_t q = 0; q < a.rank; ++q) {
+        double along = 0;
+        for (size_t r = 0; r < a.rank; ++r) {
+            double of = 0;
+            for (size_t k = 0; k < n; ++k) {
+                of += a.direction[r * n + k] * score[k];
+            }
+            along += a.axis[q * a.rank + r] * of / a.singular[r];
+        }
+        const double kept = 1 - a.part[q];
+        if (a.part[q] > NOISE_MOST) {
+            continue;
+        }
+        *length += along * along / kept;
+        for (size_t r = 0; r < a.rank; ++r) {
+            for (size_t k = 0; k < n; ++k) {
+                step[k] += a.axis[q * a.rank + r] / a.singular[r] *
+                           a.direction[r * n + k] * along / kept;
+            }
+        }
+    }
+    *length = sqrt(*length);
+    free(score);
+    free(a.room);
+    return MURK_OK;
+}
+
+murk_status murk_slope_noise_information(double *rows_out, double *most,
+                                         const murk_slope_noise *noise,
+                                         const double *jacobian, size_t rows,
+                                         size_t n, murk_error *err)
+{
+    axes a;
+    const murk_status status = find_axes(&a, noise, jacobian, rows, n, err);
+    *most = !status && a.rank ? a.part[0] : 0;
+    memset(rows_out, 0, n * n * sizeof *rows_out);
+    for (size_t q = 0; q < a.rank && !status; ++q) {
+        const double left =
+            fmax(0, 1 - a.part[q]) / sqrt(1 + noise->share * a.part[q]);
+        for (size_t r = 0; r < a.rank; ++r) {
+            for (size_t k = 0; k < n; ++k) {
+                rows_out[q * n + k] += left * a.axis[q * a.rank + r] *
+                                       a.singular[r] * a.direction[r * n + k];
+            }
+        }
+    }
+    free(a.room);
+    return status;
+}
