@@ -3,7 +3,7 @@
 #include <string.h>
 
 const murk_option murk_option_table[] = {
-    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense study media",
+    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense study fit media",
      "write the results into this folder; without it the summary is printed "
      "and nothing is written (media: the file of a --profile's grid)"},
     {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
@@ -12,11 +12,11 @@ const murk_option murk_option_table[] = {
      "threads, 1..256; default: all processors. The results are the same for "
      "any number"},
     {MURK_OPTION_EMIT, "--emit", NULL, "N",
-     "check trace place sense study replay",
+     "check trace place sense study fit replay",
      "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or "
      "store of the scene"},
     {MURK_OPTION_STORE, "--store", NULL, "N",
-     "check trace place sense study replay",
+     "check trace place sense study fit replay",
      "emit until N photons are stored; replaces emit or store of the scene"},
     {MURK_OPTION_COUNT, "--count", NULL, "N", "check place",
      "number of sensors to place; replaces the scene's target"},
@@ -42,6 +42,29 @@ const murk_option murk_option_table[] = {
      "repeat.csv has a row a seed"},
     {MURK_OPTION_PHOTON, "--photon", NULL, "N", "replay",
      "index of the emitted photon, from 0"},
+    {MURK_OPTION_DATA, "--data", NULL, "FILE", "fit",
+     "what was measured: CSV with kind, place, value and standard_error of "
+     "each "
+     "reading"},
+    {MURK_OPTION_FREE, "--free", NULL, "KEY[,KEY...]", "fit",
+     "the scene's keys to be found, by their paths; KEY@each: one value for "
+     "each condition; gain.NAME: a factor of readings. Repeatable; each starts "
+     "from the scene's value"},
+    {MURK_OPTION_BOUNDS, "--bounds", NULL, "KEY=LOW:HIGH", "fit",
+     "keep a free key within these, either of which may be left out; "
+     "repeatable"},
+    {MURK_OPTION_LOSS, "--loss", NULL, "none|huber|cauchy[:WIDTH]", "fit",
+     "what a residual costs: its square, or less beyond WIDTH standard errors "
+     "(1.345, 2.385), so that outliers pull less"},
+    {MURK_OPTION_STARTS, "--starts", NULL, "N", "fit",
+     "search from N starts, the scene's values and others around them, and "
+     "keep the best; default 1"},
+    {MURK_OPTION_TRACES, "--traces", NULL, "N", "fit",
+     "trace light at most N times a start; default 12"},
+    {MURK_OPTION_NEXT, "--next", NULL, "K", "fit",
+     "propose the K places of candidates whose readings would tell most"},
+    {MURK_OPTION_PREDICT, "--predict", NULL, "FIT.json", "fit",
+     "fit nothing: predict the data at the values of a finished fit"},
     {MURK_OPTION_PROFILE, "--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb"},
@@ -58,7 +81,8 @@ const murk_option murk_option_table[] = {
      "that the light depends on differs"},
     {MURK_OPTION_SET, "--set", NULL, "KEY=VALUE", NULL,
      "set any scene key by its path, repeatable: --set "
-     "media.fog.extinction_per_m=0.05 --set lights.0.power_w=10"},
+     "media.fog.extinction_per_m=0.05 --set lights.0.power_w=10; --set @FILE "
+     "sets the KEY: VALUE lines of a file such as fit's calibrated.yaml"},
     {MURK_OPTION_FORMAT, "--format", NULL, "text|json", NULL,
      "what is printed on standard output: a summary, or the command's main "
      "JSON"},
@@ -71,8 +95,6 @@ const murk_option murk_option_table[] = {
      "version, commit, compiler and packages"},
     {MURK_OPTION_MAN, "--man", NULL, NULL, NULL, NULL},
     {MURK_OPTION_LATER, "--camera", NULL, "NAME", NULL, NULL},
-    {MURK_OPTION_LATER, "--data", NULL, "FILE", NULL, NULL},
-    {MURK_OPTION_LATER, "--free", NULL, "KEY", NULL, NULL},
 };
 
 const size_t murk_option_table_size =

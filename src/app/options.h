@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "base/status.h"
+#include "fit/least_squares.h"
 #include "scene/scene.h"
 
 #include <stdbool.h>
@@ -27,6 +28,22 @@ typedef enum murk_export {
     MURK_EXPORT_LP = 4
 } murk_export;
 
+typedef struct murk_words_given {
+    char **word; /* [n] owned */
+    size_t n;
+} murk_words_given;
+
+typedef struct murk_fit_options {
+    const char *data;        /* --data */
+    murk_words_given free;   /* --free */
+    murk_words_given bounds; /* --bounds */
+    murk_loss_function loss; /* --loss */
+    double loss_width;       /* in standard errors */
+    uint64_t starts, traces; /* 0: not given */
+    uint64_t next;           /* --next */
+    const char *predict;     /* --predict */
+} murk_fit_options;
+
 struct murk_options {
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
@@ -41,6 +58,7 @@ struct murk_options {
     uint64_t repeat;  /* --repeat; 0: not given */
     bool has_photon;
     uint64_t photon; /* --photon */
+    murk_fit_options fit;
     unsigned threads;
     bool json, quiet;
     murk_progress_mode progress;
@@ -71,6 +89,7 @@ murk_status murk_command_trace(const murk_options *, murk_error *);
 murk_status murk_command_place(const murk_options *, murk_error *);
 murk_status murk_command_sense(const murk_options *, murk_error *);
 murk_status murk_command_study(const murk_options *, murk_error *);
+murk_status murk_command_fit(const murk_options *, murk_error *);
 murk_status murk_command_replay(const murk_options *, murk_error *);
 murk_status murk_command_media(const murk_options *, murk_error *);
 murk_status murk_command_media_profile(const murk_options *, murk_error *);

@@ -1,0 +1,300 @@
+#include "app/fit_out.h"
+#include "app/session.h"
+#include "scene/yaml.h"
+
+#include "base/log.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* What a fit is made from, and comes to. */
+typedef struct fit {
+    const murk_options *options;
+    murk_donors donors;
+    murk_measurements *measured;
+    murk_free_keys *keys;
+    murk_calibration found;
+    murk_next next;
+    char **asked; /* [n_asked] of --predict, else the options' */
+    size_t n_asked;
+    bool owns_asked, shows_steps;
+} fit;
+
+/* The files of all conditions first, then the scene's own world. */
+static murk_status begin(fit *f, murk_session *session, murk_error *err)
+{
+    murk_status status = murk_session_read(session, f->options, err);
+    if (!status) {
+        status = murk_donors_import(&f->donors, session->scene, err);
+    }
+    if (!status) {
+        status = murk_stage_import_beside(&session->stage, session->scene,
+                                          f->donors.stage[0], err);
+    }
+    if (!status) {
+        status = murk_stage_build(session->stage, err);
+    }
+    session->run.load_s = murk_clock_s() - session->begun_s;
+    return status;
+}
+
+static void release(fit *f)
+{
+    murk_next_release(&f->next);
+    murk_calibration_release(&f->found);
+    murk_free_keys_destroy(f->keys);
+    murk_measurements_destroy(f->measured);
+    for (size_t i = 0; f->owns_asked && i < f->n_asked; ++i) {
+        free(f->asked[i]);
+    }
+    if (f->owns_asked) {
+        free(f->asked);
+    }
+}
+
+/* ---- --predict: the values of a finished fit ---- */
+
+static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
+                                 const char *path, murk_error *err)
+{
+    const murk_yaml *list =
+        root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "parameters") : NULL;
+    if (!list || list->kind != MURK_YAML_LIST) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "has no list of parameters, must be the fit.json of a "
+                         "fit");
+    }
+    for (size_t i = 0; i < list->n; ++i) {
+        const murk_yaml *item = list->child[i];
+        const bool is_map = item->kind == MURK_YAML_MAP;
+        const murk_yaml *key = is_map ? murk_yaml_get(item, "key") : NULL;
+        const murk_yaml *value = is_map ? murk_yaml_get(item, "value") : NULL;
+        double number;
+        if (!key || key->kind != MURK_YAML_SCALAR || !value ||
+            !murk_yaml_number(value, &number)) {
+            char where[320];
+            murk_yaml_place(item, where, sizeof where);
+            return murk_fail(err, MURK_BAD_FILE, where,
+                             "a parameter must have a key and a value");
+        }
+    }
+    *out = list;
+    return MURK_OK;
+}
+
+/* "media.fog.visibility_m@dawn" was asked for as "..@each". */
+static char *asked_as(const char *name)
+{
+    const char *at = strchr(name, '@');
+    const size_t length = at ? (size_t)(at - name) : strlen(name);
+    char *out = malloc(length + sizeof "@each");
+    if (out) {
+        memcpy(out, name, length);
+        strcpy(out + length, at ? "@each" : "");
+    }
+    return out;
+}
+
+static murk_status ask_for(fit *f, const murk_yaml *list, murk_error *err)
+{
+    f->owns_asked = true;
+    f->asked = calloc(list->n + 1, sizeof *f->asked);
+    for (size_t i = 0; f->asked && i < list->n; ++i) {
+        char *name = asked_as(murk_yaml_get(list->child[i], "key")->text);
+        bool is_new = name != NULL;
+        for (size_t k = 0; is_new && k < f->n_asked; ++k) {
+            is_new = strcmp(f->asked[k], name) != 0;
+        }
+        if (is_new) {
+            f->asked[f->n_asked++] = name;
+        } else if (name) {
+            free(name);
+        } else {
+            return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
+        }
+    }
+    return f->asked
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
+}
+
+static murk_status set_values(fit *f, const murk_yaml *list, murk_error *err)
+{
+    for (size_t k = 0; k < f->keys->n; ++k) {
+        murk_free_key *key = &f->keys->key[k];
+        const murk_yaml *found = NULL;
+        for (size_t i = 0; i < list->n; ++i) {
+            const murk_yaml *item = list->child[i];
+            if (strcmp(murk_yaml_get(item, "key")->text, key->name) == 0) {
+                found = murk_yaml_get(item, "value");
+            }
+        }
+        if (!found) {
+            return murk_fail(err, MURK_BAD_FILE, f->options->fit.predict,
+                             "has no value of %s", key->name);
+        }
+        (void)murk_yaml_number(found, &key->start);
+        if (!(key->start >= key->lower && key->start <= key->upper)) {
+            return murk_fail(err, MURK_BAD_VALUE, f->options->fit.predict,
+                             "%s: %g, must be %g..%g", key->name, key->start,
+                             key->lower, key->upper);
+        }
+    }
+    return MURK_OK;
+}
+
+/* ---- the command ---- */
+
+static void tell_step(void *context, size_t start, size_t traces, int iteration,
+                      double chi2, const double *value)
+{
+    const fit *f = context;
+    if (!f->shows_steps) {
+        return;
+    }
+    fprintf(stderr, "fit: start %zu, light %zu, step %d: chi2 %.6g;", start + 1,
+            traces, iteration, chi2);
+    const size_t shown = f->keys->n < 4 ? f->keys->n : 4;
+    for (size_t k = 0; k < shown; ++k) {
+        fprintf(stderr, " %s %.6g", f->keys->key[k].name, value[k]);
+    }
+    fprintf(stderr, "%s\n", shown < f->keys->n ? " .." : "");
+}
+
+static murk_status read_input(fit *f, const murk_session *session,
+                              murk_yaml **values, murk_error *err)
+{
+    const murk_options *o = f->options;
+    const murk_yaml *list = NULL;
+    f->asked = o->fit.free.word;
+    f->n_asked = o->fit.free.n;
+    murk_status status = MURK_OK;
+    if (o->fit.predict) {
+        status = murk_yaml_read(values, o->fit.predict, err);
+        if (!status) {
+            status = parameters_of(&list, *values, o->fit.predict, err);
+        }
+        if (!status) {
+            status = ask_for(f, list, err);
+        }
+    }
+    if (!status) {
+        status =
+            murk_measurements_read(&f->measured, o->fit.data, session->scene,
+                                   &session->stage->world.domain, err);
+    }
+    const murk_free_desc desc = {.scene_path = o->input,
+                                 .overrides = o->overrides,
+                                 .n_overrides = o->n_overrides,
+                                 .asked = (const char *const *)f->asked,
+                                 .n_asked = f->n_asked,
+                                 .bounds =
+                                     (const char *const *)o->fit.bounds.word,
+                                 .n_bounds = o->fit.bounds.n,
+                                 .measured = f->measured,
+                                 .domain = &session->stage->world.domain};
+    if (!status) {
+        status = murk_free_keys_create(&f->keys, &desc, err);
+    }
+    return !status && list ? set_values(f, list, err) : status;
+}
+
+static murk_status write_files(const fit *f, murk_session *session,
+                               murk_error *err)
+{
+    const bool only_predicts = f->options->fit.predict != NULL;
+    const murk_fit_facts facts = {.scene = session->scene,
+                                  .keys = f->keys,
+                                  .measured = f->measured,
+                                  .found = &f->found,
+                                  .next = f->next.place ? &f->next : NULL,
+                                  .only_predicts = only_predicts};
+    session->run.trace_s = f->found.trace_s;
+    murk_status status = murk_add_fit_csv(&session->results, &facts, err);
+    if (!status && !only_predicts) {
+        status = murk_add_calibrated(&session->results, &facts, err);
+    }
+    if (!status) {
+        status = murk_session_finish(
+            session, only_predicts ? "predict.json" : "fit.json",
+            murk_fit_json(&facts), err);
+    }
+    if (!status && murk_session_speaks(session)) {
+        murk_print_fit(&facts);
+        printf("time        %.2f s: load %.2f, trace %.2f\n",
+               session->run.total_s, session->run.load_s, session->run.trace_s);
+        murk_print_files(session);
+    }
+    return status;
+}
+
+static murk_status run(fit *f, murk_session *session, murk_error *err)
+{
+    const murk_options *o = f->options;
+    const murk_calibration_desc desc = {.keys = f->keys,
+                                        .measured = f->measured,
+                                        .donors = &f->donors,
+                                        .loss = o->fit.loss,
+                                        .loss_width = o->fit.loss_width,
+                                        .starts = (size_t)o->fit.starts,
+                                        .traces_max = (size_t)o->fit.traces,
+                                        .threads = o->threads,
+                                        .seed = session->scene->seed,
+                                        .only_predicts = o->fit.predict != NULL,
+                                        .watch = tell_step,
+                                        .context = f};
+    murk_status status = murk_calibrate(&f->found, &desc, err);
+    if (!status && o->fit.next) {
+        status = murk_next_propose(&f->next, (size_t)o->fit.next, &f->found,
+                                   &desc, err);
+    }
+    return status ? status : write_files(f, session, err);
+}
+
+static murk_status check_options(const murk_options *o, murk_error *err)
+{
+    if (!o->fit.data) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "fit needs --data FILE, a CSV of what was measured");
+    }
+    if (o->fit.predict && (o->fit.free.n || o->fit.next)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--predict",
+                         "fits nothing, so it goes with neither --free nor "
+                         "--next");
+    }
+    if (!o->fit.predict && !o->fit.free.n) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "fit needs --free KEY, the scene's keys to be found "
+                         "(or --predict FIT.json)");
+    }
+    return MURK_OK;
+}
+
+murk_status murk_command_fit(const murk_options *options, murk_error *err)
+{
+    const bool is_shown =
+        !options->quiet &&
+        (options->progress == MURK_PROGRESS_ALWAYS ||
+         (options->progress == MURK_PROGRESS_AUTO && isatty(STDERR_FILENO)));
+    fit f = {.options = options, .shows_steps = is_shown};
+    murk_session session = {0};
+    murk_yaml *values = NULL;
+    murk_status status = check_options(options, err);
+    if (!status) {
+        status = begin(&f, &session, err);
+    }
+    if (!status) {
+        status = read_input(&f, &session, &values, err);
+    }
+    if (!status) {
+        status = run(&f, &session, err);
+    }
+    murk_yaml_destroy(values);
+    release(&f);
+    murk_stage_destroy(session.stage); /* borrows of the donors */
+    session.stage = NULL;
+    murk_donors_release(&f.donors);
+    murk_session_end(&session);
+    return status;
+}
