@@ -1,6 +1,27 @@
 #include "calibrate/lit.h"
 
+#include "study/units.h"
+
 #include <stdlib.h>
+
+/* What a watt of each light counts as for each receiver. */
+static murk_status count_watts(murk_lit *lit, murk_error *err)
+{
+    const murk_posts *posts = lit->desc->posts;
+    const size_t lights = lit->scene->n_lights;
+    lit->per_watt =
+        calloc(posts->receivers * lights + 1, sizeof *lit->per_watt);
+    if (!lit->per_watt) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
+    }
+    for (size_t i = 0; i < posts->receivers * lights; ++i) {
+        for (int b = 0; b < lit->scene->bands; ++b) {
+            lit->per_watt[i].band[b] = murk_units_per_watt(
+                posts->quantity[i / lights], lit->stage, i % lights, b);
+        }
+    }
+    return MURK_OK;
+}
 
 static murk_status follow(murk_lit *lit, murk_error *err)
 {
@@ -15,6 +36,9 @@ static murk_status follow(murk_lit *lit, murk_error *err)
                                          .receivers = posts->receivers,
                                          .keeps_records = posts->groups > 0};
     murk_status status = murk_followed_trace(&lit->followed, &followed, err);
+    if (!status) {
+        status = count_watts(lit, err);
+    }
     if (!status && posts->groups) {
         const murk_covered_desc covered = {.stage = lit->stage,
                                            .followed = lit->followed,
@@ -54,6 +78,7 @@ murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
 
 void murk_lit_release(murk_lit *lit)
 {
+    free(lit->per_watt);
     murk_covered_destroy(lit->covered);
     murk_followed_destroy(lit->followed);
     murk_optics_destroy(lit->optics);
@@ -170,7 +195,7 @@ static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
     }
     murk_receivers_read(out->value, out->slope, batch, d->batches,
                         keys ? run : NULL, d->runs, posts->receiver,
-                        posts->per_watt, posts->receivers, lit->followed,
+                        lit->per_watt, posts->receivers, lit->followed,
                         reweighed);
     place_runs(out, d, run, 0, posts->receivers, keys, NULL);
     free(run);

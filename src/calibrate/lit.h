@@ -27,6 +27,7 @@ typedef struct murk_lit {
     murk_optics *optics;
     murk_followed *followed; /* NULL: no row asks for light */
     murk_covered *covered;   /* NULL: none for coverage */
+    murk_spectrum *per_watt; /* [receivers][lights] to their units */
 } murk_lit;
 
 /* Release also after a failure. */

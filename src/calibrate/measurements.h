@@ -94,6 +94,9 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
                             double length_m, double *slope);
 const char *murk_reading_unit_name(murk_reading_unit unit);
 
+/* The quantity that a unit of light is of; radiometric for others. */
+murk_quantity murk_reading_quantity(murk_reading_unit unit);
+
 /* From W/m2 in a band to a light unit, of the scene's bands, light taken as
  * even in wavelength within each; 1 for others. */
 murk_spectrum murk_reading_per_watt(murk_reading_unit unit,

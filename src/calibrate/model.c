@@ -106,8 +106,8 @@ static murk_status begin_world(murk_model *m, size_t c, const double *start,
     if (status) {
         return status;
     }
-    status = murk_posts_create(&w->posts, m->desc.measured, keys->condition[c],
-                               w->scene, err);
+    status =
+        murk_posts_create(&w->posts, m->desc.measured, keys->condition[c], err);
     w->desc = (murk_lit_desc){
         .keys = keys,
         .posts = &w->posts,

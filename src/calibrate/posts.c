@@ -3,13 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void add_receiver(murk_posts *p, const murk_reading *reading, size_t row,
-                         const murk_scene *scene)
+static void add_receiver(murk_posts *p, const murk_reading *reading, size_t row)
 {
     const bool has_side = reading->kind == MURK_READ_IRRADIANCE;
     const double acceptance = reading->acceptance_rad;
     p->lit_row[p->receivers] = row;
-    p->per_watt[p->receivers] = murk_reading_per_watt(reading->unit, scene);
+    p->quantity[p->receivers] = murk_reading_quantity(reading->unit);
     p->receiver[p->receivers++] = (murk_receiver){
         .center = reading->position,
         .radius_m = reading->radius_m,
@@ -38,17 +37,16 @@ static const murk_reading *first_of(const murk_measurements *measured,
 
 murk_status murk_posts_create(murk_posts *out,
                               const murk_measurements *measured,
-                              size_t condition, const murk_scene *scene,
-                              murk_error *err)
+                              size_t condition, murk_error *err)
 {
     const size_t rows = measured->rows + 1, readings = measured->readings + 1;
     *out = (murk_posts){.receiver = calloc(rows, sizeof *out->receiver),
-                        .per_watt = calloc(rows, sizeof *out->per_watt),
+                        .quantity = calloc(rows, sizeof *out->quantity),
                         .pose = calloc(readings, sizeof *out->pose),
                         .group = calloc(readings, sizeof *out->group),
                         .lit_row = calloc(rows, sizeof *out->lit_row),
                         .beam_row = calloc(rows, sizeof *out->beam_row)};
-    if (!out->receiver || !out->per_watt || !out->pose || !out->group ||
+    if (!out->receiver || !out->quantity || !out->pose || !out->group ||
         !out->lit_row || !out->beam_row) {
         return murk_fail(err, MURK_NO_MEMORY, measured->path,
                          "no memory for %zu readings", measured->readings);
@@ -58,7 +56,7 @@ murk_status murk_posts_create(murk_posts *out,
         if (reading && reading->kind == MURK_READ_TRANSMITTANCE) {
             out->beam_row[out->beams++] = i;
         } else if (reading && reading->kind != MURK_READ_COVERAGE) {
-            add_receiver(out, reading, i, scene);
+            add_receiver(out, reading, i);
         }
     }
     for (size_t i = 0; i < measured->rows; ++i) {
@@ -74,7 +72,7 @@ murk_status murk_posts_create(murk_posts *out,
 void murk_posts_release(murk_posts *posts)
 {
     free(posts->receiver);
-    free(posts->per_watt);
+    free(posts->quantity);
     free(posts->pose);
     free(posts->group);
     free(posts->lit_row);

@@ -10,7 +10,7 @@
 typedef struct murk_posts {
     size_t receivers;
     murk_receiver *receiver; /* [receivers] */
-    murk_spectrum *per_watt; /* [receivers] to each one's unit, by band */
+    murk_quantity *quantity; /* [receivers] that each one's unit is of */
     size_t groups, poses;
     murk_pose *pose; /* [poses] group by group */
     size_t *group;   /* [poses] */
@@ -20,13 +20,12 @@ typedef struct murk_posts {
     size_t *beam_row; /* [beams] likewise */
 } murk_posts;
 
-/* Of the rows in a condition of the scene (SIZE_MAX: as it stands); the scene
- * says what light units are worth in its bands. Release also after a failure.
+/* Of the rows in a condition of the scene (SIZE_MAX: as it stands). Release
+ * also after a failure.
  */
 murk_status murk_posts_create(murk_posts *out,
                               const murk_measurements *measured,
-                              size_t condition, const murk_scene *scene,
-                              murk_error *err);
+                              size_t condition, murk_error *err);
 void murk_posts_release(murk_posts *posts);
 
 #endif

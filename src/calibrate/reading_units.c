@@ -239,14 +239,19 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
     }
 }
 
+murk_quantity murk_reading_quantity(murk_reading_unit unit)
+{
+    return unit == MURK_UNIT_LUX       ? MURK_PHOTOMETRIC
+           : unit == MURK_UNIT_PHOTONS ? MURK_PHOTONS
+           : unit == MURK_UNIT_PAR     ? MURK_PAR
+                                       : MURK_RADIOMETRIC;
+}
+
 murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
                                     const murk_scene *scene)
 {
     murk_spectrum out = murk_spectrum_flat(1, scene->bands);
-    const murk_quantity quantity = unit == MURK_UNIT_LUX ? MURK_PHOTOMETRIC
-                                   : unit == MURK_UNIT_PHOTONS ? MURK_PHOTONS
-                                   : unit == MURK_UNIT_PAR     ? MURK_PAR
-                                                           : MURK_RADIOMETRIC;
+    const murk_quantity quantity = murk_reading_quantity(unit);
     for (int b = 0; b < scene->bands; ++b) {
         out.band[b] =
             scene->has_edges

@@ -12,6 +12,7 @@ void murk_receivers_read(double *value, double *slope, double *batch,
 {
     const murk_followed *f = followed;
     const size_t keys = reweighed->keys;
+    const size_t lights = f->channels / (size_t)f->bands;
     memset(value, 0, receivers * sizeof *value);
     memset(slope, 0, receivers * keys * sizeof *slope);
     memset(batch, 0, batches * receivers * sizeof *batch);
@@ -29,7 +30,7 @@ void murk_receivers_read(double *value, double *slope, double *batch,
         const double worth =
             (double)c->value *
             f->packet_w[c->light * (size_t)f->bands + c->band] *
-            per_watt[r].band[c->band] / volume;
+            per_watt[r * lights + c->light].band[c->band] / volume;
         const size_t b = (size_t)(c->photon * (uint64_t)batches / f->emitted);
         batch[b * receivers + r] += worth * reweighed->ratio[i];
         const size_t run = (size_t)(c->photon * (uint64_t)runs / f->emitted);

@@ -45,11 +45,11 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
                          unsigned threads, murk_error *err);
 void murk_reweighed_release(murk_reweighed *reweighed);
 
-/* What receivers read, W/m2 in each band that they take, times per_watt[r] by
- * band: value[receivers], slope[receivers][keys], and sums by batch of photons
- * batch[batches][receivers] whose totals are the values. Batches are runs of
- * photons' indices. slope_batch[runs][receivers][keys], NULL or likewise of the
- * slopes. */
+/* What receivers read, W/m2 in each band that they take, times per_watt[r *
+ * lights + light] by band: value[receivers], slope[receivers][keys], and sums
+ * by batch of photons batch[batches][receivers] whose totals are the values.
+ * Batches are runs of photons' indices. slope_batch[runs][receivers][keys],
+ * NULL or likewise of the slopes. */
 void murk_receivers_read(double *value, double *slope, double *batch,
                          size_t batches, double *slope_batch, size_t runs,
                          const murk_receiver *receiver,

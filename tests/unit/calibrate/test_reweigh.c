@@ -13,6 +13,7 @@
 
 #define MEDIA     3
 #define RECEIVERS 3
+#define LIGHTS    2
 #define BATCHES   7
 
 /* Sums that are compared: receivers, and each map's records. */
@@ -105,9 +106,9 @@ static void read_sums(const lit *l, const murk_optics *at,
 {
     murk_reweighed r;
     murk_error err = {0};
-    murk_spectrum per_watt[RECEIVERS];
+    murk_spectrum per_watt[RECEIVERS * LIGHTS];
     double batch[BATCHES * RECEIVERS];
-    for (size_t i = 0; i < RECEIVERS; ++i) {
+    for (size_t i = 0; i < RECEIVERS * LIGHTS; ++i) {
         per_watt[i] = murk_spectrum_flat(1. + (double)i, 2);
     }
     CHECK(!murk_reweigh(&r, l->followed, l->optics, at, sides, keys, 2, &err));
@@ -212,7 +213,8 @@ static void test_threads_and_batches_do_not_matter(const lit *l)
     CHECK(one.effective_share > 0.3 && one.effective_share < 1);
 
     /* batches add up to the value, however many */
-    const murk_spectrum flat[RECEIVERS] = {{{1, 1}}, {{1, 1}}, {{1, 1}}};
+    const murk_spectrum flat[RECEIVERS * LIGHTS] = {
+        {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}};
     double value[RECEIVERS], slope[RECEIVERS * 4], batch[100 * RECEIVERS];
     murk_receivers_read(value, slope, batch, 100, NULL, 0, receivers, flat,
                         RECEIVERS, l->followed, &one);
