@@ -13,6 +13,11 @@
  * scale where the direction's others move by all of theirs. */
 #define SHARE_MIN 1.5e-8 /* sqrt(DBL_EPSILON), rounded up */
 
+/* No parameter goes further than that many of its scales: logarithms end at
+ * factors of 1e9 (some 21 scales). So much, and not more, of what has no end
+ * enters what has a small share in it. */
+#define SCALES_MAX 1e3
+
 /* The free parameters' columns, in units of their scales. */
 typedef struct scaled {
     size_t n, rows;
@@ -110,19 +115,17 @@ static void read_directions(murk_certainty *out, const scaled *s,
     }
 }
 
-/* In scaled parameters; infinite where a direction without end has a share in
- * either. */
+/* In scaled parameters; a direction without end counts as SCALES_MAX. */
 static double covariance_of(const murk_certainty *c, size_t i, size_t j)
 {
     double sum = 0;
     for (size_t d = 0; d < c->directions; ++d) {
         const double a = c->direction[d * c->n + i];
         const double b = c->direction[d * c->n + j];
-        const double error = c->direction_error[d];
-        if (isfinite(error)) {
+        const double error = fmin(c->direction_error[d], SCALES_MAX);
+        const bool is_shared = fabs(a) > SHARE_MIN || fabs(b) > SHARE_MIN;
+        if (isfinite(c->direction_error[d]) || is_shared) {
             sum += a * error * (b * error);
-        } else if (fabs(a) > SHARE_MIN || fabs(b) > SHARE_MIN) {
-            return INFINITY;
         }
     }
     return sum;

@@ -4,9 +4,9 @@
  * In scaled parameters x_j / scale_j, J = U diag(s) V^T: along a column v of V
  * the data have a standard error of 1 / s. Directions where it is above
  * `undetermined` are not determined. A parameter's variance is the sum over all
- * directions of (v_j / s)^2; one whose error so comes out above `undetermined`
- * scales has no standard error, so what is confounded has none, and what
- * happens to lie beside it keeps its own.
+ * directions of (v_j / s)^2, 1 / s being 1000 at most; one whose error so comes
+ * out above `undetermined` scales has no standard error, so what is confounded
+ * has none, and what happens to lie beside it keeps its own.
  *
  * Errors are those of rows with unit variance, to first order (Bard, Nonlinear
  * Parameter Estimation, 1974, ch. 7). */

@@ -77,6 +77,23 @@ static void test_a_neighbour_keeps_its_whole_error(void)
     murk_certainty_release(&c);
 }
 
+/* Nothing tells of y alone, of which a millionth is in what is known of x: y
+ * may be anything, but it goes no further than 1000 scales, by which x is off
+ * by a thousandth. Of a tenth in it nothing of x would be left. */
+static void test_what_has_no_end_is_bounded_in_others(void)
+{
+    const double scale[] = {1, 1};
+    const double little[] = {50, 50e-6}, much[] = {50, 5};
+    murk_certainty c = certainty_of(little, 1, 2, NULL, scale);
+    CHECK(c.determined == 1 && isinf(c.direction_error[1]));
+    CHECK_NEAR(c.standard_error[0], sqrt(4e-4 + 1e-6), 1e-9);
+    CHECK(isnan(c.standard_error[1]));
+    murk_certainty_release(&c);
+    c = certainty_of(much, 1, 2, NULL, scale);
+    CHECK(isnan(c.standard_error[0]) && isnan(c.standard_error[1]));
+    murk_certainty_release(&c);
+}
+
 /* What is held at a bound is taken as known. */
 static void test_fixed_is_left_out(void)
 {
@@ -218,6 +235,7 @@ int main(void)
     test_covariance_by_hand();
     test_what_is_confounded_is_named();
     test_a_neighbour_keeps_its_whole_error();
+    test_what_has_no_end_is_bounded_in_others();
     test_fixed_is_left_out();
     test_too_few_rows();
     test_undetermined_is_by_scale();
