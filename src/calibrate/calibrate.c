@@ -1,19 +1,14 @@
 #include "calibrate/calibrate.h"
 
 #include "base/interrupt.h"
-#include "base/rng.h"
-#include "calibrate/search.h"
+#include "calibrate/search_steps.h"
 #include "calibrate/slope_noise.h"
+#include "calibrate/starts.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Further starts lie within this factor of the scene's values, or in this share
- * of the width of bounds. */
-#define START_FACTOR 4.0
-#define START_SHARE  .9
 
 /* A value nearer to a bound than this share of itself or of 1 is at it. */
 #define AT_BOUND 1e-6
@@ -76,27 +71,6 @@ void murk_calibration_release(murk_calibration *c)
     *c = (murk_calibration){0};
 }
 
-/* Start i of a key: the scene's own value first, then some around it. */
-static double start_of(const murk_free_key *key, uint32_t seed, size_t i,
-                       size_t k)
-{
-    if (i == 0) {
-        return key->start;
-    }
-    const double u =
-        2 * murk_random(seed, MURK_FIT_START, i, (uint32_t)k, 0).u[0] - 1;
-    double v;
-    if (key->is_log) {
-        v = key->start * pow(START_FACTOR, u);
-    } else if (isfinite(key->lower) && isfinite(key->upper)) {
-        v = .5 * (key->lower + key->upper +
-                  START_SHARE * u * (key->upper - key->lower));
-    } else {
-        v = key->start + u * fmax(fabs(key->start), 1);
-    }
-    return fmin(fmax(v, key->lower), key->upper);
-}
-
 /* ---- what was found ---- */
 
 static double scale_of(const murk_free_key *key, double value)
@@ -111,9 +85,10 @@ static double scale_of(const murk_free_key *key, double value)
 
 static bool is_at_bound(const murk_free_key *key, double value)
 {
-    const double near = AT_BOUND * fmax(1, fabs(value));
-    const double ground = key->is_log ? AT_BOUND * value : near;
-    return value - key->lower <= ground || key->upper - value <= ground;
+    const double at = key->is_log ? log(value) : value;
+    const double near = AT_BOUND * fmax(1, key->is_log ? 1 : fabs(value));
+    return at - murk_free_lowest(key) <= near ||
+           murk_free_highest(key) - at <= near;
 }
 
 static void tell_values(murk_calibration *out, const murk_free_keys *keys)
@@ -139,6 +114,21 @@ static void tell_values(murk_calibration *out, const murk_free_keys *keys)
     }
 }
 
+/* Slopes by re-traced light have noise of their own, which also looks like
+ * knowledge. */
+static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
+                            const double *jacobian)
+{
+    const size_t n = s->n;
+    for (size_t k = 0; k < n; ++k) {
+        const double off = murk_model_slope_error(s->model, k);
+        for (size_t i = 0; i < s->n_lit && off > 0; ++i) {
+            const double noisy = off * jacobian[i * n + k];
+            noise->noise[k * n + k] += noisy * noisy;
+        }
+    }
+}
+
 /* Rows as good as those of the data, without their photons' noise. */
 static murk_status inform(murk_calibration *out, const murk_fit_search *s,
                           murk_error *err)
@@ -155,6 +145,7 @@ static murk_status inform(murk_calibration *out, const murk_fit_search *s,
     murk_fit_search_residuals(s, room, room + rows);
     murk_status status = murk_slope_noise_find(&noise, s, err);
     if (!status) {
+        add_world_noise(&noise, s, room + rows);
         status =
             murk_slope_noise_information(out->jacobian, &out->slope_noise,
                                          &noise, room + rows, rows, n, err);
@@ -268,47 +259,12 @@ static murk_status tell(murk_calibration *out, const murk_fit_search *s,
 
 /* ---- the starts ---- */
 
-static bool is_better(const murk_calibration_start *a,
-                      const murk_calibration_start *b)
-{
-    return isnan(b->chi2) ||
-           (a->converged != b->converged ? a->converged : a->chi2 < b->chi2);
-}
-
 static murk_status look_at(murk_fit_search *s, murk_model *model,
                            const double *value, double *x, murk_error *err)
 {
     murk_fit_search_coordinates(s, value, x);
     murk_status status = murk_model_trace(model, value, err);
     return status ? status : murk_fit_search_look(s, x, err);
-}
-
-/* A start that cannot be is no failure of the others. */
-static murk_status run_start(murk_calibration *out, murk_fit_search *s,
-                             size_t i, double *x, murk_error *err)
-{
-    const murk_calibration_desc *desc = s->desc;
-    murk_calibration_start *start = &out->start[i];
-    for (size_t k = 0; k < out->n; ++k) {
-        start->from[k] = start_of(&desc->keys->key[k], desc->seed, i, k);
-    }
-    s->start = i;
-    murk_fit_search_coordinates(s, start->from, x);
-    murk_error told = {0};
-    const murk_status status = murk_fit_search_run(s, x, start, &told);
-    if (status) {
-        snprintf(start->why, sizeof start->why, "%.250s", told.text);
-        start->chi2 = NAN;
-        if (i == 0 || status == MURK_INTERRUPTED || status == MURK_NO_MEMORY) {
-            return murk_fail(err, status, told.where, "%s", told.text);
-        }
-        return MURK_OK;
-    }
-    murk_fit_search_values(s, x, start->to);
-    if (i == 0 || is_better(start, &out->start[out->best])) {
-        out->best = i;
-    }
-    return MURK_OK;
 }
 
 static murk_status only_predict(murk_calibration *out, murk_fit_search *s,
@@ -343,7 +299,7 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
     }
     size_t done = 0;
     for (; done < out->starts && !status; ++done) {
-        status = run_start(out, s, done, x, err);
+        status = murk_fit_start(out, s, done, x, err);
     }
     const bool is_cut = status == MURK_INTERRUPTED && done > 1;
     if (is_cut) {

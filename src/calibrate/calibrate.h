@@ -46,6 +46,7 @@ typedef struct murk_calibrated_row {
 typedef struct murk_calibration_start {
     double *from, *to; /* [keys->n] */
     double chi2;       /* NaN: it failed, */
+    double cost;       /* what was lowered: chi2, or less by a robust loss */
     char why[256];     /* or how it ended */
     bool converged;
     size_t traces;

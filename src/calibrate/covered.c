@@ -23,9 +23,9 @@ struct murk_covered {
 
 /* ---- creation ---- */
 
-static murk_status check(const murk_stage *stage, murk_error *err)
+murk_status murk_covered_check(const murk_scene *scene, murk_error *err)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_scene_placement *wish = &scene->placement;
     if (wish->detection == MURK_SCENE_THRESHOLD ||
         wish->detection == MURK_SCENE_POWER) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
@@ -60,7 +60,7 @@ murk_status murk_covered_create(murk_covered **out,
                                  .groups = desc->groups,
                                  .threads = desc->threads};
     murk_covered *made = NULL;
-    murk_status status = check(desc->stage, err);
+    murk_status status = murk_covered_check(desc->stage->scene, err);
     if (status) {
         return status;
     }

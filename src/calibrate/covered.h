@@ -26,6 +26,9 @@ typedef struct murk_covered_desc {
     unsigned threads;
 } murk_covered_desc;
 
+/* What murk_covered_create() refuses of a scene, before light is traced. */
+murk_status murk_covered_check(const murk_scene *scene, murk_error *err);
+
 /* Refuses detection: threshold and power, through: refract, targets, poses
  * outside the domain, sensors with acceptance where an albedo is a grid, and
  * sightlines beyond what the machine holds: 4 bytes and 4 for each kept medium,

@@ -77,6 +77,24 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
     return MURK_OK;
 }
 
+static murk_status check_sensors(const murk_scene *scene, murk_error *err)
+{
+    return scene->sensors.given
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, scene->path,
+                           "sensors: the scene has none, and --next chooses "
+                           "among its candidates");
+}
+
+murk_status murk_next_check(const murk_measurements *measured,
+                            const murk_scene *scene, murk_error *err)
+{
+    murk_next kind;
+    const murk_reading *example;
+    const murk_status status = choose_kind(&kind, &example, measured, err);
+    return status ? status : check_sensors(scene, err);
+}
+
 /* Poses of the scene's candidates; the caller's. */
 static murk_status list_poses(murk_pose **out, size_t *n, murk_next *next,
                               const murk_stage *stage, unsigned threads,
@@ -230,11 +248,9 @@ static murk_status stand(murk_pose **pose, size_t *n, murk_next *out,
         ++c;
     }
     const murk_stage *stage = murk_model_stage(found->model, c);
-    return stage->scene->sensors.given
-               ? list_poses(pose, n, out, stage, desc->threads, err)
-               : murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
-                           "sensors: the scene has none, and --next chooses "
-                           "among its candidates");
+    const murk_status status = check_sensors(stage->scene, err);
+    return status ? status
+                  : list_poses(pose, n, out, stage, desc->threads, err);
 }
 
 murk_status murk_next_propose(murk_next *out, size_t k,

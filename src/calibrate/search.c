@@ -1,6 +1,7 @@
 #include "calibrate/search_steps.h"
 
 #include "base/interrupt.h"
+#include "calibrate/first_gains.h"
 #include "calibrate/slope_noise.h"
 
 #include <math.h>
@@ -257,18 +258,21 @@ static murk_status offset_rows(murk_fit_search *s, const double *jacobian,
 }
 
 static murk_status trace_at(murk_fit_search *s, const murk_fit_desk *d,
-                            const double *x, double *chi2, murk_error *err)
+                            double *x, double *cost, murk_error *err)
 {
     murk_fit_search_values(s, x, s->value);
     ++s->traces;
     murk_status status = murk_model_trace(s->model, s->value, err);
+    if (!status && s->traces == 1) {
+        status = murk_fit_first_gains(s, x, err);
+    }
     if (!status) {
         status = murk_fit_search_look(s, x, err);
     }
     if (!status) {
         murk_fit_search_residuals(s, d->residual, d->jacobian);
-        *chi2 = sum_of_squares(d->residual, s->n_fitted);
-        if (isfinite(*chi2)) {
+        *cost = murk_fit_cost(s, d->residual);
+        if (isfinite(*cost)) {
             status = offset_rows(s, d->jacobian, err);
         } else {
             status = murk_fail(err, MURK_RUN_FAILED, s->desc->measured->path,
@@ -299,18 +303,23 @@ static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
     const size_t bytes = s->n * sizeof *x;
     double best = INFINITY;
     for (;;) {
-        double chi2;
-        murk_status status = trace_at(s, d, x, &chi2, err);
-        if (status) {
-            return status;
+        double cost;
+        murk_error told = {0};
+        murk_status status = trace_at(s, d, x, &cost, &told);
+        const bool is_nowhere = status && status != MURK_NO_MEMORY &&
+                                status != MURK_INTERRUPTED && isfinite(best) &&
+                                s->traces < most;
+        if (status && !is_nowhere) {
+            return murk_fail(err, status, told.where, "%s", told.text);
         }
-        if (chi2 > 2 * best + (double)s->n_fitted && s->traces < most) {
+        if (is_nowhere ||
+            (cost > 2 * best + (double)s->n_fitted && s->traces < most)) {
             for (size_t k = 0; k < s->n; ++k) { /* leapt too far */
                 x[k] = .5 * (x[k] + d->before[k]);
             }
             continue;
         }
-        best = chi2;
+        best = cost;
         memcpy(d->traced, x, bytes);
         memcpy(d->before, x, bytes);
         murk_least_squares_found found;
@@ -341,6 +350,9 @@ static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
                      "light was traced %zu times and still had to be traced "
                      "anew: start nearer, or free fewer keys",
                      s->traces);
+            if (!s->is_starved) { /* what light of no world has shown */
+                memcpy(x, d->traced, bytes);
+            }
             return murk_fit_search_look(s, x, err);
         }
         if (s->is_starved && !settled_away) {
@@ -377,6 +389,7 @@ murk_status murk_fit_search_run(murk_fit_search *s, double *x,
     if (!status) {
         murk_fit_search_residuals(s, d.residual, NULL);
         to->chi2 = sum_of_squares(d.residual, rows);
+        to->cost = murk_fit_cost(s, d.residual);
     }
     free(room);
     return status;

@@ -18,6 +18,16 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
 }
 
+double murk_fit_cost(const murk_fit_search *s, const double *residual)
+{
+    double sum = 0, slope;
+    for (size_t i = 0; i < s->n_fitted; ++i) {
+        sum += murk_loss_at(s->desc->loss, s->desc->loss_width,
+                            residual[i] * residual[i], &slope);
+    }
+    return sum;
+}
+
 typedef struct linear {
     size_t n, rows;
     const double *from, *residual, *offset, *jacobian;
@@ -78,12 +88,10 @@ murk_status murk_fit_leap(murk_fit_search *s, double *x, const double *residual,
 /* The square root of how much less than its square a residual counts for. */
 static double root_weight(const murk_fit_search *s, double residual)
 {
-    const double far = fabs(residual) / s->desc->loss_width;
-    return s->desc->loss == MURK_LOSS_FUNCTION_HUBER
-               ? (far > 1 ? sqrt(1 / far) : 1)
-           : s->desc->loss == MURK_LOSS_FUNCTION_CAUCHY
-               ? sqrt(1 / (1 + far * far))
-               : 1;
+    double slope;
+    (void)murk_loss_at(s->desc->loss, s->desc->loss_width, residual * residual,
+                       &slope);
+    return sqrt(slope);
 }
 
 /* One step from x towards where the equation without photons' bias holds. */

@@ -15,21 +15,31 @@ typedef struct murk_fit_desk {
     double *lower, *upper;
 } murk_fit_desk;
 
+/* A positive key goes no further than this factor from its start: it is then as
+ * good as nothing, or as all there can be, and says so as a value at a bound
+ * does. Logarithms have no end, numbers have. */
+#define MURK_FREE_REACH 1e9
+
 /* Bounds in search coordinates. */
 static inline double murk_free_lowest(const murk_free_key *key)
 {
-    return key->is_log ? (key->lower > 0 ? log(key->lower) : -INFINITY)
+    return key->is_log ? log(fmax(key->lower, key->start / MURK_FREE_REACH))
                        : key->lower;
 }
 
 static inline double murk_free_highest(const murk_free_key *key)
 {
-    return key->is_log ? log(key->upper) : key->upper;
+    return key->is_log ? log(fmin(key->upper, key->start * MURK_FREE_REACH))
+                       : key->upper;
 }
 
 /* Least squares over the re-weighted rows, between bounds. */
 murk_least_squares murk_fit_problem(murk_fit_search *search,
                                     const double *lower, const double *upper);
+
+/* What a search lowers, of whitened residuals [n_fitted]: the sum of squares,
+ * or less for outliers. */
+double murk_fit_cost(const murk_fit_search *search, const double *residual);
 
 /* The model as linear about x, where residual and jacobian are: moves x to
  * where to trace next. */

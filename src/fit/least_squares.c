@@ -47,27 +47,6 @@ typedef struct search {
     int iterations, iterations_before; /* in all; before this pass */
 } search;
 
-/* rho and its slope at s = r^2. */
-static double loss_at(const murk_least_squares *p, double s, double *slope)
-{
-    const double b = p->loss_width * p->loss_width;
-    switch (p->loss) {
-    case MURK_LOSS_FUNCTION_HUBER:
-        if (s > b) {
-            *slope = p->loss_width / sqrt(s);
-            return 2 * p->loss_width * sqrt(s) - b;
-        }
-        break;
-    case MURK_LOSS_FUNCTION_CAUCHY:
-        *slope = 1 / (1 + s / b);
-        return b * log1p(s / b);
-    case MURK_LOSS_FUNCTION_NONE:
-        break;
-    }
-    *slope = 1;
-    return s;
-}
-
 /* Cost and gradient at the best place, where all is known. */
 static void read_best(search *s)
 {
@@ -77,7 +56,8 @@ static void read_best(search *s)
     for (size_t i = 0; i < s->problem->rows; ++i) {
         const double r = s->best.residual[i];
         double slope;
-        sum += loss_at(s->problem, r * r, &slope);
+        sum += murk_loss_at(s->problem->loss, s->problem->loss_width, r * r,
+                            &slope);
         for (size_t j = 0; j < n; ++j) {
             s->gradient[j] += slope * r * s->best.jacobian[i * n + j];
         }
@@ -350,6 +330,27 @@ static void lay_out(search *s, double *memory, bool *is_held)
     s->best.jacobian = memory + 2 * rows;
     s->other.jacobian = memory + 2 * rows + rows * n;
     s->is_held = is_held;
+}
+
+double murk_loss_at(murk_loss_function loss, double width, double s,
+                    double *slope)
+{
+    const double b = width * width;
+    switch (loss) {
+    case MURK_LOSS_FUNCTION_HUBER:
+        if (s > b) {
+            *slope = width / sqrt(s);
+            return 2 * width * sqrt(s) - b;
+        }
+        break;
+    case MURK_LOSS_FUNCTION_CAUCHY:
+        *slope = 1 / (1 + s / b);
+        return b * log1p(s / b);
+    case MURK_LOSS_FUNCTION_NONE:
+        break;
+    }
+    *slope = 1;
+    return s;
 }
 
 murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,

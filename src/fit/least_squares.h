@@ -19,6 +19,11 @@ typedef enum murk_loss_function {
     MURK_LOSS_FUNCTION_CAUCHY
 } murk_loss_function;
 
+/* rho, what a row of this squared residual costs, twice over; *slope: d rho /
+ * d square, 1 where residuals are within width. */
+double murk_loss_at(murk_loss_function loss, double width, double square,
+                    double *slope);
+
 /* Fills residual[rows] and, unless NULL, jacobian[rows][n] (row by row) at
  * x[n]. False where that cannot be done: the step is then tried shorter. So it
  * is where a value or a sum of squares is not finite. */
