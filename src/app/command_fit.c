@@ -1,5 +1,6 @@
 #include "app/fit_out.h"
 #include "app/session.h"
+#include "calibrate/covered.h"
 #include "scene/yaml.h"
 
 #include "base/log.h"
@@ -24,7 +25,7 @@ typedef struct fit {
 /* The files of all conditions first, then the scene's own world. */
 static murk_status begin(fit *f, murk_session *session, murk_error *err)
 {
-    murk_status status = murk_session_read(session, f->options, err);
+    murk_status status = murk_session_scene(session, f->options, err);
     if (!status) {
         status = murk_donors_import(&f->donors, session->scene, err);
     }
@@ -162,6 +163,22 @@ static void tell_step(void *context, size_t start, size_t traces, int iteration,
     fprintf(stderr, "%s\n", shown < f->keys->n ? " .." : "");
 }
 
+/* What would else come up when all has been traced. */
+static murk_status check_wishes(const fit *f, const murk_session *session,
+                                murk_error *err)
+{
+    const murk_measurements *m = f->measured;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < m->readings && !status; ++i) {
+        if (m->reading[i].kind == MURK_READ_COVERAGE) {
+            status = murk_covered_check(session->scene, err);
+        }
+    }
+    return !status && f->options->fit.next
+               ? murk_next_check(m, session->scene, err)
+               : status;
+}
+
 static murk_status read_input(fit *f, const murk_session *session,
                               murk_yaml **values, murk_error *err)
 {
@@ -197,7 +214,10 @@ static murk_status read_input(fit *f, const murk_session *session,
     if (!status) {
         status = murk_free_keys_create(&f->keys, &desc, err);
     }
-    return !status && list ? set_values(f, list, err) : status;
+    if (!status && list) {
+        status = set_values(f, list, err);
+    }
+    return status ? status : check_wishes(f, session, err);
 }
 
 static murk_status write_files(const fit *f, murk_session *session,
@@ -211,7 +231,11 @@ static murk_status write_files(const fit *f, murk_session *session,
                                   .next = f->next.place ? &f->next : NULL,
                                   .only_predicts = only_predicts};
     session->run.trace_s = f->found.trace_s;
-    murk_status status = murk_add_fit_csv(&session->results, &facts, err);
+    murk_status status = murk_results_add_text(&session->results, "scene.yaml",
+                                               session->scene->resolved, err);
+    if (!status) {
+        status = murk_add_fit_csv(&session->results, &facts, err);
+    }
     if (!status && !only_predicts) {
         status = murk_add_calibrated(&session->results, &facts, err);
     }
@@ -286,6 +310,9 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = read_input(&f, &session, &values, err);
+    }
+    if (!status) { /* now that the input is good */
+        status = murk_results_begin(&session.results, options->out, err);
     }
     if (!status) {
         status = run(&f, &session, err);

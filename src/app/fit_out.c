@@ -250,51 +250,6 @@ murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,
     return murk_results_add(results, "fit.csv", write_csv, facts, err);
 }
 
-/* ---- calibrated.yaml ---- */
-
-static void write_value(FILE *file, const murk_fit_facts *f, size_t k)
-{
-    const murk_free_key *key = &f->keys->key[k];
-    char text[32];
-    murk_number_text(text, f->found->value[k]);
-    if (key->kind == MURK_FREE_GAIN) {
-        fprintf(file, "# %s: %s (a factor of readings, no key)\n", key->name,
-                text);
-    } else if (key->condition == SIZE_MAX ||
-               f->keys->condition[key->condition] == SIZE_MAX) {
-        fprintf(file, "%s: %s\n", key->path, text);
-    } else {
-        fprintf(file, "conditions.%s.%s: %s\n",
-                f->keys->condition_name[key->condition], key->path, text);
-    }
-}
-
-static murk_status write_calibrated(const char *path, const void *context,
-                                    murk_error *err)
-{
-    const murk_fit_facts *f = context;
-    murk_file *out = NULL;
-    const murk_status status = murk_file_create(&out, path, err);
-    if (status) {
-        return status;
-    }
-    FILE *file = murk_file_stream(out);
-    fprintf(file, "# values found by murk fit; for --set @FILE\n");
-    for (size_t k = 0; k < f->keys->n; ++k) {
-        write_value(file, f, k);
-    }
-    const murk_status ended = murk_file_commit(&out, err);
-    murk_file_discard(out);
-    return ended;
-}
-
-murk_status murk_add_calibrated(murk_results *results,
-                                const murk_fit_facts *facts, murk_error *err)
-{
-    return murk_results_add(results, "calibrated.yaml", write_calibrated, facts,
-                            err);
-}
-
 /* ---- the terminal ---- */
 
 static void print_parameter(const murk_fit_facts *f, size_t k)

@@ -12,8 +12,8 @@ murk_status murk_session_begin(murk_session *session,
     return status ? status : murk_session_build(session, err);
 }
 
-murk_status murk_session_read(murk_session *session,
-                              const murk_options *options, murk_error *err)
+murk_status murk_session_scene(murk_session *session,
+                               const murk_options *options, murk_error *err)
 {
     *session = (murk_session){.options = options,
                               .run.threads = options->threads,
@@ -22,14 +22,21 @@ murk_status murk_session_read(murk_session *session,
         murk_warn_to(NULL);
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
-    murk_status status =
+    const murk_status status =
         murk_scene_read(&session->scene, options->input, options->overrides,
                         options->n_overrides, err);
     if (!status) {
         murk_units_note(session->scene);
-        status = murk_results_begin(&session->results, options->out, err);
     }
     return status;
+}
+
+murk_status murk_session_read(murk_session *session,
+                              const murk_options *options, murk_error *err)
+{
+    const murk_status status = murk_session_scene(session, options, err);
+    return status ? status
+                  : murk_results_begin(&session->results, options->out, err);
 }
 
 murk_status murk_session_build(murk_session *session, murk_error *err)

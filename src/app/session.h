@@ -18,8 +18,11 @@ typedef struct murk_session {
 } murk_session;
 
 /* Reads and builds; makes the result folder. End it also after a failure.
- * read: the same without building, for who has other worlds to build. */
+ * read: the same without building, for who has other worlds to build; scene:
+ * nor a folder yet, for who has more input to judge. */
 murk_status murk_session_begin(murk_session *session,
+                               const murk_options *options, murk_error *err);
+murk_status murk_session_scene(murk_session *session,
                                const murk_options *options, murk_error *err);
 murk_status murk_session_read(murk_session *session,
                               const murk_options *options, murk_error *err);
