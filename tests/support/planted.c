@@ -1,0 +1,287 @@
+#include "planted.h"
+
+#include "base/rng.h"
+#include "calibrate/search.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Seeds of the truth's light: beyond those of fits. */
+#define TRUTH_SEED 1000000u
+
+/* Newton steps of the plain fit, which starts a fraction of an error away. */
+#define PLAIN_STEPS 4
+
+const planted_case planted_fog = {
+    .name = "fog",
+    .scene = "scenes/calibrate-fog.yaml",
+    .data = "scenes/calibrate/fog.csv",
+    .n = 2,
+    .key = {"media.fog.extinction_per_m", "media.fog.phase.hg"},
+    .truth = {.22, .87},
+    .emit = 20000};
+
+const planted_case planted_smoke = {
+    .name = "smoke",
+    .scene = "scenes/calibrate-smoke.yaml",
+    .data = "scenes/calibrate/smoke.csv",
+    .n = 2,
+    .key = {"media.smoke.extinction_per_m", "media.smoke.albedo"},
+    .truth = {3, .6},
+    .emit = 20000};
+
+const planted_case planted_water = {
+    .name = "water",
+    .scene = "scenes/calibrate-water.yaml",
+    .data = "scenes/calibrate/water.csv",
+    .n = 6,
+    .key = {"media.sea.extinction_per_m.0", "media.sea.extinction_per_m.1",
+            "media.sea.extinction_per_m.2", "media.sea.albedo.0",
+            "media.sea.albedo.1", "media.sea.albedo.2"},
+    .truth = {.12, .14, .34, .8, .75, .3},
+    .emit = 100000};
+
+const planted_case planted_coverage = {.name = "coverage",
+                                       .scene =
+                                           "scenes/calibrate-coverage.yaml",
+                                       .data = "scenes/calibrate/coverage.csv",
+                                       .n = 1,
+                                       .key = {"media.fog.visibility_m"},
+                                       .truth = {30},
+                                       .emit = 3000};
+
+static bool held(murk_status status, const murk_error *err)
+{
+    if (status) {
+        printf("%s: %s\n", err->where, err->text);
+    }
+    return !status;
+}
+
+bool planted_open(planted_field *f, const planted_case *of)
+{
+    *f = (planted_field){.of = of};
+    murk_error err = {0};
+    murk_status status = murk_scene_read(&f->scene, of->scene, NULL, 0, &err);
+    if (!status) {
+        status = murk_donors_import(&f->donors, f->scene, &err);
+    }
+    if (!status) {
+        status = murk_stage_import_beside(&f->stage, f->scene,
+                                          f->donors.stage[0], &err);
+    }
+    if (!status) {
+        status = murk_stage_build(f->stage, &err);
+    }
+    if (!status) {
+        status = murk_measurements_read(&f->measured, of->data, f->scene,
+                                        &f->stage->world.domain, &err);
+    }
+    if (!status) {
+        f->truth = calloc(f->measured->rows, sizeof *f->truth);
+    }
+    return held(status, &err) && f->truth;
+}
+
+void planted_close(planted_field *f)
+{
+    free(f->truth);
+    murk_measurements_destroy(f->measured);
+    murk_stage_destroy(f->stage); /* borrows of the donors */
+    murk_donors_release(&f->donors);
+    murk_scene_destroy(f->scene);
+    *f = (planted_field){0};
+}
+
+murk_free_keys *planted_keys(planted_field *f, unsigned emit, uint32_t seed)
+{
+    snprintf(f->text[0], sizeof f->text[0], "seed=%u", seed);
+    snprintf(f->text[1], sizeof f->text[1], "photons.emit=%u", emit);
+    for (size_t i = 0; i < 2; ++i) {
+        f->override[i] = (murk_override){.text = f->text[i]};
+    }
+    const murk_free_desc desc = {.scene_path = f->of->scene,
+                                 .overrides = f->override,
+                                 .n_overrides = 2,
+                                 .asked = f->of->key,
+                                 .n_asked = f->of->n,
+                                 .measured = f->measured,
+                                 .domain = &f->stage->world.domain};
+    murk_free_keys *keys = NULL;
+    murk_error err = {0};
+    return held(murk_free_keys_create(&keys, &desc, &err), &err) ? keys : NULL;
+}
+
+static murk_calibration_desc
+desc_of(const planted_field *f, const murk_free_keys *keys, unsigned threads)
+{
+    return (murk_calibration_desc){.keys = keys,
+                                   .measured = f->measured,
+                                   .donors = &f->donors,
+                                   .loss_width = 1,
+                                   .starts = 1,
+                                   .threads = threads,
+                                   .seed = 1};
+}
+
+bool planted_light(planted_field *f, unsigned lights, unsigned emit,
+                   unsigned threads)
+{
+    const size_t rows = f->measured->rows;
+    memset(f->truth, 0, rows * sizeof *f->truth);
+    bool is_well = true;
+    for (unsigned i = 0; i < lights && is_well; ++i) {
+        murk_free_keys *keys = planted_keys(f, emit, TRUTH_SEED + i);
+        if (!keys) {
+            return false;
+        }
+        for (size_t k = 0; k < keys->n; ++k) {
+            keys->key[k].start = f->of->truth[k];
+        }
+        murk_calibration_desc desc = desc_of(f, keys, threads);
+        desc.only_predicts = true;
+        murk_calibration seen;
+        murk_error err = {0};
+        is_well = held(murk_calibrate(&seen, &desc, &err), &err);
+        for (size_t r = 0; r < rows && is_well; ++r) {
+            f->truth[r] += seen.row[r].predicted / lights;
+        }
+        murk_calibration_release(&seen);
+        murk_free_keys_destroy(keys);
+    }
+    return is_well;
+}
+
+/* Normal noise by Box and Muller. */
+static void read_with_noise(planted_field *f, uint32_t seed)
+{
+    const murk_measurements *m = f->measured;
+    for (size_t r = 0; r < m->rows; ++r) {
+        const murk_random4 u = murk_random(seed, MURK_TEST, r, 0, 0);
+        const double noise = sqrt(-2 * log(u.u[0])) * cos(2 * MURK_PI * u.u[1]);
+        for (size_t i = 0; i < m->row[r].n; ++i) {
+            murk_reading *reading = &m->reading[m->row[r].first + i];
+            reading->value = f->truth[r] + noise * reading->standard_error;
+        }
+    }
+}
+
+/* From x by what is said to be known: information[n][n] in coordinates. */
+static planted_off off_of(const double *x, const double *truth, size_t n,
+                          const double *error, const double *information)
+{
+    planted_off off = {.square = 0};
+    for (size_t k = 0; k < n; ++k) {
+        off.sigma[k] = (x[k] - truth[k]) / error[k];
+        for (size_t j = 0; j < n; ++j) {
+            off.square +=
+                (x[k] - truth[k]) * information[k * n + j] * (x[j] - truth[j]);
+        }
+    }
+    return off;
+}
+
+/* One step of plain least squares from x, whose errors it says. */
+static bool plain_step(double *x, double *error, double *information,
+                       murk_fit_search *s, const double *scale)
+{
+    const size_t n = s->n, rows = s->n_fitted;
+    double *residual = calloc(rows * (n + 1), sizeof *residual);
+    double *jacobian = residual + rows;
+    murk_certainty c = {0};
+    murk_error err = {0};
+    bool is_well = residual && held(murk_fit_search_look(s, x, &err), &err);
+    if (is_well) {
+        murk_fit_search_residuals(s, residual, jacobian);
+        is_well = held(murk_certainty_create(&c, jacobian, rows, n, NULL, scale,
+                                             INFINITY, &err),
+                       &err);
+    }
+    for (size_t k = 0; k < n && is_well; ++k) {
+        error[k] = c.standard_error[k];
+        for (size_t j = 0; j < n; ++j) {
+            information[k * n + j] = 0;
+            for (size_t i = 0; i < rows; ++i) {
+                x[k] -=
+                    c.covariance[k * n + j] * jacobian[i * n + j] * residual[i];
+                information[k * n + j] +=
+                    jacobian[i * n + k] * jacobian[i * n + j];
+            }
+        }
+    }
+    murk_certainty_release(&c);
+    free(residual);
+    return is_well;
+}
+
+/* Where least squares end that know nothing of noise in slopes. */
+static bool fit_plainly(planted_fit *out, const murk_calibration *found,
+                        const murk_calibration_desc *desc, const double *from,
+                        const double *truth)
+{
+    murk_fit_search s = {0};
+    murk_error err = {0};
+    double x[PLANTED_KEYS_MAX], error[PLANTED_KEYS_MAX];
+    double information[PLANTED_KEYS_MAX * PLANTED_KEYS_MAX];
+    bool is_well =
+        held(murk_fit_search_create(&s, desc, found->model, &err), &err);
+    memcpy(x, from, found->n * sizeof *x);
+    for (int i = 0; i < PLAIN_STEPS && is_well; ++i) {
+        is_well = plain_step(x, error, information, &s, found->scale);
+    }
+    if (is_well) {
+        out->plain = off_of(x, truth, found->n, error, information);
+    }
+    murk_fit_search_release(&s);
+    return is_well;
+}
+
+static bool tell(planted_fit *out, const murk_calibration *found,
+                 const murk_calibration_desc *desc, const double *truth_value)
+{
+    const size_t n = found->n;
+    double x[PLANTED_KEYS_MAX], truth[PLANTED_KEYS_MAX];
+    for (size_t k = 0; k < n; ++k) {
+        const bool is_log = desc->keys->key[k].is_log;
+        x[k] = is_log ? log(found->value[k]) : found->value[k];
+        truth[k] = is_log ? log(truth_value[k]) : truth_value[k];
+        out->value[k] = found->value[k];
+        out->standard_error[k] = found->standard_error[k];
+    }
+    out->off = off_of(x, truth, n, found->certainty.standard_error,
+                      found->information);
+    out->slope_noise = found->slope_noise;
+    out->chi2 = found->chi2;
+    out->effective_share = found->effective_share;
+    out->degrees_of_freedom = found->degrees_of_freedom;
+    out->traces = found->traces;
+    out->evaluations = found->evaluations;
+    out->converged = found->converged;
+    return fit_plainly(out, found, desc, x, truth);
+}
+
+bool planted_fit_once(planted_fit *out, planted_field *f, uint32_t seed,
+                      unsigned threads)
+{
+    murk_free_keys *keys = planted_keys(f, f->of->emit, seed);
+    if (!keys) {
+        return false;
+    }
+    for (size_t k = 0; k < keys->n && f->start; ++k) {
+        keys->key[k].start = f->start[k];
+    }
+    read_with_noise(f, seed);
+    const murk_calibration_desc desc = desc_of(f, keys, threads);
+    murk_calibration found;
+    murk_error err = {0};
+    *out = (planted_fit){.converged = false};
+    bool is_well = held(murk_calibrate(&found, &desc, &err), &err);
+    if (is_well) {
+        is_well = tell(out, &found, &desc, f->of->truth);
+    }
+    murk_calibration_release(&found);
+    murk_free_keys_destroy(keys);
+    return is_well;
+}
