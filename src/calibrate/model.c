@@ -47,6 +47,7 @@ void murk_model_destroy(murk_model *m)
     free(m->world);
     free(m->traced);
     free(m->slope_off);
+    free(m->slope_size);
     free(m->factor);
     free(m->gain_key);
     free(m->lit);
@@ -188,14 +189,15 @@ static murk_status fill(murk_model *m, murk_error *err)
     m->world = calloc(keys->conditions + 1, sizeof *m->world);
     m->traced = calloc(m->n + 1, sizeof *m->traced);
     m->slope_off = calloc(m->n + 1, sizeof *m->slope_off);
+    m->slope_size = calloc(m->n + 1, sizeof *m->slope_size);
     m->factor = calloc(m->rows + 1, sizeof *m->factor);
     m->gain_key = calloc(m->rows + 1, sizeof *m->gain_key);
     m->lit = calloc(m->rows + 1, sizeof *m->lit);
     m->place = calloc(m->rows + 1, sizeof *m->place);
     double *start = calloc(m->n + 1, sizeof *start);
     murk_status status = MURK_OK;
-    if (!m->world || !m->traced || !m->slope_off || !m->factor ||
-        !m->gain_key || !m->lit || !m->place || !start) {
+    if (!m->world || !m->traced || !m->slope_off || !m->slope_size ||
+        !m->factor || !m->gain_key || !m->lit || !m->place || !start) {
         status = no_memory(err);
     }
     for (size_t k = 0; k < m->n && !status; ++k) {
@@ -244,13 +246,11 @@ static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
         status = murk_world_slopes(slope, error, &w->desc, m->desc.measured, k,
                                    m->traced, err);
         m->traces += MURK_WORLD_SLOPE_TRACES;
-        double squares = 0, errors = 0;
         for (size_t i = 0; i < lit && !status; ++i) {
             w->world_slope[i * m->n + k] = slope[i];
-            squares += slope[i] * slope[i];
-            errors += error[i] * error[i];
+            m->slope_size[k] += slope[i] * slope[i];
+            m->slope_off[k] += error[i] * error[i];
         }
-        m->slope_off[k] += squares > 0 ? errors / squares : INFINITY;
     }
     free(slope);
     return status;
@@ -294,7 +294,7 @@ murk_status murk_model_trace(murk_model *m, const double *value,
     const murk_warn_sink sink = m->was_built ? murk_warn_to(NULL) : NULL;
     memcpy(m->traced, value, m->n * sizeof *value);
     for (size_t k = 0; k < m->n; ++k) {
-        m->slope_off[k] = 0;
+        m->slope_off[k] = m->slope_size[k] = 0;
     }
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
@@ -326,7 +326,8 @@ murk_status murk_model_trace(murk_model *m, const double *value,
 
 double murk_model_slope_error(const murk_model *m, size_t key)
 {
-    return m->slope_off[key] > 0 ? sqrt(m->slope_off[key]) : NAN;
+    return m->slope_size[key] > 0 ? sqrt(m->slope_off[key] / m->slope_size[key])
+                                  : NAN;
 }
 
 const murk_stage *murk_model_stage(const murk_model *m, size_t c)

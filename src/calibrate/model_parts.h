@@ -22,12 +22,14 @@ struct murk_model {
     size_t n, rows;          /* keys, rows of the data */
     murk_model_world *world; /* [keys->conditions] */
     size_t worlds;
-    double *traced;    /* [n] where light was traced */
-    double *slope_off; /* [n] sums of (error / slope)^2 */
-    double *factor;    /* [rows] gain, as predicted last */
-    size_t *gain_key;  /* [rows] the key that it is; n: none */
-    size_t *lit;       /* [lits] rows of light, rising */
-    size_t *place;     /* [rows] number in lit */
+    double *traced; /* [n] where light was traced */
+    double
+        *slope_off; /* [n] sums of squares: errors of a world key's slopes, */
+    double *slope_size; /* [n] and the slopes */
+    double *factor;     /* [rows] gain, as predicted last */
+    size_t *gain_key;   /* [rows] the key that it is; n: none */
+    size_t *lit;        /* [lits] rows of light, rising */
+    size_t *place;      /* [rows] number in lit */
     size_t lits;
     size_t batches, runs;
     size_t traces;

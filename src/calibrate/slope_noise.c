@@ -195,6 +195,16 @@ static void in_own_scale(double *out, const double *noise,
     }
 }
 
+static bool are_finite(const double *a, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (!isfinite(a[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* What both uses need: J^T J = V diag(s^2) V^T, and N in its scale, Q
  * diag(part) Q^T. */
 typedef struct axes {
@@ -222,8 +232,12 @@ static murk_status find_axes(axes *out, const murk_slope_noise *noise,
     if (!status && out->rank) {
         in_own_scale(scaled, noise->noise, out->singular, out->direction,
                      out->rank, n);
-        status = murk_eigen_singular(out->part, out->axis, scaled, out->rank,
-                                     out->rank, err);
+        status = are_finite(scaled, out->rank * out->rank)
+                     ? murk_eigen_singular(out->part, out->axis, scaled,
+                                           out->rank, out->rank, err)
+                     : murk_fail(err, MURK_RUN_FAILED, "fit",
+                                 "the noise of slopes is not finite: start "
+                                 "nearer to what was measured");
     }
     return status;
 }
