@@ -1,0 +1,210 @@
+/* What a fit says of its photons' noise is what other photons show: values and
+ * slopes of the rows of light spread from light to light as the runs of each
+ * one's photons say, together too, and are off of the truth by what their
+ * covariance allows. Limits share a chance of 1e-6 of a false alarm. */
+#include "base/log.h"
+#include "base/stats.h"
+#include "check.h"
+#include "fit/whitening.h"
+#include "planted.h"
+
+#include <stdlib.h>
+
+#define BUDGET 1e-6
+#define LIGHTS 80
+#define EMIT   30000
+
+static murk_model *model_of(const planted_field *field,
+                            const murk_free_keys *keys)
+{
+    const murk_model_desc desc = {.keys = keys,
+                                  .measured = field->measured,
+                                  .threads = 2,
+                                  .donors = &field->donors};
+    murk_model *model = NULL;
+    murk_error err = {0};
+    if (murk_model_create(&model, &desc, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+    }
+    return model;
+}
+
+static bool held(murk_status status, const murk_error *err)
+{
+    if (status) {
+        printf("%s: %s\n", err->where, err->text);
+    }
+    return !status;
+}
+
+/* Sums over lit rows in their measurement errors: of values, and of slopes by
+ * each key; as predicted, and their covariance by runs of photons. */
+typedef struct sums {
+    double of[1 + PLANTED_KEYS_MAX];
+    double covariance[1 + PLANTED_KEYS_MAX][1 + PLANTED_KEYS_MAX];
+} sums;
+
+typedef struct parts {
+    size_t runs, lits, width;
+    double *part;
+} parts;
+
+static void check_parts_add_up(const parts *p, const size_t *lit,
+                               const double *predicted, const double *slope)
+{
+    const size_t n = p->width - 1;
+    for (size_t i = 0; i < p->lits; ++i) {
+        for (size_t k = 0; k < p->width; ++k) {
+            double sum = 0, size = 0;
+            for (size_t run = 0; run < p->runs; ++run) {
+                const double x = p->part[(run * p->lits + i) * p->width + k];
+                sum += x;
+                size += fabs(x);
+            }
+            const double whole =
+                k == 0 ? predicted[lit[i]] : slope[lit[i] * n + k - 1];
+            CHECK_NEAR(sum, whole, 1e-11 * (size + fabs(whole)));
+        }
+    }
+}
+
+static void add_up(sums *out, const parts *p, const double *weight)
+{
+    double run_sum[1 + PLANTED_KEYS_MAX];
+    *out = (sums){.of = {0}};
+    for (int pass = 0; pass < 2; ++pass) {
+        for (size_t run = 0; run < p->runs; ++run) {
+            for (size_t k = 0; k < p->width; ++k) {
+                run_sum[k] = pass ? -out->of[k] / (double)p->runs : 0;
+                for (size_t i = 0; i < p->lits; ++i) {
+                    run_sum[k] +=
+                        weight[i] * p->part[(run * p->lits + i) * p->width + k];
+                }
+            }
+            for (size_t k = 0; k < p->width; ++k) {
+                out->of[k] += pass ? 0 : run_sum[k];
+                for (size_t j = 0; j < p->width; ++j) {
+                    out->covariance[k][j] += pass ? run_sum[k] * run_sum[j] *
+                                                        (double)p->runs /
+                                                        ((double)p->runs - 1)
+                                                  : 0;
+                }
+            }
+        }
+    }
+}
+
+/* One light: its sums; and (off of truth)^T C^-1 (off of truth). */
+static bool light_once(sums *out, double *square, planted_field *field,
+                       unsigned emit, uint32_t seed)
+{
+    const size_t rows = field->measured->rows, n = field->of->n;
+    murk_free_keys *keys = planted_keys(field, emit, seed);
+    murk_model *model = keys ? model_of(field, keys) : NULL;
+    double *room = calloc(rows * (n + 3), sizeof *room), share;
+    double *slope = room + rows, *weight = slope + rows * n;
+    double *off = weight + rows, *covariance = NULL;
+    const size_t *lit;
+    parts p = {.width = n + 1};
+    murk_whitening *whitening = NULL;
+    murk_error err = {0};
+    bool is_well =
+        model && room &&
+        held(murk_model_trace(model, field->of->truth, &err), &err) &&
+        held(murk_model_predict(model, field->of->truth, room, slope, &share,
+                                &err),
+             &err) &&
+        held(murk_model_parts(model, &p.runs, &p.part, &err), &err) &&
+        held(murk_model_noise(model, &lit, &p.lits, &covariance, &err), &err) &&
+        held(murk_whitening_create(&whitening, covariance, p.lits, &err), &err);
+    for (size_t i = 0; i < p.lits && is_well; ++i) {
+        const murk_measured_row *row = &field->measured->row[lit[i]];
+        weight[i] = 1 / field->measured->reading[row->first].standard_error;
+        off[i] = room[lit[i]] - field->truth[lit[i]];
+    }
+    *square = 0;
+    if (is_well) {
+        if (seed == 1) {
+            check_parts_add_up(&p, lit, room, slope);
+        }
+        add_up(out, &p, weight);
+        murk_whitening_apply(whitening, off, 1);
+        for (size_t i = 0; i < p.lits; ++i) {
+            *square += off[i] * off[i] / (double)p.lits;
+        }
+    }
+    murk_whitening_destroy(whitening);
+    free(covariance);
+    free(p.part);
+    free(room);
+    murk_model_destroy(model);
+    murk_free_keys_destroy(keys);
+    return is_well;
+}
+
+/* Over lights: the spread of sums against the mean of what their runs said. */
+static void check_spread(const sums *s, size_t width)
+{
+    const double limit = murk_sidak_limit(BUDGET, (double)(width * width + 1));
+    double mean[1 + PLANTED_KEYS_MAX] = {0};
+    double seen[1 + PLANTED_KEYS_MAX][1 + PLANTED_KEYS_MAX] = {{0}};
+    double said[1 + PLANTED_KEYS_MAX][1 + PLANTED_KEYS_MAX] = {{0}};
+    for (size_t i = 0; i < LIGHTS; ++i) {
+        for (size_t k = 0; k < width; ++k) {
+            mean[k] += s[i].of[k] / LIGHTS;
+        }
+    }
+    for (size_t i = 0; i < LIGHTS; ++i) {
+        for (size_t k = 0; k < width * width; ++k) {
+            const size_t a = k / width, b = k % width;
+            seen[a][b] +=
+                (s[i].of[a] - mean[a]) * (s[i].of[b] - mean[b]) / (LIGHTS - 1);
+            said[a][b] += s[i].covariance[a][b] / LIGHTS;
+        }
+    }
+    /* of normal numbers a covariance is off by sqrt((c_ab^2 + c_aa c_bb) /
+     * (n - 1)); what a run says is better known */
+    for (size_t a = 0; a < width; ++a) {
+        for (size_t b = 0; b <= a; ++b) {
+            const double error =
+                sqrt((said[a][b] * said[a][b] + said[a][a] * said[b][b]) /
+                     (LIGHTS - 1));
+            CHECK_WITHIN(limit, seen[a][b], said[a][b], error);
+        }
+        /* teeth: half the noise, in standard deviations */
+        const double error = sqrt(2. / (LIGHTS - 1)) * said[a][a] / 4;
+        CHECK(sigmas_off(seen[a][a], said[a][a] / 4, error) > limit);
+    }
+}
+
+static void test_noise_is_that_between_lights(void)
+{
+    planted_field field;
+    sums *all = calloc(LIGHTS, sizeof *all);
+    CHECK(all && planted_open(&field, &planted_smoke) &&
+          planted_light(&field, 4, 25 * EMIT, 2));
+    double squares = 0;
+    bool is_well = all != NULL;
+    for (uint32_t i = 0; i < LIGHTS && is_well; ++i) {
+        double square;
+        is_well = light_once(&all[i], &square, &field, EMIT, i + 1);
+        squares += square / LIGHTS;
+    }
+    CHECK(is_well);
+    if (is_well) {
+        check_spread(all, field.of->n + 1);
+        printf("off of the truth by %.3f of what is said, squared\n", squares);
+        /* 16 rows of light each */
+        CHECK_WITHIN(murk_sidak_limit(BUDGET, 10), squares, 1,
+                     sqrt(2. / (16 * LIGHTS)));
+    }
+    planted_close(&field);
+    free(all);
+}
+
+int main(void)
+{
+    (void)murk_warn_to(NULL);
+    test_noise_is_that_between_lights();
+    return check_done();
+}
