@@ -58,6 +58,14 @@ const murk_command murk_commands[] = {
      "readings. The columns of the data, and how to read the result: "
      "scenes/README.md.",
      murk_command_fit},
+    {"report", "DIR [-o FILE.html]",
+     "one self-contained page of a result folder",
+     "Writes DIR/report.html (or FILE.html) from what place, sense, study, fit "
+     "or trace left in DIR: tables, plots, sensors and photons in space, how "
+     "it was made and the commands that make it again. The page is one file, "
+     "loads nothing from elsewhere, and can be read without JavaScript and "
+     "printed. At most 100000 photons are shown, and it says so.",
+     murk_command_report},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
      "Traces the one photon again, event by event: a photon is a pure function "
      "of seed, scene and index.",

@@ -3,9 +3,11 @@
 #include <string.h>
 
 const murk_option murk_option_table[] = {
-    {MURK_OPTION_OUT, "--out", "-o", "DIR", "trace place sense study fit media",
+    {MURK_OPTION_OUT, "--out", "-o", "DIR",
+     "trace place sense study fit report media",
      "write the results into this folder; without it the summary is printed "
-     "and nothing is written (media: the file of a --profile's grid)"},
+     "and nothing is written (media: the file of a --profile's grid; report: "
+     "the page, else DIR/report.html)"},
     {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
      "seed of all random numbers, 0..4294967295"},
     {MURK_OPTION_THREADS, "--threads", "-j", "N", NULL,

@@ -15,7 +15,7 @@
 #define TRACES_MAX  1000
 #define NEXT_MAX    100
 
-static const char *const later_commands[] = {"render", "report"};
+static const char *const later_commands[] = {"render"};
 
 static murk_status find_command(murk_options *out, const char *name,
                                 murk_error *err)
@@ -33,10 +33,11 @@ static murk_status find_command(murk_options *out, const char *name,
                              name);
         }
     }
-    return murk_fail(err, MURK_BAD_VALUE, "",
-                     "%s: no such command; there are check, trace, place, "
-                     "sense, study, fit, replay and media (murk --help)",
-                     name);
+    return murk_fail(
+        err, MURK_BAD_VALUE, "",
+        "%s: no such command; there are check, trace, place, "
+        "sense, study, fit, report, replay and media (murk --help)",
+        name);
 }
 
 static murk_status apply(murk_options *out, const murk_option *option,
@@ -288,10 +289,11 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     }
     if (!out->input && out->command->arguments[0] != '[') {
         return murk_fail(err, MURK_BAD_VALUE, "",
-                         "%s: no scene; usage: murk "
+                         "%s: no %s; usage: murk "
                          "%s %s",
-                         out->command->name, out->command->name,
-                         out->command->arguments);
+                         out->command->name,
+                         out->command->arguments[0] == 'D' ? "folder" : "scene",
+                         out->command->name, out->command->arguments);
     }
     return MURK_OK;
 }

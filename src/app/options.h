@@ -90,6 +90,7 @@ murk_status murk_command_place(const murk_options *, murk_error *);
 murk_status murk_command_sense(const murk_options *, murk_error *);
 murk_status murk_command_study(const murk_options *, murk_error *);
 murk_status murk_command_fit(const murk_options *, murk_error *);
+murk_status murk_command_report(const murk_options *, murk_error *);
 murk_status murk_command_replay(const murk_options *, murk_error *);
 murk_status murk_command_media(const murk_options *, murk_error *);
 murk_status murk_command_media_profile(const murk_options *, murk_error *);

@@ -1,5 +1,5 @@
 /* The files under media/ that are built into the library: presets (yaml) and
- * their tables (csv). Written by cmake/media_files.cmake. */
+ * their tables (csv). Written by cmake/built_in_files.cmake. */
 #ifndef MURK_PRESET_FILES_H
 #define MURK_PRESET_FILES_H
 

@@ -1,5 +1,5 @@
-# Writes the files of media/ (FILES, names below SOURCE, separated by spaces)
-# as arrays of bytes into the C source OUTPUT: src/preset/files.h.
+# Writes files (FILES, names below SOURCE, separated by spaces) as arrays of
+# bytes into the C source OUTPUT: murk_KIND_files of the header HEADER.
 separate_arguments(FILES)
 list(SORT FILES)
 set(arrays "")
@@ -13,6 +13,6 @@ foreach(name ${FILES})
     string(APPEND rows "    {\"${name}\", (const char *)file_${number}, sizeof file_${number} - 1},\n")
     math(EXPR number "${number} + 1")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"preset/files.h\"\n\n${arrays}
-const murk_media_file murk_media_files[] = {\n${rows}};
-const size_t murk_media_files_count = ${number};\n")
+file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\n${arrays}
+const murk_${KIND}_file murk_${KIND}_files[] = {\n${rows}};
+const size_t murk_${KIND}_files_count = ${number};\n")

@@ -1,0 +1,204 @@
+/* murk report: one self-contained page of a result folder.
+ *
+ * The page asks nobody for anything: its content security policy allows its
+ * own style and script alone, by their hashes. Everything but the view in
+ * space is there without the script. */
+#include "app/options.h"
+#include "app/page.h"
+#include "app/report.h"
+#include "app/report_scene.h"
+#include "app/version.h"
+#include "app/web_files.h"
+#include "base/file.h"
+
+#include <cjson/cJSON.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define NAME_SIZE 256
+
+static const murk_web_file *find_file(const char *name)
+{
+    for (size_t i = 0; i < murk_web_files_count; ++i) {
+        if (strcmp(murk_web_files[i].name, name) == 0) {
+            return &murk_web_files[i];
+        }
+    }
+    return NULL;
+}
+
+/* ---- head ---- */
+
+/* The scene's or study's name without folder and ending; else the folder's. */
+static void name_of(char out[NAME_SIZE], const murk_results_in *results)
+{
+    const char *path =
+        murk_result_text(results->json[MURK_RESULT_STUDY], "study");
+    for (int i = 0; !path && i < MURK_RESULT_FILES; ++i) {
+        path = murk_result_text(results->json[i], "scene");
+    }
+    path = path ? path : results->folder;
+    const char *slash = strrchr(path, '/');
+    path = slash && slash[1] ? slash + 1 : path;
+    const char *dot = strrchr(path, '.');
+    const size_t length =
+        dot && dot > path ? (size_t)(dot - path) : strlen(path);
+    snprintf(out, NAME_SIZE, "%.*s", (int)(length < 200 ? length : 200), path);
+}
+
+static void write_head(FILE *to, const char *name)
+{
+    const murk_web_file *css = find_file("page.css");
+    char style[MURK_PAGE_HASH_SIZE];
+    murk_page_hash(style, css->text, css->size);
+    fprintf(to,
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
+            "<meta charset=\"utf-8\">\n"
+            "<meta http-equiv=\"Content-Security-Policy\" content=\""
+            "default-src &#39;none&#39;; style-src &#39;%s&#39;; "
+            "base-uri &#39;none&#39;; form-action &#39;none&#39;\">\n"
+            "<meta name=\"viewport\" content=\"width=device-width\">\n"
+            "<meta name=\"generator\" content=\"murk %s\">\n"
+            "<title>",
+            style, MURK_VERSION);
+    murk_page_text(to, name);
+    fputs(" \xe2\x80\x93 murk</title>\n<style>", to);
+    (void)fwrite(css->text, 1, css->size, to);
+    fputs("</style>\n</head>\n", to);
+}
+
+static void write_contents(FILE *to, const murk_results_in *results,
+                           const murk_report_scene *scene)
+{
+    const bool has_plan =
+        results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
+    const struct {
+        const char *id, *title;
+        bool is_there;
+    } parts[] = {
+        {"placement", "Placement", has_plan},
+        {"where", "Where they are", scene->points.n + scene->sensors > 0},
+        {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
+        {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
+        {"light", "Light", results->json[MURK_RESULT_LEDGER] != NULL},
+        {"made", "How it was made", true}};
+    fputs("<nav aria-label=\"Contents\"><ul>\n", to);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
+        if (parts[i].is_there) {
+            fprintf(to, "<li><a href=\"#%s\">%s</a></li>\n", parts[i].id,
+                    parts[i].title);
+        }
+    }
+    fputs("</ul></nav>\n", to);
+}
+
+/* ---- the page ---- */
+
+static murk_status write_page(FILE *to, const murk_results_in *results,
+                              const murk_report_scene *scene, murk_error *err)
+{
+    char name[NAME_SIZE];
+    name_of(name, results);
+    write_head(to, name);
+    fputs("<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n"
+          "<header>\n<h1>",
+          to);
+    murk_page_text(to, name);
+    fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
+          "murk " MURK_VERSION ". Results of the folder ",
+          to);
+    murk_page_text(to, results->folder);
+    fputs(".</p>\n", to);
+    write_contents(to, results, scene);
+    fputs("</header>\n<main id=\"main\">\n", to);
+    murk_status status = murk_report_plan(to, results, err);
+    murk_report_plans(to, scene);
+    if (!status) {
+        status = murk_report_study(to, results, err);
+    }
+    if (!status) {
+        status = murk_report_fit(to, results, err);
+    }
+    murk_report_light(to, results);
+    murk_report_made(to, results);
+    fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
+          ". This page is one file and loads nothing from elsewhere."
+          "</footer>\n</body>\n</html>\n",
+          to);
+    return status;
+}
+
+static murk_status write_file(const char *path, const murk_results_in *results,
+                              const murk_report_scene *scene, murk_error *err)
+{
+    murk_file *file = NULL;
+    murk_status status = murk_file_create(&file, path, err);
+    if (!status) {
+        status = write_page(murk_file_stream(file), results, scene, err);
+    }
+    if (!status) {
+        status = murk_file_commit(&file, err);
+    }
+    murk_file_discard(file);
+    return status;
+}
+
+static murk_status tell(const murk_options *options, const char *path,
+                        const murk_report_scene *scene, murk_error *err)
+{
+    struct stat known = {0};
+    (void)stat(path, &known);
+    if (!options->json) {
+        if (!options->quiet) {
+            printf("%s: %.2f MB, %zu of %llu photons\n", path,
+                   (double)known.st_size / 1e6, scene->points.n,
+                   (unsigned long long)scene->points.photons);
+        }
+        return MURK_OK;
+    }
+    cJSON *root = cJSON_CreateObject();
+    cJSON_AddStringToObject(root, "report", path);
+    cJSON_AddNumberToObject(root, "bytes", (double)known.st_size);
+    cJSON_AddNumberToObject(root, "photons", (double)scene->points.photons);
+    cJSON_AddNumberToObject(root, "photons_shown", (double)scene->points.n);
+    cJSON_AddNumberToObject(root, "sensors_shown", (double)scene->sensors);
+    char *text = cJSON_Print(root);
+    cJSON_Delete(root);
+    if (!text) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
+    }
+    puts(text);
+    cJSON_free(text);
+    return MURK_OK;
+}
+
+murk_status murk_command_report(const murk_options *options, murk_error *err)
+{
+    if (options->n_overrides > 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "report",
+                         "shows results as they are: no --set and no --seed");
+    }
+    murk_results_in results;
+    murk_report_scene scene = {0};
+    char *path = options->out
+                     ? strdup(options->out)
+                     : murk_results_path(options->input, "report.html");
+    murk_status status = murk_results_read(&results, options->input, err);
+    if (!status && !path) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
+    }
+    if (!status) {
+        status = murk_report_scene_read(&scene, &results, err);
+    }
+    if (!status) {
+        status = write_file(path, &results, &scene, err);
+    }
+    if (!status) {
+        status = tell(options, path, &scene, err);
+    }
+    murk_report_scene_release(&scene);
+    murk_results_release(&results);
+    free(path);
+    return status;
+}

@@ -1,0 +1,292 @@
+#include "app/page.h"
+
+#include "base/file.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#define NO_VALUE   "\xe2\x80\x93" /* en dash */
+#define UNKNOWN    "\xef\xbf\xbd" /* U+FFFD */
+#define PLUS_MINUS " \xc2\xb1 "
+
+/* ---- text ---- */
+
+/* Bytes of the UTF-8 character at text, 0: it is none (also overlong ones,
+ * surrogates, and what is beyond U+10FFFF). */
+static size_t character(const unsigned char *text)
+{
+    const unsigned char c = text[0];
+    const size_t n = c < 0x80                ? 1
+                     : c >= 0xc2 && c < 0xe0 ? 2
+                     : c >= 0xe0 && c < 0xf0 ? 3
+                     : c >= 0xf0 && c < 0xf5 ? 4
+                                             : 0;
+    for (size_t i = 1; i < n; ++i) {
+        if ((text[i] & 0xc0) != 0x80) {
+            return 0;
+        }
+    }
+    const bool is_bad =
+        (c == 0xe0 && text[1] < 0xa0) || (c == 0xed && text[1] >= 0xa0) ||
+        (c == 0xf0 && text[1] < 0x90) || (c == 0xf4 && text[1] >= 0x90);
+    return is_bad ? 0 : n;
+}
+
+static const char *entity(unsigned char c)
+{
+    switch (c) {
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '&':
+        return "&amp;";
+    case '"':
+        return "&quot;";
+    case '\'':
+        return "&#39;";
+    default:
+        return NULL;
+    }
+}
+
+void murk_page_text(FILE *to, const char *text)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    while (at && *at) {
+        const size_t n = character(at);
+        const bool is_control =
+            *at < 0x20 ? *at != '\n' && *at != '\t' : *at == 0x7f;
+        if (n == 0 || is_control) {
+            fputs(UNKNOWN, to);
+            ++at;
+        } else if (entity(*at)) {
+            fputs(entity(*at), to);
+            ++at;
+        } else {
+            (void)fwrite(at, 1, n, to);
+            at += n;
+        }
+    }
+}
+
+void murk_page_json(FILE *to, const char *json)
+{
+    for (; *json; ++json) {
+        if (*json == '<') {
+            fputs("\\u003c", to);
+        } else {
+            fputc(*json, to);
+        }
+    }
+}
+
+/* ---- bytes ---- */
+
+static const char digits64[] =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+/* Up to three bytes as four characters. */
+static void quartet(char out[4], const unsigned char *bytes, size_t n)
+{
+    const uint32_t bits = (uint32_t)bytes[0] << 16 |
+                          (n > 1 ? (uint32_t)bytes[1] << 8 : 0) |
+                          (n > 2 ? (uint32_t)bytes[2] : 0);
+    for (size_t i = 0; i < 4; ++i) {
+        out[i] = i <= n ? digits64[bits >> (18 - 6 * i) & 63] : '=';
+    }
+}
+
+void murk_page_base64(FILE *to, const void *bytes, size_t size)
+{
+    const unsigned char *from = bytes;
+    for (size_t i = 0; i < size; i += 3) {
+        char four[4];
+        quartet(four, from + i, size - i < 3 ? size - i : 3);
+        (void)fwrite(four, 1, sizeof four, to);
+    }
+}
+
+static unsigned hex_digit(char c)
+{
+    return (unsigned)(c <= '9' ? c - '0' : c - 'a' + 10);
+}
+
+void murk_page_hash(char out[MURK_PAGE_HASH_SIZE], const char *text,
+                    size_t size)
+{
+    char hex[65];
+    unsigned char bytes[33] = {0};
+    murk_sha256_hex(text, size, hex);
+    for (size_t i = 0; i < 32; ++i) {
+        bytes[i] = (unsigned char)(hex_digit(hex[2 * i]) * 16 +
+                                   hex_digit(hex[2 * i + 1]));
+    }
+    memcpy(out, "sha256-", 7);
+    char *at = out + 7;
+    for (size_t i = 0; i < 32; i += 3, at += 4) {
+        quartet(at, bytes + i, 32 - i < 3 ? 32 - i : 3);
+    }
+    *at = '\0';
+}
+
+/* ---- numbers ---- */
+
+void murk_page_number(FILE *to, double value)
+{
+    if (isfinite(value)) {
+        const bool is_count = value == floor(value) && fabs(value) < 1e15;
+        fprintf(to, is_count ? "%.0f" : "%.5g", value);
+    } else {
+        fputs(NO_VALUE, to);
+    }
+}
+
+void murk_page_estimate(FILE *to, double value, double standard_error)
+{
+    if (!(isfinite(value) && isfinite(standard_error) && standard_error > 0)) {
+        murk_page_number(to, value);
+        return;
+    }
+    /* as many decimals as two digits of the error have */
+    const int exponent = (int)floor(log10(standard_error));
+    const int decimals = 1 - exponent;
+    if (decimals >= 0 && decimals <= 9 && fabs(value) < 1e9) {
+        fprintf(to, "%.*f" PLUS_MINUS "%.*f", decimals, value, decimals,
+                standard_error);
+    } else {
+        fprintf(to, "%.5g" PLUS_MINUS "%.2g", value, standard_error);
+    }
+}
+
+void murk_page_share(FILE *to, double share, double standard_error)
+{
+    if (!isfinite(share)) {
+        fputs(NO_VALUE, to);
+    } else if (isfinite(standard_error)) {
+        fprintf(to, "%.2f" PLUS_MINUS "%.2f %%", 100 * share,
+                100 * standard_error);
+    } else {
+        fprintf(to, "%.2f %%", 100 * share);
+    }
+}
+
+/* ---- blocks ---- */
+
+void murk_page_section_begin(FILE *to, const char *id, const char *title)
+{
+    fprintf(to, "<section id=\"%s\">\n<h2>%s</h2>\n", id, title);
+}
+
+void murk_page_section_end(FILE *to)
+{
+    fputs("</section>\n", to);
+}
+
+void murk_page_paragraph(FILE *to, const char *text)
+{
+    fputs("<p>", to);
+    murk_page_text(to, text);
+    fputs("</p>\n", to);
+}
+
+void murk_page_table_begin(FILE *to, const char *caption,
+                           const char *const *heads, size_t n)
+{
+    fputs("<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"",
+          to);
+    murk_page_text(to, caption);
+    fputs("\">\n<table>\n<caption>", to);
+    murk_page_text(to, caption);
+    fputs(n > 0 ? "</caption>\n<thead><tr>" : "</caption>\n", to);
+    for (size_t i = 0; i < n; ++i) {
+        const bool is_text = heads[i] && heads[i][0] == '<';
+        fprintf(to, "<th scope=\"col\"%s>", is_text ? " class=\"text\"" : "");
+        murk_page_text(to, is_text ? heads[i] + 1 : heads[i]);
+        fputs("</th>", to);
+    }
+    fputs(n > 0 ? "</tr></thead>\n<tbody>\n" : "<tbody>\n", to);
+}
+
+void murk_page_table_end(FILE *to)
+{
+    fputs("</tbody>\n</table>\n</div>\n", to);
+}
+
+void murk_page_row_begin(FILE *to, const char *head)
+{
+    fputs("<tr><th scope=\"row\">", to);
+    murk_page_text(to, head);
+    fputs("</th>", to);
+}
+
+void murk_page_row_end(FILE *to)
+{
+    fputs("</tr>\n", to);
+}
+
+void murk_page_cell_text(FILE *to, const char *text)
+{
+    fputs("<td class=\"text\">", to);
+    murk_page_text(to, text);
+    fputs("</td>", to);
+}
+
+void murk_page_cell_number(FILE *to, double value)
+{
+    fputs("<td>", to);
+    murk_page_number(to, value);
+    fputs("</td>", to);
+}
+
+void murk_page_cell_share(FILE *to, double share, double standard_error)
+{
+    fputs("<td>", to);
+    murk_page_share(to, share, standard_error);
+    fputs("</td>", to);
+}
+
+void murk_page_cell_estimate(FILE *to, double value, double standard_error)
+{
+    fputs("<td>", to);
+    murk_page_estimate(to, value, standard_error);
+    fputs("</td>", to);
+}
+
+void murk_page_fact(FILE *to, const char *name, const char *text)
+{
+    murk_page_row_begin(to, name);
+    murk_page_cell_text(to, text && *text ? text : NO_VALUE);
+    murk_page_row_end(to);
+}
+
+void murk_page_fact_number(FILE *to, const char *name, double value,
+                           const char *unit)
+{
+    murk_page_row_begin(to, name);
+    fputs("<td class=\"text\">", to);
+    murk_page_number(to, value);
+    fprintf(to, "%s%s</td>", *unit ? " " : "", unit);
+    murk_page_row_end(to);
+}
+
+void murk_page_fact_share(FILE *to, const char *name, double share,
+                          double standard_error)
+{
+    murk_page_row_begin(to, name);
+    fputs("<td class=\"text\">", to);
+    murk_page_share(to, share, standard_error);
+    fputs("</td>", to);
+    murk_page_row_end(to);
+}
+
+void murk_page_more(FILE *to, size_t rows, const char *file)
+{
+    if (rows > MURK_PAGE_ROWS_MAX) {
+        fprintf(to, "<p class=\"note\">The first %d of %zu rows; all are in ",
+                MURK_PAGE_ROWS_MAX, rows);
+        murk_page_text(to, file);
+        fputs(".</p>\n", to);
+    }
+}

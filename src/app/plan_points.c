@@ -1,0 +1,141 @@
+#include "app/plan_points.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define HEADER_MAX     2048
+#define VERTEX         22 /* bytes */
+#define SURFACE_PHOTON 1  /* of a vertex's kind */
+#define VOLUME_PHOTON  2
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+               "numbers are read as they lie in the file");
+
+static const char properties[] =
+    "property float x\nproperty float y\nproperty float z\n"
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "property uchar kind\nproperty ushort seen_by\n"
+    "property float quality\n";
+
+/* Moves behind the header, and says how many vertices it promises. */
+static murk_status read_header(FILE *file, uint64_t *vertices, const char *path,
+                               murk_error *err)
+{
+    static const char begin[] = "ply\nformat binary_little_endian 1.0\n";
+    static const char element[] = "\nelement vertex ";
+    static const char end[] = "\nend_header\n";
+    char text[HEADER_MAX + 1];
+    const size_t size = fread(text, 1, HEADER_MAX, file);
+    text[size] = '\0';
+    const char *count = strstr(text, element);
+    const char *last = strstr(text, end);
+    char *behind = NULL;
+    if (strncmp(text, begin, sizeof begin - 1) == 0 && count && last) {
+        *vertices = strtoull(count + sizeof element - 1, &behind, 10);
+    }
+    if (!behind || *behind != '\n' ||
+        strncmp(behind + 1, properties, sizeof properties - 1) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "not a plan.ply of this version of murk");
+    }
+    const long start = (long)(last - text + (long)sizeof end - 1);
+    return fseek(file, start, SEEK_SET) == 0
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
+}
+
+typedef struct vertex {
+    murk_plan_point point;
+    bool is_photon;
+} vertex;
+
+static vertex vertex_of(const unsigned char bytes[VERTEX])
+{
+    vertex v = {.is_photon =
+                    bytes[15] == SURFACE_PHOTON || bytes[15] == VOLUME_PHOTON};
+    memcpy(v.point.place_m, bytes, 12);
+    memcpy(&v.point.seen_by, bytes + 16, 2);
+    v.point.is_volume = bytes[15] == VOLUME_PHOTON;
+    for (int k = 0; k < 3; ++k) {
+        v.is_photon = v.is_photon && isfinite(v.point.place_m[k]);
+    }
+    return v;
+}
+
+/* Counts the photons, or, with room for out->n, keeps that many. */
+static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
+                        const char *path, murk_error *err)
+{
+    unsigned char bytes[VERTEX];
+    uint64_t photon = 0;
+    size_t kept = 0;
+    for (uint64_t i = 0; i < vertices; ++i) {
+        if (fread(bytes, VERTEX, 1, file) != 1) {
+            return murk_fail(
+                err, MURK_BAD_FILE, path, "cut short: %llu of %llu vertices",
+                (unsigned long long)i, (unsigned long long)vertices);
+        }
+        const vertex v = vertex_of(bytes);
+        if (!v.is_photon) {
+            continue;
+        }
+        /* photon k * photons / n, rounded down, is the k-th one kept */
+        if (out->point && kept < out->n &&
+            photon == (uint64_t)((double)kept * (double)out->photons /
+                                 (double)out->n)) {
+            out->point[kept++] = v.point;
+        }
+        ++photon;
+    }
+    if (out->point) {
+        out->n = kept;
+    } else {
+        out->photons = photon;
+    }
+    return MURK_OK;
+}
+
+static murk_status read_points(murk_plan_points *out, FILE *file,
+                               const char *path, size_t most, murk_error *err)
+{
+    uint64_t vertices = 0;
+    murk_status status = read_header(file, &vertices, path, err);
+    const long start = ftell(file);
+    if (!status) {
+        status = walk(out, file, vertices, path, err);
+    }
+    if (status) {
+        return status;
+    }
+    out->n = out->photons < most ? (size_t)out->photons : most;
+    out->point = malloc((out->n + 1) * sizeof *out->point);
+    if (!out->point) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+    }
+    if (start < 0 || fseek(file, start, SEEK_SET) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
+    }
+    return walk(out, file, vertices, path, err);
+}
+
+murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
+                                  size_t most, murk_error *err)
+{
+    *out = (murk_plan_points){0};
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
+    }
+    const murk_status status = read_points(out, file, path, most, err);
+    fclose(file);
+    return status;
+}
+
+void murk_plan_points_release(murk_plan_points *points)
+{
+    free(points->point);
+    *points = (murk_plan_points){0};
+}

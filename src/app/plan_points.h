@@ -1,0 +1,31 @@
+/* plan.ply, read back: photons, and how many sensors see each. */
+#ifndef MURK_APP_PLAN_POINTS_H
+#define MURK_APP_PLAN_POINTS_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct murk_plan_point {
+    float place_m[3];
+    uint16_t seen_by;
+    bool is_volume;
+} murk_plan_point;
+
+typedef struct murk_plan_points {
+    uint64_t photons;       /* in the file */
+    size_t n;               /* of them here, evenly chosen in its order, in
+                               which neighbours are neighbours in space */
+    murk_plan_point *point; /* [n] */
+} murk_plan_points;
+
+/* At most `most` of them; the file is read in pieces, whatever its size. Fails
+ * with MURK_BAD_FILE where it is no plan.ply of app/plan_ply.h, or cut short.
+ * Release *out in any case. */
+murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
+                                  size_t most, murk_error *err);
+void murk_plan_points_release(murk_plan_points *points);
+
+#endif

@@ -1,0 +1,30 @@
+/* The parts of the page that `murk report` makes of a result folder: each
+ * writes its sections, or nothing where the folder has no such results. */
+#ifndef MURK_APP_REPORT_H
+#define MURK_APP_REPORT_H
+
+#include "app/results_in.h"
+
+#include <stdio.h>
+
+/* A sensor placement, made (plan.json) or measured (coverage.json): what it
+ * sees, curve and bound, in sample against held out, each sensor. */
+murk_status murk_report_plan(FILE *to, const murk_results_in *results,
+                             murk_error *err);
+
+/* study.json and table.csv: a plot an output, lines with error bands. */
+murk_status murk_report_study(FILE *to, const murk_results_in *results,
+                              murk_error *err);
+
+/* fit.json and fit.csv: values with intervals, residuals. */
+murk_status murk_report_fit(FILE *to, const murk_results_in *results,
+                            murk_error *err);
+
+/* ledger.json: where the light went. */
+void murk_report_light(FILE *to, const murk_results_in *results);
+
+/* How it was made: the commands that make it again, version, packages, files.
+ */
+void murk_report_made(FILE *to, const murk_results_in *results);
+
+#endif

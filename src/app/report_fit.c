@@ -1,0 +1,220 @@
+/* A calibration, as a section of the report. */
+#include "app/chart.h"
+#include "app/page.h"
+#include "app/report.h"
+#include "scene/number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A matrix with more rows is told by fit.json alone. */
+#define CORRELATIONS_MAX 24
+
+/* Half a 95 % interval, in standard errors. */
+#define HALF_INTERVAL 1.96
+
+static void write_facts(FILE *to, const murk_yaml *fit)
+{
+    murk_page_table_begin(to, "The fit in numbers", NULL, 0);
+    murk_page_fact_number(to, "chi²", murk_result_number(fit, "chi2"), "");
+    murk_page_fact_number(to, "degrees of freedom",
+                          murk_result_number(fit, "degrees_of_freedom"), "");
+    murk_page_fact(to, "converged", murk_result_text(fit, "converged"));
+    murk_page_fact(to, "why it ended", murk_result_text(fit, "why"));
+    murk_page_fact_number(to, "times that light was traced",
+                          murk_result_number(fit, "traces"), "");
+    murk_page_fact_number(to, "evaluations",
+                          murk_result_number(fit, "evaluations"), "");
+    murk_page_fact_number(to, "rows held out",
+                          murk_result_number(fit, "hold_out.rows"), "");
+    murk_page_fact_number(
+        to, "their root mean square residual",
+        murk_result_number(fit, "hold_out.rms_in_standard_errors"),
+        "standard errors");
+    murk_page_fact(to, "data", murk_result_text(fit, "data.file"));
+    murk_page_table_end(to);
+}
+
+static void write_parameters(FILE *to, const murk_yaml *fit)
+{
+    static const char *const heads[] = {"key",       "value", "from (95 %)",
+                                        "to (95 %)", "start", "<at a bound"};
+    const size_t n = murk_result_count(fit, "parameters");
+    const murk_yaml *list = murk_result_at(fit, "parameters");
+    murk_page_table_begin(to, "What was found", heads, 6);
+    for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
+        const murk_yaml *p = list->child[i];
+        murk_page_row_begin(to, murk_result_text(p, "key"));
+        murk_page_cell_estimate(to, murk_result_number(p, "value"),
+                                murk_result_number(p, "standard_error"));
+        murk_page_cell_number(to, murk_result_number(p, "lower"));
+        murk_page_cell_number(to, murk_result_number(p, "upper"));
+        murk_page_cell_number(to, murk_result_number(p, "start"));
+        murk_page_cell_text(to, murk_result_text(p, "at_bound"));
+        murk_page_row_end(to);
+    }
+    murk_page_table_end(to);
+    murk_page_more(to, n, "fit.json");
+}
+
+static void write_correlations(FILE *to, const murk_yaml *fit)
+{
+    const char *heads[CORRELATIONS_MAX + 1] = {"key"};
+    const size_t n = murk_result_count(fit, "parameters");
+    const murk_yaml *list = murk_result_at(fit, "parameters");
+    const murk_yaml *matrix = murk_result_at(fit, "correlation");
+    if (n < 2 || n > CORRELATIONS_MAX ||
+        murk_result_count(fit, "correlation") != n) {
+        return;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        heads[i + 1] = murk_result_text(list->child[i], "key");
+    }
+    murk_page_table_begin(to, "Correlations", heads, n + 1);
+    for (size_t i = 0; i < n; ++i) {
+        const murk_yaml *row = matrix->child[i];
+        murk_page_row_begin(to, heads[i + 1]);
+        for (size_t k = 0; k < n; ++k) {
+            const bool has = row->kind == MURK_YAML_LIST && k < row->n;
+            murk_page_cell_number(
+                to, has ? murk_result_number(row->child[k], "") : NAN);
+        }
+        murk_page_row_end(to);
+    }
+    murk_page_table_end(to);
+}
+
+/* ---- residuals ---- */
+
+typedef struct columns {
+    const murk_table *table;
+    long use, residual, value, error, predicted, kind, unit;
+} columns;
+
+static const char *cell(const columns *c, size_t row, long column)
+{
+    return column < 0
+               ? ""
+               : c->table->cell[row * c->table->columns + (size_t)column];
+}
+
+static double number(const columns *c, size_t row, long column)
+{
+    double value = NAN;
+    return murk_number_parse(cell(c, row, column), &value) ? value : NAN;
+}
+
+static bool draw_residuals(FILE *to, const columns *c)
+{
+    static const char *const uses[] = {"fit", "hold_out"};
+    static const char *const names[] = {"fitted", "held out"};
+    static const double lines[] = {-HALF_INTERVAL, 0, HALF_INTERVAL};
+    const size_t rows = c->table->rows;
+    double *room = malloc((8 * rows + 1) * sizeof *room);
+    murk_chart_series series[2];
+    size_t n_series = 0;
+    if (!room) {
+        return false;
+    }
+    for (size_t u = 0; u < 2; ++u) {
+        double *x = room + 4 * rows * u, *y = x + rows;
+        double *low = y + rows, *high = low + rows;
+        size_t n = 0;
+        for (size_t i = 0; i < rows; ++i) {
+            const double residual = number(c, i, c->residual);
+            if (strcmp(cell(c, i, c->use), uses[u]) != 0 ||
+                !isfinite(residual)) {
+                continue;
+            }
+            x[n] = (double)(i + 1);
+            y[n] = residual;
+            low[n] = residual - HALF_INTERVAL;
+            high[n] = residual + HALF_INTERVAL;
+            ++n;
+        }
+        if (n > 0) {
+            series[n_series++] = (murk_chart_series){.name = names[u],
+                                                     .n = n,
+                                                     .x = x,
+                                                     .y = y,
+                                                     .low = low,
+                                                     .high = high};
+        }
+    }
+    const murk_chart chart = {
+        .title = "Residuals (measured less predicted) in standard errors, "
+                 "each with its 95 % interval; one in twenty may leave the "
+                 "dashed lines by chance",
+        .x_title = "row of the data",
+        .whole_x = true,
+        .y_title = "residual / standard error",
+        .y_line = lines,
+        .y_lines = 3};
+    fputs("<h3>Residuals</h3>\n", to);
+    murk_chart_draw(to, &chart, series, n_series);
+    free(room);
+    return true;
+}
+
+static void write_rows(FILE *to, const columns *c)
+{
+    static const char *const heads[] = {
+        "row", "<kind", "<use", "measured", "predicted", "<unit", "residual σ"};
+    murk_page_table_begin(to, "Measured and predicted", heads, 7);
+    for (size_t i = 0; i < c->table->rows && i < MURK_PAGE_ROWS_MAX; ++i) {
+        char name[32];
+        snprintf(name, sizeof name, "%zu", i + 1);
+        murk_page_row_begin(to, name);
+        murk_page_cell_text(to, cell(c, i, c->kind));
+        murk_page_cell_text(to, cell(c, i, c->use));
+        murk_page_cell_estimate(to, number(c, i, c->value),
+                                number(c, i, c->error));
+        murk_page_cell_number(to, number(c, i, c->predicted));
+        murk_page_cell_text(to, cell(c, i, c->unit));
+        murk_page_cell_number(to, number(c, i, c->residual));
+        murk_page_row_end(to);
+    }
+    murk_page_table_end(to);
+    murk_page_more(to, c->table->rows, "fit.csv");
+}
+
+murk_status murk_report_fit(FILE *to, const murk_results_in *results,
+                            murk_error *err)
+{
+    const murk_yaml *fit = results->json[MURK_RESULT_FIT];
+    murk_table *table = NULL;
+    if (!fit) {
+        return MURK_OK;
+    }
+    murk_status status =
+        murk_results_table(&table, results->folder, "fit.csv", err);
+    if (status) {
+        return status;
+    }
+    murk_page_section_begin(to, "calibration", "The calibration");
+    write_parameters(to, fit);
+    if (table) {
+        const columns c = {
+            .table = table,
+            .use = murk_table_column(table, "use"),
+            .residual = murk_table_column(table, "residual_in_standard_errors"),
+            .value = murk_table_column(table, "value"),
+            .error = murk_table_column(table, "standard_error"),
+            .predicted = murk_table_column(table, "predicted"),
+            .kind = murk_table_column(table, "kind"),
+            .unit = murk_table_column(table, "unit")};
+        if (!draw_residuals(to, &c)) {
+            status =
+                murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
+        }
+        write_rows(to, &c);
+    } else {
+        murk_page_paragraph(to, "There is no fit.csv beside fit.json.");
+    }
+    write_facts(to, fit);
+    write_correlations(to, fit);
+    murk_page_section_end(to);
+    murk_table_destroy(table);
+    return status;
+}

@@ -1,0 +1,380 @@
+/* A study, as a section of the report: of each output a plot against the axis
+ * with the most values, a line for each combination of the others. */
+#include "app/chart.h"
+#include "app/page.h"
+#include "app/report.h"
+#include "scene/number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PLOTS_MAX 24
+#define NAME_SIZE 160
+#define ERRORS    "_standard_error"
+
+/* From this ratio on, an axis of positive numbers is drawn by logarithms. */
+#define LOG_RATIO   20
+#define LOG_RATIO_Y 200
+
+typedef struct frame {
+    const murk_table *table;
+    size_t axes;        /* the table's first columns */
+    size_t along;       /* the axis that is drawn against */
+    size_t lines;       /* combinations of the others */
+    size_t *line_of;    /* [table->rows] */
+    size_t *first;      /* [lines] a row of each */
+    size_t values;      /* different ones along the axis */
+    const char **value; /* [values] in the table's order */
+    double *x;          /* [table->rows] */
+    bool is_number, is_log;
+} frame;
+
+static const char *cell(const frame *f, size_t row, size_t column)
+{
+    return f->table->cell[row * f->table->columns + column];
+}
+
+static double number(const frame *f, size_t row, size_t column)
+{
+    double value = NAN;
+    return murk_number_parse(cell(f, row, column), &value) ? value : NAN;
+}
+
+static size_t count_values(const frame *f, size_t axis)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < f->table->rows && n < PLOTS_MAX * PLOTS_MAX; ++i) {
+        bool is_new = true;
+        for (size_t k = 0; k < i && is_new; ++k) {
+            is_new = strcmp(cell(f, i, axis), cell(f, k, axis)) != 0;
+        }
+        n += is_new;
+    }
+    return n;
+}
+
+static bool same_line(const frame *f, size_t a, size_t b, bool is_paired)
+{
+    for (size_t k = 0; k < f->axes && !is_paired; ++k) {
+        if (k != f->along && strcmp(cell(f, a, k), cell(f, b, k)) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void find_lines(frame *f, bool is_paired)
+{
+    for (size_t i = 0; i < f->table->rows; ++i) {
+        size_t line = 0;
+        while (line < f->lines && !same_line(f, i, f->first[line], is_paired)) {
+            ++line;
+        }
+        f->line_of[i] = line;
+        if (line == f->lines) {
+            f->first[f->lines++] = i;
+        }
+    }
+}
+
+/* Numbers as they are, else the words one after the other. */
+static void find_places(frame *f)
+{
+    double least = INFINITY, most = -INFINITY;
+    f->is_number = true;
+    for (size_t i = 0; i < f->table->rows; ++i) {
+        const char *text = f->axes > 0 ? cell(f, i, f->along) : "1";
+        size_t k = 0;
+        while (k < f->values && strcmp(text, f->value[k]) != 0) {
+            ++k;
+        }
+        if (k == f->values) {
+            f->value[f->values++] = text;
+        }
+        f->x[i] = (double)k;
+        double value = NAN;
+        f->is_number = f->is_number && murk_number_parse(text, &value);
+        least = fmin(least, value);
+        most = fmax(most, value);
+    }
+    f->is_log = f->is_number && least > 0 && most > LOG_RATIO * least;
+    for (size_t i = 0; f->is_number && f->axes > 0 && i < f->table->rows; ++i) {
+        f->x[i] = number(f, i, f->along);
+    }
+}
+
+static bool make_frame(frame *f, bool is_paired)
+{
+    const size_t rows = f->table->rows;
+    f->line_of = calloc(rows + 1, sizeof *f->line_of);
+    f->first = calloc(rows + 1, sizeof *f->first);
+    f->value = calloc(rows + 1, sizeof *f->value);
+    f->x = calloc(rows + 1, sizeof *f->x);
+    if (!f->line_of || !f->first || !f->value || !f->x) {
+        return false;
+    }
+    size_t most = 0;
+    for (size_t k = 0; k < f->axes && !is_paired; ++k) {
+        const size_t n = count_values(f, k);
+        if (n > most) {
+            most = n;
+            f->along = k;
+        }
+    }
+    find_lines(f, is_paired);
+    find_places(f);
+    return true;
+}
+
+static void release_frame(frame *f)
+{
+    free(f->line_of);
+    free(f->first);
+    free(f->value);
+    free(f->x);
+}
+
+/* ---- a plot ---- */
+
+static void name_line(char out[NAME_SIZE], const frame *f, size_t line,
+                      const char *output, bool is_paired)
+{
+    size_t at = 0;
+    out[0] = '\0';
+    for (size_t k = 0; k < f->axes && !is_paired && at < NAME_SIZE; ++k) {
+        if (k == f->along) {
+            continue;
+        }
+        const int n =
+            snprintf(out + at, NAME_SIZE - at, "%s%s %s", at > 0 ? ", " : "",
+                     f->table->name[k], cell(f, f->first[line], k));
+        at += n > 0 ? (size_t)n : 0;
+    }
+    if (at == 0) {
+        snprintf(out, NAME_SIZE, "%s", output);
+    }
+}
+
+static const char *unit_of(const murk_yaml *study, const char *output)
+{
+    const size_t rows = murk_result_count(study, "rows");
+    const murk_yaml *list = murk_result_at(study, "rows");
+    for (size_t i = 0; i < rows; ++i) {
+        const murk_yaml *values = murk_result_at(list->child[i], "values");
+        const murk_yaml *value = values && values->kind == MURK_YAML_MAP
+                                     ? murk_yaml_get(values, output)
+                                     : NULL;
+        const char *unit = murk_result_text(value, "unit");
+        if (unit) {
+            return unit;
+        }
+    }
+    return "";
+}
+
+static bool spans_decades(const frame *f, size_t column)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < f->table->rows; ++i) {
+        least = fmin(least, number(f, i, column));
+        most = fmax(most, number(f, i, column));
+    }
+    return least > 0 && most > LOG_RATIO_Y * least;
+}
+
+static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
+                        size_t column, bool is_paired)
+{
+    const size_t rows = f->table->rows;
+    const size_t lines =
+        f->lines < MURK_CHART_SERIES_MAX ? f->lines : MURK_CHART_SERIES_MAX;
+    const char *output = f->table->name[column];
+    const char *unit = unit_of(study, output);
+    murk_chart_series series[MURK_CHART_SERIES_MAX] = {0};
+    char names[MURK_CHART_SERIES_MAX][NAME_SIZE];
+    double *room = malloc((4 * rows * lines + 1) * sizeof *room);
+    if (!room) {
+        return false;
+    }
+    for (size_t line = 0; line < lines; ++line) {
+        double *x = room + 4 * rows * line, *y = x + rows;
+        double *low = y + rows, *high = low + rows;
+        size_t n = 0;
+        for (size_t i = 0; i < rows; ++i) {
+            if (f->line_of[i] != line) {
+                continue;
+            }
+            const double error = number(f, i, column + 1);
+            x[n] = f->x[i];
+            y[n] = number(f, i, column);
+            low[n] = y[n] - (isfinite(error) ? 1.96 * error : 0);
+            high[n] = y[n] + (isfinite(error) ? 1.96 * error : 0);
+            ++n;
+        }
+        name_line(names[line], f, line, output, is_paired);
+        series[line] = (murk_chart_series){.name = names[line],
+                                           .n = n,
+                                           .x = x,
+                                           .y = y,
+                                           .low = low,
+                                           .high = high,
+                                           .is_line = true};
+    }
+    char title[2 * NAME_SIZE], y_title[NAME_SIZE];
+    snprintf(title, sizeof title, "%s, with 95 %% intervals%s", output,
+             lines < f->lines ? " (the first 8 lines; all are in table.csv)"
+                              : "");
+    snprintf(y_title, sizeof y_title, "%s%s%s", output, *unit ? " " : "", unit);
+    const murk_chart chart = {.title = title,
+                              .x_title =
+                                  f->axes > 0 ? f->table->name[f->along] : "",
+                              .y_title = y_title,
+                              .x_name = f->is_number ? NULL : f->value,
+                              .x_names = f->is_number ? 0 : f->values,
+                              .log_x = f->is_log,
+                              .log_y = spans_decades(f, column),
+                              .is_share = strncmp(output, "coverage", 8) == 0};
+    murk_chart_draw(to, &chart, series, lines);
+    free(room);
+    return true;
+}
+
+/* Whether an output's column, with its errors behind it, begins here. */
+static bool is_output(const murk_table *t, size_t column)
+{
+    const size_t length = strlen(t->name[column]);
+    return column + 1 < t->columns &&
+           strncmp(t->name[column + 1], t->name[column], length) == 0 &&
+           strcmp(t->name[column + 1] + length, ERRORS) == 0;
+}
+
+/* ---- the table ---- */
+
+static void write_rows(FILE *to, const frame *f)
+{
+    const murk_table *t = f->table;
+    const char **heads = calloc(t->columns + 1, sizeof *heads);
+    size_t n = 0;
+    if (!heads) {
+        return; /* table.csv has it */
+    }
+    heads[n++] = "row";
+    for (size_t c = 0; c < t->columns; ++c) {
+        heads[n++] = t->name[c];
+        c += is_output(t, c);
+    }
+    murk_page_table_begin(to, "The rows of the study", heads, n);
+    for (size_t i = 0; i < t->rows && i < MURK_PAGE_ROWS_MAX; ++i) {
+        char name[32];
+        snprintf(name, sizeof name, "%zu", i + 1);
+        murk_page_row_begin(to, name);
+        for (size_t c = 0; c < t->columns; ++c) {
+            if (is_output(t, c)) {
+                murk_page_cell_estimate(to, number(f, i, c),
+                                        number(f, i, c + 1));
+                ++c;
+            } else {
+                fputs("<td>", to);
+                murk_page_text(to, cell(f, i, c));
+                fputs("</td>", to);
+            }
+        }
+        murk_page_row_end(to);
+    }
+    murk_page_table_end(to);
+    murk_page_more(to, t->rows, "table.csv");
+    free(heads);
+}
+
+static void write_plan_for_all(FILE *to, const murk_yaml *study)
+{
+    static const char *const heads[] = {
+        "one plan for", "sensors", "mean", "least", "in row", "upper bound"};
+    static const char *const which[] = {"mean", "worst"};
+    if (!murk_result_at(study, "plans.mean") &&
+        !murk_result_at(study, "plans.worst")) {
+        return;
+    }
+    murk_page_table_begin(to, "One plan for all rows", heads, 6);
+    for (size_t k = 0; k < 2; ++k) {
+        const murk_yaml *plans = murk_result_at(study, "plans");
+        const murk_yaml *plan = murk_result_at(plans, which[k]);
+        if (!plan) {
+            continue;
+        }
+        murk_page_row_begin(to, k == 0 ? "the mean" : "the worst row");
+        murk_page_cell_number(to, (double)murk_result_count(plan, "sensors"));
+        murk_page_cell_share(to, murk_result_number(plan, "mean.value"),
+                             murk_result_number(plan, "mean.standard_error"));
+        murk_page_cell_share(to, murk_result_number(plan, "worst.value"),
+                             murk_result_number(plan, "worst.standard_error"));
+        murk_page_cell_number(to, murk_result_number(plan, "worst_row"));
+        murk_page_cell_share(to, murk_result_number(plan, "upper_bound"), NAN);
+        murk_page_row_end(to);
+    }
+    murk_page_table_end(to);
+}
+
+static bool write_table(FILE *to, const murk_table *table,
+                        const murk_yaml *study)
+{
+    const char *mode = murk_result_text(study, "mode");
+    const bool is_paired = mode && strcmp(mode, "paired") == 0;
+    const size_t axes = murk_result_count(study, "axes");
+    frame f = {.table = table,
+               .axes = axes < table->columns ? axes : table->columns};
+    bool is_whole = make_frame(&f, is_paired);
+    size_t plots = 0;
+    fputs("<div class=\"plans\">\n", to);
+    for (size_t c = f.axes; is_whole && c < table->columns; ++c) {
+        if (is_output(table, c)) {
+            if (plots++ < PLOTS_MAX) {
+                is_whole = draw_output(to, &f, study, c, is_paired);
+            }
+            ++c;
+        }
+    }
+    fputs("</div>\n", to);
+    if (is_whole && plots > PLOTS_MAX) {
+        fprintf(to, "<p class=\"note\">%d of %zu outputs are drawn.</p>\n",
+                PLOTS_MAX, plots);
+    }
+    if (is_whole) {
+        write_rows(to, &f);
+    }
+    release_frame(&f);
+    return is_whole;
+}
+
+murk_status murk_report_study(FILE *to, const murk_results_in *results,
+                              murk_error *err)
+{
+    const murk_yaml *study = results->json[MURK_RESULT_STUDY];
+    murk_table *table = NULL;
+    if (!study) {
+        return MURK_OK;
+    }
+    murk_status status =
+        murk_results_table(&table, results->folder, "table.csv", err);
+    if (status) {
+        return status;
+    }
+    murk_page_section_begin(to, "study", "The study");
+    fputs("<p class=\"lead\">", to);
+    murk_page_number(to, murk_result_number(study, "rows_done"));
+    fputs(" of ", to);
+    murk_page_number(to, murk_result_number(study, "rows_asked"));
+    fputs(" runs done, ", to);
+    murk_page_number(to, murk_result_number(study, "rows_failed"));
+    fputs(" failed.</p>\n", to);
+    if (table && !write_table(to, table, study)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
+    } else if (!table) {
+        murk_page_paragraph(to, "There is no table.csv beside study.json.");
+    }
+    write_plan_for_all(to, study);
+    murk_page_section_end(to);
+    murk_table_destroy(table);
+    return status;
+}

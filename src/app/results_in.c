@@ -1,0 +1,174 @@
+#include "app/results_in.h"
+
+#include "app/version.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define PATH_PART_MAX 64
+
+static const char *const names[MURK_RESULT_FILES] = {
+    [MURK_RESULT_PLAN] = "plan.json",
+    [MURK_RESULT_COVERAGE] = "coverage.json",
+    [MURK_RESULT_STUDY] = "study.json",
+    [MURK_RESULT_FIT] = "fit.json",
+    [MURK_RESULT_LEDGER] = "ledger.json"};
+
+char *murk_results_path(const char *folder, const char *name)
+{
+    const size_t size = strlen(folder) + strlen(name) + 2;
+    const size_t length = strlen(folder);
+    const char *slash = length > 0 && folder[length - 1] == '/' ? "" : "/";
+    char *path = malloc(size);
+    if (path) {
+        snprintf(path, size, "%s%s%s", folder, slash, name);
+    }
+    return path;
+}
+
+bool murk_results_has(const char *folder, const char *name)
+{
+    struct stat known;
+    char *path = murk_results_path(folder, name);
+    const bool has = path && stat(path, &known) == 0 && S_ISREG(known.st_mode);
+    free(path);
+    return has;
+}
+
+murk_status murk_results_table(murk_table **out, const char *folder,
+                               const char *name, murk_error *err)
+{
+    if (!murk_results_has(folder, name)) {
+        return MURK_OK;
+    }
+    char *path = murk_results_path(folder, name);
+    const murk_status status =
+        path ? murk_table_read(out, path, err)
+             : murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
+    free(path);
+    return status;
+}
+
+/* ---- values ---- */
+
+const murk_yaml *murk_result_at(const murk_yaml *root, const char *path)
+{
+    char part[PATH_PART_MAX];
+    while (root && *path) {
+        const size_t length = strcspn(path, ".");
+        if (length >= sizeof part || root->kind != MURK_YAML_MAP) {
+            return NULL;
+        }
+        memcpy(part, path, length);
+        part[length] = '\0';
+        root = murk_yaml_get(root, part);
+        path += length + (path[length] == '.');
+    }
+    return root;
+}
+
+double murk_result_number(const murk_yaml *root, const char *path)
+{
+    double value = NAN;
+    const murk_yaml *at = murk_result_at(root, path);
+    return at && murk_yaml_number(at, &value) ? value : NAN;
+}
+
+const char *murk_result_text(const murk_yaml *root, const char *path)
+{
+    const murk_yaml *at = murk_result_at(root, path);
+    const bool is_text =
+        at && at->kind == MURK_YAML_SCALAR && !murk_yaml_is_null(at);
+    return is_text ? at->text : NULL;
+}
+
+size_t murk_result_count(const murk_yaml *root, const char *path)
+{
+    const murk_yaml *at = murk_result_at(root, path);
+    return at && at->kind == MURK_YAML_LIST ? at->n : 0;
+}
+
+/* ---- reading ---- */
+
+/* Length of "0.1" in "0.1.0". */
+static size_t release_length(const char *version)
+{
+    const size_t major = strcspn(version, ".");
+    return version[major] ? major + 1 + strcspn(version + major + 1, ".")
+                          : major;
+}
+
+static murk_status check_version(const murk_yaml *root, const char *path,
+                                 murk_error *err)
+{
+    const char *found = murk_result_text(root, "murk.version");
+    const size_t length = release_length(MURK_VERSION);
+    if (!found) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "murk.version is missing: no result of murk");
+    }
+    if (release_length(found) == length &&
+        strncmp(found, MURK_VERSION, length) == 0) {
+        return MURK_OK;
+    }
+    char where[320];
+    murk_yaml_place(murk_result_at(root, "murk.version"), where, sizeof where);
+    return murk_fail(err, MURK_BAD_VALUE, where,
+                     "murk.version: %.40s, must be %.*s: results of another "
+                     "version; run its command again",
+                     found, (int)length, MURK_VERSION);
+}
+
+static murk_status read_json(murk_results_in *out, murk_result_file which,
+                             murk_error *err)
+{
+    out->path[which] = murk_results_path(out->folder, names[which]);
+    if (!out->path[which]) {
+        return murk_fail(err, MURK_NO_MEMORY, names[which],
+                         "no memory to read it");
+    }
+    if (!murk_results_has(out->folder, names[which])) {
+        return MURK_OK;
+    }
+    const murk_status status =
+        murk_yaml_read(&out->json[which], out->path[which], err);
+    return status ? status
+                  : check_version(out->json[which], out->path[which], err);
+}
+
+murk_status murk_results_read(murk_results_in *out, const char *folder,
+                              murk_error *err)
+{
+    struct stat known;
+    *out = (murk_results_in){.folder = folder};
+    if (stat(folder, &known) != 0 || !S_ISDIR(known.st_mode)) {
+        return murk_fail(err, MURK_BAD_FILE, folder,
+                         "no such folder, must be one of results (-o DIR)");
+    }
+    bool has_any = false;
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        const murk_status status = read_json(out, (murk_result_file)i, err);
+        if (status) {
+            return status;
+        }
+        has_any = has_any || out->json[i];
+    }
+    if (!has_any) {
+        return murk_fail(err, MURK_BAD_FILE, folder,
+                         "no results here, must hold plan.json, coverage.json, "
+                         "study.json, fit.json or ledger.json");
+    }
+    return MURK_OK;
+}
+
+void murk_results_release(murk_results_in *results)
+{
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        free(results->path[i]);
+        murk_yaml_destroy(results->json[i]);
+    }
+    *results = (murk_results_in){0};
+}

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Folders that are no results, or broken ones: one line, exit 2, no page; and
+files that only lack in part: a page that says so. Bounded time and memory.
+usage: report.py MURK [SANITIZE]
+"""
+
+import json
+import os
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+
+PLAN = {"murk": {"version": "0.1.0"}, "scene": "a.yaml", "seed": 1,
+        "sensors": [{"type": "node", "position_m": [1, 2, 3]}],
+        "coverage": {"in_sample": 0.5}}
+PLY = ("ply\nformat binary_little_endian 1.0\ncomment x\nelement vertex %d\n"
+       "property float x\nproperty float y\nproperty float z\n"
+       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+       "property uchar kind\nproperty ushort seen_by\nproperty float quality\n"
+       "element face 0\nproperty list uchar int vertex_indices\nend_header\n")
+MEMORY = 1 << 30
+failures = 0
+
+
+def check(holds, *what):
+    global failures
+    if not holds:
+        failures += 1
+        print("not so:", *what)
+
+
+def photon(x, kind=1, seen=0):
+    return struct.pack("<3f3BBHf", x, 0, 0, 0, 0, 0, kind, seen, 1)
+
+
+def main(murk, is_sanitized):
+    with tempfile.TemporaryDirectory() as folder:
+        def write(name, content):
+            mode = "wb" if isinstance(content, bytes) else "w"
+            with open(os.path.join(folder, name), mode) as file:
+                file.write(content)
+
+        def limit():
+            if not is_sanitized:
+                resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+        def run(want, part, *arguments):
+            """murk report, on what was written; then all is removed."""
+            done = subprocess.run([murk, "report", *(arguments or ["."])], cwd=folder,
+                                  text=True, capture_output=True, check=False,
+                                  timeout=60, preexec_fn=limit)
+            check(done.returncode == want, part, "exit", done.returncode, done.stderr)
+            if want:
+                check(done.stderr.count("\n") == 1 and part in done.stderr,
+                      "one line with", part, "not", done.stderr)
+            page = os.path.join(folder, "report.html")
+            check(os.path.exists(page) == (want == 0), part, "a page or none")
+            text = ""
+            if os.path.exists(page):
+                with open(page, encoding="utf-8") as file:
+                    text = file.read()
+                check(part in text, "in the page:", part)
+                check(len(text) < 3_000_000, part, "size", len(text))
+            for name in os.listdir(folder):
+                os.unlink(os.path.join(folder, name))
+            return text
+
+        def plan(**changes):
+            write("plan.json", json.dumps({**PLAN, **changes}))
+
+        run(2, "no results here")
+        run(2, "no such folder", "nowhere")
+        run(2, "no folder; usage", "--quiet")
+        plan()
+        run(2, "no --set and no --seed", ".", "--seed", "3")
+        plan(murk={"version": "0.0.9"})
+        run(2, "0.0.9, must be 0.1: results of another version")
+        plan(murk={"version": "0.10.0"})
+        run(2, "0.10.0, must be 0.1")
+        plan(murk={})
+        run(2, "murk.version is missing")
+        write("plan.json", '{"murk": {"version": "0.1.0"')
+        run(2, "plan.json:2:1: not YAML")
+        write("plan.json", "[" * 100000)
+        run(2, "plan.json")
+        write("plan.json", b"\x00\xff\xfe")
+        run(2, "plan.json")
+        write("plan.json", "")
+        run(2, "plan.json")
+        write("plan.json", "[1, 2]")
+        run(2, "murk.version is missing")
+        write("study.json", json.dumps({"murk": {"version": "0.1.0"}, "axes": [{"key": "a"}]}))
+        write("table.csv", "a,b\n1\n")
+        run(2, "table.csv:2")
+        write("study.json", json.dumps({"murk": {"version": "0.1.0"}, "axes": []}))
+        run(0, "no table.csv")
+        write("study.json", json.dumps({"murk": {"version": "0.1.0"},
+                                        "axes": [{"key": "a"}] * 99, "rows": "x"}))
+        write("table.csv", "a,b,b_standard_error\n1e999,nan,x\n,,\n2,1e300,1e300\n")
+        run(0, "The study")
+
+        # values of other kinds than a plan has, or beyond all measure
+        for value in (None, "x", [], {}, -1e308, [[[]]], "<script>"):
+            plan(sensors=value, coverage=value, curve=value, bound=value,
+                 robustness=value, candidates=value, conditions=value,
+                 regions_of_interest=value, seen_by_at_least=value, photons=value)
+            run(0, "The placement")
+            plan(sensors=[value], curve=[value, {"count": value, "coverage": 1}],
+                 conditions=[value], seen_by_at_least=[value],
+                 robustness={"drop_one": {"without": [value]}})
+            run(0, "The placement")
+        plan(sensors=[{"position_m": [1e300, -1e300, 0], "covers": 1e300}] * 2,
+             curve=[{"count": 1e300, "coverage": -1e300, "upper": 1e300}] * 2)
+        run(0, "The placement")
+        plan(sensors=[{"type": "node", "position_m": [k, 1, 1]} for k in range(20000)])
+        run(0, "The first 200 of 20000 rows")
+
+        # photons
+        for content, part in ((b"ply\n", "not a plan.ply"),
+                              ((PLY % 3).encode() + photon(1), "cut short: 1 of 3"),
+                              ((PLY % 10**18).encode() + photon(1), "cut short"),
+                              (b"\x00" * 4000, "not a plan.ply")):
+            plan()
+            write("plan.ply", content)
+            run(0, part)
+        plan()
+        write("plan.ply", (PLY % 3).encode() + photon(float("nan")) + photon(float("inf")) +
+              photon(2))
+        text = run(0, "1 of the 1 stored photons")
+        check('="nan' not in text and "Mnan" not in text, "NaN in a drawing")
+        plan()
+        write("plan.ply", (PLY % 250000).encode() +
+              b"".join(photon(k * 1e-3, 1 + k % 2, k % 3) for k in range(250000)))
+        run(0, "of the 250000 stored photons")
+        plan()
+        write("scene.yaml", "murk: 1\nnonsense: 3\n")
+        run(0, "scene.yaml cannot be read again")
+    print("failures:", failures)
+    return failures != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(os.path.abspath(sys.argv[1]), len(sys.argv) > 2 and sys.argv[2] != ""))

@@ -1,0 +1,214 @@
+#!/usr/bin/env python3
+"""The report of a result folder from outside: one HTML file that is well
+formed, loads nothing, allows its own style and script alone, shows the numbers
+of the results, and takes names for what they are: text. Standard library only.
+usage: report.py MURK
+"""
+
+import base64
+import hashlib
+import html.parser
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+MOST_BYTES = 3_000_000
+EVIL = "<img src=x onerror=alert(1)>&\"'"
+VOID = {"meta", "link", "br", "hr", "img", "input", "wbr"}
+failures = 0
+
+SCENE = """\
+murk: 1
+bands_nm: [550]
+domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}
+geometry:
+  - {box: {min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}, material: "EVIL"}
+  - {box: {min_m: [1.5, 1.5, 0.1], max_m: [2.5, 2.5, 1.6]}}
+  - {sphere: {center_m: [3, 3, 1], radius_m: 0.3}}
+materials: {"EVIL": {diffuse: 0.6}}
+media: {"EVIL fog": {extinction_per_m: 0.3, albedo: 0.9, phase: {hg: 0.8}}}
+regions: [{medium: "EVIL fog"}]
+lights: [{type: point, position_m: [2, 2, 2.5], power_w: 10}]
+photons: {emit: 3000}
+sensors:
+  types:
+    - {name: "EVIL", range_m: 2.2}
+    - {name: camera, range_m: 3, view: {hfov_deg: 60, vfov_deg: 40}, headings: 4}
+  candidates: {grid: {min_m: [0.5, 0.5, 0.5], max_m: [3.5, 3.5, 2.5], size: [3, 3, 2]}}
+  count: 3
+""".replace("EVIL", EVIL.replace('"', '\\"'))
+
+
+def check(holds, *what):
+    global failures
+    if not holds:
+        failures += 1
+        print("not so:", *what)
+
+
+class Page(html.parser.HTMLParser):
+    """Tags that close, attributes that load or run nothing."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.text, self.inside = [], "", {}
+        self.tags, self.ids, self.links, self.policy = [], set(), [], ""
+        self.feed(text)
+        self.close()
+        check(not self.open, "left open:", self.open)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        values = dict(attrs)
+        check(len(values) == len(attrs), "an attribute twice:", attrs)
+        for name, value in attrs:
+            check(not name.startswith("on"), "a handler:", tag, name)
+            check(name not in ("src", "srcset", "action", "data", "style", "poster",
+                               "xlink:href", "background"), "an attribute:", tag, name)
+            if name == "href":
+                check(value.startswith("#"), "a link away:", value)
+                self.links.append(value[1:])
+            if name == "id":
+                check(value not in self.ids, "an id twice:", value)
+                self.ids.add(value)
+        if values.get("http-equiv") == "Content-Security-Policy":
+            self.policy = values["content"]
+        if tag not in VOID and not self.get_starttag_text().endswith("/>"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag in VOID or self.get_starttag_text().endswith("/>") and \
+                (not self.open or self.open[-1] != tag):
+            return
+        check(self.open and self.open[-1] == tag, "closes", tag, "in", self.open[-3:])
+        if self.open:
+            self.open.pop()
+
+    def handle_data(self, data):
+        inside = self.open[-1] if self.open else ""
+        if inside in ("style", "script"):
+            self.inside.setdefault(inside, []).append(data)
+        else:
+            self.text += data
+
+
+def hash_of(text):
+    digest = hashlib.sha256(text.encode()).digest()
+    return "'sha256-" + base64.b64encode(digest).decode() + "'"
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    check(len(text.encode()) <= MOST_BYTES, path, "has", len(text.encode()), "bytes")
+    check("�" not in text, path, "has characters that are none")
+    page = Page(text)
+    check("default-src 'none'" in page.policy, "policy", page.policy)
+    check("unsafe" not in page.policy and "http" not in page.policy, page.policy)
+    for style in page.inside.get("style", []):
+        check(hash_of(style) in page.policy, "the style's hash is not in", page.policy)
+    for link in page.links:
+        check(link in page.ids, "no such place:", link)
+    check("img" not in page.tags, "a name became a tag")
+    check("nan" not in re.sub(r"[a-z]*nan[a-z]+|[a-z]+nan", "", page.text.lower()),
+          "NaN is shown")
+    check(not re.search(r'd="[^"]*(nan|inf)', text), "NaN in a plot")
+    return page
+
+
+def main(murk):
+    with tempfile.TemporaryDirectory() as folder:
+        def at(name):
+            return os.path.join(folder, name)
+
+        def write(name, text):
+            with open(at(name), "w", encoding="utf-8") as file:
+                file.write(text)
+
+        def run(*arguments):
+            done = subprocess.run([murk, *arguments], cwd=folder, text=True,
+                                  capture_output=True, check=False)
+            check(done.returncode == 0, arguments, done.stderr)
+            return done.stdout
+
+        write("it's <b>.yaml", SCENE)
+        scene = "it's <b>.yaml"
+        run("place", scene, "-o", "plan", "--quiet")
+        told = json.loads(run("report", "plan", "--format", "json"))
+        check(told["report"] == "plan/report.html", told)
+        check(told["bytes"] == os.path.getsize(at("plan/report.html")), told)
+        page = read(at("plan/report.html"))
+        with open(at("plan/plan.json"), encoding="utf-8") as file:
+            plan = json.load(file)
+        coverage = plan["coverage"]
+        for key in ("in_sample", "held_out", "ceiling"):
+            check(f"{100 * coverage[key]:.2f}" in page.text, key, "is not shown")
+        check(f"{100 * plan['bound']['upper']:.2f}" in page.text, "no bound")
+        for sensor in plan["sensors"]:
+            check(f"{100 * sensor['covers']:.2f} %" in page.text, "a sensor's share")
+        check(EVIL in page.text, "the type's name")
+        check(f"of that by {EVIL} fog" in page.text, "the medium's name")
+        check(plan["scene_sha256"] in page.text and plan["murk"]["commit"] in page.text,
+              "no provenance")
+        check("murk place plan/scene.yaml -o again" in page.text, "no command")
+        check(page.tags.count("svg") == 4, page.tags.count("svg"), "plots, want 4")
+        check(page.tags.count("table") >= 5, "tables")
+        photons = plan["photons"]["surface"] + plan["photons"]["volume"]
+        check(told["photons"] == photons == told["photons_shown"], told)
+
+        # the command of the page gives the same plan
+        run("place", "plan/scene.yaml", "-o", "again", "--quiet")
+        with open(at("again/plan.json"), encoding="utf-8") as file:
+            again = json.load(file)
+        check(again["coverage"] == coverage and again["sensors"] == plan["sensors"],
+              "the command of the page gives another plan")
+
+        # the same bytes again, and in the file that is named
+        run("report", "plan", "-o", "named.html", "--quiet")
+        with open(at("named.html"), "rb") as a, open(at("plan/report.html"), "rb") as b:
+            check(a.read() == b.read(), "two reports of one folder differ")
+
+        run("sense", scene, "--sensors", "plan/plan.json", "-o", "seen", "--quiet")
+        run("report", "seen")
+        page = read(at("seen/report.html"))
+        check("murk sense seen/scene.yaml --sensors seen/coverage.json" in page.text,
+              "no command of sense")
+        run("sense", "seen/scene.yaml", "--sensors", "seen/coverage.json", "--quiet")
+
+        run("trace", scene, "-o", "light", "--quiet")
+        run("report", "light")
+        check("murk trace light/scene.yaml -o again" in read(at("light/report.html")).text,
+              "no command of trace")
+
+        write("study.yaml", 'murk_study: 1\nbase: "it\'s <b>.yaml"\naxes:\n'
+              "  lights.0.power_w: [1, 2, 4]\n  photons.emit: [500, 1000]\n"
+              "outputs: [density, coverage_best]\n")
+        run("study", "study.yaml", "-o", "study", "--quiet")
+        run("report", "study")
+        page = read(at("study/report.html"))
+        check(page.tags.count("svg") == 2, page.tags.count("svg"), "plots, want 2")
+        check("photons.emit 500" in page.text, "no line's name")
+        with open(at("study/report.html"), encoding="utf-8") as file:
+            text = file.read()
+        check(text.count('class="band') == 4, "bands: two lines in two plots")
+
+        write("data.csv", "kind,x_m,y_m,z_m,radius_m,unit,value,standard_error,use\n"
+              "fluence,0.8,0.8,2.5,0.3,W/m2,0.5,0.05,fit\n"
+              "fluence,3,1,2.5,0.3,W/m2,0.4,0.04,fit\n"
+              "fluence,1,3,1,0.3,W/m2,0.3,0.03,hold_out\n")
+        run("fit", scene, "--data", "data.csv", "--free", "lights.0.power_w", "-o", "fit",
+            "--traces", "1", "--quiet", "--emit", "2000")
+        run("report", "fit")
+        page = read(at("fit/report.html"))
+        check("--free lights.0.power_w" in page.text, "no command of fit")
+        check("'it'\\''s <b>.yaml'" in page.text, "the scene is not quoted for a shell")
+        check("held out" in page.text and page.tags.count("svg") == 1, "residuals")
+    print("failures:", failures)
+    return failures != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(os.path.abspath(sys.argv[1])))
