@@ -61,9 +61,9 @@ murk_status murk_model_parts(const murk_model *model, size_t *runs,
                              double **part, murk_error *err);
 
 /* Relative error of a world key's slopes at the traced point, by photons and
- * step together, over the rows of all conditions: the root of the sum of error^2
- * over that of slope^2; NaN for the other keys, before a trace, and where no row
- * moves. */
+ * step together, over the rows of all conditions: the root of the sum of
+ * error^2 over that of slope^2; NaN for the other keys, before a trace, and
+ * where no row moves. */
 double murk_model_slope_error(const murk_model *model, size_t key);
 
 /* The world of condition c (an index into keys->condition) as built last. */
