@@ -35,13 +35,13 @@ static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
 
 /* Where key k is in condition c, for which it may be meant. */
 static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
-                            const murk_yaml *root, bool *is_first,
-                            murk_error *err)
+                            murk_yaml *root, bool *is_first, murk_error *err)
 {
     murk_free_spot *spot = &keys->spot[k];
     murk_free_key *key = &keys->key[k];
     murk_key_place place;
     murk_key_range range;
+    (void)murk_key_place_spread(root, key->path, keys->bands);
     murk_status status =
         murk_key_place_find(&place, root, key->path, spot->source, err);
     if (!status && *is_first) {

@@ -51,6 +51,7 @@ typedef struct murk_free_spot murk_free_spot; /* where a key is put */
 typedef struct murk_free_keys {
     size_t n;
     murk_free_key *key; /* [n] */
+    int bands;          /* of the scene */
     size_t conditions;  /* in use by the data; each a scene of its own */
     size_t *condition;  /* [conditions] of the scene's, rising; SIZE_MAX: as it
                            stands, first */

@@ -38,6 +38,7 @@ murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
     if (status) {
         return status;
     }
+    keys->bands = scene->bands;
     for (size_t i = 0; i < m->readings; ++i) {
         const size_t c = m->reading[i].condition;
         is_used[c < scene->n_conditions ? c + 1 : 0] = true;

@@ -142,7 +142,7 @@ static murk_status step(const finding *f, spot *at, const char *part)
     snprintf(text, sizeof text, "%s is %.40s, one value%s", owner,
              at->node->text,
              at->row && at->row->kind == MURK_KEY_SPECTRUM
-                 ? " for all bands: free it as it is, or write a list"
+                 ? " for all bands: must be free as it is, or by one of them"
                  : "");
     return fail(f, text);
 }
@@ -237,10 +237,40 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
     free(part);
     if (!status) {
         place.row = at.row;
+        place.node = at.node;
         status = check_end(&place, &f, &at);
     }
     if (!status) {
         *out = place;
     }
     return status;
+}
+
+bool murk_key_place_spread(murk_yaml *root, const char *path, int bands)
+{
+    const char *last = strrchr(path, '.');
+    uint64_t index;
+    murk_key_place place;
+    char *of = last ? strndup(path, (size_t)(last - path)) : NULL;
+    const bool is_it =
+        of && murk_count_parse(last + 1, &index) && index < (uint64_t)bands &&
+        murk_key_place_find(&place, root, of, "", NULL) == MURK_OK &&
+        !place.list && place.row->kind == MURK_KEY_SPECTRUM;
+    free(of);
+    if (!is_it) {
+        return false;
+    }
+    murk_yaml *node = (murk_yaml *)place.node; /* of root, which is not const */
+    murk_yaml *one = murk_yaml_copy(node);
+    bool is_whole = one != NULL;
+    if (is_whole) {
+        murk_yaml_clear(node);
+        node->kind = MURK_YAML_LIST;
+    }
+    for (int b = 0; is_whole && b < bands; ++b) {
+        murk_yaml *copy = murk_yaml_copy(one);
+        is_whole = copy && murk_yaml_append(node, NULL, copy);
+    }
+    murk_yaml_destroy(one);
+    return is_whole;
 }

@@ -7,6 +7,7 @@
 
 typedef struct murk_key_place {
     double value;
+    const murk_yaml *node; /* that it is written in */
     const murk_key *row;   /* of an item of a list: the list's */
     const murk_key *item;  /* of a list in which each has a row of its own */
     const murk_yaml *list; /* that it is an item of; NULL: of none */
@@ -23,5 +24,10 @@ typedef struct murk_key_place {
 murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
                                 const char *path, const char *where,
                                 murk_error *err);
+
+/* Where the path is an item, below `bands`, of what is one value for all bands,
+ * writes that value out for each: a scene as resolved says once what may have
+ * been listed. False where it is not so, or without memory. */
+bool murk_key_place_spread(murk_yaml *root, const char *path, int bands);
 
 #endif

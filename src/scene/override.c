@@ -171,14 +171,54 @@ static bool make_map(murk_yaml *node, const spot *at)
     return can;
 }
 
+static size_t bands_of(const murk_yaml *root)
+{
+    const bool is_scene = root->kind == MURK_YAML_MAP;
+    const murk_yaml *lines = is_scene ? murk_yaml_get(root, "bands_nm") : NULL;
+    const murk_yaml *edges =
+        is_scene ? murk_yaml_get(root, "band_edges_nm") : NULL;
+    return lines && lines->kind == MURK_YAML_LIST               ? lines->n
+           : edges && edges->kind == MURK_YAML_LIST && edges->n ? edges->n - 1
+                                                                : 1;
+}
+
+/* Writes out what is one value for all bands, so that one of them can be set.
+ */
+static bool spread_over_bands(const option_context *option, const spot *at)
+{
+    murk_yaml *node = at->node;
+    const size_t bands = bands_of(option->root);
+    if (node->kind != MURK_YAML_SCALAR || !at->key ||
+        at->key->kind != MURK_KEY_SPECTRUM || bands < 2) {
+        return false;
+    }
+    murk_yaml *one = murk_yaml_copy(node);
+    bool is_whole = one != NULL;
+    if (is_whole) {
+        murk_yaml_clear(node);
+        node->kind = MURK_YAML_LIST;
+    }
+    for (size_t b = 0; is_whole && b < bands; ++b) {
+        murk_yaml *copy = murk_yaml_copy(one);
+        is_whole = copy && murk_yaml_append(node, NULL, copy);
+    }
+    murk_yaml_destroy(one);
+    return is_whole;
+}
+
+static bool is_index(const char *part)
+{
+    return part[0] && strspn(part, "0123456789") == strlen(part);
+}
+
 static murk_status step_list(const option_context *option, spot *at,
                              const char *part, murk_yaml **value)
 {
     murk_yaml *list = at->node;
     uint64_t index;
     char text[256], shown[MURK_SCENE_NAME_SIZE];
-    if (strspn(part, "0123456789") != strlen(part) ||
-        !murk_count_parse(part, &index) || index >= list->n) {
+    if (!is_index(part) || !murk_count_parse(part, &index) ||
+        index >= list->n) {
         murk_words_show(shown, sizeof shown, part);
         if (list->n == 0) {
             snprintf(text, sizeof text, "item %s of an empty list", shown);
@@ -241,7 +281,8 @@ static murk_status step(const option_context *option, spot *at,
 {
     const murk_key *next = child_key(at, part, item);
     murk_status status = MURK_OK;
-    if (at->node->kind == MURK_YAML_LIST) {
+    if (at->node->kind == MURK_YAML_LIST ||
+        (is_index(part) && spread_over_bands(option, at))) {
         status = step_list(option, at, part, value);
     } else if (at->node->kind == MURK_YAML_MAP || make_map(at->node, at)) {
         if (!at->key || !at->key->keys) {

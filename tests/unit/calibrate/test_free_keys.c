@@ -287,6 +287,25 @@ static void test_a_scene_has_the_values(void)
     murk_free_keys_destroy(keys);
 }
 
+/* A scene as resolved has one value where a list had it twice. */
+static void test_a_band_of_one_value_is_its_own(void)
+{
+    static const char *const asked[] = {"media.plain.albedo.1",
+                                        "media.plain.extinction_per_m.0"};
+    static const double value[] = {.25, .3};
+    field f;
+    make_field(&f, AS_IT_STANDS);
+    murk_free_keys *keys = made(&f, asked, 2, NULL);
+    murk_optics *optics = NULL;
+    CHECK(keys->key[0].start == .9 && keys->key[1].start == .2);
+    CHECK(murk_free_optics(&optics, keys, 0, value, NULL) == MURK_OK);
+    CHECK(optics->albedo[2].band[0] == .9 && optics->albedo[2].band[1] == .25);
+    CHECK(optics->extinction_per_m[2].band[0] == .3);
+    CHECK(optics->extinction_per_m[2].band[1] == .2);
+    murk_optics_destroy(optics);
+    murk_free_keys_destroy(keys);
+}
+
 static void test_values_out_of_range_are_named(void)
 {
     static const char *const asked[] = {"media.plain.albedo"};
@@ -467,8 +486,9 @@ static void test_keys_are_refused(void)
     refused("media.two.albedo",
             "a list of 2, must be one number: media.two.albedo.0 is its first");
     refused("media.two.albedo.2", "item 2 of media.two.albedo, a list of 2");
-    refused("media.plain.albedo.0",
+    refused("media.plain.albedo.2",
             "media.plain.albedo is 0.9, one value for all bands");
+    refused("lights.0.power_w.1", "lights.0.power_w is 100, one value");
     refused("media.plain.phase", "a map, must be one number");
     refused("media.fog.preset", "fog/kruse, must be a number");
     refused("regions.9.scale", "item 9 of regions, a list of 4, must be 0..3");
@@ -536,6 +556,7 @@ int main(void)
     test_keys_are_what_they_turn();
     test_ranges_are_natural();
     test_a_scene_has_the_values();
+    test_a_band_of_one_value_is_its_own();
     test_values_out_of_range_are_named();
     test_each_condition_has_its_own();
     test_one_value_wins_over_a_condition();

@@ -216,6 +216,36 @@ static void test_band_edges(void)
     murk_scene_destroy(scene);
 }
 
+/* One band of what is one value for all: of bands as lines and by edges; not of
+ * a total, which spreads by a spectrum. */
+static void test_one_band_by_override(void)
+{
+    static const char *const bands[] = {"bands_nm: [450, 550]",
+                                        "band_edges_nm: [400, 500, 700]"};
+    const murk_override overrides[] = {{.text = "media.fog.albedo.1=0.25"},
+                                       {.text = "media.fog.albedo.2=0.25"},
+                                       {.text = "lights.0.power_w.1=3"}};
+    for (size_t i = 0; i < 2; ++i) {
+        char text[300];
+        murk_scene *scene = NULL;
+        murk_error err = {0};
+        snprintf(text, sizeof text,
+                 "{murk: 1, %s, media: {fog: {extinction_per_m: 1, albedo: "
+                 "0.5}}, lights: [{type: point, position_m: [0, 0, 0], "
+                 "power_w: 3}]}",
+                 bands[i]);
+        scene = must_read(text, overrides, 1);
+        CHECK(scene->media[0].albedo.band[0] == .5);
+        CHECK(scene->media[0].albedo.band[1] == .25);
+        murk_scene_destroy(scene);
+        CHECK(scene_of(&scene, text, overrides + 1, 1, &err) != MURK_OK);
+        CHECK_TEXT(err.text, "item 2 of a list of 2, must be 0..1");
+        err = (murk_error){0};
+        CHECK(scene_of(&scene, text, overrides + 2, 1, &err) != MURK_OK);
+        CHECK_TEXT(err.text, "1 is below a single value");
+    }
+}
+
 /* Frames, layers and albedos from the command line. */
 static void test_fillings_by_override(void)
 {
@@ -437,6 +467,7 @@ int main(void)
     test_defaults();
     test_band_edges();
     test_fillings_by_override();
+    test_one_band_by_override();
     test_phases();
     test_spacing_fills_the_grid();
     test_resolved_reads_back(FULL_SCENE);
