@@ -150,6 +150,42 @@ static murk_status make_rows(murk_measurements *out,
     return MURK_OK;
 }
 
+/* What photons' noise in one of many slopes may come to: the best of hundreds
+ * of candidates would else be the noisiest. */
+#define SIGMAS_LESS 2
+
+/* Brings slopes, of the last prediction, nearer to 0 by so many of their
+ * errors. */
+static murk_status discount(double *slope, const murk_model *model, size_t n,
+                            murk_error *err)
+{
+    size_t runs, lits;
+    double *part;
+    const murk_status status = murk_model_parts(model, &runs, &part, err);
+    if (status) {
+        return status;
+    }
+    const size_t *lit = murk_model_lit(model, &lits);
+    for (size_t i = 0; i < lits * n; ++i) {
+        const size_t row = i / n, k = i % n;
+        const double *of_row = part + row * (n + 1) + 1 + k;
+        double sum = 0, squares = 0;
+        for (size_t run = 0; run < runs; ++run) {
+            sum += of_row[run * lits * (n + 1)];
+        }
+        for (size_t run = 0; run < runs; ++run) {
+            const double off =
+                of_row[run * lits * (n + 1)] - sum / (double)runs;
+            squares += off * off;
+        }
+        const double error = sqrt((double)runs / ((double)runs - 1) * squares);
+        double *s = &slope[lit[row] * n + k];
+        *s = copysign(fmax(0, fabs(*s) - SIGMAS_LESS * error), *s);
+    }
+    free(part);
+    return MURK_OK;
+}
+
 /* Slopes by search coordinates over each reading's error. */
 static void weigh_rows(double *row, double *error, const double *predicted,
                        const double *slope, size_t rows, double relative_error,
@@ -218,6 +254,9 @@ static murk_status judge(murk_next *out, size_t k, murk_model *model,
     if (!status) {
         status = murk_model_predict(model, found->value, predicted, slope,
                                     &share, err);
+    }
+    if (!status) {
+        status = discount(slope, model, n, err);
     }
     if (!status) {
         weigh_rows(row, error, predicted, slope, rows, out->relative_error,
