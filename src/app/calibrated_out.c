@@ -32,9 +32,10 @@ static murk_yaml *tree_of(const murk_scene *scene)
     return root;
 }
 
-static bool find(double *value, const murk_yaml *root, const char *path)
+static bool find(double *value, murk_yaml *root, const char *path, int bands)
 {
     murk_key_place place;
+    (void)(root && murk_key_place_spread(root, path, bands));
     const bool is_there =
         root && murk_key_place_find(&place, root, path, "", NULL) == MURK_OK;
     *value = is_there ? place.value : NAN;
@@ -91,7 +92,8 @@ static bool find_places(places *out, const murk_fit_facts *f)
     }
     murk_yaml *base = tree_of(f->scene);
     for (size_t k = 0; k < n; ++k) {
-        out->is_in_scene[k] = find(&value, base, keys->key[k].path);
+        out->is_in_scene[k] =
+            find(&value, base, keys->key[k].path, keys->bands);
     }
     murk_yaml_destroy(base);
     murk_scene *scene = scene_with(f, out);
@@ -103,8 +105,9 @@ static bool find_places(places *out, const murk_fit_facts *f)
             scene ? tree_of(scene->conditions[keys->condition[c]].scene) : NULL;
         for (size_t k = 0; k < n; ++k) {
             const double wanted = f->found->value[k];
-            const bool is_same = find(&value, root, keys->key[k].path) &&
-                                 fabs(value - wanted) <= SAME * fabs(wanted);
+            const bool is_same =
+                find(&value, root, keys->key[k].path, keys->bands) &&
+                fabs(value - wanted) <= SAME * fabs(wanted);
             out->is_own[k * conditions + c] = is_shared(&keys->key[k]) &&
                                               murk_free_key_is_in(keys, k, c) &&
                                               !is_same;

@@ -337,6 +337,9 @@ static void print_next(const murk_fit_facts *f)
     }
 }
 
+/* Beyond this more photons would pay. */
+#define MUCH_NOISE .5
+
 void murk_print_fit(const murk_fit_facts *f)
 {
     const murk_calibration *c = f->found;
@@ -346,6 +349,11 @@ void murk_print_fit(const murk_fit_facts *f)
         printf("light       %llu photons, traced %zu times; effective share of "
                "the last %.2f\n",
                (unsigned long long)c->photons, c->traces, c->effective_share);
+    }
+    if (c->slope_noise > MUCH_NOISE) {
+        printf("            %.0f %% of what they seem to tell of something is "
+               "their noise: --emit more\n",
+               100 * c->slope_noise);
     }
     if (!f->only_predicts) {
         for (size_t k = 0; k < f->keys->n; ++k) {

@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A value nearer to a bound than this share of itself or of 1 is at it. */
+/* A value nearer to a bound than this share of itself or of 1 is at it; a
+ * factor, which may be of any size, of itself. */
 #define AT_BOUND 1e-6
 
 #define NORMAL_95 1.959963984540054
@@ -78,6 +79,9 @@ static double scale_of(const murk_free_key *key, double value)
     if (key->is_log) {
         return 1;
     }
+    if (key->kind == MURK_FREE_GAIN && value > 0) {
+        return value; /* of counts, which may be of any size */
+    }
     return isfinite(key->lower) && isfinite(key->upper)
                ? key->upper - key->lower
                : fmax(fabs(value), 1);
@@ -86,7 +90,10 @@ static double scale_of(const murk_free_key *key, double value)
 static bool is_at_bound(const murk_free_key *key, double value)
 {
     const double at = key->is_log ? log(value) : value;
-    const double near = AT_BOUND * fmax(1, key->is_log ? 1 : fabs(value));
+    const double size = key->is_log                   ? 1
+                        : key->kind == MURK_FREE_GAIN ? fabs(value)
+                                                      : fmax(1, fabs(value));
+    const double near = AT_BOUND * size;
     return at - murk_free_lowest(key) <= near ||
            murk_free_highest(key) - at <= near;
 }
@@ -149,6 +156,7 @@ static murk_status inform(murk_calibration *out, const murk_fit_search *s,
         status =
             murk_slope_noise_information(out->jacobian, &out->slope_noise,
                                          &noise, room + rows, rows, n, err);
+        out->slope_noise = fmin(out->slope_noise, 1); /* which is all of it */
     }
     murk_slope_noise_release(&noise);
     free(room);
