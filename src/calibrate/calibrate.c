@@ -114,8 +114,8 @@ static void tell_values(murk_calibration *out, const murk_free_keys *keys)
         out->upper[k] = high > keys->key[k].upper ? keys->key[k].upper : high;
         for (size_t j = 0; j < n; ++j) {
             out->covariance[k * n + j] =
-                out->certainty.covariance[k * n + j] * (is_log ? v : 1) *
-                (keys->key[j].is_log ? out->value[j] : 1);
+                out->certainty.covariance[k * n + j] *
+                ((is_log ? v : 1) * (keys->key[j].is_log ? out->value[j] : 1));
             out->correlation[k * n + j] = out->certainty.correlation[k * n + j];
         }
     }
