@@ -282,6 +282,7 @@ def water(path, wanted, casts=None):
 
 SEA_BAND_NM = (526.5, 536.5)
 SEA_ERROR = .05          # of the reading
+SEA_BEAM_LEAST = .01     # likewise, at least
 SEA_DEPTHS_M = (4, 40)   # boat and waves above, weather within a cast below
 SEA_STEP_M = 4
 SEA_RADIUS_M = 1.4       # much less than 1 / K: the mean over it is 1 % high
@@ -329,11 +330,12 @@ def sea_station(path, station):
     return known, points
 
 
-def sea(path, station, acceptance_deg=None, with_beam=True, near_m=None):
-    """A station's light against depth, its beam attenuation (if with_beam, the
-    mean over these depths) as seen with that acceptance."""
+def sea(path, station, acceptance_deg=None, with_beam=True):
+    """A station's light against depth; and, if with_beam, the mean of its beam
+    attenuation over these depths, as seen with that acceptance, to 1 % or its
+    scatter."""
     known, points = sea_station(path, station)
-    low, high = near_m or SEA_DEPTHS_M
+    low, high = SEA_DEPTHS_M
     within = [p for p in points if low <= p[0] <= high]
     light = [(d, e) for d, e, _ in within
              if e and e > 0 and math.isclose(d % SEA_STEP_M, 0)]
@@ -346,12 +348,13 @@ def sea(path, station, acceptance_deg=None, with_beam=True, near_m=None):
              f"{SEA_STEP_M} m, or without a reading"]
     c = sum(beam) / len(beam)
     rows = [{"kind": "fluence", "x_m": 0, "y_m": 0, "z_m": -d,
-             "radius_m": SEA_RADIUS_M, "gain": "e0", "unit": "relative", "value": e,
-             "standard_error": float(f"{SEA_ERROR * e:.6g}"), "use": "fit"}
+             "radius_m": SEA_RADIUS_M, "gain": "e0", "unit": "relative",
+             "value": e, "standard_error": float(f"{SEA_ERROR * e:.6g}"),
+             "use": "fit"}
             for d, e in light]
     if with_beam:
         spread = math.sqrt(sum((x - c) ** 2 for x in beam) / len(beam))
-        error = max(spread / math.sqrt(len(beam)), .01 * c)
+        error = max(spread / math.sqrt(len(beam)), SEA_BEAM_LEAST * c)
         z = -(low + high) / 2
         rows.append({"kind": "transmittance", "x_m": 0, "y_m": 0, "z_m": z,
                      "x2_m": SEA_PATH_M, "y2_m": 0, "z2_m": z,
