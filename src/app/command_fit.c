@@ -66,6 +66,11 @@ static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
                          "has no list of parameters, must be the fit.json of a "
                          "fit");
     }
+    if (list->n < 1 || list->n > MURK_FREE_MAX) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "%zu parameters, must be 1..%d", list->n,
+                         MURK_FREE_MAX);
+    }
     for (size_t i = 0; i < list->n; ++i) {
         const murk_yaml *item = list->child[i];
         const bool is_map = item->kind == MURK_YAML_MAP;

@@ -133,6 +133,15 @@ static void add_next(cJSON *root, const murk_fit_facts *f)
                             murk_reading_unit_name(f->next->unit));
     cJSON_AddStringToObject(object, "condition",
                             condition_of(f->scene, f->next->condition));
+    if (f->next->kind == MURK_READ_IRRADIANCE) {
+        murk_json_vector(object, "direction", f->next->direction);
+    }
+    if (f->next->kind != MURK_READ_COVERAGE) {
+        murk_json_number(object, "radius_m", f->next->radius_m);
+        murk_json_number(object, "band_nm",
+                         f->next->band < 0 ? NAN
+                                           : f->scene->band_nm[f->next->band]);
+    }
     murk_json_number(object, "relative_error", f->next->relative_error);
     cJSON_AddNumberToObject(object, "candidates", (double)f->next->candidates);
     cJSON_AddNumberToObject(object, "judged", (double)f->next->judged);
@@ -326,10 +335,15 @@ static void print_next(const murk_fit_facts *f)
 {
     for (size_t i = 0; f->next && i < f->next->n; ++i) {
         const murk_next_place *p = &f->next->place[i];
-        printf("%-11s %s at (%.4g, %.4g, %.4g) m, which should read %.4g %s\n",
-               i ? "" : "next", reading_kinds[f->next->kind],
-               p->pose.position.x, p->pose.position.y, p->pose.position.z,
-               p->predicted, murk_reading_unit_name(f->next->unit));
+        const murk_vec3 d = f->next->direction;
+        printf("%-11s %s at (%.4g, %.4g, %.4g) m", i ? "" : "next",
+               reading_kinds[f->next->kind], p->pose.position.x,
+               p->pose.position.y, p->pose.position.z);
+        if (f->next->kind == MURK_READ_IRRADIANCE) {
+            printf(" on a face to (%.3g, %.3g, %.3g)", d.x, d.y, d.z);
+        }
+        printf(", which should read %.4g %s\n", p->predicted,
+               murk_reading_unit_name(f->next->unit));
     }
     for (size_t k = 0; f->next && k < f->keys->n; ++k) {
         printf("%-11s %s to +- %.2g\n", k ? "" : "with these",

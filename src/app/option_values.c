@@ -210,6 +210,10 @@ murk_status murk_option_values_of(murk_options *out, const char *file,
                                   murk_error *err)
 {
     murk_yaml *root = NULL;
+    if (!*file) {
+        return murk_fail(err, MURK_BAD_VALUE, "--set @",
+                         "no name, must be --set @FILE");
+    }
     murk_status status = murk_yaml_read(&root, file, err);
     if (!status && root->kind != MURK_YAML_MAP) {
         status = murk_fail(err, MURK_BAD_FILE, file,

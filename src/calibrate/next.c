@@ -73,6 +73,9 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
     out->relative_error = error[n / 2];
     out->unit = (*example)->unit;
     out->condition = (*example)->condition;
+    out->direction = (*example)->direction;
+    out->radius_m = (*example)->radius_m;
+    out->band = (*example)->band;
     free(error);
     return MURK_OK;
 }

@@ -21,6 +21,10 @@ typedef struct murk_next {
     murk_reading_unit unit;
     size_t condition;      /* of the scene's; SIZE_MAX: as it stands */
     double relative_error; /* the median one of these readings */
+    /* as the first of these readings has them */
+    murk_vec3 direction; /* irradiance */
+    double radius_m;     /* of light */
+    int band;            /* -1: all together */
     size_t candidates, judged;
     murk_next_place *place; /* [n] best first */
     size_t n;

@@ -100,6 +100,21 @@ refused 'fit needs --free KEY' "$beams"
 refused 'fits nothing' "$beams" --free $fog --predict fit.json
 refused 'cannot read' "$beams" --predict "$dir/nowhere.json"
 refused 'has no list of parameters' "$beams" --predict "$dir/scene.yaml"
+i=0
+while [ $i -lt 600 ]; do
+    echo "- {key: media.fog.x$i, value: 1}"
+    i=$((i + 1))
+done | { echo 'parameters:'; cat; } >"$dir/long.json"
+echo '{parameters: []}' >"$dir/none.json"
+echo '{parameters: [{key: media.fog.albedo, value: 7}]}' >"$dir/seven.json"
+echo '{parameters: [{key: media.fog.albedo@noon, value: .7}]}' >"$dir/noon.json"
+refused 'long.json: 600 parameters, must be 1..512' "$beams" --predict "$dir/long.json"
+refused 'none.json: 0 parameters, must be 1..512' "$beams" --predict "$dir/none.json"
+refused 'media.fog.albedo: 7, must be 0..1' "$beams" --predict "$dir/seven.json"
+refused 'has no value of media.fog.albedo@scene' "$beams" --predict "$dir/noon.json"
+echo 'media.fog.albedo: [1, 2]' >"$dir/list.yaml"
+refused 'list.yaml:1:1: media.fog.albedo: must be a number or a word' "$beams" --free $fog --set "@$dir/list.yaml"
+refused '--set @: no name' "$beams" --free $fog --set @
 # a start that cannot be re-weighted, with advice
 refused 'must start above 0, by --set media.clean.extinction_per_m=VALUE' "$lights" --free media.clean.extinction_per_m
 refused 'must start above 0, by --set media.soot.albedo=VALUE' "$lights" --free media.soot.albedo
