@@ -1,10 +1,14 @@
 #include "calibrate/beams.h"
 #include "calibrate/model_parts.h"
+#include "calibrate/world_slopes.h"
 #include "fit/whitening.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* By how much slopes over a tiny step and over a wide one may differ. */
+#define STEEP 10
 
 static murk_status no_memory(murk_error *err)
 {
@@ -132,28 +136,62 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
     return status;
 }
 
+static murk_status beam_differences(double *out, const murk_model *m, size_t c,
+                                    const double *value, size_t k, double low,
+                                    double high, murk_error *err)
+{
+    const size_t beams = m->world[c].posts.beams;
+    double *moved = malloc((m->n + beams) * sizeof *moved);
+    if (!moved) {
+        return no_memory(err);
+    }
+    double *below = moved + m->n;
+    memcpy(moved, value, m->n * sizeof *moved);
+    moved[k] = low;
+    murk_status status = beams_at(below, m, c, moved, err);
+    moved[k] = high;
+    if (!status) {
+        status = beams_at(out, m, c, moved, err);
+    }
+    for (size_t i = 0; i < beams && !status; ++i) {
+        out[i] = (out[i] - below[i]) / (high - low);
+    }
+    free(moved);
+    return status;
+}
+
+/* Where a grid moves, level beams go by steps of its voxels: flat for the most
+ * part, and then a jump. Such slopes give way to those over a wide step. */
+static bool are_of_steps(const double *slope, const double *wide, size_t n)
+{
+    double of_slopes = 0, of_wide = 0;
+    for (size_t i = 0; i < n; ++i) {
+        of_slopes += slope[i] * slope[i];
+        of_wide += wide[i] * wide[i];
+    }
+    return of_slopes > STEEP * STEEP * of_wide ||
+           of_wide > STEEP * STEEP * of_slopes;
+}
+
+/* room[2 * beams]. */
 static murk_status beam_slopes(const murk_model *m, size_t c,
                                const double *value, size_t k, double *room,
                                double *slope, murk_error *err)
 {
     const murk_posts *posts = &m->world[c].posts;
-    double *moved = malloc(m->n * sizeof *moved), low, high;
-    if (!moved) {
-        return no_memory(err);
-    }
-    memcpy(moved, value, m->n * sizeof *moved);
+    const murk_free_key *key = &m->desc.keys->key[k];
+    double *wide = room + posts->beams, low, high;
     murk_free_key_around(m->desc.keys, k, value[k], &low, &high);
-    moved[k] = low;
-    murk_status status = beams_at(room, m, c, moved, err);
-    moved[k] = high;
-    if (!status) {
-        status = beams_at(room + posts->beams, m, c, moved, err);
+    murk_status status = beam_differences(room, m, c, value, k, low, high, err);
+    if (!status && key->kind == MURK_FREE_WORLD) {
+        murk_world_span(key, value[k], .5, &low, &high);
+        status = beam_differences(wide, m, c, value, k, low, high, err);
     }
+    const bool takes_wide = !status && key->kind == MURK_FREE_WORLD &&
+                            are_of_steps(room, wide, posts->beams);
     for (size_t i = 0; i < posts->beams && !status; ++i) {
-        slope[posts->beam_row[i] * m->n + k] =
-            (room[posts->beams + i] - room[i]) / (high - low);
+        slope[posts->beam_row[i] * m->n + k] = takes_wide ? wide[i] : room[i];
     }
-    free(moved);
     return status;
 }
 

@@ -14,8 +14,8 @@ typedef struct difference {
     double *slope, *variance; /* [lit] */
 } difference;
 
-static void span_of(const murk_free_key *key, double value, double share,
-                    double *low, double *high)
+void murk_world_span(const murk_free_key *key, double value, double share,
+                     double *low, double *high)
 {
     const bool is_bounded = isfinite(key->lower) && isfinite(key->upper);
     const double step =
@@ -69,7 +69,7 @@ static murk_status difference_over(difference *out, const murk_lit_desc *desc,
     murk_status status =
         moved ? MURK_OK
               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");
-    span_of(&desc->keys->key[key], value[key], share, &end[0], &end[1]);
+    murk_world_span(&desc->keys->key[key], value[key], share, &end[0], &end[1]);
     for (int i = 0; i < 2 && !status; ++i) {
         memcpy(moved, value, n * sizeof *moved);
         moved[key] = end[i];

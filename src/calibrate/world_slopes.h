@@ -18,4 +18,9 @@ murk_status murk_world_slopes(double *slope, double *slope_error,
                               const murk_measurements *measured, size_t key,
                               const double *value, murk_error *err);
 
+/* The two values around it that differences are over: share 1 of the wide step,
+ * 1/2 of the narrow one. */
+void murk_world_span(const murk_free_key *key, double value, double share,
+                     double *low, double *high);
+
 #endif

@@ -244,6 +244,39 @@ def test_outliers_pull_less(f):
     check(off["cauchy:0.5"] < off["cauchy"], off)
 
 
+def test_a_layers_height_by_beams(f):
+    """Upright beams through its top: T = exp(-e (h - .5)), so dT/dh = -e T."""
+    key, region = "regions.0.below_z_m", "regions=[{medium: fog, below_z_m: 1.5}]"
+    rows = [
+        dict(kind="transmittance", x_m=x, y_m=1, z_m=0.5, x2_m=x, y2_m=1, z2_m=2.5, unit="fraction", value=1, standard_error=0.01)
+        for x in (1, 2, 3)
+    ]
+    f.write_rows("height.csv", f.planted(rows, {key: 1.8}, "--set", region))
+    fit = f.run("height.csv", "--free", key, "--set", region)
+    found = value_of(fit, key)
+    check(abs(found["value"] - 1.8) < 1e-6 and fit["traces"] == 0, found)
+    error = 0.01 / math.sqrt(3) / (0.5 * math.exp(-0.5 * 1.3))
+    check(abs(found["standard_error"] / error - 1) < 1e-3, found, error)
+
+
+def test_voxels_are_no_cliffs(f):
+    """Level beams through a grid that is raised go by jumps, of which no error
+    bar may be made: it would be some millionths of a metre."""
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    scene = os.path.join(root, "scenes", "calibrate-smoke")
+    done = subprocess.run(
+        [f.murk, "fit", scene + ".yaml", "--data", os.path.join(root, "scenes/calibrate/smoke.csv")]
+        + ["--free", "media.smoke.extinction_per_m,regions.0.translate_m.2"]
+        + ["--emit", "20000", "--format", "json", "-q"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    check(done.returncode == 0, done.stderr)
+    error = value_of(json.loads(done.stdout), "regions.0.translate_m.2")["standard_error"]
+    check(error is None or error > 1e-3, error)
+
+
 def test_a_kill_leaves_nothing(f):
     done = subprocess.Popen(
         f.command("light.csv", "--free", FOG, "--starts", "1000", "-o", f.at("killed")),
@@ -269,6 +302,8 @@ def main():
     test_size_of_relative_light_does_not_matter(f)
     test_units_do_not_matter(f)
     test_outliers_pull_less(f)
+    test_a_layers_height_by_beams(f)
+    test_voxels_are_no_cliffs(f)
     test_a_kill_leaves_nothing(f)
     return failures != 0
 
