@@ -50,18 +50,21 @@ static void name_of(char out[NAME_SIZE], const murk_results_in *results)
 static void write_head(FILE *to, const char *name)
 {
     const murk_web_file *css = find_file("page.css");
-    char style[MURK_PAGE_HASH_SIZE];
+    const murk_web_file *view = find_file("view.js");
+    char style[MURK_PAGE_HASH_SIZE], script[MURK_PAGE_HASH_SIZE];
     murk_page_hash(style, css->text, css->size);
+    murk_page_hash(script, view->text, view->size);
     fprintf(to,
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
             "<meta charset=\"utf-8\">\n"
             "<meta http-equiv=\"Content-Security-Policy\" content=\""
             "default-src &#39;none&#39;; style-src &#39;%s&#39;; "
+            "script-src &#39;%s&#39;; "
             "base-uri &#39;none&#39;; form-action &#39;none&#39;\">\n"
             "<meta name=\"viewport\" content=\"width=device-width\">\n"
             "<meta name=\"generator\" content=\"murk %s\">\n"
             "<title>",
-            style, MURK_VERSION);
+            style, script, MURK_VERSION);
     murk_page_text(to, name);
     fputs(" \xe2\x80\x93 murk</title>\n<style>", to);
     (void)fwrite(css->text, 1, css->size, to);
@@ -113,7 +116,9 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
     write_contents(to, results, scene);
     fputs("</header>\n<main id=\"main\">\n", to);
     murk_status status = murk_report_plan(to, results, err);
-    murk_report_plans(to, scene);
+    if (!status) {
+        status = murk_report_plans(to, scene, err);
+    }
     if (!status) {
         status = murk_report_study(to, results, err);
     }
@@ -124,8 +129,15 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
     murk_report_made(to, results);
     fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
           ". This page is one file and loads nothing from elsewhere."
-          "</footer>\n</body>\n</html>\n",
+          "</footer>\n",
           to);
+    if (scene->points.n + scene->sensors > 0) {
+        const murk_web_file *view = find_file("view.js");
+        fputs("<script>", to);
+        (void)fwrite(view->text, 1, view->size, to);
+        fputs("</script>\n", to);
+    }
+    fputs("</body>\n</html>\n", to);
     return status;
 }
 

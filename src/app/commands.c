@@ -64,7 +64,8 @@ const murk_command murk_commands[] = {
      "or trace left in DIR: tables, plots, sensors and photons in space, how "
      "it was made and the commands that make it again. The page is one file, "
      "loads nothing from elsewhere, and can be read without JavaScript and "
-     "printed. At most 100000 photons are shown, and it says so.",
+     "printed. At most 100000 photons and 40000 triangles are shown, and it "
+     "says so.",
      murk_command_report},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
      "Traces the one photon again, event by event: a photon is a pure function "

@@ -144,14 +144,15 @@ static void draw(FILE *to, projection *p, const murk_report_scene *s)
     fprintf(to, "</svg>\n<figcaption>%s</figcaption>\n</figure>\n", p->name);
 }
 
-void murk_report_plans(FILE *to, const murk_report_scene *scene)
+murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
+                              murk_error *err)
 {
     projection above = {
         .name = "From above: x to the right, y up", .across = 0, .up = 1};
     projection side = {
         .name = "From the side: x to the right, z up", .across = 0, .up = 2};
     if (scene->points.n + scene->sensors == 0) {
-        return;
+        return MURK_OK;
     }
     murk_page_section_begin(to, "where", "Where they are");
     fputs("<p class=\"key\"><span class=\"place\"></span>sensor, range dashed",
@@ -163,22 +164,24 @@ void murk_report_plans(FILE *to, const murk_report_scene *scene)
               to);
     }
     fputs("</p>\n", to);
-    if (scene->points.n > 0) {
-        const size_t step = scene->points.n / DOTS_MAX + 1;
-        fprintf(to,
-                "<p class=\"note\">%zu of the %llu stored photons are "
-                "drawn here, evenly chosen.</p>\n",
-                (scene->points.n + step - 1) / step,
-                (unsigned long long)scene->points.photons);
-    }
     if (scene->note[0]) {
         fputs("<p class=\"note\">", to);
         murk_page_text(to, scene->note);
         fputs("</p>\n", to);
+    }
+    const murk_status status = murk_report_view(to, scene, err);
+    if (scene->points.n > 0) {
+        const size_t step = scene->points.n / DOTS_MAX + 1;
+        fprintf(to,
+                "<p class=\"note\">%zu of the %llu stored photons are "
+                "drawn below, evenly chosen.</p>\n",
+                (scene->points.n + step - 1) / step,
+                (unsigned long long)scene->points.photons);
     }
     fputs("<div class=\"plans\">\n", to);
     draw(to, &above, scene);
     draw(to, &side, scene);
     fputs("</div>\n", to);
     murk_page_section_end(to);
+    return status;
 }

@@ -52,7 +52,8 @@ static murk_status read_sensors(murk_report_scene *out, const murk_yaml *plan,
         const char *type = murk_result_text(item, "type");
         const murk_shown_sensor sensor = {
             .place = vector_at(item, "position_m"),
-            .axis = vector_at(item, "axis"),
+            .heading_deg = murk_result_number(item, "heading_deg"),
+            .tilt_deg = murk_result_number(item, "tilt_deg"),
             .type = type ? type : "",
             .of = type_of(out->scene, type ? type : ""),
             .covers = murk_result_number(item, "covers"),
@@ -87,12 +88,16 @@ murk_status murk_report_scene_read(murk_report_scene *out,
     const murk_yaml *made = results->json[MURK_RESULT_PLAN];
     const murk_yaml *plan = made ? made : results->json[MURK_RESULT_COVERAGE];
     murk_error why = {0};
-    if (murk_results_has(results->folder, "scene.yaml")) {
+    if (plan && murk_results_has(results->folder, "scene.yaml")) {
         char *path = murk_results_path(results->folder, "scene.yaml");
         if (path && murk_scene_read(&out->scene, path, NULL, 0, &why)) {
             note(out, &why,
                  "scene.yaml cannot be read again, so ranges and surfaces are "
                  "not shown");
+        } else if (path && murk_stage_create(&out->stage, out->scene, &why)) {
+            note(out, &why,
+                 "What the scene names cannot be read again, so surfaces and "
+                 "media are not shown");
         }
         free(path);
     }
@@ -114,6 +119,7 @@ murk_status murk_report_scene_read(murk_report_scene *out,
 
 void murk_report_scene_release(murk_report_scene *scene)
 {
+    murk_stage_destroy(scene->stage);
     murk_scene_destroy(scene->scene);
     murk_plan_points_release(&scene->points);
     free(scene->sensor);

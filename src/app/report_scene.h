@@ -5,13 +5,13 @@
 
 #include "app/plan_points.h"
 #include "app/results_in.h"
-#include "scene/scene.h"
+#include "study/stage.h"
 
 #include <stdio.h>
 
 typedef struct murk_shown_sensor {
     murk_vec3 place;
-    murk_vec3 axis;                   /* of its view */
+    double heading_deg, tilt_deg;     /* NaN: sees all round */
     const char *type;                 /* "" where there is none */
     const murk_scene_sensor_type *of; /* of the scene; NULL: not known */
     double covers, only;              /* NaN: not known */
@@ -19,6 +19,7 @@ typedef struct murk_shown_sensor {
 
 typedef struct murk_report_scene {
     murk_scene *scene; /* NULL: not there, or cannot be read */
+    murk_stage *stage; /* NULL: likewise, or what it names is not there */
     murk_plan_points points;
     murk_shown_sensor *sensor; /* [sensors] */
     size_t sensors;
@@ -36,8 +37,15 @@ murk_status murk_report_scene_read(murk_report_scene *out,
                                    murk_error *err);
 void murk_report_scene_release(murk_report_scene *scene);
 
-/* The scene from above and from the side, as inline SVG; nothing where there
- * is neither sensor nor photon. */
-void murk_report_plans(FILE *to, const murk_report_scene *scene);
+/* The view in space: a section that the page's script fills, and its data;
+ * what is shown of how much is said in it. Needs what murk_report_plans() does.
+ * Fails with MURK_NO_MEMORY. */
+murk_status murk_report_view(FILE *to, const murk_report_scene *scene,
+                             murk_error *err);
+
+/* The section of places: the view, and the scene from above and from the side
+ * as inline SVG; nothing where there is neither sensor nor photon. */
+murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
+                              murk_error *err);
 
 #endif

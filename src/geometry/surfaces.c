@@ -128,6 +128,24 @@ murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *s)
     return facts;
 }
 
+void murk_surfaces_triangle(const murk_surfaces *s, size_t i,
+                            murk_vec3 corner[3])
+{
+    assert(i < s->soup.triangles);
+    const murk_triangle t = murk_soup_triangle(&s->soup, i);
+    corner[0] = murk_add(t.a, s->soup.anchor);
+    corner[1] = murk_add(t.b, s->soup.anchor);
+    corner[2] = murk_add(t.c, s->soup.anchor);
+}
+
+void murk_surfaces_sphere(const murk_surfaces *s, size_t i, murk_vec3 *center,
+                          double *radius_m)
+{
+    assert(i < s->soup.balls);
+    *center = murk_add(s->soup.ball[i].center, s->soup.anchor);
+    *radius_m = s->soup.ball[i].radius;
+}
+
 double murk_surfaces_material_area(const murk_surfaces *s, size_t material)
 {
     assert(material < s->n_materials);

@@ -131,6 +131,13 @@ typedef struct murk_surfaces_facts {
 
 murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *surfaces);
 
+/* The i-th of murk_surfaces_describe().triangles, in no order that means
+ * anything: its corners in the world [m]; and of the spheres. */
+void murk_surfaces_triangle(const murk_surfaces *surfaces, size_t i,
+                            murk_vec3 corner[3]);
+void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,
+                          murk_vec3 *center, double *radius_m);
+
 /* Area [m2] of one material. */
 double murk_surfaces_material_area(const murk_surfaces *surfaces,
                                    size_t material);

@@ -133,7 +133,7 @@ def main(murk, is_sanitized):
         plan()
         write("plan.ply", (PLY % 250000).encode() +
               b"".join(photon(k * 1e-3, 1 + k % 2, k % 3) for k in range(250000)))
-        run(0, "of the 250000 stored photons")
+        run(0, "Of 250000 stored photons 100000 are shown")
         plan()
         write("scene.yaml", "murk: 1\nnonsense: 3\n")
         run(0, "scene.yaml cannot be read again")

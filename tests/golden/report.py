@@ -5,12 +5,15 @@ of the results, and takes names for what they are: text. Standard library only.
 usage: report.py MURK
 """
 
+import array
 import base64
 import hashlib
 import html.parser
 import json
+import math
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -95,6 +98,19 @@ class Page(html.parser.HTMLParser):
             self.text += data
 
 
+def block(text, name):
+    return re.search(f'<script type="[a-z/]*" id="{name}">([^<]*)</script>', text).group(1)
+
+
+def photons_of(path):
+    """x, y, z, seen_by of plan.ply's photons."""
+    with open(path, "rb") as file:
+        head, body = file.read().split(b"end_header\n", 1)
+    n = int(re.search(rb"element vertex (\d+)", head).group(1))
+    rows = struct.iter_unpack("<3f4BHf", body[:22 * n])
+    return [(*row[:3], row[7]) for row in rows if row[6] in (1, 2)]
+
+
 def hash_of(text):
     digest = hashlib.sha256(text.encode()).digest()
     return "'sha256-" + base64.b64encode(digest).decode() + "'"
@@ -110,6 +126,9 @@ def read(path):
     check("unsafe" not in page.policy and "http" not in page.policy, page.policy)
     for style in page.inside.get("style", []):
         check(hash_of(style) in page.policy, "the style's hash is not in", page.policy)
+    scripts = [s for s in page.inside.get("script", []) if len(s) > 100000 and " " in s]
+    check(all(hash_of(s) in page.policy for s in scripts), "the script's hash")
+    check(page.policy.count("sha256-") == 2, page.policy)
     for link in page.links:
         check(link in page.ids, "no such place:", link)
     check("img" not in page.tags, "a name became a tag")
@@ -158,6 +177,34 @@ def main(murk):
         check(page.tags.count("table") >= 5, "tables")
         photons = plan["photons"]["surface"] + plan["photons"]["volume"]
         check(told["photons"] == photons == told["photons_shown"], told)
+
+        # the view's data: places within half a step of the photons' own, all
+        # of them, in order; triangles of both boxes, one sphere, names as text
+        with open(at("plan/report.html"), encoding="utf-8") as file:
+            text = file.read()
+        data = json.loads(block(text, "view-data"))
+        places = array.array("H", base64.b64decode(block(text, "photon-places")))
+        seen = base64.b64decode(block(text, "photon-seen"))
+        want = photons_of(at("plan/plan.ply"))
+        check(len(want) == photons == len(seen) == len(places) // 3 == data["photons"],
+              "photons in the view")
+        low, high = data["photon_box"]["low"], data["photon_box"]["high"]
+        far = max(abs(low[k] + (high[k] - low[k]) * places[3 * i + k] / 65535 - want[i][k])
+                  for i in range(photons) for k in range(3))
+        check(far <= .5001 * max(h - l for l, h in zip(low, high)) / 65535, "places off by", far)
+        check(list(seen) == [w[3] for w in want], "seen by")
+        check(data["surface_photons"] == plan["photons"]["surface"], "photons on surfaces")
+        check(len(base64.b64decode(block(text, "mesh-corners"))) == 24 * 12, "triangles")
+        check(data["balls"] == [{"center": [3, 3, 1], "radius": 0.3}] or
+              abs(data["balls"][0]["radius"] - 0.3) < 1e-6, data["balls"])
+        check([s["type"] for s in data["sensors"]] == [s["type"] for s in plan["sensors"]],
+              "names in the view")
+        for shown, sensor in zip(data["sensors"], plan["sensors"]):
+            check(shown["place"] == sensor["position_m"], shown)
+            check(sensor["heading_deg"] is None or
+                  all(abs(a - b) < 1e-9 for a, b in zip(shown["axis"], sensor["axis"])), shown)
+        cells = base64.b64decode(block(text, "media-cells"))
+        check(len(cells) == math.prod(data["media"]["size"]) and set(cells) == {255}, "even fog")
 
         # the command of the page gives the same plan
         run("place", "plan/scene.yaml", "-o", "again", "--quiet")
