@@ -77,6 +77,7 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
         f->channels = murk_lights_channels(desc->stage->lights);
         f->bands = desc->stage->world.bands;
         f->media = desc->media;
+        f->receivers = desc->receivers;
         f->medium = calloc(desc->media + 1, sizeof *f->medium);
         f->emitted_in = calloc(f->channels, sizeof *f->emitted_in);
         f->packet_w = calloc(f->channels, sizeof *f->packet_w);

@@ -75,6 +75,7 @@ murk_contribution_is_record(const murk_contribution *contribution)
 typedef struct murk_followed {
     size_t media, *medium; /* [media] numbers of the scene */
     uint64_t emitted;      /* photons */
+    size_t receivers;      /* that were asked for */
     int bands;
     size_t channels;      /* light * bands + band */
     uint64_t *emitted_in; /* [channels] photons */

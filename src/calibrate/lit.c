@@ -1,5 +1,6 @@
 #include "calibrate/lit.h"
 
+#include "base/interrupt.h"
 #include "study/units.h"
 
 #include <stdlib.h>
@@ -108,6 +109,7 @@ void murk_lit_rows_release(murk_lit_rows *rows)
     free(rows->slope);
     free(rows->batch);
     free(rows->run);
+    murk_reweighed_release(&rows->reweighed);
     *rows = (murk_lit_rows){0};
 }
 
@@ -193,10 +195,9 @@ static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
         free(run);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
     }
-    murk_receivers_read(out->value, out->slope, batch, d->batches,
-                        keys ? run : NULL, d->runs, posts->receiver,
-                        lit->per_watt, posts->receivers, lit->followed,
-                        reweighed);
+    murk_receivers_read(out->value, out->slope, batch, d->batches, run, d->runs,
+                        posts->receiver, lit->per_watt, posts->receivers,
+                        lit->followed, reweighed, d->threads);
     place_runs(out, d, run, 0, posts->receivers, keys, NULL);
     free(run);
     for (size_t b = 0; b < d->batches; ++b) {
@@ -205,7 +206,9 @@ static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
         }
     }
     free(batch);
-    return MURK_OK;
+    return murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : MURK_OK;
 }
 
 murk_status murk_lit_read(murk_lit_rows *out, const murk_lit *lit,
@@ -213,17 +216,17 @@ murk_status murk_lit_read(murk_lit_rows *out, const murk_lit *lit,
                           const murk_optics *at, const murk_optics_sides *sides,
                           size_t keys, murk_error *err)
 {
-    murk_reweighed reweighed = {0};
-    murk_status status = murk_reweigh(&reweighed, lit->followed, lit->optics,
-                                      at, sides, keys, lit->desc->threads, err);
-    out->share = status ? 0 : reweighed.effective_share;
+    murk_reweighed *reweighed = &out->reweighed;
+    murk_status status =
+        murk_reweigh_again(reweighed, lit->followed, lit->optics, at, sides,
+                           keys, lit->desc->threads, err);
+    out->share = status ? 0 : reweighed->effective_share;
     if (!status && lit->desc->posts->receivers) {
-        status = read_receivers(out, lit, &reweighed, err);
+        status = read_receivers(out, lit, reweighed, err);
     }
     if (!status && lit->desc->posts->groups) {
         status =
-            read_groups(out, lit, &reweighed, measured, at, sides, keys, err);
+            read_groups(out, lit, reweighed, measured, at, sides, keys, err);
     }
-    murk_reweighed_release(&reweighed);
     return status;
 }

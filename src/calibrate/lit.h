@@ -42,6 +42,7 @@ void murk_lit_release(murk_lit *lit);
 typedef struct murk_lit_rows {
     double *value, *slope, *batch, *run;
     double share;
+    murk_reweighed reweighed; /* room that the next reading uses again */
 } murk_lit_rows;
 
 /* Room for desc's rows; fails with MURK_NO_MEMORY; release it always. */

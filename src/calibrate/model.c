@@ -299,6 +299,7 @@ murk_status murk_model_trace(murk_model *m, const double *value,
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
         murk_lit_release(&w->lit);
+        murk_reweighed_release(&w->rows.reweighed); /* before more is needed */
         const double begun_s = murk_clock_s();
         status = murk_lit_create(&w->lit, &w->desc, value, err);
         if (!status) {

@@ -1,50 +1,99 @@
 /* What receivers read of re-weighted light. */
+#include "base/crew.h"
 #include "calibrate/reweigh.h"
 
+#include <assert.h>
 #include <string.h>
+
+typedef struct job {
+    double *batch, *slope_batch; /* as murk_receivers_read() says */
+    size_t batches, runs, receivers;
+    const murk_receiver *receiver;
+    const murk_spectrum *per_watt;
+    const murk_followed *followed;
+    const murk_reweighed *reweighed;
+} job;
+
+/* Photons are in order. */
+static size_t first_of_run(const job *j, uint64_t run)
+{
+    const murk_followed *f = j->followed;
+    size_t low = 0, high = f->n;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        const uint64_t photon = f->contribution[middle].photon;
+        if (photon * j->runs / f->emitted < run) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* Of a ratio of 1. */
+static double worth_of(const job *j, const murk_contribution *c)
+{
+    const murk_followed *f = j->followed;
+    const size_t lights = f->channels / (size_t)f->bands;
+    const double radius = j->receiver[c->receiver].radius_m;
+    const double volume = 4. / 3 * MURK_PI * radius * radius * radius;
+    return (double)c->value *
+           f->packet_w[c->light * (size_t)f->bands + c->band] *
+           j->per_watt[c->receiver * lights + c->light].band[c->band] / volume;
+}
+
+/* Its batches are its own. */
+static void read_run(void *context, uint64_t run)
+{
+    const job *j = context;
+    const murk_followed *f = j->followed;
+    const size_t keys = j->reweighed->keys;
+    const size_t last = first_of_run(j, run + 1);
+    for (size_t i = first_of_run(j, run); i < last; ++i) {
+        const murk_contribution *c = &f->contribution[i];
+        if (murk_contribution_is_record(c)) {
+            continue;
+        }
+        const double worth = worth_of(j, c);
+        const size_t b =
+            (size_t)(c->photon * (uint64_t)j->batches / f->emitted);
+        j->batch[b * j->receivers + c->receiver] +=
+            worth * j->reweighed->ratio[i];
+        double *slope =
+            j->slope_batch + (run * j->receivers + c->receiver) * keys;
+        for (size_t k = 0; k < keys; ++k) {
+            slope[k] += worth * j->reweighed->slope[k * f->n + i];
+        }
+    }
+}
 
 void murk_receivers_read(double *value, double *slope, double *batch,
                          size_t batches, double *slope_batch, size_t runs,
                          const murk_receiver *receiver,
                          const murk_spectrum *per_watt, size_t receivers,
                          const murk_followed *followed,
-                         const murk_reweighed *reweighed)
+                         const murk_reweighed *reweighed, unsigned threads)
 {
-    const murk_followed *f = followed;
-    const size_t keys = reweighed->keys;
-    const size_t lights = f->channels / (size_t)f->bands;
+    const size_t keys = reweighed->keys, slopes = receivers * keys;
+    job j = {batch,    slope_batch, batches,  runs,     receivers,
+             receiver, per_watt,    followed, reweighed};
+    if (!slope_batch) { /* one run of all */
+        j.slope_batch = slope;
+        j.runs = 1;
+    }
+    assert(batches % j.runs == 0);
     memset(value, 0, receivers * sizeof *value);
-    memset(slope, 0, receivers * keys * sizeof *slope);
+    memset(slope, 0, slopes * sizeof *slope);
     memset(batch, 0, batches * receivers * sizeof *batch);
-    if (slope_batch) {
-        memset(slope_batch, 0, runs * receivers * keys * sizeof *slope_batch);
-    }
-    for (size_t i = 0; i < f->n; ++i) {
-        const murk_contribution *c = &f->contribution[i];
-        const size_t r = c->receiver;
-        if (murk_contribution_is_record(c)) {
-            continue;
-        }
-        const double radius = receiver[r].radius_m;
-        const double volume = 4. / 3 * MURK_PI * radius * radius * radius;
-        const double worth =
-            (double)c->value *
-            f->packet_w[c->light * (size_t)f->bands + c->band] *
-            per_watt[r * lights + c->light].band[c->band] / volume;
-        const size_t b = (size_t)(c->photon * (uint64_t)batches / f->emitted);
-        batch[b * receivers + r] += worth * reweighed->ratio[i];
-        const size_t run = (size_t)(c->photon * (uint64_t)runs / f->emitted);
-        for (size_t k = 0; k < keys; ++k) {
-            const double part = worth * reweighed->slope[k * f->n + i];
-            slope[r * keys + k] += part;
-            if (slope_batch) {
-                slope_batch[(run * receivers + r) * keys + k] += part;
-            }
-        }
-    }
+    memset(j.slope_batch, 0, j.runs * slopes * sizeof *j.slope_batch);
+    murk_crew_run(threads, j.runs, read_run, &j);
     for (size_t b = 0; b < batches; ++b) {
         for (size_t r = 0; r < receivers; ++r) {
             value[r] += batch[b * receivers + r];
         }
+    }
+    for (size_t i = 0; slope_batch && i < runs * slopes; ++i) {
+        slope[i % slopes] += slope_batch[i];
     }
 }

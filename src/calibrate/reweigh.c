@@ -15,7 +15,6 @@
 /* Below, the series of the mean's slope is right to rounding; beyond, its
  * closed form loses less than another ten. */
 #define SERIES_BELOW 0.1
-#define SERIES_TERMS 10
 
 /* A density of 0 counts as this, whose logarithm is finite. */
 #define LEAST_DENSITY 1e-300
@@ -34,16 +33,19 @@ static double mean_along(double x)
     return x == 0 ? 1 : -expm1(-x) / x;
 }
 
-static double mean_slope(double x)
+/* mean: mean_along(x). */
+static double mean_slope(double x, double mean)
 {
+    /* (-1)^n n / (n + 1)! of x^(n - 1) */
+    static const double term[] = {
+        -1. / 2,    2. / 6,      -3. / 24,     4. / 120,      -5. / 720,
+        6. / 5040., -7. / 40320, 8. / 362880., -9. / 3628800, 10. / 39916800};
     if (fabs(x) >= SERIES_BELOW) {
-        return (exp(-x) - mean_along(x)) / x;
+        return (exp(-x) - mean) / x;
     }
-    double sum = 0; /* of (-1)^n n x^(n - 1) / (n + 1)! */
-    double term = -.5;
-    for (int n = 1; n <= SERIES_TERMS; ++n) {
-        sum += term;
-        term *= -x * (n + 1) / ((double)n * (n + 2));
+    double sum = 0;
+    for (size_t n = sizeof term / sizeof *term; n-- > 0;) {
+        sum = sum * x + term[n];
     }
     return sum;
 }
@@ -160,6 +162,7 @@ static void reweigh_one(const job *j, turns *t, size_t i)
     const double power = c->power[channel];
     const double before = exp(w.log_ratio), mean = mean_along(w.x);
     const double path = before * mean; /* but for scatterings that are 0 */
+    const double bend = c->keys ? before * mean_slope(w.x, mean) : 0;
     const bool is_cut = !(path * power <= MURK_RATIO_MAX);
     j->out->ratio[i] = is_cut ? MURK_RATIO_MAX : w.zeros > 0 ? 0 : path * power;
     for (size_t k = 0; k < c->keys; ++k) {
@@ -176,8 +179,7 @@ static void reweigh_one(const job *j, turns *t, size_t i)
         double log_slope = t->slope[k], x_slope = 0;
         weigh_slope(j, k, i, band, &log_slope, &x_slope);
         *slope =
-            power * (path * log_slope +
-                     (x_slope != 0 ? before * mean_slope(w.x) * x_slope : 0)) +
+            power * (path * log_slope + (x_slope != 0 ? bend * x_slope : 0)) +
             path * c->power_slope[k * c->channels + channel];
     }
 }
@@ -207,45 +209,111 @@ static double share_of(const worth *w)
     return w->sum > 0 ? w->ratio * w->ratio / (w->sum * w->squares) : 1;
 }
 
-static size_t receivers_of(const murk_followed *f)
-{
-    size_t most = 0;
-    for (size_t i = 0; i < f->n; ++i) {
-        const murk_contribution *c = &f->contribution[i];
-        if (!murk_contribution_is_record(c) && c->receiver >= most) {
-            most = (size_t)c->receiver + 1;
-        }
-    }
-    return most;
-}
+/* Stretches of contributions that are summed apart. */
+#define STRETCHES 64
 
-static bool find_effective_share(murk_reweighed *out, const murk_followed *f)
+typedef struct share_job {
+    const murk_followed *followed;
+    const double *ratio;
+    worth *sums; /* [STRETCHES][kinds] receivers, then the maps */
+    size_t kinds;
+} share_job;
+
+static void add_stretch(void *context, uint64_t stretch)
 {
-    const size_t receivers = receivers_of(f);
-    worth *sums = calloc(receivers + 2, sizeof *sums);
-    if (!sums) {
-        return false;
-    }
-    for (size_t i = 0; i < f->n; ++i) {
+    const share_job *j = context;
+    const murk_followed *f = j->followed;
+    worth *sums = j->sums + stretch * j->kinds;
+    const size_t last = (stretch + 1) * f->n / STRETCHES;
+    for (size_t i = stretch * f->n / STRETCHES; i < last; ++i) {
         const murk_contribution *c = &f->contribution[i];
-        worth *w = c->receiver == MURK_RECORD_OF_SURFACE  ? &sums[receivers]
-                   : c->receiver == MURK_RECORD_OF_VOLUME ? &sums[receivers + 1]
+        worth *w = c->receiver == MURK_RECORD_OF_SURFACE  ? &sums[j->kinds - 2]
+                   : c->receiver == MURK_RECORD_OF_VOLUME ? &sums[j->kinds - 1]
                                                           : &sums[c->receiver];
         const double value = (double)c->value *
                              f->packet_w[c->light * (size_t)f->bands + c->band];
         w->sum += value;
-        w->ratio += value * out->ratio[i];
-        w->squares += value * out->ratio[i] * out->ratio[i];
+        w->ratio += value * j->ratio[i];
+        w->squares += value * j->ratio[i] * j->ratio[i];
     }
+}
+
+static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
+                                 unsigned threads)
+{
+    const size_t kinds = f->receivers + 2;
+    share_job j = {f, out->ratio, calloc(STRETCHES * kinds, sizeof *j.sums),
+                   kinds};
+    if (!j.sums) {
+        return false;
+    }
+    murk_crew_run(threads, STRETCHES, add_stretch, &j);
     out->effective_share = 1;
-    for (size_t i = 0; i < receivers + 2; ++i) {
+    for (size_t i = 0; i < kinds; ++i) {
+        worth all = j.sums[i];
+        for (size_t s = 1; s < STRETCHES; ++s) {
+            const worth *more = &j.sums[s * kinds + i];
+            all.sum += more->sum;
+            all.ratio += more->ratio;
+            all.squares += more->squares;
+        }
         /* a share that is no number is none: all ratios 0 */
-        const double share = share_of(&sums[i]);
+        const double share = share_of(&all);
         out->effective_share =
             share > 0 ? fmin(out->effective_share, share) : 0;
     }
-    free(sums);
+    free(j.sums);
     return true;
+}
+
+/* Room for n ratios and n * keys slopes. */
+static bool set_room(murk_reweighed *r, size_t n, size_t keys)
+{
+    if (!r->ratio || r->n != n || r->room < keys * n) {
+        murk_reweighed_release(r);
+        r->ratio = malloc((n + 1) * sizeof *r->ratio);
+        r->slope = malloc((keys * n + 1) * sizeof *r->slope);
+        r->room = keys * n;
+    }
+    r->n = n;
+    r->keys = keys;
+    return r->ratio && r->slope;
+}
+
+murk_status murk_reweigh_again(murk_reweighed *out,
+                               const murk_followed *followed,
+                               const murk_optics *traced, const murk_optics *at,
+                               const murk_optics_sides *sides, size_t keys,
+                               unsigned threads, murk_error *err)
+{
+    assert(out && threads >= 1);
+    const size_t n = followed->n;
+    murk_changes *changes = NULL;
+    murk_status status =
+        murk_changes_create(&changes, followed, traced, at, sides, keys, err);
+    if (status) {
+        return status;
+    }
+    double *turned = malloc((threads * keys + 1) * sizeof *turned);
+    if (!turned || !set_room(out, n, keys)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "fit",
+                           "no memory for %zu contributions and their slopes "
+                           "by %zu parameters",
+                           n, keys);
+        goto done;
+    }
+    job j = {followed, changes, out, turned};
+    murk_crew_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
+    const bool has_room = find_effective_share(out, followed, threads);
+    if (murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    } else if (!has_room) {
+        status = murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for sums");
+    }
+done:
+    free(turned);
+    murk_changes_destroy(changes);
+    return status;
 }
 
 murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
@@ -253,42 +321,15 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
                          const murk_optics_sides *sides, size_t keys,
                          unsigned threads, murk_error *err)
 {
-    assert(out && threads >= 1);
-    const size_t n = followed->n;
-    murk_reweighed made = {.n = n, .keys = keys};
-    murk_changes *changes = NULL;
-    double *turned = NULL;
-    murk_status status =
-        murk_changes_create(&changes, followed, traced, at, sides, keys, err);
+    murk_reweighed made = {0};
+    const murk_status status = murk_reweigh_again(&made, followed, traced, at,
+                                                  sides, keys, threads, err);
     if (status) {
+        murk_reweighed_release(&made);
         return status;
     }
-    made.ratio = malloc((n + 1) * sizeof *made.ratio);
-    made.slope = malloc((keys * n + 1) * sizeof *made.slope);
-    turned = malloc((threads * keys + 1) * sizeof *turned);
-    if (!made.ratio || !made.slope || !turned) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit",
-                           "no memory for %zu contributions and their slopes "
-                           "by %zu parameters",
-                           n, keys);
-        goto done;
-    }
-    job j = {followed, changes, &made, turned};
-    murk_crew_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
-    if (murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    } else if (!find_effective_share(&made, followed)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for sums");
-    }
-    if (!status) {
-        *out = made;
-        made = (murk_reweighed){0};
-    }
-done:
-    free(turned);
-    murk_changes_destroy(changes);
-    murk_reweighed_release(&made);
-    return status;
+    *out = made;
+    return MURK_OK;
 }
 
 void murk_reweighed_release(murk_reweighed *reweighed)

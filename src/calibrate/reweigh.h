@@ -30,6 +30,7 @@ typedef struct murk_reweighed {
     double effective_share; /* (sum r)^2 / (n sum r^2) over contributions, each
                                by its traced worth: 1 when nothing changed.
                                The least over receivers and maps */
+    size_t room;            /* private: numbers that slope has room for */
 } murk_reweighed;
 
 /* followed was traced with `traced`; wanted at `at`. sides[keys] are the
@@ -43,6 +44,13 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
                          const murk_optics *traced, const murk_optics *at,
                          const murk_optics_sides *sides, size_t keys,
                          unsigned threads, murk_error *err);
+/* The same into what an earlier call made, or zeroes, whose room is used again
+ * where it fits; to be released after a failure, too. */
+murk_status murk_reweigh_again(murk_reweighed *out,
+                               const murk_followed *followed,
+                               const murk_optics *traced, const murk_optics *at,
+                               const murk_optics_sides *sides, size_t keys,
+                               unsigned threads, murk_error *err);
 void murk_reweighed_release(murk_reweighed *reweighed);
 
 /* What receivers read, W/m2 in each band that they take, times per_watt[r *
@@ -55,6 +63,6 @@ void murk_receivers_read(double *value, double *slope, double *batch,
                          const murk_receiver *receiver,
                          const murk_spectrum *per_watt, size_t receivers,
                          const murk_followed *followed,
-                         const murk_reweighed *reweighed);
+                         const murk_reweighed *reweighed, unsigned threads);
 
 #endif

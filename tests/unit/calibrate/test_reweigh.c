@@ -113,7 +113,7 @@ static void read_sums(const lit *l, const murk_optics *at,
     }
     CHECK(!murk_reweigh(&r, l->followed, l->optics, at, sides, keys, 2, &err));
     murk_receivers_read(sum, slope, batch, BATCHES, NULL, 0, receivers,
-                        per_watt, RECEIVERS, l->followed, &r);
+                        per_watt, RECEIVERS, l->followed, &r, 2);
     for (size_t map = 0; map < 2; ++map) {
         sum[RECEIVERS + map] = slope[RECEIVERS + map] = 0;
         for (size_t i = 0; i < r.n; ++i) {
@@ -217,10 +217,10 @@ static void test_threads_and_batches_do_not_matter(const lit *l)
         {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}};
     double value[RECEIVERS], slope[RECEIVERS * 4], batch[100 * RECEIVERS];
     murk_receivers_read(value, slope, batch, 100, NULL, 0, receivers, flat,
-                        RECEIVERS, l->followed, &one);
+                        RECEIVERS, l->followed, &one, 2);
     double single[RECEIVERS], single_slope[RECEIVERS * 4], whole[RECEIVERS];
     murk_receivers_read(single, single_slope, whole, 1, NULL, 0, receivers,
-                        flat, RECEIVERS, l->followed, &one);
+                        flat, RECEIVERS, l->followed, &one, 2);
     for (size_t r = 0; r < RECEIVERS; ++r) {
         CHECK(whole[r] == single[r]);
         CHECK_NEAR(value[r], single[r], 1e-12 * single[r]);
