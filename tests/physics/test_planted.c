@@ -24,9 +24,9 @@
 #define BUDGET  1e-4
 
 /* Keys of the three cases, each with three limits; and two sums of squares of
- * each case with one above all. */
+ * each case with one above all, and how far all are drawn. */
 #define COUNTS 30
-#define SUMS   7
+#define SUMS   8
 
 #define WITHIN_1 .682689492137
 #define WITHIN_2 .954499736104
@@ -95,6 +95,8 @@ typedef struct tried {
     unsigned n;
     double sigma[SEEDS_NIGHTLY][PLANTED_KEYS_MAX];
     double square, plain;      /* sums over seeds */
+    double along, plain_along; /* likewise, of those that know all */
+    unsigned known;
     double residuals, freedom; /* of the rows */
     double most_slope_noise;
 } tried;
@@ -122,6 +124,11 @@ static bool try_all(tried *t, const planted_case *of, unsigned seeds)
         }
         t->square += fit.off.square;
         t->plain += fit.plain.square;
+        if (isfinite(fit.off.along)) {
+            t->along += fit.off.along;
+            t->plain_along += fit.plain.along;
+            ++t->known;
+        }
         t->residuals += fit.chi2;
         t->freedom += (double)fit.degrees_of_freedom;
         t->most_slope_noise = fmax(t->most_slope_noise, fit.slope_noise);
@@ -175,7 +182,7 @@ static void test_planted_parameters(unsigned seeds)
 {
     static const planted_case *const cases[] = {&planted_fog, &planted_smoke,
                                                 &planted_water};
-    double square = 0, plain = 0, freedom = 0;
+    double square = 0, freedom = 0, along = 0, plain_along = 0, known = 0;
     for (size_t c = 0; c < sizeof cases / sizeof *cases; ++c) {
         static tried t;
         const bool is_slow = seeds < SEEDS_NIGHTLY && cases[c]->n > 2;
@@ -187,22 +194,26 @@ static void test_planted_parameters(unsigned seeds)
             check_counts(&t, &l);
             check_squares(&t, &l);
             square += t.square;
-            plain += t.plain;
+            along += t.along;
+            plain_along += t.plain_along;
+            known += t.known;
             freedom += (double)(t.n * t.of->n);
         }
     }
     const double most = limits_of(seeds).sigma;
     const double off = normal_of_chi2(square, freedom);
-    const double plain_off = normal_of_chi2(plain, freedom);
-    printf("all: chi2 %.1f of %.0f (%+.1f sigma); taking slopes for exact %.1f "
-           "(%+.1f)\n",
-           square, freedom, off, plain, plain_off);
+    const double drawn = along / sqrt(known);
+    const double plain_drawn = plain_along / sqrt(known);
+    printf("all: chi2 %.1f of %.0f (%+.1f sigma); drawn by noise of slopes "
+           "%+.1f sigma, taking them for exact %+.1f\n",
+           square, freedom, off, drawn, plain_drawn);
     CHECK_WITHIN(most, off, 0, 1);
+    CHECK_WITHIN(most, drawn, 0, 1);
     /* teeth: errors said to be half, and twice, as large */
     CHECK(fabs(normal_of_chi2(4 * square, freedom)) > most);
     CHECK(fabs(normal_of_chi2(square / 4, freedom)) > most);
     if (seeds == SEEDS_NIGHTLY) { /* teeth: noise in slopes is not nothing */
-        CHECK(plain_off > most);
+        CHECK(fabs(plain_drawn) > most);
     }
 }
 

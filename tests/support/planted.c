@@ -1,7 +1,7 @@
 #include "planted.h"
 
 #include "base/rng.h"
-#include "calibrate/search.h"
+#include "calibrate/slope_noise.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -155,7 +155,7 @@ bool planted_light(planted_field *f, unsigned lights, unsigned emit,
 }
 
 /* Normal noise by Box and Muller. */
-static void read_with_noise(planted_field *f, uint32_t seed)
+void planted_read(planted_field *f, uint32_t seed)
 {
     const murk_measurements *m = f->measured;
     for (size_t r = 0; r < m->rows; ++r) {
@@ -168,72 +168,85 @@ static void read_with_noise(planted_field *f, uint32_t seed)
     }
 }
 
-/* From x by what is said to be known: information[n][n] in coordinates. */
+/* Of x, by what is said to be known, in coordinates: of certainty, the standard
+ * errors and covariance; information[n][n]. */
 static planted_off off_of(const double *x, const double *truth, size_t n,
-                          const double *error, const double *information)
+                          const murk_certainty *certainty,
+                          const double *information, const double *bias)
 {
     planted_off off = {.square = 0};
+    double along = 0, variance = 0;
     for (size_t k = 0; k < n; ++k) {
-        off.sigma[k] = (x[k] - truth[k]) / error[k];
+        off.sigma[k] = (x[k] - truth[k]) / certainty->standard_error[k];
+        along += bias[k] * (x[k] - truth[k]);
         for (size_t j = 0; j < n; ++j) {
             off.square +=
                 (x[k] - truth[k]) * information[k * n + j] * (x[j] - truth[j]);
+            variance += bias[k] * certainty->covariance[k * n + j] * bias[j];
         }
     }
+    off.along = along / sqrt(variance);
     return off;
 }
 
-/* One step of plain least squares from x, whose errors it says. */
-static bool plain_step(double *x, double *error, double *information,
-                       murk_fit_search *s, const double *scale)
+/* One step of plain least squares from x, and how sure they say they are;
+ * release certainty, also after a failure. */
+static bool plain_step(double *x, murk_certainty *certainty,
+                       double *information, murk_fit_search *s,
+                       const double *scale)
 {
     const size_t n = s->n, rows = s->n_fitted;
     double *residual = calloc(rows * (n + 1), sizeof *residual);
     double *jacobian = residual + rows;
-    murk_certainty c = {0};
     murk_error err = {0};
     bool is_well = residual && held(murk_fit_search_look(s, x, &err), &err);
     if (is_well) {
         murk_fit_search_residuals(s, residual, jacobian);
-        is_well = held(murk_certainty_create(&c, jacobian, rows, n, NULL, scale,
-                                             INFINITY, &err),
+        murk_certainty_release(certainty);
+        is_well = held(murk_certainty_create(certainty, jacobian, rows, n, NULL,
+                                             scale, INFINITY, &err),
                        &err);
     }
-    for (size_t k = 0; k < n && is_well; ++k) {
-        error[k] = c.standard_error[k];
-        for (size_t j = 0; j < n; ++j) {
-            information[k * n + j] = 0;
-            for (size_t i = 0; i < rows; ++i) {
-                x[k] -=
-                    c.covariance[k * n + j] * jacobian[i * n + j] * residual[i];
-                information[k * n + j] +=
-                    jacobian[i * n + k] * jacobian[i * n + j];
-            }
+    for (size_t k = 0; k < n * n && is_well; ++k) {
+        information[k] = 0;
+        for (size_t i = 0; i < rows; ++i) {
+            const double j = jacobian[i * n + k % n];
+            x[k / n] -= certainty->covariance[k] * j * residual[i];
+            information[k] += jacobian[i * n + k / n] * j;
         }
     }
-    murk_certainty_release(&c);
     free(residual);
     return is_well;
 }
 
-/* Where least squares end that know nothing of noise in slopes. */
-static bool fit_plainly(planted_fit *out, const murk_calibration *found,
-                        const murk_calibration_desc *desc, const double *from,
-                        const double *truth)
+/* How far the fit is off, and where least squares end that know nothing of
+ * noise in slopes. */
+static bool judge(planted_fit *out, const murk_calibration *found,
+                  const murk_calibration_desc *desc, double *x,
+                  const double *truth)
 {
     murk_fit_search s = {0};
+    murk_slope_noise noise = {0};
+    murk_certainty certainty = {0};
     murk_error err = {0};
-    double x[PLANTED_KEYS_MAX], error[PLANTED_KEYS_MAX];
     double information[PLANTED_KEYS_MAX * PLANTED_KEYS_MAX];
     bool is_well =
-        held(murk_fit_search_create(&s, desc, found->model, &err), &err);
-    memcpy(x, from, found->n * sizeof *x);
+        held(murk_fit_search_create(&s, desc, found->model, &err), &err) &&
+        held(murk_fit_search_look(&s, x, &err), &err) &&
+        held(murk_slope_noise_find(&noise, &s, &err), &err);
+    if (is_well) {
+        out->off = off_of(x, truth, found->n, &found->certainty,
+                          found->information, noise.bias);
+    }
     for (int i = 0; i < PLAIN_STEPS && is_well; ++i) {
-        is_well = plain_step(x, error, information, &s, found->scale);
+        is_well = plain_step(x, &certainty, information, &s, found->scale);
     }
     if (is_well) {
-        out->plain = off_of(x, truth, found->n, error, information);
+        out->plain =
+            off_of(x, truth, found->n, &certainty, information, noise.bias);
     }
+    murk_certainty_release(&certainty);
+    murk_slope_noise_release(&noise);
     murk_fit_search_release(&s);
     return is_well;
 }
@@ -250,8 +263,6 @@ static bool tell(planted_fit *out, const murk_calibration *found,
         out->value[k] = found->value[k];
         out->standard_error[k] = found->standard_error[k];
     }
-    out->off = off_of(x, truth, n, found->certainty.standard_error,
-                      found->information);
     out->slope_noise = found->slope_noise;
     out->chi2 = found->chi2;
     out->effective_share = found->effective_share;
@@ -259,7 +270,7 @@ static bool tell(planted_fit *out, const murk_calibration *found,
     out->traces = found->traces;
     out->evaluations = found->evaluations;
     out->converged = found->converged;
-    return fit_plainly(out, found, desc, x, truth);
+    return judge(out, found, desc, x, truth);
 }
 
 bool planted_fit_once(planted_fit *out, planted_field *f, uint32_t seed,
@@ -272,7 +283,7 @@ bool planted_fit_once(planted_fit *out, planted_field *f, uint32_t seed,
     for (size_t k = 0; k < keys->n && f->start; ++k) {
         keys->key[k].start = f->start[k];
     }
-    read_with_noise(f, seed);
+    planted_read(f, seed);
     const murk_calibration_desc desc = desc_of(f, keys, threads);
     murk_calibration found;
     murk_error err = {0};

@@ -50,11 +50,16 @@ murk_free_keys *planted_keys(planted_field *field, unsigned emit,
 bool planted_light(planted_field *field, unsigned lights, unsigned emit,
                    unsigned threads);
 
+/* Reads truth with noise of `seed`, as large as the data's standard errors. */
+void planted_read(planted_field *field, uint32_t seed);
+
 /* How far a fit is off, in search coordinates (murk_fit_search): of each key in
  * its standard error, and of all together: the square in the metric of what is
  * said to be known, chi-squared with n degrees of freedom where it is right. */
 typedef struct planted_off {
     double sigma[PLANTED_KEYS_MAX], square;
+    double along; /* where noise in slopes draws a fit that takes them for
+                     exact, in standard errors; NaN where not all is known */
 } planted_off;
 
 typedef struct planted_fit {
@@ -68,8 +73,7 @@ typedef struct planted_fit {
     bool converged;
 } planted_fit;
 
-/* Reads truth with noise of `seed`, as large as the data's standard errors, and
- * fits it with light of that seed. */
+/* Reads with noise of `seed`, and fits with light of that seed. */
 bool planted_fit_once(planted_fit *out, planted_field *field, uint32_t seed,
                       unsigned threads);
 
