@@ -25,6 +25,8 @@ typedef enum murk_purpose {
     MURK_TARGET = 20,     /* shifted as the tracer's; photon: draw; event: 0 on
                              surfaces, 1 in the volume */
     MURK_JITTER = 24,     /* photon: draw; event: sensor */
+    MURK_LENS = 26,       /* photon: a camera's ray; event 0 */
+    MURK_SHINE = 27,      /* photon: a camera's ray; event: its event */
     MURK_FREE_SPACE = 28, /* photon: place; event: which box or ball */
     MURK_FIT_START = 30,  /* photon: start; event: parameter */
     MURK_TEST = 31        /* for tests */

@@ -11,14 +11,6 @@
  * what meshes are told apart by keeps it from meeting it again. */
 #define REFLECTED_SKIP 0x1p-20
 
-/* The index of refraction in these solids and regions. */
-static double index_in(const murk_walker *w, const murk_solids *solids,
-                       murk_inside inside)
-{
-    return solids->n > 0 ? murk_solids_ior(solids)
-                         : murk_media_index(w->course->world->media, inside);
-}
-
 /* At a mirror or a boundary. */
 static void note_specular(murk_walker *w)
 {
@@ -60,8 +52,8 @@ bool murk_meet_boundary(murk_walker *w, const murk_ahead *ahead,
     }
     const murk_inside beyond = w->inside ^ b->crossed;
     w->skip_m = ahead->is_mesh ? w->course->near_m : 0;
-    const double n_from = index_in(w, &w->solids, w->inside);
-    const double n_to = index_in(w, &w->solids, beyond);
+    const double n_from = murk_walker_index(w, &w->solids, w->inside);
+    const double n_to = murk_walker_index(w, &w->solids, beyond);
     if (n_from == n_to) {
         w->inside = beyond;
         w->silent_m += b->distance_m;
@@ -106,8 +98,8 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
             return false;
         }
         inside ^= crossed;
-        n_from = index_in(w, &w->solids, w->inside);
-        n_to = index_in(w, &beyond, inside);
+        n_from = murk_walker_index(w, &w->solids, w->inside);
+        n_to = murk_walker_index(w, &beyond, inside);
     }
     const murk_vec3 place = murk_along(w->probe, hit->distance_m, w->direction);
     if (w->sums->are_legs_wanted) {

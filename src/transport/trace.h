@@ -108,6 +108,7 @@ typedef struct murk_trace_leg {
     murk_vec3 from, direction; /* direction: unit */
     double length_m;
     double weight; /* share of its packet that flies */
+    double index;  /* of refraction, where it flies */
 } murk_trace_leg;
 
 /* As murk_event_sink; told before the event that the leg ends in. */

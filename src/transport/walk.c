@@ -240,6 +240,19 @@ static void start(murk_walker *w, murk_ray ray)
     }
 }
 
+/* Media, meshes and solids around a place in the open. */
+static void start_inside(murk_walker *w)
+{
+    const murk_course *r = w->course;
+    if (r->any_boundaries) {
+        w->inside = murk_inside_at(r->world, w->position, w->direction);
+    }
+    if (r->any_solids) {
+        w->solids =
+            murk_solids_around(r->world->surfaces, w->probe, w->direction);
+    }
+}
+
 /* What another portal lets in escapes before it has done anything. */
 static murk_fate spend(murk_walker *w)
 {
@@ -329,4 +342,21 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
     if (s->scorer) {
         murk_score_end(s->scorer, r->trace->takes_back);
     }
+}
+
+void murk_walk_from(const murk_course *r, murk_sums *s, uint64_t photon,
+                    int band, murk_ray ray)
+{
+    murk_walker w = {.course = r,
+                     .sums = s,
+                     .photon = photon,
+                     .quanta = MURK_PACKET,
+                     .band = band,
+                     .event_class = MURK_CLASS_FIRST,
+                     .position = ray.origin,
+                     .probe = ray.origin,
+                     .direction = ray.direction};
+    start_inside(&w);
+    const murk_fate fate = follow(&w);
+    s->ended[0][fate] += w.quanta;
 }

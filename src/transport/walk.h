@@ -51,4 +51,9 @@ typedef struct murk_sums {
 void murk_walk_photon(const murk_course *course, murk_sums *sums,
                       uint64_t batch, uint64_t photon);
 
+/* The same from a place in the open, which is not told: of the first light and
+ * the band. */
+void murk_walk_from(const murk_course *course, murk_sums *sums, uint64_t photon,
+                    int band, murk_ray ray);
+
 #endif

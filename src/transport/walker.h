@@ -4,6 +4,7 @@
 #define MURK_TRANSPORT_WALKER_H
 
 #include "base/rng.h"
+#include "medium/interfaces.h"
 #include "transport/solids.h"
 #include "transport/walk.h"
 
@@ -101,6 +102,15 @@ static inline bool murk_walker_is_heard(const murk_walker *w)
     return w->course->trace->sink != NULL;
 }
 
+/* The index of refraction in these solids and regions. */
+static inline double murk_walker_index(const murk_walker *w,
+                                       const murk_solids *solids,
+                                       murk_inside inside)
+{
+    return solids->n > 0 ? murk_solids_ior(solids)
+                         : murk_media_index(w->course->world->media, inside);
+}
+
 /* A leg for the tallies, which ends for planes at `end`, and for who else wants
  * to know; reach_m: murk_station. */
 static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
@@ -113,15 +123,17 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                        (double)quanta, (murk_station){end, reach_m});
     }
     if (trace->leg) {
-        const murk_trace_leg leg = {.photon = w->photon,
-                                    .light = (uint16_t)w->light,
-                                    .band = (uint8_t)w->band,
-                                    .is_in_solid = w->solids.n > 0,
-                                    .inside = w->inside,
-                                    .from = from,
-                                    .direction = w->direction,
-                                    .length_m = length_m,
-                                    .weight = murk_packet_share(quanta)};
+        const murk_trace_leg leg = {
+            .photon = w->photon,
+            .light = (uint16_t)w->light,
+            .band = (uint8_t)w->band,
+            .is_in_solid = w->solids.n > 0,
+            .inside = w->inside,
+            .from = from,
+            .direction = w->direction,
+            .length_m = length_m,
+            .weight = murk_packet_share(quanta),
+            .index = murk_walker_index(w, &w->solids, w->inside)};
         trace->leg(trace->context, w->batch, &leg);
     }
 }

@@ -1,0 +1,62 @@
+#include "transport/follow.h"
+
+#include <stdlib.h>
+
+#include "transport/walk.h"
+
+struct murk_follower {
+    murk_trace trace;
+    murk_course course;
+    murk_sums sums; /* read by nobody: a ray's quanta are no light */
+    murk_tally *absorber;
+    uint32_t events_max;
+};
+
+murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
+                                 murk_error *err)
+{
+    const murk_world *world = trace->world;
+    const size_t materials = murk_surfaces_materials(world->surfaces);
+    const size_t absorbers = materials + murk_media_count(world->media);
+    murk_follower *f = calloc(1, sizeof *f);
+    murk_tally *absorber = calloc(absorbers + 1, sizeof *absorber);
+    if (!f || !absorber) {
+        free(f);
+        free(absorber);
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for a ray's way");
+    }
+    f->trace = *trace;
+    f->trace.tallies = NULL;
+    f->events_max = trace->events_max;
+    f->course = murk_course_of(&f->trace);
+    f->absorber = absorber;
+    f->sums.absorber = absorber;
+    f->sums.materials = materials;
+    f->sums.absorbers = absorbers;
+    f->sums.are_legs_wanted = trace->leg != NULL;
+    *out = f;
+    return MURK_OK;
+}
+
+void murk_follower_destroy(murk_follower *follower)
+{
+    if (follower) {
+        free(follower->absorber);
+        free(follower);
+    }
+}
+
+void murk_follow(murk_follower *follower, uint64_t number, int band,
+                 murk_vec3 origin, murk_vec3 direction)
+{
+    follower->trace.events_max = follower->events_max;
+    const murk_ray ray = {.origin = origin, .direction = direction};
+    murk_walk_from(&follower->course, &follower->sums, number, band, ray);
+}
+
+/* Any event is then one too many. */
+void murk_follower_stop(murk_follower *follower)
+{
+    follower->trace.events_max = 0;
+}
