@@ -221,6 +221,14 @@ bool murk_lights_portal_is_lit(const murk_lights *lights, size_t light,
     return murk_openings_one_m2(source->openings, portal) > 0;
 }
 
+double murk_lights_sky_level(const murk_lights *lights, size_t light)
+{
+    assert(light < lights->n);
+    const murk_source *source = &lights->sources[light];
+    assert(source->light.type == MURK_LIGHT_DOME);
+    return murk_openings_level(source->openings);
+}
+
 bool murk_lights_place(const murk_lights *lights, size_t light, murk_vec3 *out)
 {
     assert(light < lights->n);

@@ -117,6 +117,10 @@ murk_ray murk_lights_emit(const murk_lights *lights, uint32_t seed,
 bool murk_lights_portal_is_lit(const murk_lights *lights, size_t light,
                                size_t portal);
 
+/* Of a dome: the integral over the sky of its relative radiance times the
+ * cosine at a level plane. */
+double murk_lights_sky_level(const murk_lights *lights, size_t light);
+
 /* A point from which the light's photons start, for reach: the middle of a
  * lamp. False for distant light, which has none. */
 bool murk_lights_place(const murk_lights *lights, size_t light, murk_vec3 *out);

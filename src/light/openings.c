@@ -38,6 +38,7 @@ struct murk_openings {
                                 of the level plane */
     murk_vec3 *outward;      /* [tables] */
     double area_m2;
+    double level; /* dome: irradiance of a level plane, relative */
 };
 
 /* ---- where they are ---- */
@@ -121,6 +122,9 @@ static murk_status open_to_sky(murk_openings *o, const murk_light *light,
     const murk_dome_table *level = NULL;
     murk_status status =
         table_for(o, &dome, murk_vec(0, 0, 1), &level, light->where, err);
+    if (!status) {
+        o->level = murk_dome_table_irradiance(level);
+    }
     for (size_t i = 0; i < o->n && !status; ++i) {
         opening *k = &o->opening[i];
         if (k->inward.z >= 1) { /* looks down: no sky */
@@ -130,8 +134,7 @@ static murk_status open_to_sky(murk_openings *o, const murk_light *light,
                            light->where, err);
         if (!status) {
             const double area = murk_length(murk_cross(k->edge1, k->edge2));
-            k->one_m2 = area * murk_dome_table_irradiance(k->sky) /
-                        murk_dome_table_irradiance(level);
+            k->one_m2 = area * murk_dome_table_irradiance(k->sky) / o->level;
         }
     }
     return status;
@@ -227,6 +230,11 @@ double murk_openings_one_m2(const murk_openings *openings, size_t which)
 {
     assert(which < openings->n);
     return openings->opening[which].one_m2;
+}
+
+double murk_openings_level(const murk_openings *openings)
+{
+    return openings->level;
 }
 
 /* ---- photons ---- */

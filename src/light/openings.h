@@ -24,6 +24,10 @@ void murk_openings_destroy(murk_openings *openings); /* NULL is fine */
 double murk_openings_area_m2(const murk_openings *openings);
 double murk_openings_one_m2(const murk_openings *openings, size_t which);
 
+/* Of a dome: the integral of its relative radiance times cosine that a level
+ * plane sees. */
+double murk_openings_level(const murk_openings *openings);
+
 #define MURK_OPENINGS_NUMBERS 8
 
 /* A photon's start, on the domain's boundary, for uniform numbers. The area
