@@ -1,0 +1,43 @@
+/* Direct light at a place, by shadow rays: what comes straight from the lights,
+ * scattered or reflected there towards whoever looks. */
+#ifndef MURK_RENDER_DIRECT_H
+#define MURK_RENDER_DIRECT_H
+
+#include "base/rng.h"
+#include "medium/phase.h"
+#include "render/scenery.h"
+
+typedef struct murk_place {
+    int band;
+    murk_vec3 position;
+    murk_vec3 sight; /* unit, of who looks, arriving at the place */
+    double index;    /* of refraction, there */
+    /* a surface: */
+    murk_vec3 normal; /* unit, faces who looks */
+    double diffuse;   /* reflected by cosine law */
+    /* a medium, where phase is not NULL: */
+    const murk_phase *phase;
+    double albedo;
+} murk_place;
+
+/* Light that the looking ray may also meet by going on from the place: of both
+ * ways to find it each counts by how densely it looks there (the balance
+ * heuristic: Veach and Guibas, SIGGRAPH 1995, doi:10.1145/218380.218498), so
+ * that neither has to find what the other finds by far better. */
+typedef struct murk_balance {
+    bool goes_on; /* the ray goes on, with the density of its own law */
+    bool sheets;  /* thin sheets let light through straight on, by their
+                     transmittances; else they block */
+} murk_balance;
+
+/* Radiance [W/m2/sr] towards who looks, divided by the square of the index, for
+ * the random numbers of that address. */
+double murk_direct_light(const murk_scenery *scenery, const murk_place *place,
+                         const murk_address *address, murk_balance balance);
+
+/* The share that counts of a light that the ray, gone on from the place, has
+ * met in a direction of travel that is drawn per_sr by murk_lights_shine(). */
+double murk_direct_rest(const murk_scenery *scenery, const murk_place *place,
+                        size_t light, murk_vec3 arriving, double per_sr);
+
+#endif

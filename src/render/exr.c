@@ -1,0 +1,210 @@
+#include "render/exr.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <openexr.h>
+
+#include "base/file.h"
+
+#define NAME_SIZE 48
+#define CHANNELS  (5 * MURK_BANDS_MAX + 10)
+
+typedef struct channel {
+    char name[NAME_SIZE];
+    const float *value; /* [height * width] */
+} channel;
+
+typedef struct writer {
+    murk_file *file;
+    char message[256]; /* of the library */
+} writer;
+
+/* ---- what the library asks for ---- */
+
+static void hear(exr_const_context_t context, exr_result_t code,
+                 const char *message)
+{
+    void *data = NULL;
+    if (exr_get_user_data(context, &data) == EXR_ERR_SUCCESS && data) {
+        writer *w = data;
+        snprintf(w->message, sizeof w->message, "%s",
+                 message ? message : exr_get_default_error_message(code));
+    }
+}
+
+static int64_t put(exr_const_context_t context, void *data, const void *bytes,
+                   uint64_t size, uint64_t offset,
+                   exr_stream_error_func_ptr_t fail)
+{
+    FILE *stream = murk_file_stream(((writer *)data)->file);
+    (void)context;
+    (void)fail;
+    if (fseeko(stream, (off_t)offset, SEEK_SET) != 0 ||
+        fwrite(bytes, 1, (size_t)size, stream) != size) {
+        return -1;
+    }
+    return (int64_t)size;
+}
+
+/* ---- channels ---- */
+
+/* "550nm", "414,5nm": a point would part a layer's name. */
+static void name_band(char name[NAME_SIZE], const char *layer, double nm)
+{
+    snprintf(name, NAME_SIZE, "%s.%.7gnm", layer, nm);
+    char *point = strchr(name + strlen(layer) + 1, '.');
+    if (point) {
+        *point = ',';
+    }
+}
+
+static size_t list_channels(const murk_exr *exr, channel list[CHANNELS])
+{
+    const murk_picture *p = exr->picture;
+    static const char colour[3] = {'R', 'G', 'B'}, axis[3] = {'X', 'Y', 'Z'};
+    size_t n = 0;
+    for (int k = 0; k < 3; ++k) {
+        snprintf(list[n].name, NAME_SIZE, "%c", colour[k]);
+        list[n++].value = p->rgb[k];
+        snprintf(list[n].name, NAME_SIZE, "error.%c", colour[k]);
+        list[n++].value = p->rgb_error[k];
+        snprintf(list[n].name, NAME_SIZE, "P.%c", axis[k]);
+        list[n++].value = p->position[k];
+    }
+    snprintf(list[n].name, NAME_SIZE, "Z");
+    list[n++].value = p->distance_m;
+    for (int b = 0; b < p->bands; ++b) {
+        const struct {
+            const char *layer;
+            const float *value;
+        } of_band[] = {{"S0", p->radiance[b]},
+                       {"error", p->error[b]},
+                       {"surface", p->surface[b]},
+                       {"volume", p->volume[b]},
+                       {"depth", p->depth[b]}};
+        for (size_t i = 0; i < sizeof of_band / sizeof *of_band; ++i) {
+            name_band(list[n].name, of_band[i].layer, exr->band_nm[b]);
+            list[n++].value = of_band[i].value;
+        }
+    }
+    return n;
+}
+
+/* ---- the file ---- */
+
+static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
+                                 const channel *list, size_t n)
+{
+    int part = 0;
+    exr_result_t result =
+        exr_add_part(file, "murk", EXR_STORAGE_SCANLINE, &part);
+    if (!result) {
+        result = exr_initialize_required_attr_simple(
+            file, part, (int32_t)exr->picture->width,
+            (int32_t)exr->picture->height, EXR_COMPRESSION_ZIP);
+    }
+    for (size_t i = 0; i < n && !result; ++i) {
+        result = exr_add_channel(file, part, list[i].name, EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LINEAR, 1, 1);
+    }
+    for (size_t i = 0; i < exr->n_header && !result; ++i) {
+        result = exr_attr_set_string(file, part, exr->header[i].name,
+                                     exr->header[i].text);
+    }
+    return result ? result : exr_write_header(file);
+}
+
+static const float *rows_of(const channel *list, size_t n, const char *name)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (strcmp(list[i].name, name) == 0) {
+            return list[i].value;
+        }
+    }
+    return NULL;
+}
+
+/* Rows [y, y + a chunk's). */
+static exr_result_t write_rows(exr_context_t file, const murk_exr *exr,
+                               const channel *list, size_t n, int y,
+                               exr_encode_pipeline_t *encoder, bool is_first)
+{
+    exr_chunk_info_t chunk;
+    exr_result_t result = exr_write_scanline_chunk_info(file, 0, y, &chunk);
+    if (result) {
+        return result;
+    }
+    result = is_first ? exr_encoding_initialize(file, 0, &chunk, encoder)
+                      : exr_encoding_update(file, 0, &chunk, encoder);
+    const size_t width = exr->picture->width;
+    for (int c = 0; c < encoder->channel_count && !result; ++c) {
+        exr_coding_channel_info_t *of = &encoder->channels[c];
+        const float *rows = rows_of(list, n, of->channel_name);
+        of->user_bytes_per_element = sizeof(float);
+        of->user_data_type = EXR_PIXEL_FLOAT;
+        of->user_pixel_stride = sizeof(float);
+        of->user_line_stride = (int32_t)(width * sizeof(float));
+        of->encode_from_ptr = (const uint8_t *)(rows + (size_t)y * width);
+    }
+    if (is_first && !result) {
+        result = exr_encoding_choose_default_routines(file, 0, encoder);
+    }
+    return result ? result : exr_encoding_run(file, 0, encoder);
+}
+
+static exr_result_t write_all(exr_context_t file, const murk_exr *exr,
+                              const channel *list, size_t n)
+{
+    exr_result_t result = write_header(file, exr, list, n);
+    int32_t step = 1;
+    if (!result) {
+        result = exr_get_scanlines_per_chunk(file, 0, &step);
+    }
+    exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
+    const int height = (int)exr->picture->height;
+    for (int y = 0; y < height && !result; y += step) {
+        result = write_rows(file, exr, list, n, y, &encoder, y == 0);
+    }
+    exr_encoding_destroy(file, &encoder);
+    return result;
+}
+
+murk_status murk_exr_write(const murk_exr *exr, const char *path,
+                           murk_error *err)
+{
+    channel *list = calloc(CHANNELS, sizeof *list);
+    if (!list) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory for an image");
+    }
+    const size_t n = list_channels(exr, list);
+    writer w = {0};
+    murk_status status = murk_file_create(&w.file, path, err);
+    if (status) {
+        free(list);
+        return status;
+    }
+    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    setup.error_handler_fn = hear;
+    setup.user_data = &w;
+    setup.write_fn = put;
+    exr_context_t file = NULL;
+    exr_result_t result =
+        exr_start_write(&file, path, EXR_WRITE_FILE_DIRECTLY, &setup);
+    if (!result) {
+        result = write_all(file, exr, list, n);
+        const exr_result_t closed = exr_finish(&file);
+        result = result ? result : closed;
+    }
+    free(list);
+    if (result) {
+        murk_file_discard(w.file);
+        return murk_fail(err, MURK_BAD_FILE, path, "cannot be written: %s",
+                         *w.message ? w.message
+                                    : exr_get_default_error_message(result));
+    }
+    status = murk_file_commit(&w.file, err);
+    murk_file_discard(w.file);
+    return status;
+}

@@ -1,0 +1,271 @@
+#include "render/render.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "render/colour.h"
+
+#define TILE 16 /* pixels along a side */
+
+/* Apart from the streams that photons are traced in. */
+#define RENDER_STREAM 1000
+
+/* Sums of a pixel's samples, of one band or colour. */
+typedef struct sums {
+    double sum, squares;
+} sums;
+
+typedef struct run {
+    const murk_render *render;
+    murk_picture *picture;
+    murk_scenery scenery;
+    murk_gather *gather;
+    murk_sampler **sampler; /* [threads] */
+    size_t tiles_across;
+    double colour[3][MURK_BANDS_MAX];
+    double (*tile)[MURK_BANDS_MAX][2]; /* [tiles] sums of a tile's radiances and
+                                          of their errors' squares */
+} run;
+
+/* ---- a pixel ---- */
+
+static void take(sums *s, double value)
+{
+    s->sum += value;
+    s->squares += value * value;
+}
+
+static double mean_variance(const sums *s, double n)
+{
+    const double mean = s->sum / n;
+    return n > 1 ? fmax(0, s->squares / n - mean * mean) / (n - 1) : INFINITY;
+}
+
+/* What lies straight ahead of the pixel's middle. */
+static void look_straight(const run *r, size_t x, size_t y, size_t at)
+{
+    const murk_camera *c = &r->render->camera;
+    murk_picture *p = r->picture;
+    const murk_vec3 sight =
+        murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
+    const double reach = murk_scenery_reach(&r->scenery, c->from, sight);
+    const murk_vec3 there = murk_along(c->from, reach, sight);
+    p->distance_m[at] = (float)reach;
+    p->position[0][at] = (float)there.x;
+    p->position[1][at] = (float)there.y;
+    p->position[2][at] = (float)there.z;
+    for (int b = 0; b < p->bands; ++b) {
+        p->depth[b][at] =
+            (float)murk_scenery_depth(&r->scenery, b, c->from, sight, reach);
+    }
+}
+
+static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
+                 double tile[MURK_BANDS_MAX][2])
+{
+    const murk_render *render = r->render;
+    const murk_trace *trace = render->trace;
+    murk_picture *p = r->picture;
+    const size_t at = y * p->width + x;
+    const double n = (double)render->samples;
+    sums band[MURK_BANDS_MAX] = {{0, 0}}, colour[3] = {{0, 0}};
+    double part[MURK_BANDS_MAX][2] = {{0, 0}};
+    double deviation[MURK_BANDS_MAX] = {0}; /* of the records */
+    for (size_t i = 0; i < render->samples; ++i) {
+        const uint64_t number = (uint64_t)at * render->samples + i;
+        const murk_random4 u = murk_random(
+            trace->seed, MURK_LENS + MURK_STREAM * RENDER_STREAM, number, 0, 0);
+        const murk_vec3 sight = murk_camera_sight(
+            &render->camera, (double)x + u.u[0], (double)y + u.u[1]);
+        double rgb[3] = {0, 0, 0};
+        for (int b = 0; b < p->bands; ++b) {
+            const murk_found found = murk_sampler_look(
+                sampler, number, b, render->camera.from, sight);
+            const double radiance = found.surface + found.volume;
+            take(&band[b], radiance);
+            part[b][0] += found.surface / n;
+            part[b][1] += found.volume / n;
+            deviation[b] += sqrt(found.variance) / n;
+            for (int k = 0; k < 3; ++k) {
+                rgb[k] += r->colour[k][b] * radiance;
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            take(&colour[k], rgb[k]);
+        }
+    }
+    double records[3] = {0, 0, 0};
+    for (int b = 0; b < p->bands; ++b) {
+        const double square = deviation[b] * deviation[b];
+        const double variance = mean_variance(&band[b], n);
+        p->radiance[b][at] = (float)(band[b].sum / n);
+        p->surface[b][at] = (float)part[b][0];
+        p->volume[b][at] = (float)part[b][1];
+        p->error[b][at] = (float)sqrt(variance + square);
+        tile[b][0] += band[b].sum / n;
+        tile[b][1] += variance;
+        for (int k = 0; k < 3; ++k) { /* bands have records of their own */
+            records[k] += r->colour[k][b] * r->colour[k][b] * square;
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        p->rgb[k][at] = (float)(colour[k].sum / n);
+        p->rgb_error[k][at] =
+            (float)sqrt(mean_variance(&colour[k], n) + records[k]);
+    }
+    look_straight(r, x, y, at);
+}
+
+static void look_at_tile(void *context, unsigned worker, uint64_t batch)
+{
+    const run *r = context;
+    const murk_picture *p = r->picture;
+    const size_t left = batch % r->tiles_across * TILE;
+    const size_t top = batch / r->tiles_across * TILE;
+    for (size_t y = top; y < top + TILE && y < p->height; ++y) {
+        for (size_t x = left; x < left + TILE && x < p->width; ++x) {
+            if (murk_interrupted()) {
+                return;
+            }
+            look(r, r->sampler[worker], x, y, r->tile[batch]);
+            murk_progress_add(r->render->samples);
+        }
+    }
+}
+
+/* ---- a picture ---- */
+
+static size_t channels_of(int bands)
+{
+    return (size_t)bands * 5 + 10;
+}
+
+double murk_picture_bytes(size_t width, size_t height, int bands)
+{
+    return (double)width * (double)height * (double)channels_of(bands) *
+           sizeof(float);
+}
+
+static murk_picture *picture_create(size_t width, size_t height, int bands)
+{
+    murk_picture *p = calloc(1, sizeof *p);
+    const size_t n = width * height;
+    float *value = p ? calloc(n * channels_of(bands), sizeof *value) : NULL;
+    if (!value) {
+        free(p);
+        return NULL;
+    }
+    p->width = width;
+    p->height = height;
+    p->bands = bands;
+    for (int b = 0; b < bands; ++b) {
+        float **const channel[] = {&p->radiance[b], &p->error[b],
+                                   &p->surface[b], &p->volume[b], &p->depth[b]};
+        for (size_t i = 0; i < sizeof channel / sizeof *channel; ++i) {
+            *channel[i] = value;
+            value += n;
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        p->rgb[k] = value;
+        p->rgb_error[k] = value + n;
+        p->position[k] = value + 2 * n;
+        value += 3 * n;
+    }
+    p->distance_m = value;
+    return p;
+}
+
+void murk_picture_destroy(murk_picture *picture)
+{
+    if (picture) {
+        free(picture->radiance[0]); /* all channels are one piece */
+        free(picture);
+    }
+}
+
+static murk_status set_up(run *r, size_t tiles, murk_error *err)
+{
+    const murk_render *render = r->render;
+    const murk_world *world = render->trace->world;
+    const unsigned threads = render->threads;
+    r->sampler = calloc(threads, sizeof *r->sampler);
+    r->tile = calloc(tiles, sizeof *r->tile);
+    r->picture = picture_create(render->camera.width, render->camera.height,
+                                world->bands);
+    if (!r->sampler || !r->tile || !r->picture) {
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for a picture of %zu x %zu pixels in %d "
+                         "bands",
+                         render->camera.width, render->camera.height,
+                         world->bands);
+    }
+    murk_status status = murk_scenery_prepare(&r->scenery, world, err);
+    if (!status && render->method == MURK_BY_MAPS) {
+        status =
+            murk_gather_create(&r->gather, world, render->surface,
+                               render->volume, render->nearest, threads, err);
+    }
+    murk_trace trace = *render->trace;
+    trace.stream = RENDER_STREAM;
+    for (unsigned i = 0; i < threads && !status; ++i) {
+        status = murk_sampler_create(&r->sampler[i], &r->scenery, r->gather,
+                                     &trace, err);
+    }
+    murk_colour_weights(world->bands, render->from_nm, render->to_nm,
+                        r->colour);
+    return status;
+}
+
+static void add_up(run *r, size_t tiles)
+{
+    murk_picture *p = r->picture;
+    const double n = (double)(p->width * p->height);
+    for (int b = 0; b < p->bands; ++b) {
+        double sum = 0, variance = 0;
+        for (size_t t = 0; t < tiles; ++t) {
+            sum += r->tile[t][b][0];
+            variance += r->tile[t][b][1];
+        }
+        p->mean[b] = sum / n;
+        p->mean_error[b] = sqrt(variance) / n;
+    }
+    p->rays = (uint64_t)n * r->render->samples * (uint64_t)p->bands;
+    for (unsigned i = 0; i < r->render->threads; ++i) {
+        p->lost += murk_sampler_lost(r->sampler[i]);
+    }
+}
+
+murk_status murk_render_run(murk_picture **out, const murk_render *render,
+                            murk_error *err)
+{
+    const murk_camera *c = &render->camera;
+    assert(c->width > 0 && c->height > 0 && render->samples > 0);
+    assert(render->method == MURK_BY_PATHS ||
+           (render->nearest >= 2 && render->nearest <= MURK_GATHER_MAX));
+    const size_t across = (c->width + TILE - 1) / TILE;
+    const size_t tiles = across * ((c->height + TILE - 1) / TILE);
+    run r = {.render = render, .tiles_across = across};
+    const murk_status status = set_up(&r, tiles, err);
+    if (!status) {
+        murk_progress_begin("render", c->width * c->height * render->samples,
+                            "rays");
+        murk_crew_run_workers(render->threads, tiles, look_at_tile, &r);
+        murk_progress_end();
+        add_up(&r, tiles);
+        *out = r.picture;
+        r.picture = NULL;
+    }
+    for (unsigned i = 0; r.sampler && i < render->threads; ++i) {
+        murk_sampler_destroy(r.sampler[i]);
+    }
+    free(r.sampler);
+    free(r.tile);
+    murk_gather_destroy(r.gather);
+    murk_scenery_release(&r.scenery);
+    murk_picture_destroy(r.picture);
+    return status;
+}

@@ -1,0 +1,64 @@
+/* A picture of a world: radiance, its error, and where it came from, pixel by
+ * pixel.
+ *
+ * Each pixel's samples are rays through places drawn evenly in it, a ray in
+ * each band with the same random numbers. A sample's numbers are those of its
+ * pixel and index, so the picture does not depend on threads. Standard errors
+ * are the samples' own, and by maps also the records', which a pixel's samples
+ * share: both are added in squares. They are infinite where there is one
+ * sample. */
+#ifndef MURK_RENDER_RENDER_H
+#define MURK_RENDER_RENDER_H
+
+#include "render/camera.h"
+#include "render/sample.h"
+
+#define MURK_PIXELS_MAX  (UINT64_C(1) << 26) /* of a picture */
+#define MURK_SAMPLES_MAX 65536               /* of a pixel */
+
+/* Records that a density estimate reaches to. */
+#define MURK_RENDER_NEAREST 24
+
+typedef struct murk_render {
+    const murk_trace *trace; /* world, seed, caps, flight; as for photons */
+    murk_camera camera;
+    size_t samples;
+    murk_render_method method;
+    const murk_photon_map *surface, *volume;               /* by maps */
+    size_t nearest;                                        /* by maps */
+    double from_nm[MURK_BANDS_MAX], to_nm[MURK_BANDS_MAX]; /* of each band */
+    unsigned threads;
+} murk_render;
+
+/* Channels of a picture, one after the other, each height * width values by
+ * rows from the top. */
+typedef struct murk_picture {
+    size_t width, height;
+    int bands;
+    float *radiance[MURK_BANDS_MAX]; /* [W/m2/sr] */
+    float *error[MURK_BANDS_MAX];    /* its standard error */
+    float
+        *surface[MURK_BANDS_MAX];  /* what came from surfaces and lights last */
+    float *volume[MURK_BANDS_MAX]; /* what came from media last */
+    float *depth[MURK_BANDS_MAX];  /* optical, along the pixel's middle as far
+                                      as distance_m */
+    float *rgb[3], *rgb_error[3];  /* render/colour.h */
+    float *distance_m;  /* to the first surface, change of index or side of the
+                           domain */
+    float *position[3]; /* there */
+    double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX]; /* of the picture,
+                          samples' errors alone */
+    uint64_t rays, lost;
+} murk_picture;
+
+/* Bytes that a picture takes. */
+double murk_picture_bytes(size_t width, size_t height, int bands);
+
+/* The camera stands within the domain. Progress by rays. *out is the caller's.
+ * Fails with MURK_NO_MEMORY. Ends early when interrupted: ask
+ * murk_interrupted(). */
+murk_status murk_render_run(murk_picture **out, const murk_render *render,
+                            murk_error *err);
+void murk_picture_destroy(murk_picture *picture); /* NULL is fine */
+
+#endif

@@ -1,0 +1,276 @@
+#include "render/sample.h"
+
+#include <stdlib.h>
+
+#include "light/shine.h"
+
+/* A lamp's face that is seen along its own plane: rounding of where it lies
+ * counts this many times at most. */
+#define GRAZING 1e-3
+
+typedef enum part { SURFACE, VOLUME, PARTS } part;
+
+struct murk_sampler {
+    const murk_scenery *scenery;
+    const murk_gather *gather;
+    murk_follower *follower;
+    uint32_t seed, purpose;
+    uint64_t lost;
+    /* of the present ray: */
+    uint64_t number;
+    int band;
+    double own_index;  /* where it starts; 0: not told yet */
+    bool is_connected; /* shadow rays may have found what it meets, */
+    murk_place last;   /* sent from there */
+    bool is_settled;   /* what all later light comes from last is known: */
+    part settled;
+    bool is_stopped;
+    murk_trace_leg leg;               /* the last one told */
+    double radiance[PARTS], variance; /* over the index squared */
+};
+
+static void add(murk_sampler *s, part of, double radiance)
+{
+    s->radiance[s->is_settled ? s->settled : of] += radiance;
+}
+
+/* ---- lights that the ray meets ---- */
+
+static double slack_at(const murk_scenery *scenery, const murk_light *light,
+                       murk_vec3 sight)
+{
+    const murk_vec3 face =
+        light->type == MURK_LIGHT_RECT
+            ? murk_unit(murk_cross(light->edge1, light->edge2))
+            : sight;
+    return scenery->margin_m / fmax(GRAZING, fabs(murk_dot(face, sight)));
+}
+
+/* What counts of a light met along a leg: all of it, unless shadow rays from
+ * the last place have a share in it. */
+static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
+{
+    if (!s->is_connected) {
+        return 1;
+    }
+    const murk_glare glare = murk_lights_glare(
+        s->scenery->world->lights, light, s->band, s->last.position, sight);
+    return murk_direct_rest(s->scenery, &s->last, light, murk_scale(-1, sight),
+                            glare.per_sr);
+}
+
+static void meet_lamps(murk_sampler *s, const murk_trace_leg *leg)
+{
+    const murk_lights *lights = s->scenery->world->lights;
+    const murk_vec3 sight = leg->direction;
+    for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
+        const size_t light = s->scenery->lit[s->band][i];
+        const murk_light *l = murk_lights_get(lights, light);
+        if (murk_light_is_distant(l)) {
+            continue;
+        }
+        const murk_glare glare =
+            murk_lights_glare(lights, light, s->band, leg->from, sight);
+        if (glare.radiance > 0 &&
+            glare.distance_m <=
+                leg->length_m + slack_at(s->scenery, l, sight)) {
+            add(s, SURFACE,
+                leg->weight * glare.radiance / (leg->index * leg->index) *
+                    share_met(s, light, sight));
+        }
+    }
+}
+
+static void meet_sky(murk_sampler *s, const murk_event *event)
+{
+    const murk_lights *lights = s->scenery->world->lights;
+    const murk_vec3 sight = event->direction_out;
+    const double square = s->leg.index * s->leg.index;
+    for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
+        const size_t light = s->scenery->lit[s->band][i];
+        if (!murk_light_is_distant(murk_lights_get(lights, light))) {
+            continue;
+        }
+        const murk_glare glare =
+            murk_lights_glare(lights, light, s->band, event->position, sight);
+        if (glare.radiance > 0) {
+            add(s, SURFACE,
+                event->weight * glare.radiance / square *
+                    share_met(s, light, sight));
+        }
+    }
+}
+
+static void hear_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
+{
+    murk_sampler *s = context;
+    (void)batch;
+    s->leg = *leg;
+    if (!(s->own_index > 0)) {
+        s->own_index = leg->index;
+    }
+    meet_lamps(s, leg);
+}
+
+/* ---- events ---- */
+
+/* Light of all kinds that leaves the place towards where the ray came from. */
+static void add_light(murk_sampler *s, const murk_event *event,
+                      const murk_place *place)
+{
+    const part of = place->phase ? VOLUME : SURFACE;
+    if (!s->leg.is_in_solid) {
+        const murk_address address = {s->seed, s->purpose, s->number,
+                                      event->number};
+        add(s, of,
+            event->weight *
+                murk_direct_light(s->scenery, place, &address,
+                                  (murk_balance){.goes_on = !s->gather,
+                                                 .sheets = !s->gather}));
+    }
+    if (!s->gather) {
+        return;
+    }
+    const murk_gathered gathered = murk_gather_light(s->gather, place);
+    double scale = event->weight;
+    if (place->phase) {
+        const double extinction = murk_media_extinction(
+            s->scenery->world->media, s->band, s->leg.inside, place->position);
+        scale = extinction > 0 ? scale / extinction : 0;
+    }
+    add(s, of, scale * gathered.radiance);
+    s->variance += scale * scale * gathered.variance;
+}
+
+/* The ray has been scattered or reflected diffusely: what it finds from here on
+ * came from there last; by maps all of that has been added. */
+static void settle(murk_sampler *s, part of, const murk_place *place)
+{
+    s->last = *place;
+    s->settled = s->is_settled ? s->settled : of;
+    s->is_settled = true;
+    s->is_connected = !s->leg.is_in_solid;
+    if (s->gather) {
+        s->is_stopped = true;
+        murk_follower_stop(s->follower);
+    }
+}
+
+static void meet_surface(murk_sampler *s, const murk_event *event)
+{
+    const murk_place place = {.band = s->band,
+                              .position = event->position,
+                              .sight = event->direction_in,
+                              .index = s->leg.index,
+                              .normal = event->normal,
+                              .diffuse = event->reflectance};
+    if (event->reflectance > 0) {
+        add_light(s, event, &place);
+    }
+    if (event->outcome == MURK_DIFFUSE) {
+        settle(s, SURFACE, &place);
+    } else if (event->outcome == MURK_MIRRORED) {
+        s->is_connected = false;
+    } else if (event->outcome == MURK_TRANSMITTED) {
+        /* A thin sheet, which shadow rays pass as well, does not bend. */
+        const murk_vec3 a = event->direction_in, b = event->direction_out;
+        s->is_connected =
+            s->is_connected && a.x == b.x && a.y == b.y && a.z == b.z;
+    }
+}
+
+static void meet_medium(murk_sampler *s, const murk_event *event)
+{
+    const murk_place place = {
+        .band = s->band,
+        .position = event->position,
+        .sight = event->direction_in,
+        .index = s->leg.index,
+        .phase = murk_media_phase(s->scenery->world->media,
+                                  event->material_or_medium, s->band),
+        .albedo = event->reflectance};
+    add_light(s, event, &place);
+    settle(s, VOLUME, &place);
+}
+
+static void hear_event(void *context, uint64_t batch, const murk_event *event)
+{
+    murk_sampler *s = context;
+    (void)batch;
+    switch (event->kind) {
+    case MURK_EVENT_SURFACE:
+        meet_surface(s, event);
+        break;
+    case MURK_EVENT_MEDIUM:
+        meet_medium(s, event);
+        break;
+    case MURK_EVENT_INTERFACE:
+        s->is_connected = false;
+        break;
+    case MURK_EVENT_ESCAPED:
+        meet_sky(s, event);
+        break;
+    case MURK_EVENT_LOST:
+        s->lost += !s->is_stopped;
+        break;
+    case MURK_EVENT_EMITTED:
+    case MURK_EVENT_WRAPPED:
+        break;
+    }
+}
+
+/* ---- rays ---- */
+
+murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
+                                const murk_gather *gather,
+                                const murk_trace *trace, murk_error *err)
+{
+    murk_sampler *s = calloc(1, sizeof *s);
+    if (!s) {
+        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a ray");
+    }
+    s->scenery = scenery;
+    s->gather = gather;
+    s->seed = trace->seed;
+    s->purpose = MURK_SHINE + MURK_STREAM * trace->stream;
+    murk_trace own = *trace;
+    own.world = scenery->world;
+    own.sink = hear_event;
+    own.leg = hear_leg;
+    own.context = s;
+    const murk_status status = murk_follower_create(&s->follower, &own, err);
+    if (status) {
+        free(s);
+        return status;
+    }
+    *out = s;
+    return MURK_OK;
+}
+
+void murk_sampler_destroy(murk_sampler *sampler)
+{
+    if (sampler) {
+        murk_follower_destroy(sampler->follower);
+        free(sampler);
+    }
+}
+
+murk_found murk_sampler_look(murk_sampler *s, uint64_t number, int band,
+                             murk_vec3 from, murk_vec3 sight)
+{
+    s->number = number;
+    s->band = band;
+    s->own_index = 0;
+    s->is_connected = s->is_settled = s->is_stopped = false;
+    s->radiance[SURFACE] = s->radiance[VOLUME] = s->variance = 0;
+    murk_follow(s->follower, number, band, from, sight);
+    const double square = s->own_index * s->own_index;
+    return (murk_found){.surface = square * s->radiance[SURFACE],
+                        .volume = square * s->radiance[VOLUME],
+                        .variance = square * square * s->variance};
+}
+
+uint64_t murk_sampler_lost(const murk_sampler *sampler)
+{
+    return sampler->lost;
+}

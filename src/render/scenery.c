@@ -1,0 +1,245 @@
+#include "render/scenery.h"
+
+#include "medium/interfaces.h"
+
+#include <stdlib.h>
+
+/* Share of the domain's largest coordinate that surfaces may be off by: some
+ * times what murk_surfaces_leave() moves by. */
+#define OFF_BY 1e-5
+
+/* Sightlines go to a point's nearest image, so pieces stay below half a
+ * period. */
+#define PIECE_OF_PERIOD 0.45
+
+/* A way that has wrapped so often is almost level: its light has crossed the
+ * domain often enough to be taken for lost. */
+#define PIECES_MAX 10000
+
+/* ---- pieces of a way ---- */
+
+typedef struct pieces {
+    const murk_scenery *scenery;
+    murk_vec3 at, direction;
+    double left_m;
+    int n;
+    murk_vec3 from, to; /* the present piece */
+    bool leaves;        /* it ends at the domain's open side */
+} pieces;
+
+static murk_vec3 held(const murk_box *box, murk_vec3 p)
+{
+    return murk_vec(fmin(fmax(p.x, box->min.x), box->max.x),
+                    fmin(fmax(p.y, box->min.y), box->max.y),
+                    fmin(fmax(p.z, box->min.z), box->max.z));
+}
+
+/* To the side ahead along one axis; INFINITY where there is none. */
+static double side_ahead(double p, double d, double low, double high)
+{
+    return d > 0   ? fmax(0, (high - p) / d)
+           : d < 0 ? fmax(0, (low - p) / d)
+                   : INFINITY;
+}
+
+/* False at the way's end. */
+static bool next_piece(pieces *p)
+{
+    if (!(p->left_m > 0) || p->leaves || p->n >= PIECES_MAX) {
+        return false;
+    }
+    ++p->n;
+    const murk_domain *domain = &p->scenery->world->domain;
+    const murk_box *box = &domain->box;
+    const murk_vec3 d = p->direction;
+    const double x = side_ahead(p->at.x, d.x, box->min.x, box->max.x);
+    const double y = side_ahead(p->at.y, d.y, box->min.y, box->max.y);
+    const double z = side_ahead(p->at.z, d.z, box->min.z, box->max.z);
+    const double side = fmin(x, fmin(y, z));
+    const double step = fmin(side, fmin(p->left_m, p->scenery->piece_m));
+    p->from = p->at;
+    p->to = held(box, murk_along(p->at, step, d));
+    p->at = p->to;
+    p->left_m -= step;
+    if (step < side) {
+        return true;
+    }
+    p->leaves = !domain->is_periodic || z <= side;
+    if (!p->leaves && x <= side) {
+        p->at.x = d.x > 0 ? box->min.x : box->max.x;
+    } else if (!p->leaves) {
+        p->at.y = d.y > 0 ? box->min.y : box->max.y;
+    }
+    return true;
+}
+
+static pieces pieces_of(const murk_scenery *scenery, murk_vec3 from,
+                        murk_vec3 direction, double length_m)
+{
+    return (pieces){.scenery = scenery,
+                    .at = held(&scenery->world->domain.box, from),
+                    .direction = direction,
+                    .left_m = length_m};
+}
+
+/* What one piece lets through; *changed: the index of refraction does. */
+static double piece_through(const murk_scenery *scenery, int band,
+                            murk_vec3 from, murk_vec3 to, bool *changed)
+{
+    const murk_world *world = scenery->world;
+    const murk_passages passages =
+        murk_passages_from(world->media, world->hulls, &world->domain, from);
+    *changed = scenery->bends && murk_passage_bends(&passages, to);
+    return *changed ? 0
+           : scenery->any_media
+               ? murk_passage_transmittance(&passages, band, to)
+               : 1;
+}
+
+double murk_scenery_through(const murk_scenery *scenery, int band,
+                            murk_vec3 from, murk_vec3 direction,
+                            double length_m, bool through_sheets)
+{
+    const murk_surfaces *surfaces = scenery->world->surfaces;
+    double through = 1;
+    pieces p = pieces_of(scenery, from, direction, length_m);
+    while (next_piece(&p) && through > 0) {
+        if (scenery->any_surfaces) {
+            /* What lies in the domain's side stands in the way, too. */
+            const murk_vec3 to =
+                p.leaves ? murk_along(p.to, scenery->margin_m, direction)
+                         : p.to;
+            const bool sheets = through_sheets && scenery->any_sheets;
+            if (murk_surfaces_blocked(surfaces, p.from, to, sheets)) {
+                return 0;
+            }
+            if (sheets) {
+                through *= murk_surfaces_sheet_transmittance(surfaces, p.from,
+                                                             to, band);
+            }
+        }
+        bool changed;
+        through *= piece_through(scenery, band, p.from, p.to, &changed);
+    }
+    return p.n < PIECES_MAX ? through : 0;
+}
+
+double murk_scenery_reach(const murk_scenery *scenery, murk_vec3 from,
+                          murk_vec3 direction)
+{
+    const murk_world *world = scenery->world;
+    double reach = 0;
+    pieces p = pieces_of(scenery, from, direction, INFINITY);
+    while (next_piece(&p)) {
+        double length = murk_length(murk_sub(p.to, p.from));
+        murk_hit hit;
+        const bool met = scenery->any_surfaces &&
+                         murk_surfaces_hit(world->surfaces, p.from, direction,
+                                           length + scenery->margin_m, &hit);
+        if (met) {
+            length = hit.distance_m;
+        }
+        bool bends = false;
+        if (scenery->bends) {
+            const murk_passages passages = murk_passages_from(
+                world->media, world->hulls, &world->domain, p.from);
+            murk_leg leg[MURK_SEGMENT_PIECES];
+            murk_change change;
+            const murk_vec3 to =
+                held(&world->domain.box, murk_along(p.from, length, direction));
+            bends = murk_passage_legs(&passages, to, leg) > 0 &&
+                    murk_passage_change(&passages, &leg[0], &change);
+            length = bends ? change.distance_m : length;
+        }
+        reach += length;
+        if (met || bends) {
+            break;
+        }
+    }
+    return reach;
+}
+
+double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
+                          murk_vec3 direction, double length_m)
+{
+    double depth = 0;
+    pieces p = pieces_of(scenery, from, direction, length_m);
+    while (scenery->any_media && next_piece(&p)) {
+        const murk_world *world = scenery->world;
+        const murk_passages passages = murk_passages_from(
+            world->media, world->hulls, &world->domain, p.from);
+        depth += murk_passage_depth(&passages, band, p.to);
+    }
+    return depth;
+}
+
+/* ---- preparing ---- */
+
+/* Drawn half by power, half evenly: none is starved by a bright one that does
+ * not reach where the picture is taken. */
+static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
+{
+    const murk_lights *lights = scenery->world->lights;
+    const size_t n = murk_lights_count(lights);
+    const size_t bands = (size_t)scenery->world->bands;
+    size_t *lit = calloc(n + 1, sizeof *lit);
+    double *chance = calloc(n + 1, sizeof *chance);
+    scenery->lit[band] = lit;
+    scenery->chance[band] = chance;
+    if (!lit || !chance) {
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for %zu lights", n);
+    }
+    size_t n_lit = 0;
+    double all = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double power =
+            murk_lights_channel_power_w(lights, i * bands + (size_t)band);
+        if (power > 0) {
+            lit[n_lit++] = i;
+            all += power;
+        }
+    }
+    double sum = 0;
+    for (size_t i = 0; i < n_lit; ++i) {
+        const double power =
+            murk_lights_channel_power_w(lights, lit[i] * bands + (size_t)band);
+        sum += 0.5 * power / all + 0.5 / (double)n_lit;
+        chance[i] = sum;
+    }
+    scenery->n_lit[band] = n_lit;
+    return MURK_OK;
+}
+
+murk_status murk_scenery_prepare(murk_scenery *scenery, const murk_world *world,
+                                 murk_error *err)
+{
+    const murk_surfaces_facts facts = murk_surfaces_describe(world->surfaces);
+    const murk_vec3 a = world->domain.box.min, b = world->domain.box.max;
+    const double size = fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)),
+                             fmax(fmax(fabs(b.x), fabs(b.y)), fabs(b.z)));
+    *scenery = (murk_scenery){
+        .world = world,
+        .any_surfaces = facts.triangles + facts.spheres > 0,
+        .any_sheets = facts.sheets > 0,
+        .any_media = murk_media_any(world->media),
+        .bends = murk_media_bends(world->media),
+        .margin_m = OFF_BY * size,
+        .piece_m = world->domain.is_periodic
+                       ? PIECE_OF_PERIOD * fmin(b.x - a.x, b.y - a.y)
+                       : INFINITY};
+    murk_status status = MURK_OK;
+    for (int band = 0; band < world->bands && !status; ++band) {
+        status = add_lights(scenery, band, err);
+    }
+    return status;
+}
+
+void murk_scenery_release(murk_scenery *scenery)
+{
+    for (int band = 0; band < MURK_BANDS_MAX; ++band) {
+        free(scenery->lit[band]);
+        free(scenery->chance[band]);
+    }
+    *scenery = (murk_scenery){0};
+}

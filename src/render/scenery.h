@@ -1,0 +1,45 @@
+/* The world as pictures of it need it, and straight ways through it.
+ *
+ * A way passes media and, where wanted, thin sheets; it ends at anything else,
+ * and where the index of refraction changes, since light bends there. In a
+ * periodic domain it goes on at the opposite side. */
+#ifndef MURK_RENDER_SCENERY_H
+#define MURK_RENDER_SCENERY_H
+
+#include "base/status.h"
+#include "sensing/passage.h"
+#include "transport/trace.h"
+
+/* Immutable; any number of threads may use it. */
+typedef struct murk_scenery {
+    const murk_world *world;
+    bool any_surfaces, any_sheets, any_media, bends;
+    double margin_m; /* what surfaces in single precision are off by, at most */
+    double piece_m;  /* no straight piece is longer */
+    size_t *lit[MURK_BANDS_MAX];    /* [n_lit] lights with power in a band */
+    double *chance[MURK_BANDS_MAX]; /* [n_lit] cumulative, of being drawn */
+    size_t n_lit[MURK_BANDS_MAX];
+} murk_scenery;
+
+/* The world must outlive it. Release it also after a failure. */
+murk_status murk_scenery_prepare(murk_scenery *scenery, const murk_world *world,
+                                 murk_error *err);
+void murk_scenery_release(murk_scenery *scenery);
+
+/* What is left of light in a band along a way from a point that lies on no
+ * surface (murk_surfaces_leave()), over a length or, INFINITY, out of the
+ * domain: 0 where it is blocked. */
+double murk_scenery_through(const murk_scenery *scenery, int band,
+                            murk_vec3 from, murk_vec3 direction,
+                            double length_m, bool through_sheets);
+
+/* How far one can look from a point in the open: to the first surface, change
+ * of index or side of the domain. */
+double murk_scenery_reach(const murk_scenery *scenery, murk_vec3 from,
+                          murk_vec3 direction);
+
+/* Optical depth over that length. */
+double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
+                          murk_vec3 direction, double length_m);
+
+#endif
