@@ -29,6 +29,15 @@ const murk_command murk_commands[] = {
      "Traces and measures what the given sensors see. With -o writes "
      "DIR/coverage.json (last), coverage.csv and all that trace writes.",
      murk_command_sense},
+    {"render", "SCENE [-o IMAGE.exr]",
+     "a picture, as one of its cameras sees it",
+     "Writes an OpenEXR image of radiance [W/m2/sr] in each band: with its "
+     "standard error, the parts that came from surfaces and from media last, "
+     "optical depth, distance and position, and RGB for the eye. By maps it "
+     "traces photons (or takes --light's), and the image's errors hold their "
+     "noise; by paths it needs none. Without -o the image lies beside the "
+     "scene. Channels and method: scenes/README.md.",
+     murk_command_render},
     {"study", "STUDY.yaml [-o DIR]",
      "a chain of runs over times and conditions",
      "Runs a scene once for each row of a study: every combination of what the "

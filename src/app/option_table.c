@@ -4,21 +4,21 @@
 
 const murk_option murk_option_table[] = {
     {MURK_OPTION_OUT, "--out", "-o", "DIR",
-     "trace place sense study fit report media",
+     "trace place sense render study fit report media",
      "write the results into this folder; without it the summary is printed "
-     "and nothing is written (media: the file of a --profile's grid; report: "
-     "the page, else DIR/report.html)"},
+     "and nothing is written (media: the file of a --profile's grid; render: "
+     "the image, else SCENE.exr; report: the page, else DIR/report.html)"},
     {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
      "seed of all random numbers, 0..4294967295"},
     {MURK_OPTION_THREADS, "--threads", "-j", "N", NULL,
      "threads, 1..256; default: all processors. The results are the same for "
      "any number"},
     {MURK_OPTION_EMIT, "--emit", NULL, "N",
-     "check trace place sense study fit replay",
+     "check trace place sense render study fit replay",
      "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or "
      "store of the scene"},
     {MURK_OPTION_STORE, "--store", NULL, "N",
-     "check trace place sense study fit replay",
+     "check trace place sense render study fit replay",
      "emit until N photons are stored; replaces emit or store of the scene"},
     {MURK_OPTION_COUNT, "--count", NULL, "N", "check place",
      "number of sensors to place; replaces the scene's target"},
@@ -67,6 +67,11 @@ const murk_option murk_option_table[] = {
      "propose the K places of candidates whose readings would tell most"},
     {MURK_OPTION_PREDICT, "--predict", NULL, "FIT.json", "fit",
      "fit nothing: predict the data at the values of a finished fit"},
+    {MURK_OPTION_CAMERA, "--camera", NULL, "NAME", "render",
+     "which of the scene's cameras; default: the first"},
+    {MURK_OPTION_METHOD, "--method", NULL, "maps|path", "render",
+     "maps (default): direct light by shadow rays, all other from the photon "
+     "maps; path: path tracing, which needs no photons and has no bias"},
     {MURK_OPTION_PROFILE, "--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb"},
@@ -78,7 +83,7 @@ const murk_option murk_option_table[] = {
      "height of the grid's voxels in m; default: a hundredth of the profile"},
     {MURK_OPTION_WIDTH, "--width", NULL, "M", "media",
      "width of the grid in x and y in m; default: 1000"},
-    {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense",
+    {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense render",
      "use this light.murk instead of tracing; refused when the seed or a key "
      "that the light depends on differs"},
     {MURK_OPTION_SET, "--set", NULL, "KEY=VALUE", NULL,
@@ -96,7 +101,6 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_VERSION, "--version", NULL, NULL, NULL,
      "version, commit, compiler and packages"},
     {MURK_OPTION_MAN, "--man", NULL, NULL, NULL, NULL},
-    {MURK_OPTION_LATER, "--camera", NULL, "NAME", NULL, NULL},
 };
 
 const size_t murk_option_table_size =

@@ -28,6 +28,8 @@ typedef enum murk_option_id {
     MURK_OPTION_TRACES,
     MURK_OPTION_NEXT,
     MURK_OPTION_PREDICT,
+    MURK_OPTION_CAMERA,
+    MURK_OPTION_METHOD,
     MURK_OPTION_PROFILE,
     MURK_OPTION_COLUMN,
     MURK_OPTION_ROWS,
@@ -38,8 +40,7 @@ typedef enum murk_option_id {
     MURK_OPTION_PROGRESS,
     MURK_OPTION_HELP,
     MURK_OPTION_VERSION,
-    MURK_OPTION_MAN,
-    MURK_OPTION_LATER /* of the contract, not supported yet */
+    MURK_OPTION_MAN
 } murk_option_id;
 
 typedef struct murk_option {

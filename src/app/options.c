@@ -15,8 +15,6 @@
 #define TRACES_MAX  1000
 #define NEXT_MAX    100
 
-static const char *const later_commands[] = {"render"};
-
 static murk_status find_command(murk_options *out, const char *name,
                                 murk_error *err)
 {
@@ -26,17 +24,10 @@ static murk_status find_command(murk_options *out, const char *name,
             return MURK_OK;
         }
     }
-    for (size_t i = 0; i < sizeof later_commands / sizeof *later_commands;
-         ++i) {
-        if (strcmp(later_commands[i], name) == 0) {
-            return murk_fail(err, MURK_UNSUPPORTED, "", "%s: not supported yet",
-                             name);
-        }
-    }
     return murk_fail(
         err, MURK_BAD_VALUE, "",
         "%s: no such command; there are check, trace, place, "
-        "sense, study, fit, report, replay and media (murk --help)",
+        "sense, render, study, fit, report, replay and media (murk --help)",
         name);
 }
 
@@ -44,6 +35,7 @@ static murk_status apply(murk_options *out, const murk_option *option,
                          const char *value, murk_error *err)
 {
     static const char *const formats[] = {"text", "json", NULL};
+    static const char *const methods[] = {"maps", "path", NULL};
     static const char *const progresses[] = {"never", "auto", "always", NULL};
     const char *name = option->name;
     murk_status status = MURK_OK;
@@ -115,6 +107,13 @@ static murk_status apply(murk_options *out, const murk_option *option,
     case MURK_OPTION_MATRIX:
         out->matrix = value;
         break;
+    case MURK_OPTION_CAMERA:
+        out->camera = value;
+        break;
+    case MURK_OPTION_METHOD:
+        status = murk_option_choice(name, value, methods, &which, err);
+        out->by_path = which == 1;
+        break;
     case MURK_OPTION_PROFILE:
         out->profile = value;
         break;
@@ -159,8 +158,6 @@ static murk_status apply(murk_options *out, const murk_option *option,
     case MURK_OPTION_MAN:
         out->wants_man = true;
         break;
-    case MURK_OPTION_LATER:
-        return murk_fail(err, MURK_UNSUPPORTED, name, "not supported yet");
     }
     return status;
 }

@@ -52,6 +52,8 @@ struct murk_options {
     const char *light;   /* --light */
     const char *sensors; /* --sensors */
     const char *matrix;  /* --matrix */
+    const char *camera;  /* --camera */
+    bool by_path;        /* --method path */
     const char *profile; /* --profile; with it: */
     const char *column, *rows, *voxel, *width;
     unsigned exports; /* --export: murk_export bits */
@@ -88,6 +90,7 @@ murk_status murk_command_check(const murk_options *, murk_error *);
 murk_status murk_command_trace(const murk_options *, murk_error *);
 murk_status murk_command_place(const murk_options *, murk_error *);
 murk_status murk_command_sense(const murk_options *, murk_error *);
+murk_status murk_command_render(const murk_options *, murk_error *);
 murk_status murk_command_study(const murk_options *, murk_error *);
 murk_status murk_command_fit(const murk_options *, murk_error *);
 murk_status murk_command_report(const murk_options *, murk_error *);

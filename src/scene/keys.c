@@ -111,7 +111,7 @@ static const murk_key SCENE_ROWS[] = {
         FLAG(murk_scene, sensors.given)),
     ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),
     ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}"),
-    ROW("cameras", ONLY, .preset = "[]"),
+    ROW("cameras", LIST, .keys = &murk_camera_keys, .preset = "[]"),
     END,
 };
 

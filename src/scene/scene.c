@@ -413,6 +413,7 @@ void murk_scene_destroy(murk_scene *scene)
     }
     free(scene->lights);
     free(scene->tallies);
+    free(scene->cameras);
     free(scene->resolved);
     free(scene->light_key);
     free(scene->world_key);

@@ -249,6 +249,15 @@ typedef struct murk_scene_tally {
     bool hemispheres;
 } murk_scene_tally;
 
+typedef struct murk_scene_camera {
+    murk_scene_name name;
+    murk_scene_where where;
+    murk_vec3 from, to, up;
+    double vfov_rad;
+    size_t pixels[2]; /* width, height */
+    size_t samples;   /* of a pixel */
+} murk_scene_camera;
+
 typedef enum murk_scene_zone {
     MURK_SCENE_NO_SHAPE,
     MURK_SCENE_ZONE_BOX,
@@ -502,6 +511,8 @@ struct murk_scene {
     size_t n_tallies;
     murk_scene_sensors sensors;
     murk_scene_placement placement;
+    murk_scene_camera *cameras;
+    size_t n_cameras;
     murk_scene_condition *conditions;
     size_t n_conditions;
     char *resolved;  /* the whole scene as it was used, overrides and defaults

@@ -74,7 +74,6 @@ place() {
 # ---- usage ----
 expect 2 "no command"
 expect 2 "no such command" plaice "$dir/good.yaml"
-expect 2 "not supported yet" render "$dir/good.yaml"
 expect 2 "no scene" place
 expect 2 "no such option" place "$dir/good.yaml" --sed 3
 expect 2 "--seed: -1" place "$dir/good.yaml" --seed -1

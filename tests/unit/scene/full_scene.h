@@ -79,6 +79,8 @@ static const char FULL_SCENE[] =
     "conditions: {clear: {}, fog: {media.haze.extinction_per_m: .2,\n"
     "  media.smoke.vdb: thick.vdb, lights.0.power_w: 1e1,\n"
     "  media.thin: {extinction_per_m: 1, albedo: 1}}}\n"
-    "cameras: []\n";
+    "cameras:\n"
+    "  - {name: gate, from_m: [1, 1, 2], to_m: [15, 10, 1], up: [0, 0, 1],\n"
+    "     vfov_deg: 45, pixels: [640, 480], samples: 16}\n";
 
 #endif
