@@ -1,5 +1,7 @@
 #include "app/report_scene.h"
 
+#include "base/log.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -88,6 +90,7 @@ murk_status murk_report_scene_read(murk_report_scene *out,
     const murk_yaml *made = results->json[MURK_RESULT_PLAN];
     const murk_yaml *plan = made ? made : results->json[MURK_RESULT_COVERAGE];
     murk_error why = {0};
+    const murk_warn_sink told = murk_warn_to(NULL); /* by the run */
     if (plan && murk_results_has(results->folder, "scene.yaml")) {
         char *path = murk_results_path(results->folder, "scene.yaml");
         if (path && murk_scene_read(&out->scene, path, NULL, 0, &why)) {
@@ -101,6 +104,7 @@ murk_status murk_report_scene_read(murk_report_scene *out,
         }
         free(path);
     }
+    murk_warn_to(told);
     if (!plan) {
         return MURK_OK;
     }

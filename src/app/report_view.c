@@ -15,7 +15,7 @@
 #define SPHERES_MAX   1000
 #define CELLS_ALONG   40 /* of media, along the longest side */
 #define STEPS         65535
-#define DOT_SHARE     220 /* a photon's dot, of the view's size */
+#define DOT_SHARE     400 /* a photon's dot, of the view's size */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are sent as they lie in memory");
@@ -206,7 +206,7 @@ static char *data_json(const murk_report_scene *s, const murk_view_mesh *mesh,
     if (mesh->triangles > 0) {
         cJSON *item = cJSON_AddObjectToObject(root, "mesh");
         add_box(item, &mesh->box);
-        cJSON_AddNumberToObject(item, "steps", mesh->steps);
+        cJSON_AddNumberToObject(item, "steps", MURK_VIEW_STEPS);
     }
     if (media->cell) {
         const double count[3] = {(double)media->size[0], (double)media->size[1],
@@ -312,7 +312,7 @@ static void write_notes(FILE *to, const murk_report_scene *s,
         fprintf(to, "Of %llu stored photons %zu are shown, evenly chosen. ",
                 (unsigned long long)s->points.photons, s->points.n);
     }
-    if (mesh->steps < STEPS && mesh->asked > 0) {
+    if (mesh->is_coarse) {
         fprintf(to,
                 "Of %zu triangles %zu are shown: surfaces are coarser here "
                 "than in the simulation. ",

@@ -3,22 +3,46 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define STEPS_MAX 65535
+/* Cells along the longest side; and where a place lies in whole steps, with
+ * as many along each side. */
+typedef struct lattice {
+    double low[3], size[3];
+    double cell_m;
+} lattice;
 
-/* A lattice point as one number, x in the highest bits. */
-static uint64_t key_of(const murk_box *box, uint32_t steps, murk_vec3 p)
+static lattice lattice_of(const murk_box *box, uint32_t cells)
 {
-    const double low[3] = {box->min.x, box->min.y, box->min.z};
-    const double high[3] = {box->max.x, box->max.y, box->max.z};
+    const murk_vec3 size = murk_sub(box->max, box->min);
+    const double longest = fmax(fmax(size.x, size.y), size.z);
+    return (lattice){{box->min.x, box->min.y, box->min.z},
+                     {size.x, size.y, size.z},
+                     longest / cells};
+}
+
+static double within(double value, double most)
+{
+    return floor(fmin(fmax(value, 0), most) + 0.5);
+}
+
+/* A cell as one number, x in the highest bits. */
+static uint64_t key_of(const lattice *l, murk_vec3 p)
+{
     const double at[3] = {p.x, p.y, p.z};
     uint64_t key = 0;
     for (int k = 0; k < 3; ++k) {
-        const double size = high[k] - low[k];
-        const double share = size > 0 ? (at[k] - low[k]) / size : 0;
-        const double step = floor(fmin(fmax(share, 0), 1) * steps + 0.5);
-        key = key << 16 | (uint64_t)step;
+        const double cells =
+            l->cell_m > 0 ? (at[k] - l->low[k]) / l->cell_m : 0;
+        key = key << 16 | (uint64_t)within(cells, MURK_VIEW_STEPS);
     }
     return key;
+}
+
+static uint64_t step_of(const lattice *l, murk_vec3 p, int axis)
+{
+    const double at[3] = {p.x, p.y, p.z};
+    const double share =
+        l->size[axis] > 0 ? (at[axis] - l->low[axis]) / l->size[axis] : 0;
+    return (uint64_t)within(share * MURK_VIEW_STEPS, MURK_VIEW_STEPS);
 }
 
 static int by_key(const void *a, const void *b)
@@ -30,6 +54,7 @@ static int by_key(const void *a, const void *b)
 typedef struct face {
     uint32_t corner[3];
     uint32_t sorted[3];
+    size_t triangle; /* that it was */
 } face;
 
 static int by_corners(const void *a, const void *b)
@@ -65,19 +90,17 @@ static void sort3(uint32_t v[3])
     }
 }
 
-/* What the triangles are on a lattice of so many steps: distinct corners in
+/* What the triangles are on a lattice: distinct corners in
  * key[*vertices], distinct triangles with an area in faces[return]. key has
  * room for 3 a triangle, all and faces for 3 and 1. */
-static size_t cluster(const murk_surfaces *surfaces, const murk_view_mesh *mesh,
-                      uint64_t *all, uint64_t *key, size_t *vertices,
-                      face *faces)
+static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
+                      uint64_t *all, uint64_t *key, face *faces)
 {
-    const size_t n = mesh->asked;
     for (size_t i = 0; i < n; ++i) {
         murk_vec3 corner[3];
         murk_surfaces_triangle(surfaces, i, corner);
         for (size_t k = 0; k < 3; ++k) {
-            all[3 * i + k] = key_of(&mesh->box, mesh->steps, corner[k]);
+            all[3 * i + k] = key_of(l, corner[k]);
         }
     }
     memcpy(key, all, 3 * n * sizeof *key);
@@ -90,7 +113,7 @@ static size_t cluster(const murk_surfaces *surfaces, const murk_view_mesh *mesh,
     }
     size_t kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        face f;
+        face f = {.triangle = i};
         for (size_t k = 0; k < 3; ++k) {
             f.corner[k] = find(key, distinct, all[3 * i + k]);
         }
@@ -107,36 +130,41 @@ static size_t cluster(const murk_surfaces *surfaces, const murk_view_mesh *mesh,
             faces[once++] = faces[i];
         }
     }
-    *vertices = distinct;
     return once;
 }
 
-/* Only corners that a triangle has; `all` is done with and tells their new
- * numbers. */
-static bool take(murk_view_mesh *out, const uint64_t *key, size_t vertices,
-                 const face *faces, size_t triangles, uint64_t *all)
+/* Corners that a face has, in the middle of those that became one. */
+static bool take(murk_view_mesh *out, const murk_surfaces *surfaces,
+                 const face *faces, size_t triangles, uint64_t *number)
 {
+    const lattice l = lattice_of(&out->box, 1);
+    uint64_t(*sum)[4] = calloc(3 * triangles + 1, sizeof *sum);
     out->place = malloc((9 * triangles + 1) * sizeof *out->place);
     out->corner = malloc((3 * triangles + 1) * sizeof *out->corner);
-    if (!out->place || !out->corner) {
-        return false;
+    const bool is_whole = sum && out->place && out->corner;
+    for (size_t i = 0; is_whole && i < 3 * triangles; ++i) {
+        number[faces[i / 3].corner[i % 3]] = UINT64_MAX;
     }
-    for (size_t i = 0; i < vertices; ++i) {
-        all[i] = UINT64_MAX;
-    }
-    for (size_t i = 0; i < 3 * triangles; ++i) {
-        const uint32_t old = faces[i / 3].corner[i % 3];
-        if (all[old] == UINT64_MAX) {
-            uint16_t *place = out->place + 3 * out->vertices;
-            place[0] = (uint16_t)(key[old] >> 32);
-            place[1] = (uint16_t)(key[old] >> 16);
-            place[2] = (uint16_t)key[old];
-            all[old] = out->vertices++;
+    for (size_t i = 0; is_whole && i < 3 * triangles; ++i) {
+        murk_vec3 place[3];
+        uint64_t *vertex = &number[faces[i / 3].corner[i % 3]];
+        murk_surfaces_triangle(surfaces, faces[i / 3].triangle, place);
+        if (*vertex == UINT64_MAX) {
+            *vertex = out->vertices++;
         }
-        out->corner[i] = (uint32_t)all[old];
+        for (int k = 0; k < 3; ++k) {
+            sum[*vertex][k] += step_of(&l, place[i % 3], k);
+        }
+        ++sum[*vertex][3];
+        out->corner[i] = (uint32_t)*vertex;
     }
-    out->triangles = triangles;
-    return true;
+    for (size_t i = 0; is_whole && i < 3 * out->vertices; ++i) {
+        const uint64_t *of = sum[i / 3];
+        out->place[i] = (uint16_t)((of[i % 3] + of[3] / 2) / of[3]);
+    }
+    out->triangles = is_whole ? triangles : 0;
+    free(sum);
+    return is_whole;
 }
 
 murk_status murk_view_mesh_make(murk_view_mesh *out,
@@ -145,29 +173,26 @@ murk_status murk_view_mesh_make(murk_view_mesh *out,
 {
     const murk_surfaces_facts facts = murk_surfaces_describe(surfaces);
     const size_t n = facts.triangles;
-    *out =
-        (murk_view_mesh){.box = facts.bounds_m, .steps = STEPS_MAX, .asked = n};
+    *out = (murk_view_mesh){.box = facts.bounds_m, .asked = n};
     uint64_t *all = malloc((3 * n + 1) * sizeof *all);
     uint64_t *key = malloc((3 * n + 1) * sizeof *key);
     face *faces = malloc((n + 1) * sizeof *faces);
     bool is_whole = all && key && faces;
-    if (is_whole) {
-        size_t vertices = 0;
-        size_t kept = cluster(surfaces, out, all, key, &vertices, faces);
-        /* a surface has about as many lattice points as steps squared; from
-         * there on by steps that shrink, until it fits */
-        if (kept > most) {
-            out->steps = (uint32_t)(2 * sqrt((double)most)) + 2;
-        }
+    if (is_whole && n > 0) {
+        uint32_t cells = MURK_VIEW_STEPS;
+        lattice l = lattice_of(&out->box, cells);
+        size_t kept = cluster(surfaces, n, &l, all, key, faces);
+        out->is_coarse = kept > most;
+        /* a surface has about as many cells as their number squared; from
+         * there on by numbers that shrink, until it fits */
+        cells = out->is_coarse ? (uint32_t)(2 * sqrt((double)most)) + 2 : cells;
         while (kept > most) {
-            kept = cluster(surfaces, out, all, key, &vertices, faces);
-            if (kept > most) {
-                const double share = sqrt((double)most / (double)kept);
-                out->steps = (uint32_t)(0.95 * share * out->steps);
-                out->steps = out->steps < 1 ? 1 : out->steps;
-            }
+            l = lattice_of(&out->box, cells);
+            kept = cluster(surfaces, n, &l, all, key, faces);
+            const double share = sqrt((double)most / (double)(kept + 1));
+            cells = (uint32_t)fmax(1, 0.95 * share * cells);
         }
-        is_whole = take(out, key, vertices, faces, kept, all);
+        is_whole = take(out, surfaces, faces, kept, all);
     }
     free(all);
     free(key);

@@ -12,7 +12,9 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 const SEEN = [new Color(0xff5a4d), new Color(0x5aa0ff), new Color(0x4fd07a)];
 const SENSOR = 0xffc800, PICKED = 0xffffff, WALL = 0x9fb0c4;
-const RING_SIDES = 64;
+const RING_SIDES = 64, FIELD_DEG = 45;
+// three.js takes a point's size as if the field of view were 90 degrees
+const POINT = 1 / Math.tan(FIELD_DEG * Math.PI / 360);
 
 const element = (id) => document.getElementById(id);
 
@@ -83,7 +85,7 @@ function photons(data, all, seen, first, end) {
   geometry.setAttribute("position", new BufferAttribute(all.slice(3 * first, 3 * end), 3));
   geometry.setAttribute("color", new BufferAttribute(color, 3));
   return new Points(geometry, new PointsMaterial({
-    size: data.dot_m, map: round((t) => Math.min(1, 4 * t)), vertexColors: true, transparent: true, alphaTest: 0.3, depthWrite: false,
+    size: POINT * data.dot_m, map: round((t) => Math.min(1, 4 * t)), vertexColors: true, transparent: true, alphaTest: 0.3, depthWrite: false,
   }));
 }
 
@@ -96,7 +98,7 @@ function media(data) {
   const widest = Math.max(...step);
   // a few full cells one behind the other are opaque already; by
   // the root, so that thin smoke is seen beside thick
-  const full = 1 - Math.exp(-40 / Math.cbrt(nx * ny * nz));
+  const full = 1 - Math.exp(-7 / Math.cbrt(nx * ny * nz));
   for (let i = 0; i < raw.length; ++i) {
     if (!raw[i]) continue;
     const at = [i % nx, Math.floor(i / nx) % ny, Math.floor(i / (nx * ny))];
@@ -107,7 +109,7 @@ function media(data) {
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(place), 3));
   geometry.setAttribute("color", new BufferAttribute(new Float32Array(color), 4));
   return new Points(geometry, new PointsMaterial({
-    size: 3 * widest, map: round((t) => t * t), vertexColors: true, transparent: true, depthWrite: false,
+    size: 3 * POINT * widest, map: round((t) => t * t), vertexColors: true, transparent: true, depthWrite: false,
   }));
 }
 
@@ -170,7 +172,7 @@ class View {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new Scene();
     this.scene.background = new Color(0x10141b);
-    this.camera = new PerspectiveCamera(45, 1, data.size_m / 1000, data.size_m * 20);
+    this.camera = new PerspectiveCamera(FIELD_DEG, 1, data.size_m / 1000, data.size_m * 20);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
