@@ -142,7 +142,7 @@ static void tick_text(FILE *to, double value, bool is_share)
     if (is_share) {
         fprintf(to, "%.4g %%", 100 * value);
     } else {
-        fprintf(to, "%.4g", value);
+        fprintf(to, "%.5g", value);
     }
 }
 

@@ -163,9 +163,12 @@ static murk_status tell(const murk_options *options, const char *path,
     (void)stat(path, &known);
     if (!options->json) {
         if (!options->quiet) {
-            printf("%s: %.2f MB, %zu of %llu photons\n", path,
-                   (double)known.st_size / 1e6, scene->points.n,
-                   (unsigned long long)scene->points.photons);
+            printf("%s: %.2f MB", path, (double)known.st_size / 1e6);
+            if (scene->points.photons > 0) {
+                printf(", %zu of %llu photons", scene->points.n,
+                       (unsigned long long)scene->points.photons);
+            }
+            putchar('\n');
         }
         return MURK_OK;
     }

@@ -15,7 +15,7 @@
 
 /* From this ratio on, an axis of positive numbers is drawn by logarithms. */
 #define LOG_RATIO   20
-#define LOG_RATIO_Y 200
+#define LOG_RATIO_Y 50
 
 typedef struct frame {
     const murk_table *table;
