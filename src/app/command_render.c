@@ -209,9 +209,12 @@ static void print_summary(const job *j)
            j->camera->name, p->width, p->height, j->camera->samples,
            method_of(j));
     for (int b = 0; b < p->bands; ++b) {
+        /* Of the records' noise the pixels have their share, which they have in
+         * common. */
         printf("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean of the "
-               "picture\n",
-               s->scene->band_nm[b], p->mean[b], p->mean_error[b]);
+               "picture%s\n",
+               s->scene->band_nm[b], p->mean[b], p->mean_error[b],
+               j->options->by_path ? "" : " (error of the rays alone)");
     }
     if (p->lost > 0) {
         printf("lost        %llu of %llu rays, by caps or rounding\n",
