@@ -48,13 +48,19 @@ static void off_of_run(double *off, const murk_fit_search *s,
 }
 
 static void add_up(murk_slope_noise *out, const murk_fit_search *s,
-                   const double *off)
+                   const double *off, const double *jacobian)
 {
     const size_t n = s->n, width = n + 1;
+    double square = 0;
+    for (size_t i = 0; i < s->n_lit; ++i) {
+        square += off[i * width] * off[i * width];
+    }
+    out->share += square;
     for (size_t i = 0; i < s->n_lit; ++i) {
         const double *row = off + i * width;
-        out->share += row[0] * row[0];
         for (size_t k = 0; k < n; ++k) {
+            /* a residual's slope is the other way round */
+            out->bias[k] += jacobian[i * n + k] * row[0] * square;
             out->bias[k] += row[0] * row[1 + k];
             for (size_t j = 0; j < n; ++j) {
                 out->noise[k * n + j] += row[1 + k] * row[1 + j];
@@ -70,17 +76,21 @@ static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
     const size_t n = s->n, width = n + 1;
     double *total = calloc(lits * width + 1, sizeof *total);
     double *off = calloc(s->n_lit * width + 1, sizeof *off);
-    if (!total || !off) {
+    double *residual = calloc(s->n_fitted * width + 1, sizeof *residual);
+    if (!total || !off || !residual) {
         free(total);
         free(off);
+        free(residual);
         return no_memory(err);
     }
+    const double *jacobian = residual + s->n_fitted;
+    murk_fit_search_residuals(s, residual, residual + s->n_fitted);
     for (size_t i = 0; i < runs * lits * width; ++i) {
         total[i % (lits * width)] += part[i];
     }
     for (size_t run = 0; run < runs; ++run) {
         off_of_run(off, s, part, total, run, runs, place, lits);
-        add_up(out, s, off);
+        add_up(out, s, off, jacobian);
     }
     const double unbiased = (double)runs / ((double)runs - 1);
     out->share *= unbiased / (double)s->n_lit;
@@ -93,6 +103,7 @@ static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
     }
     free(total);
     free(off);
+    free(residual);
     return MURK_OK;
 }
 

@@ -2,14 +2,18 @@
  *
  * Values f and slopes J of re-weighted rows come from the same photons, so
  * their noises go together. With weights W = L^-T L^-1 the equation that least
- * squares solve, J^T W (y - f) = 0, is off by b = tr(W cov(f, J)), and J^T W J
- * is too large by N = tr(W cov(J, J)): parameters would be drawn towards where
+ * squares solve, J^T W (y - f) = 0, is off by tr(W cov(f, J)), and J^T W J is
+ * too large by N = tr(W cov(J, J)): parameters would be drawn towards where
  * paths carry less noise, and look surer than they are (errors in variables:
- * Fuller, Measurement Error Models, 1987, doi:10.1002/9780470316665). Both are
+ * Fuller, Measurement Error Models, 1987, doi:10.1002/9780470316665). Weights
+ * come from these photons, too: rows with too few of them are too low and
+ * weigh too much, which draws the other way by J^T W <p (p^T W p)>, p being the
+ * noise of f; where photons are most of the noise, both nearly cancel. All are
  * known from the photons themselves, run by run. So rows are offset by d with
- * J^T W d = b, and what is said to be known is A = J^T W J - N, with the
- * covariance A^-1 (A + (1 + phi) N) A^-1, where phi, the photons' share of all
- * noise, bounds what their joint noise adds. Inside this room only. */
+ * J^T W d = b, the difference, and what is said to be known is A = J^T W J - N,
+ * with the covariance A^-1 (A + (1 + phi) N) A^-1, where phi, the photons'
+ * share of all noise, bounds what their joint noise adds. Inside this room
+ * only. */
 #ifndef MURK_CALIBRATE_SLOPE_NOISE_H
 #define MURK_CALIBRATE_SLOPE_NOISE_H
 
