@@ -30,7 +30,7 @@ const planted_case planted_smoke = {
     .n = 2,
     .key = {"media.smoke.extinction_per_m", "media.smoke.albedo"},
     .truth = {3, .6},
-    .emit = 20000};
+    .emit = 40000};
 
 const planted_case planted_water = {
     .name = "water",
