@@ -72,7 +72,7 @@ static void slopes_at(double extinction, const char *phase, int place,
     static const size_t kept[1] = {0};
     static murk_receiver receiver[KINDS * RECEIVERS];
     static double batch[BATCHES][KINDS];
-    char text[64], seed[16];
+    char text[64], seed[24];
     make_receivers(receiver);
     snprintf(text, sizeof text, "media.fog.extinction_per_m=%.17g", extinction);
     snprintf(seed, sizeof seed, "seed=%d", place + 1);
