@@ -14,29 +14,6 @@
 #define LIGHTS 80
 #define EMIT   30000
 
-static murk_model *model_of(const planted_field *field,
-                            const murk_free_keys *keys)
-{
-    const murk_model_desc desc = {.keys = keys,
-                                  .measured = field->measured,
-                                  .threads = 2,
-                                  .donors = &field->donors};
-    murk_model *model = NULL;
-    murk_error err = {0};
-    if (murk_model_create(&model, &desc, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-    }
-    return model;
-}
-
-static bool held(murk_status status, const murk_error *err)
-{
-    if (status) {
-        printf("%s: %s\n", err->where, err->text);
-    }
-    return !status;
-}
-
 /* Sums over lit rows in their measurement errors: of values, and of slopes by
  * each key; as predicted, and their covariance by runs of photons. */
 typedef struct sums {
@@ -100,7 +77,7 @@ static bool light_once(sums *out, double *square, planted_field *field,
 {
     const size_t rows = field->measured->rows, n = field->of->n;
     murk_free_keys *keys = planted_keys(field, emit, seed);
-    murk_model *model = keys ? model_of(field, keys) : NULL;
+    murk_model *model = keys ? planted_model(field, keys) : NULL;
     double *room = calloc(rows * (n + 3), sizeof *room), share;
     double *slope = room + rows, *weight = slope + rows * n;
     double *off = weight + rows, *covariance = NULL;
@@ -110,13 +87,15 @@ static bool light_once(sums *out, double *square, planted_field *field,
     murk_error err = {0};
     bool is_well =
         model && room &&
-        held(murk_model_trace(model, field->of->truth, &err), &err) &&
-        held(murk_model_predict(model, field->of->truth, room, slope, &share,
-                                &err),
-             &err) &&
-        held(murk_model_parts(model, &p.runs, &p.part, &err), &err) &&
-        held(murk_model_noise(model, &lit, &p.lits, &covariance, &err), &err) &&
-        held(murk_whitening_create(&whitening, covariance, p.lits, &err), &err);
+        planted_held(murk_model_trace(model, field->of->truth, &err), &err) &&
+        planted_held(murk_model_predict(model, field->of->truth, room, slope,
+                                        &share, &err),
+                     &err) &&
+        planted_held(murk_model_parts(model, &p.runs, &p.part, &err), &err) &&
+        planted_held(murk_model_noise(model, &lit, &p.lits, &covariance, &err),
+                     &err) &&
+        planted_held(
+            murk_whitening_create(&whitening, covariance, p.lits, &err), &err);
     for (size_t i = 0; i < p.lits && is_well; ++i) {
         const murk_measured_row *row = &field->measured->row[lit[i]];
         weight[i] = 1 / field->measured->reading[row->first].standard_error;

@@ -296,3 +296,26 @@ bool planted_fit_once(planted_fit *out, planted_field *f, uint32_t seed,
     murk_free_keys_destroy(keys);
     return is_well;
 }
+
+murk_model *planted_model(const planted_field *field,
+                          const murk_free_keys *keys)
+{
+    const murk_model_desc desc = {.keys = keys,
+                                  .measured = field->measured,
+                                  .threads = 2,
+                                  .donors = &field->donors};
+    murk_model *model = NULL;
+    murk_error err = {0};
+    if (murk_model_create(&model, &desc, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+    }
+    return model;
+}
+
+bool planted_held(murk_status status, const murk_error *err)
+{
+    if (status) {
+        printf("%s: %s\n", err->where, err->text);
+    }
+    return !status;
+}

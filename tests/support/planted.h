@@ -77,4 +77,12 @@ typedef struct planted_fit {
 bool planted_fit_once(planted_fit *out, planted_field *field, uint32_t seed,
                       unsigned threads);
 
+/* The forward model of a field, on two threads; says why where there is none.
+ */
+murk_model *planted_model(const planted_field *field,
+                          const murk_free_keys *keys);
+
+/* Whether it is MURK_OK; else says why not. */
+bool planted_held(murk_status status, const murk_error *err);
+
 #endif

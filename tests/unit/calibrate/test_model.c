@@ -12,29 +12,6 @@
 #define STEP  1e-3
 #define CLOSE 1e-6
 
-static murk_model *model_of(const planted_field *field,
-                            const murk_free_keys *keys)
-{
-    const murk_model_desc desc = {.keys = keys,
-                                  .measured = field->measured,
-                                  .threads = 2,
-                                  .donors = &field->donors};
-    murk_model *model = NULL;
-    murk_error err = {0};
-    if (murk_model_create(&model, &desc, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-    }
-    return model;
-}
-
-static bool held(murk_status status, const murk_error *err)
-{
-    if (status) {
-        printf("%s: %s\n", err->where, err->text);
-    }
-    return !status;
-}
-
 /* d/dvalue[k] of all rows by four predictions; room[4][rows]. */
 static bool differ(double *out, double *room, murk_model *model,
                    const double *value, size_t n, size_t k, size_t rows)
@@ -51,7 +28,7 @@ static bool differ(double *out, double *room, murk_model *model,
     for (size_t p = 0; p < 4 && is_well; ++p) {
         murk_error err = {0};
         moved[k] = value[k] + place[p] * step;
-        is_well = held(
+        is_well = planted_held(
             murk_model_predict(model, moved, room, NULL, &share, &err), &err);
         for (size_t i = 0; i < rows && is_well; ++i) {
             out[i] += weight[p] * room[i] / step;
@@ -69,9 +46,10 @@ static size_t count_off(const planted_field *field, murk_model *model,
     double *predicted = room, *slope = room + rows, *by = slope + rows * n;
     double *work = by + rows;
     murk_error err = {0};
-    bool is_well = room && held(murk_model_predict(model, value, predicted,
-                                                   slope, &share, &err),
-                                &err);
+    bool is_well =
+        room && planted_held(murk_model_predict(model, value, predicted, slope,
+                                                &share, &err),
+                             &err);
     CHECK(is_well && share > 0 && share <= 1);
     size_t off = 0;
     for (size_t k = 0; k < n && is_well; ++k) {
@@ -97,14 +75,14 @@ static void test_slopes_are_those_of_the_values(void)
         planted_field field;
         CHECK(planted_open(&field, cases[c]));
         murk_free_keys *keys = planted_keys(&field, emit[c], 1);
-        murk_model *model = keys ? model_of(&field, keys) : NULL;
+        murk_model *model = keys ? planted_model(&field, keys) : NULL;
         CHECK(model);
         double value[PLANTED_KEYS_MAX];
         murk_error err = {0};
         for (size_t k = 0; model && k < keys->n; ++k) {
             value[k] = keys->key[k].start;
         }
-        if (model && held(murk_model_trace(model, value, &err), &err)) {
+        if (model && planted_held(murk_model_trace(model, value, &err), &err)) {
             CHECK(count_off(&field, model, value, 1) == 0);
             for (size_t k = 0; k < keys->n; ++k) { /* away from the light */
                 value[k] *= k % 2 ? .96 : 1.05;
@@ -129,11 +107,12 @@ static void test_slope_error_is_of_all_conditions(void)
     planted_field field;
     CHECK(planted_open(&field, &lamp));
     murk_free_keys *keys = planted_keys(&field, 3000, 1);
-    murk_model *model = keys ? model_of(&field, keys) : NULL;
+    murk_model *model = keys ? planted_model(&field, keys) : NULL;
     murk_error err = {0};
     CHECK(model && isnan(murk_model_slope_error(model, 0)));
     const double divergence_deg = 2;
-    if (model && held(murk_model_trace(model, &divergence_deg, &err), &err)) {
+    if (model &&
+        planted_held(murk_model_trace(model, &divergence_deg, &err), &err)) {
         const double error = murk_model_slope_error(model, 0);
         CHECK(error > 0 && isfinite(error));
     }
