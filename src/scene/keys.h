@@ -8,7 +8,6 @@
 
 typedef enum murk_key_kind {
     MURK_KEY_LATER,       /* of the contract, not supported yet */
-    MURK_KEY_ONLY,        /* no value but its default is supported yet */
     MURK_KEY_NUMBER,      /* double, times `factor` */
     MURK_KEY_COUNT,       /* uint32_t, uint64_t or size_t */
     MURK_KEY_BOOL,        /* bool */

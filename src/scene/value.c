@@ -6,7 +6,6 @@
 
 #include "base/file.h"
 #include "scene/number.h"
-#include "scene/print.h"
 #include "scene/words.h"
 
 murk_status murk_value_wrong(murk_walk *walk, const murk_key *key,
@@ -358,43 +357,6 @@ murk_status murk_value_word(murk_walk *walk, const murk_key *key,
 
 /* ---- what may only be its default ---- */
 
-/* Numbers and nulls in one form, so that [0.0, 1, 0] is [0, 1, 0]. */
-static bool normalise(murk_yaml *node)
-{
-    char text[MURK_NUMBER_SIZE];
-    double value;
-    if (murk_yaml_number(node, &value)) {
-        murk_number_print(text, value);
-        return murk_yaml_set_text(node, text);
-    }
-    if (murk_yaml_is_null(node)) {
-        return murk_yaml_set_text(node, "null");
-    }
-    for (size_t i = 0; i < node->n; ++i) {
-        if (!normalise(node->child[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static murk_status read_only(murk_walk *walk, const murk_key *key,
-                             murk_yaml *node)
-{
-    char found[MURK_FOUND_SIZE];
-    murk_value_found(node, found);
-    char *printed = normalise(node) ? murk_print_flow(node) : NULL;
-    if (!printed) {
-        return murk_walk_no_memory(walk);
-    }
-    const bool is_default = strcmp(printed, key->preset) == 0;
-    free(printed);
-    return is_default ? MURK_OK
-                      : murk_walk_fail(walk, MURK_UNSUPPORTED, node, false,
-                                       "%s is not supported yet, must be %s",
-                                       found, key->preset);
-}
-
 void murk_value_store(void *item, size_t at, size_t size, int value)
 {
     char *const member = (char *)item + at;
@@ -476,8 +438,6 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
     case MURK_KEY_SPECTRUM:
     case MURK_KEY_SHARED:
         return read_spectrum(walk, key, node, member);
-    case MURK_KEY_ONLY:
-        return read_only(walk, key, node);
     case MURK_KEY_OWN:
         return key->read(walk, key, node, item);
     case MURK_KEY_LATER:

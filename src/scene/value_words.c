@@ -198,7 +198,6 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
         snprintf(out, size, "%s", key->allowed);
         break;
     case MURK_KEY_LATER:
-    case MURK_KEY_ONLY:
         snprintf(out, size, "%s", key->preset ? key->preset : "left out");
         break;
     }
