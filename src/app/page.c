@@ -1,6 +1,7 @@
 #include "app/page.h"
 
 #include "base/file.h"
+#include "base/utf8.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -12,28 +13,7 @@
 
 /* ---- text ---- */
 
-/* Bytes of the UTF-8 character at text, 0: it is none (also overlong ones,
- * surrogates, and what is beyond U+10FFFF). */
-static size_t character(const unsigned char *text)
-{
-    const unsigned char c = text[0];
-    const size_t n = c < 0x80                ? 1
-                     : c >= 0xc2 && c < 0xe0 ? 2
-                     : c >= 0xe0 && c < 0xf0 ? 3
-                     : c >= 0xf0 && c < 0xf5 ? 4
-                                             : 0;
-    for (size_t i = 1; i < n; ++i) {
-        if ((text[i] & 0xc0) != 0x80) {
-            return 0;
-        }
-    }
-    const bool is_bad =
-        (c == 0xe0 && text[1] < 0xa0) || (c == 0xed && text[1] >= 0xa0) ||
-        (c == 0xf0 && text[1] < 0x90) || (c == 0xf4 && text[1] >= 0x90);
-    return is_bad ? 0 : n;
-}
-
-static const char *entity(unsigned char c)
+static const char *entity(char c)
 {
     switch (c) {
     case '<':
@@ -53,11 +33,11 @@ static const char *entity(unsigned char c)
 
 void murk_page_text(FILE *to, const char *text)
 {
-    const unsigned char *at = (const unsigned char *)text;
+    const char *at = text;
     while (at && *at) {
-        const size_t n = character(at);
-        const bool is_control =
-            *at < 0x20 ? *at != '\n' && *at != '\t' : *at == 0x7f;
+        const size_t n = murk_utf8_length(at);
+        const unsigned char c = (unsigned char)*at;
+        const bool is_control = c < 0x20 ? c != '\n' && c != '\t' : c == 0x7f;
         if (n == 0 || is_control) {
             fputs(UNKNOWN, to);
             ++at;
