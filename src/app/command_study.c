@@ -103,7 +103,8 @@ static murk_status begin(study_session *s, murk_error *err)
 static murk_status write_files(study_session *s, bool is_interrupted,
                                murk_error *err)
 {
-    const murk_run_facts run = {.threads = s->options->threads,
+    const murk_run_facts run = {.command = s->options->typed,
+                                .threads = s->options->threads,
                                 .total_s = murk_clock_s() - s->begun_s};
     murk_status status = murk_add_table(&s->results, s->sweep, err);
     char *text = murk_json_end(murk_study_json(s->sweep, is_interrupted), &run);

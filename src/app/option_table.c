@@ -106,6 +106,27 @@ const murk_option murk_option_table[] = {
 const size_t murk_option_table_size =
     sizeof murk_option_table / sizeof *murk_option_table;
 
+const murk_option *murk_option_find(const char *text, size_t length)
+{
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        const murk_option *option = &murk_option_table[i];
+        if ((strlen(option->name) == length &&
+             strncmp(option->name, text, length) == 0) ||
+            (option->other && strlen(option->other) == length &&
+             strncmp(option->other, text, length) == 0)) {
+            return option;
+        }
+    }
+    return NULL;
+}
+
+const murk_option *murk_option_find_short(const char *text)
+{
+    const int may_be = text[0] == '-' && text[1] != '-' && strlen(text) > 2;
+    const murk_option *option = may_be ? murk_option_find(text, 2) : NULL;
+    return option && option->argument ? option : NULL;
+}
+
 int murk_option_belongs(const murk_option *option, const char *command)
 {
     if (!option->commands) {

@@ -55,6 +55,12 @@ typedef struct murk_option {
 extern const murk_option murk_option_table[];
 extern const size_t murk_option_table_size;
 
+/* By name or its other spelling, text[length]; NULL: there is none. */
+const murk_option *murk_option_find(const char *text, size_t length);
+
+/* One of a letter, whose value follows at once: -j2; NULL: it is none. */
+const murk_option *murk_option_find_short(const char *text);
+
 /* Whether a list such as "place sense" holds the name; NULL holds all. */
 int murk_option_belongs(const murk_option *option, const char *command);
 

@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include "app/command_line.h"
 #include "app/option_table.h"
 #include "app/option_values.h"
 #include "base/crew.h"
@@ -162,28 +163,6 @@ static murk_status apply(murk_options *out, const murk_option *option,
     return status;
 }
 
-static const murk_option *find_option(const char *text, size_t length)
-{
-    for (size_t i = 0; i < murk_option_table_size; ++i) {
-        const murk_option *option = &murk_option_table[i];
-        if ((strlen(option->name) == length &&
-             strncmp(option->name, text, length) == 0) ||
-            (option->other && strlen(option->other) == length &&
-             strncmp(option->other, text, length) == 0)) {
-            return option;
-        }
-    }
-    return NULL;
-}
-
-/* One of a letter, whose value follows at once; NULL: it is none. */
-static const murk_option *find_short(const char *text)
-{
-    const bool may_be = text[0] == '-' && text[1] != '-' && strlen(text) > 2;
-    const murk_option *option = may_be ? find_option(text, 2) : NULL;
-    return option && option->argument ? option : NULL;
-}
-
 /* One option and its value, which stands behind "=" or in the next argument;
  * *i moves past it. */
 static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
@@ -192,9 +171,9 @@ static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
     const char *text = argv[*i];
     const char *equals = strncmp(text, "--", 2) == 0 ? strchr(text, '=') : NULL;
     const size_t length = equals ? (size_t)(equals - text) : strlen(text);
-    const murk_option *option = find_option(text, length);
+    const murk_option *option = murk_option_find(text, length);
     if (!option) {
-        option = find_short(text);
+        option = murk_option_find_short(text);
         if (option) { /* -j2 */
             return apply(out, option, text + 2, err);
         }
@@ -229,8 +208,8 @@ static murk_status check_belonging(const murk_options *out, int argc,
         const char *equals = strchr(argv[i], '=');
         const size_t length =
             equals ? (size_t)(equals - argv[i]) : strlen(argv[i]);
-        const murk_option *option = find_option(argv[i], length);
-        option = option ? option : find_short(argv[i]);
+        const murk_option *option = murk_option_find(argv[i], length);
+        option = option ? option : murk_option_find_short(argv[i]);
         if (!option) {
             continue;
         }
@@ -265,6 +244,9 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     }
     if (!status) {
         status = check_belonging(out, argc, argv, err);
+    }
+    if (!status) {
+        status = murk_command_line(&out->typed, argc, argv, err);
     }
     if (status || out->wants_help || out->wants_version || out->wants_man) {
         return status;
@@ -312,5 +294,6 @@ void murk_options_release(murk_options *options)
     release_words(&options->fit.free);
     release_words(&options->fit.bounds);
     free(options->overrides);
+    free(options->typed);
     *options = (murk_options){0};
 }

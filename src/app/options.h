@@ -66,6 +66,7 @@ struct murk_options {
     murk_progress_mode progress;
     murk_override *overrides; /* scene keys, in the order given */
     size_t n_overrides;
+    char *typed; /* the command line that gives the same again, for a shell */
     char **kept; /* texts that overrides point to */
     size_t n_kept;
 };

@@ -1,89 +1,38 @@
-/* Where the light went, how the results were made, and how to make them
- * again. */
+/* How the results were made, and how to make them again. */
+#include "app/command_line.h"
 #include "app/page.h"
 #include "app/report.h"
 
 #include <dirent.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-/* ---- energy ---- */
-
-static void write_watts(FILE *to, const char *name, double watts,
-                        double emitted)
-{
-    murk_page_row_begin(to, name);
-    murk_page_cell_number(to, watts);
-    murk_page_cell_share(to, emitted > 0 ? watts / emitted : NAN, NAN);
-    murk_page_row_end(to);
-}
-
-static void write_absorbers(FILE *to, const murk_yaml *ledger, const char *path,
-                            const char *what, double emitted)
-{
-    const murk_yaml *by = murk_result_at(ledger, path);
-    const size_t n = by && by->kind == MURK_YAML_MAP ? by->n : 0;
-    for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
-        char name[160];
-        snprintf(name, sizeof name, "%s %s", what, by->key[i]);
-        write_watts(to, name, murk_result_number(by->child[i], "total"),
-                    emitted);
-    }
-}
-
-void murk_report_light(FILE *to, const murk_results_in *results)
-{
-    static const char *const heads[] = {"where", "W", "of what was emitted"};
-    const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];
-    if (!ledger) {
-        return;
-    }
-    const double emitted = murk_result_number(ledger, "emitted_w.total");
-    murk_page_section_begin(to, "light", "Where the light went");
-    murk_page_table_begin(to, "Energy balance", heads, 3);
-    write_watts(to, "emitted", emitted, emitted);
-    write_watts(to, "absorbed by surfaces",
-                murk_result_number(ledger, "absorbed_surfaces_w.total"),
-                emitted);
-    write_absorbers(to, ledger, "absorbed_by_material_w", "of that by",
-                    emitted);
-    write_watts(to, "absorbed by media",
-                murk_result_number(ledger, "absorbed_media_w.total"), emitted);
-    write_absorbers(to, ledger, "absorbed_by_medium_w", "of that by", emitted);
-    write_watts(to, "escaped", murk_result_number(ledger, "escaped_w.total"),
-                emitted);
-    write_watts(to, "lost to rounding and limits",
-                murk_result_number(ledger, "lost_w.total"), emitted);
-    murk_page_table_end(to);
-    murk_page_section_end(to);
-}
-
 /* ---- commands ---- */
 
-/* A word for a POSIX shell: in quotes, where it needs them. */
+static const char *const names[MURK_RESULT_FILES] = {
+    [MURK_RESULT_PLAN] = "plan.json",
+    [MURK_RESULT_COVERAGE] = "coverage.json",
+    [MURK_RESULT_STUDY] = "study.json",
+    [MURK_RESULT_FIT] = "fit.json",
+    [MURK_RESULT_LEDGER] = "ledger.json"};
+
+/* ledger.json is made beside the others, by the same run. */
+static bool is_main(const murk_results_in *results, int which)
+{
+    bool has_other = false;
+    for (int i = 0; i < MURK_RESULT_LEDGER; ++i) {
+        has_other = has_other || results->json[i];
+    }
+    return results->json[which] && !(which == MURK_RESULT_LEDGER && has_other);
+}
+
 static void write_word(FILE *to, const char *word)
 {
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRST"
-                                "UVWXYZ0123456789_-+./:=@,%";
-    char *quoted = malloc(4 * strlen(word) + 3);
-    if (!quoted || (*word && word[strspn(word, plain)] == '\0')) {
-        murk_page_text(to, word);
-        free(quoted);
-        return;
-    }
-    char *at = quoted;
-    *at++ = '\'';
-    for (; *word; ++word) {
-        if (*word == '\'') { /* out of the quotes and in again */
-            memcpy(at, "'\\'", 3);
-            at += 3;
-        }
-        *at++ = *word;
-    }
-    memcpy(at, "'", 2);
-    murk_page_text(to, quoted);
+    char *quoted = murk_shell_word(word);
+    murk_page_text(to, quoted ? quoted : word);
     free(quoted);
 }
 
@@ -95,116 +44,75 @@ static void write_file_of(FILE *to, const murk_results_in *results,
     free(path);
 }
 
-static void write_seed(FILE *to, const murk_yaml *root)
+/* What was typed, from the folder where that was. */
+static bool write_typed(FILE *to, const murk_results_in *results)
 {
-    const double seed = murk_result_number(root, "seed");
-    if (isfinite(seed)) {
-        fprintf(to, " --seed %.0f", seed);
+    const char *last = "";
+    bool has_any = false;
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        const murk_yaml *root = results->json[i];
+        const char *command = murk_result_text(root, "run.command");
+        const char *folder = murk_result_text(root, "run.folder");
+        if (!is_main(results, i) || !command) {
+            continue;
+        }
+        if (!has_any) {
+            murk_page_paragraph(to, "As it was typed. Files are named as seen "
+                                    "from the folder it was typed in.");
+            fputs("<pre tabindex=\"0\">", to);
+        }
+        if (folder && strcmp(folder, last) != 0) {
+            fputs("cd ", to);
+            write_word(to, folder);
+            fputc('\n', to);
+            last = folder;
+        }
+        murk_page_text(to, command);
+        fputs(" -o again\n", to);
+        has_any = true;
     }
+    fputs(has_any ? "murk report again</pre>\n" : "", to);
+    return has_any;
 }
 
-static void write_place(FILE *to, const murk_results_in *results)
+/* From the scene that lies beside the results: all keys are in it, what
+ * options of the search said is not. */
+static void write_resolved(FILE *to, const murk_results_in *results)
 {
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
-    const char *matrix = murk_result_text(plan, "matrix.file");
+    const murk_yaml *seen = results->json[MURK_RESULT_COVERAGE];
     const double repeats = murk_result_number(plan, "repeat.asked");
-    if (matrix) {
-        fputs("murk place --matrix ", to);
-        write_word(to, matrix);
-        fprintf(to, " --count %zu", murk_result_count(plan, "sensors"));
-        write_seed(to, plan);
-    } else {
-        fputs("murk place ", to);
-        write_file_of(to, results, "scene.yaml");
-        if (isfinite(repeats)) {
-            fprintf(to, " --repeat %.0f", repeats);
-        }
+    murk_page_paragraph(to, "From scene.yaml of this folder: the scene as "
+                            "resolved, with all keys that the command line "
+                            "set, and files by their whole paths.");
+    fputs("<pre tabindex=\"0\">murk ", to);
+    fputs(plan ? "place " : seen ? "sense " : "trace ", to);
+    write_file_of(to, results, "scene.yaml");
+    if (isfinite(repeats)) {
+        fprintf(to, " --repeat %.0f", repeats);
     }
-    fputs(" -o again\n", to);
-}
-
-/* KEY@each for all values of a key by condition, which follow each other. */
-static void write_free_keys(FILE *to, const murk_yaml *fit)
-{
-    const size_t n = murk_result_count(fit, "parameters");
-    const murk_yaml *list = murk_result_at(fit, "parameters");
-    const char *last = "";
-    size_t last_length = 0;
-    for (size_t i = 0; i < n; ++i) {
-        char word[256];
-        const char *key = murk_result_text(list->child[i], "key");
-        if (!key) {
-            continue;
-        }
-        const size_t length = strcspn(key, "@");
-        if (key[length] && length == last_length &&
-            strncmp(key, last, length) == 0) {
-            continue;
-        }
-        last = key;
-        last_length = key[length] ? length : 0;
-        snprintf(word, sizeof word, "%.*s%s",
-                 (int)(length < 200 ? length : 200), key,
-                 key[length] ? "@each" : "");
-        fputs(" --free ", to);
-        write_word(to, word);
+    if (seen && !plan) {
+        fputs(" --sensors ", to);
+        write_file_of(to, results, "coverage.json");
     }
-}
-
-static void write_fit(FILE *to, const murk_yaml *fit)
-{
-    const char *scene = murk_result_text(fit, "scene");
-    const char *data = murk_result_text(fit, "data.file");
-    fputs("murk fit ", to);
-    write_word(to, scene ? scene : "SCENE");
-    fputs(" --data ", to);
-    write_word(to, data ? data : "DATA");
-    write_free_keys(to, fit);
-    write_seed(to, fit);
-    fputs(" -o again\n", to);
+    fputs(" -o again\nmurk report again</pre>\n", to);
 }
 
 static void write_commands(FILE *to, const murk_results_in *results)
 {
-    const murk_yaml *study = results->json[MURK_RESULT_STUDY];
-    const murk_yaml *fit = results->json[MURK_RESULT_FIT];
-    fputs("<h3>The commands that make it again</h3>\n<pre tabindex=\"0\">", to);
-    if (results->json[MURK_RESULT_PLAN]) {
-        write_place(to, results);
+    fputs("<h3>The commands that make it again</h3>\n", to);
+    const bool has_typed = write_typed(to, results);
+    const bool has_scene = !results->json[MURK_RESULT_STUDY] &&
+                           !results->json[MURK_RESULT_FIT] &&
+                           murk_results_has(results->folder, "scene.yaml");
+    if (has_scene) {
+        write_resolved(to, results);
     }
-    if (results->json[MURK_RESULT_COVERAGE]) {
-        fputs("murk sense ", to);
-        write_file_of(to, results, "scene.yaml");
-        fputs(" --sensors ", to);
-        write_file_of(to, results, "coverage.json");
-        fputs(" -o again\n", to);
-    }
-    if (study) {
-        const char *path = murk_result_text(study, "study");
-        fputs("murk study ", to);
-        write_word(to, path ? path : "STUDY");
-        write_seed(to, study);
-        fputs(" -o again\n", to);
-    }
-    if (fit) {
-        write_fit(to, fit);
-    }
-    if (!results->json[MURK_RESULT_PLAN] &&
-        !results->json[MURK_RESULT_COVERAGE] && !study && !fit) {
-        fputs("murk trace ", to);
-        write_file_of(to, results, "scene.yaml");
-        fputs(" -o again\n", to);
-    }
-    fputs("murk report again</pre>\n", to);
     murk_page_paragraph(
-        to, study || fit
+        to, has_typed || has_scene
                 ? "The same program on the same kind of processor gives the "
-                  "same bits for any number of threads. What was said by --set "
-                  "or by options of the search when it was run has to be said "
-                  "again."
-                : "scene.yaml is the scene as resolved, with all that the "
-                  "command line said. The same program on the same kind of "
-                  "processor gives the same bits for any number of threads.");
+                  "same bits for any number of threads."
+                : "The results do not say which command made them.");
 }
 
 /* ---- provenance ---- */
@@ -295,16 +203,11 @@ static void write_files(FILE *to, const char *folder)
 
 void murk_report_made(FILE *to, const murk_results_in *results)
 {
-    static const char *const names[MURK_RESULT_FILES] = {
-        "plan.json", "coverage.json", "study.json", "fit.json", "ledger.json"};
-    bool has_main = false;
     murk_page_section_begin(to, "made", "How it was made");
     write_commands(to, results);
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        /* ledger.json is made by the same run */
-        if (results->json[i] && !(i == MURK_RESULT_LEDGER && has_main)) {
+        if (is_main(results, i)) {
             write_run(to, names[i], results->json[i]);
-            has_main = true;
         }
     }
     write_files(to, results->folder);

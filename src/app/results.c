@@ -1,6 +1,7 @@
 #include "app/results.h"
 
 #include "app/version.h"
+#include "base/utf8.h"
 #include "study/machine.h"
 #include "study/units.h"
 
@@ -239,11 +240,27 @@ static char *tabs_to_spaces(const char *text)
     return out;
 }
 
+/* What was typed, and where: paths in it are as seen from there. */
+static void add_command(cJSON *object, const char *command)
+{
+    char folder[4096];
+    cJSON_AddStringToObject(object, "command", command);
+    if (getcwd(folder, sizeof folder) &&
+        murk_utf8_is_printable(folder, sizeof folder)) {
+        cJSON_AddStringToObject(object, "folder", folder);
+    } else {
+        cJSON_AddNullToObject(object, "folder");
+    }
+}
+
 char *murk_json_end(cJSON *root, const murk_run_facts *run)
 {
     cJSON *object = cJSON_GetObjectItem(root, "run");
     if (!object) {
         object = cJSON_AddObjectToObject(root, "run");
+    }
+    if (run->command) {
+        add_command(object, run->command);
     }
     cJSON_AddNumberToObject(object, "threads", run->threads);
     cJSON *seconds = cJSON_AddObjectToObject(object, "seconds");

@@ -59,6 +59,7 @@ cJSON *murk_json_begin(const murk_scene *scene);
 cJSON *murk_json_begin_murk(void);
 
 typedef struct murk_run_facts {
+    const char *command; /* as options->typed; NULL: not known */
     unsigned threads;
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
 } murk_run_facts;

@@ -17,6 +17,7 @@ murk_status murk_session_scene(murk_session *session,
 {
     *session = (murk_session){.options = options,
                               .run.threads = options->threads,
+                              .run.command = options->typed,
                               .begun_s = murk_clock_s()};
     if (options->quiet) {
         murk_warn_to(NULL);

@@ -8,11 +8,13 @@ usage: report.py MURK
 import array
 import base64
 import hashlib
+import html
 import html.parser
 import json
 import math
 import os
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -98,6 +100,13 @@ class Page(html.parser.HTMLParser):
             self.text += data
 
 
+def commands(path):
+    """The page's blocks of commands, as text to paste."""
+    with open(path, encoding="utf-8") as file:
+        blocks = re.findall(r'<pre tabindex="0">([^<]*)</pre>', file.read())
+    return [html.unescape(block) for block in blocks]
+
+
 def block(text, name):
     return re.search(f'<script type="[a-z/]*" id="{name}">([^<]*)</script>', text).group(1)
 
@@ -153,6 +162,35 @@ def main(murk):
             check(done.returncode == 0, arguments, done.stderr)
             return done.stdout
 
+        def paste(text):
+            """The commands in a shell that finds murk, from anywhere."""
+            os.symlink(murk, at("bin/murk"))
+            done = subprocess.run(["bash", "-euc", text], cwd="/", text=True, check=False,
+                                  capture_output=True, env={"PATH": at("bin") + ":/usr/bin:/bin"})
+            os.unlink(at("bin/murk"))
+            check(done.returncode == 0, text, done.stderr)
+
+        def facts(name):
+            """A JSON but for `run`."""
+            with open(at(name), encoding="utf-8") as file:
+                value = json.load(file)
+            check("-o" not in value["run"]["command"].split(), value["run"])
+            check(value["run"]["folder"] == os.path.realpath(folder), value["run"])
+            del value["run"]
+            return value
+
+        def make_again(out, name, blocks=1):
+            """What the page says to type makes the same JSON."""
+            run("report", out, "--quiet")
+            found = commands(at(out + "/report.html"))
+            check(len(found) == blocks, out, found)
+            for text in found[:1]:
+                paste(text)
+                check(facts("again/" + name) == facts(out + "/" + name), out, "is not the same:", text)
+                check(os.path.exists(at("again/report.html")), "no report again")
+            shutil.rmtree(at("again"), ignore_errors=True)
+
+        os.mkdir(at("bin"))
         write("it's <b>.yaml", SCENE)
         scene = "it's <b>.yaml"
         run("place", scene, "-o", "plan", "--quiet")
@@ -173,6 +211,7 @@ def main(murk):
         check(plan["scene_sha256"] in page.text and plan["murk"]["commit"] in page.text,
               "no provenance")
         check("murk place plan/scene.yaml -o again" in page.text, "no command")
+        check("murk place 'it'\\''s <b>.yaml' -o again" in page.text, "not as typed")
         check(page.tags.count("svg") == 4, page.tags.count("svg"), "plots, want 4")
         check(page.tags.count("table") >= 5, "tables")
         photons = plan["photons"]["surface"] + plan["photons"]["volume"]
@@ -206,12 +245,13 @@ def main(murk):
         cells = base64.b64decode(block(text, "media-cells"))
         check(len(cells) == math.prod(data["media"]["size"]) and set(cells) == {255}, "even fog")
 
-        # the command of the page gives the same plan
-        run("place", "plan/scene.yaml", "-o", "again", "--quiet")
+        # from the scene beside it: the same plan
+        paste(f"cd {folder}\n" + commands(at("plan/report.html"))[1])
         with open(at("again/plan.json"), encoding="utf-8") as file:
             again = json.load(file)
         check(again["coverage"] == coverage and again["sensors"] == plan["sensors"],
               "the command of the page gives another plan")
+        shutil.rmtree(at("again"))
 
         # the same bytes again, and in the file that is named
         run("report", "plan", "-o", "named.html", "--quiet")
@@ -253,6 +293,22 @@ def main(murk):
         check("--free lights.0.power_w" in page.text, "no command of fit")
         check("'it'\\''s <b>.yaml'" in page.text, "the scene is not quoted for a shell")
         check("held out" in page.text and page.tags.count("svg") == 1, "residuals")
+
+        # what is printed, pasted, makes the same: options of each kind
+        run("place", scene, "-o", "two", "-j2", "--quiet", "--set", "placement.restarts=7",
+            "--count", "2", "--seed=5", "--repeat", "2", "--progress=never")
+        make_again("two", "plan.json", 2)
+        run("sense", scene, "--sensors", "two/plan.json", "--emit", "900", "-o", "sensed", "--quiet")
+        make_again("sensed", "coverage.json", 2)
+        run("trace", scene, "-otraced", "--store", "500", "--quiet")
+        make_again("traced", "ledger.json", 2)
+        run("study", "study.yaml", "--seed", "9", "--set", "lights.0.position_m=[2, 2, 2.4]",
+            "-o", "swept", "--quiet")
+        make_again("swept", "study.json")
+        run("fit", scene, "--data", "data.csv", "--free", "lights.0.power_w", "-o", "fitted",
+            "--traces", "1", "--quiet", "--emit", "2000", "--loss", "huber:2", "--starts", "2",
+            "--bounds", "lights.0.power_w=1:90")
+        make_again("fitted", "fit.json")
     print("failures:", failures)
     return failures != 0
 

@@ -74,7 +74,8 @@ HEAD = {
                           "xxhash": text(r"\d.+")}},
     "scene": text(".+"), "scene_sha256": text("[0-9a-f]{64}"),
     "seed": whole(0, 4294967295),
-    "run": {"threads": whole(1),
+    "run": {"command": text("murk .+"), "folder": either(null, text("/.*")),
+            "threads": whole(1),
             "seconds": {name: number(0, 600) for name in
                         ("load", "trace", "map", "sense", "place", "total")},
             "peak_memory_bytes": whole(1000000, 2000000000),

@@ -1,0 +1,134 @@
+#include "app/command_line.h"
+
+#include "app/option_table.h"
+#include "base/utf8.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What needs no quotes, wherever it stands in a word. */
+static const char plain[] = "abcdefghijklmnopqrstuvwxyz"
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                            "0123456789_-+./:=@,%";
+
+/* 'it'\''s': out of the quotes for one, and in again. */
+static void quote(char *to, const char *word)
+{
+    *to++ = '\'';
+    for (; *word; ++word) {
+        if (*word == '\'') {
+            memcpy(to, "'\\'", 3);
+            to += 3;
+        }
+        *to++ = *word;
+    }
+    memcpy(to, "'", 2);
+}
+
+static void escape(char *to, const char *word)
+{
+    memcpy(to, "$'", 2);
+    to += 2;
+    while (*word) {
+        const unsigned char c = (unsigned char)*word;
+        if (!murk_utf8_is_printable(word, 1) || c == '\'' || c == '\\') {
+            to += snprintf(to, 5, "\\%03o", c);
+            ++word;
+        } else {
+            const size_t n = murk_utf8_length(word);
+            memcpy(to, word, n);
+            to += n;
+            word += n;
+        }
+    }
+    memcpy(to, "'", 2);
+}
+
+char *murk_shell_word(const char *word)
+{
+    /* at most four characters for one, and the quotes */
+    char *out = malloc(4 * strlen(word) + 4);
+    if (!out) {
+        return NULL;
+    }
+    if (*word && word[strspn(word, plain)] == '\0') {
+        strcpy(out, word);
+    } else if (murk_utf8_is_printable(word, SIZE_MAX)) {
+        quote(out, word);
+    } else {
+        escape(out, word);
+    }
+    return out;
+}
+
+/* ---- the line ---- */
+
+/* Where results go, and what is said on the way. */
+static bool is_left_out(const murk_option *option)
+{
+    switch (option->id) {
+    case MURK_OPTION_OUT:
+    case MURK_OPTION_THREADS:
+    case MURK_OPTION_FORMAT:
+    case MURK_OPTION_QUIET:
+    case MURK_OPTION_PROGRESS:
+        return true;
+    default:
+        return false;
+    }
+}
+
+static char *append(char *line, const char *word)
+{
+    char *quoted = murk_shell_word(word);
+    const size_t at = strlen(line);
+    char *grown = quoted ? realloc(line, at + strlen(quoted) + 2) : NULL;
+    if (grown) {
+        grown[at] = ' ';
+        strcpy(grown + at + 1, quoted);
+    } else {
+        free(line);
+    }
+    free(quoted);
+    return grown;
+}
+
+/* How many arguments this one is with its value, which may be the next. */
+static int words_of(const murk_option *option, const char *text)
+{
+    const bool has_value = strncmp(text, "--", 2) == 0
+                               ? strchr(text, '=') != NULL
+                               : strlen(text) > 2;
+    return option && option->argument && !has_value ? 2 : 1;
+}
+
+murk_status murk_command_line(char **out, int argc, char **argv,
+                              murk_error *err)
+{
+    char *line = strdup("murk");
+    for (int i = 1; line && i < argc;) {
+        const char *text = argv[i];
+        const bool is_option = text[0] == '-' && text[1];
+        const bool is_long = strncmp(text, "--", 2) == 0;
+        const size_t length = is_long ? strcspn(text, "=") : strlen(text);
+        const murk_option *option =
+            is_option ? murk_option_find(text, length) : NULL;
+        if (is_option && !option) {
+            option = murk_option_find_short(text);
+        }
+        const int words = words_of(option, text);
+        for (int k = 0; line && k < words && i < argc; ++k, ++i) {
+            if (!option || !is_left_out(option)) {
+                line = append(line, argv[i]);
+            }
+        }
+    }
+    if (!line) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+    }
+    *out = line;
+    return MURK_OK;
+}
