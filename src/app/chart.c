@@ -3,46 +3,50 @@
 #include "app/page.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The plot in user units, which the page scales. */
-#define WIDTH  640.0
-#define HEIGHT 360.0
-#define LEFT   80.0
-#define RIGHT  16.0
-#define TOP    14.0
-#define BOTTOM 52.0
-#define LEGEND 20.0 /* height of a row of it */
+#define WIDTH     640.0
+#define BASE      308.0 /* where the axis of x lies */
+#define LEFT      80.0
+#define RIGHT     16.0
+#define TOP       14.0
+#define BELOW     52.0  /* room for ticks and name of that axis */
+#define SLANT     130.0 /* most room for names on a slant */
+#define LEGEND    20.0  /* height of a row of it */
+#define CHARACTER 7.0   /* width of one, about */
+#define MOST      1e300
+#define ROOM      0.06 /* above and below the data, in shares */
 
-#define TICKS_MAX 12
+/* Points of a plot beyond which none says its own values. */
+#define TOLD_MAX 300
 
-typedef struct axis {
-    double low, high; /* of the data, in logarithms where is_log */
-    double from, to;  /* on the plot */
-    bool is_log;
-} axis;
+typedef struct plot {
+    const murk_chart *chart;
+    murk_axis x, y;
+    double below;    /* height under the axis of x */
+    bool is_slanted; /* its names */
+    bool is_telling;
+} plot;
 
-/* What is beyond the axis lies at its end: a band's lower edge may be below 0
- * where the axis is one of logarithms. */
-static double place(const axis *a, double value)
+/* ---- what is drawn ---- */
+
+/* Finite, and so that a range of two of them is. */
+static bool is_known(double value)
 {
-    const double raw = a->is_log ? log10(value) : value;
-    const double v = fmin(fmax(raw, a->low), a->high);
-    return a->from + (v - a->low) / (a->high - a->low) * (a->to - a->from);
-}
-
-static void widen(axis *a, double value)
-{
-    const double v = a->is_log ? log10(value) : value;
-    if (isfinite(v)) {
-        a->low = fmin(a->low, v);
-        a->high = fmax(a->high, v);
-    }
+    return fabs(value) <= MOST;
 }
 
 static bool is_drawn(const murk_chart *c, const murk_chart_series *s, size_t i)
 {
-    return isfinite(s->x[i]) && isfinite(s->y[i]) &&
-           !(c->log_x && !(s->x[i] > 0)) && !(c->log_y && !(s->y[i] > 0));
+    return is_known(s->x[i]) && is_known(s->y[i]) &&
+           !(c->x == MURK_SCALE_LOG && !(s->x[i] > 0)) &&
+           !(c->y == MURK_SCALE_LOG && !(s->y[i] > 0));
+}
+
+static bool has_range(const murk_chart_series *s, size_t i)
+{
+    return s->low && s->high && is_known(s->low[i]) && is_known(s->high[i]);
 }
 
 static size_t step_of(const murk_chart_series *s)
@@ -50,289 +54,364 @@ static size_t step_of(const murk_chart_series *s)
     return s->n / MURK_CHART_POINTS_MAX + 1;
 }
 
-static void fit_axes(axis *x, axis *y, const murk_chart *c,
-                     const murk_chart_series *series, size_t n)
+static void fit_y(murk_axis *y, const murk_chart *c)
 {
+    for (size_t i = 0; i < c->y_lines; ++i) {
+        murk_axis_widen(y, c->y_line[i]);
+    }
+    const double low = y->low, high = y->high;
+    const bool is_log = c->y == MURK_SCALE_LOG;
+    murk_axis_close(y, ROOM);
+    if (!is_log && low >= 0 && (low < 0.5 * high || y->low < 0)) {
+        y->low = 0;
+    }
+    if (c->y == MURK_SCALE_SHARE && high <= 1 && y->high > 1) {
+        y->high = 1.005;
+    }
+}
+
+/* Of all that is drawn; false where that is nothing. */
+static bool fit_axes(plot *p, const murk_chart_series *series, size_t n)
+{
+    const murk_chart *c = p->chart;
+    size_t points = 0;
     for (size_t k = 0; k < n; ++k) {
         const murk_chart_series *s = &series[k];
         for (size_t i = 0; i < s->n; ++i) {
             if (!is_drawn(c, s, i)) {
                 continue;
             }
-            widen(x, s->x[i]);
-            widen(y, s->y[i]);
-            if (s->low && s->high && !c->log_y) {
-                widen(y, s->low[i]);
-                widen(y, s->high[i]);
+            ++points;
+            murk_axis_widen(&p->x, s->x[i]);
+            murk_axis_widen(&p->y, s->y[i]);
+            if (has_range(s, i) && c->y != MURK_SCALE_LOG) {
+                murk_axis_widen(&p->y, s->low[i]);
+                murk_axis_widen(&p->y, s->high[i]);
             }
         }
     }
-    for (size_t i = 0; i < c->y_lines; ++i) {
-        widen(y, c->y_line[i]);
+    if (points == 0) {
+        return false;
     }
+    p->is_telling = points <= TOLD_MAX;
+    fit_y(&p->y, c);
+    murk_axis_close(&p->x, 0);
     if (c->x_names > 0) {
-        x->low = -0.5;
-        x->high = (double)c->x_names - 0.5;
+        p->x.low = -0.5;
+        p->x.high = (double)c->x_names - 0.5;
     }
-    /* room about a single value, and about the ends */
-    if (!(x->high > x->low)) {
-        x->low -= 0.5;
-        x->high += 0.5;
+    return true;
+}
+
+static void fit_names(plot *p)
+{
+    const murk_chart *c = p->chart;
+    size_t most = 0;
+    for (size_t i = 0; i < c->x_names; ++i) {
+        const size_t length = strlen(c->x_name[i]);
+        most = length > most ? length : most;
     }
-    if (!(y->high > y->low)) {
-        const double room = y->high != 0 ? 0.1 * fabs(y->high) : 1;
-        y->low -= room;
-        y->high += room;
-    }
-    const double room = 0.06 * (y->high - y->low);
-    const bool is_from_0 = !c->log_y && y->low >= 0 && y->low < 0.5 * y->high;
-    y->low = is_from_0 ? 0 : y->low - room;
-    y->high += room;
-    if (c->is_share && y->high > 1) {
-        y->high = 1.005;
+    const double width = CHARACTER * (double)most;
+    const double room = (p->x.to - p->x.from) / fmax((double)c->x_names, 1);
+    p->is_slanted = c->x_names > 0 && width > room - 4;
+    p->below = BELOW + (p->is_slanted ? fmin(width / 2, SLANT) : 0);
+}
+
+/* ---- axes ---- */
+
+static void draw_y_ticks(FILE *to, const plot *p)
+{
+    double tick[MURK_TICKS_MAX], step;
+    const size_t n = murk_axis_ticks(tick, &step, &p->y);
+    for (size_t i = 0; i < n; ++i) {
+        const double at = murk_axis_place(&p->y, tick[i]);
+        fprintf(to,
+                "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>"
+                "<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" "
+                "text-anchor=\"end\">",
+                LEFT, at, WIDTH - RIGHT, LEFT - 6, at + 4);
+        murk_axis_write(to, &p->y, tick[i], step);
+        fputs("</text>\n", to);
     }
 }
 
-/* A step of 1, 2 or 5 times a power of ten, for some 6 of them. */
-static double tick_step(double range)
+static void begin_x_tick(FILE *to, const plot *p, double at)
 {
-    const double rough = range / 6;
-    const double ten = pow(10, floor(log10(rough)));
-    const double m = rough / ten;
-    return ten * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
-}
-
-/* Powers of ten, and over less than three of them 2 and 5 times those. */
-static size_t log_ticks(double out[TICKS_MAX], const axis *a)
-{
-    static const double within[] = {1, 2, 5};
-    const double decades = a->high - a->low;
-    const double stride = fmax(1, ceil(decades / 8));
-    size_t n = 0;
-    for (double e = floor(a->low / stride) * stride; e <= a->high;
-         e += stride) {
-        for (int k = 0; k < (decades > 3 ? 1 : 3) && n < TICKS_MAX; ++k) {
-            const double value = within[k] * pow(10, e);
-            if (log10(value) >= a->low && log10(value) <= a->high) {
-                out[n++] = value;
-            }
-        }
-    }
-    return n;
-}
-
-static size_t find_ticks(double out[TICKS_MAX], const axis *a, bool is_whole)
-{
-    if (a->is_log) {
-        return log_ticks(out, a);
-    }
-    double step = tick_step(a->high - a->low);
-    step = is_whole ? fmax(1, step) : step;
-    const double first = ceil(a->low / step);
-    size_t n = 0;
-    while (n < TICKS_MAX && (first + (double)n) * step <= a->high) {
-        out[n] = (first + (double)n) * step;
-        ++n;
-    }
-    return n;
-}
-
-static void tick_text(FILE *to, double value, bool is_share)
-{
-    if (is_share) {
-        fprintf(to, "%.4g %%", 100 * value);
+    fprintf(to, "<path class=\"axis\" d=\"M%.1f %.1fv5\"/>", at, BASE);
+    if (p->is_slanted) {
+        fprintf(to,
+                "<text class=\"tick\" transform=\"translate(%.1f %.1f) "
+                "rotate(-30)\" text-anchor=\"end\">",
+                at + 4, BASE + 16);
     } else {
-        fprintf(to, "%.5g", value);
+        fprintf(to,
+                "<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" "
+                "text-anchor=\"middle\">",
+                at, BASE + 19);
     }
 }
 
-static void y_tick(FILE *to, const axis *y, double value, bool is_share)
+/* Of names as many as there is room for. */
+static void draw_x_ticks(FILE *to, const plot *p)
 {
-    const double at = place(y, value);
-    fprintf(to,
-            "<line class=\"grid\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" "
-            "y2=\"%.1f\"/><text class=\"tick\" x=\"%.1f\" y=\"%.1f\" "
-            "text-anchor=\"end\">",
-            LEFT, at, WIDTH - RIGHT, at, LEFT - 6, at + 4);
-    tick_text(to, value, is_share);
-    fputs("</text>\n", to);
-}
-
-static void x_tick(FILE *to, double at)
-{
-    fprintf(to,
-            "<line class=\"axis\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" "
-            "y2=\"%.1f\"/><text class=\"tick\" x=\"%.1f\" y=\"%.1f\" "
-            "text-anchor=\"middle\">",
-            at, HEIGHT - BOTTOM, at, HEIGHT - BOTTOM + 5, at,
-            HEIGHT - BOTTOM + 18);
-}
-
-static void draw_x_ticks(FILE *to, const axis *x, const murk_chart *c)
-{
-    double tick[TICKS_MAX];
-    const size_t step = (c->x_names + TICKS_MAX - 1) / TICKS_MAX;
-    for (size_t i = 0; i < c->x_names; i += step) {
-        x_tick(to, place(x, (double)i));
+    const murk_chart *c = p->chart;
+    double tick[MURK_TICKS_MAX], step;
+    const size_t n = c->x_names > 0 ? 0 : murk_axis_ticks(tick, &step, &p->x);
+    for (size_t i = 0; i < n; ++i) {
+        begin_x_tick(to, p, murk_axis_place(&p->x, tick[i]));
+        murk_axis_write(to, &p->x, tick[i], step);
+        fputs("</text>\n", to);
+    }
+    const double room = (p->x.to - p->x.from) / fmax((double)c->x_names, 1);
+    const size_t stride = room < 18 ? (size_t)ceil(18 / room) : 1;
+    for (size_t i = 0; i < c->x_names; i += stride) {
+        begin_x_tick(to, p, murk_axis_place(&p->x, (double)i));
         murk_page_text(to, c->x_name[i]);
         fputs("</text>\n", to);
     }
-    const size_t n = c->x_names > 0 ? 0 : find_ticks(tick, x, c->whole_x);
-    for (size_t i = 0; i < n; ++i) {
-        x_tick(to, place(x, tick[i]));
-        tick_text(to, tick[i], false);
-        fputs("</text>\n", to);
-    }
 }
 
-static void draw_axes(FILE *to, const axis *x, const axis *y,
-                      const murk_chart *c)
+static void draw_axes(FILE *to, const plot *p)
 {
-    double tick[TICKS_MAX];
-    const size_t n = find_ticks(tick, y, false);
-    for (size_t i = 0; i < n; ++i) {
-        y_tick(to, y, tick[i], c->is_share);
-    }
-    draw_x_ticks(to, x, c);
+    const murk_chart *c = p->chart;
+    draw_y_ticks(to, p);
+    draw_x_ticks(to, p);
     fprintf(to,
             "<path class=\"axis\" d=\"M%.1f %.1fV%.1fH%.1f\"/>"
             "<text class=\"name\" x=\"%.1f\" y=\"%.1f\" "
             "text-anchor=\"middle\">",
-            LEFT, TOP, HEIGHT - BOTTOM, WIDTH - RIGHT,
-            (LEFT + WIDTH - RIGHT) / 2, HEIGHT - BOTTOM + 40);
+            LEFT, TOP, BASE, WIDTH - RIGHT, (LEFT + WIDTH - RIGHT) / 2,
+            BASE + p->below - 12);
     murk_page_text(to, c->x_title);
     fprintf(to,
             "</text><text class=\"name\" transform=\"translate(14 %.1f) "
             "rotate(-90)\" text-anchor=\"middle\">",
-            (TOP + HEIGHT - BOTTOM) / 2);
+            (TOP + BASE) / 2);
     murk_page_text(to, c->y_title);
     fputs("</text>\n", to);
     for (size_t i = 0; i < c->y_lines; ++i) {
-        fprintf(to,
-                "<line class=\"across\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" "
-                "y2=\"%.1f\"/>\n",
-                LEFT, place(y, c->y_line[i]), WIDTH - RIGHT,
-                place(y, c->y_line[i]));
+        fprintf(to, "<path class=\"across\" d=\"M%.1f %.1fH%.1f\"/>\n", LEFT,
+                murk_axis_place(&p->y, c->y_line[i]), WIDTH - RIGHT);
     }
 }
 
-static void draw_band(FILE *to, const axis *x, const axis *y,
-                      const murk_chart *c, const murk_chart_series *s,
+/* ---- series ---- */
+
+static double x_of(const plot *p, const murk_chart_series *s, size_t i)
+{
+    return murk_axis_place(&p->x, s->x[i]);
+}
+
+/* From point `begin`, which is drawn, to the last before a gap; what follows
+ * that. */
+static size_t end_of_run(const plot *p, const murk_chart_series *s,
+                         size_t begin, bool needs_range)
+{
+    size_t i = begin;
+    while (i < s->n && is_drawn(p->chart, s, i) &&
+           (!needs_range || has_range(s, i))) {
+        i += step_of(s);
+    }
+    return i;
+}
+
+static void draw_band(FILE *to, const plot *p, const murk_chart_series *s,
                       size_t number)
 {
     const size_t step = step_of(s);
-    bool is_first = true;
-    for (size_t i = 0; i < s->n; i += step) {
-        if (is_drawn(c, s, i) && isfinite(s->high[i])) {
-            fprintf(to, is_first ? "<path class=\"band s%zu\" d=\"M" : "L",
+    for (size_t begin = 0; begin < s->n; begin += step) {
+        const size_t end = end_of_run(p, s, begin, true);
+        if (end == begin) {
+            continue;
+        }
+        for (size_t i = begin; i < end; i += step) {
+            fprintf(to, i == begin ? "<path class=\"band s%zu\" d=\"M" : "L",
                     number);
-            fprintf(to, "%.1f %.1f", place(x, s->x[i]), place(y, s->high[i]));
-            is_first = false;
+            fprintf(to, "%.1f %.1f", x_of(p, s, i),
+                    murk_axis_place(&p->y, s->high[i]));
         }
-    }
-    if (is_first) {
-        return;
-    }
-    for (size_t i = (s->n - 1) / step * step + step; i >= step; i -= step) {
-        const size_t at = i - step;
-        if (is_drawn(c, s, at) && isfinite(s->low[at])) {
-            fprintf(to, "L%.1f %.1f", place(x, s->x[at]), place(y, s->low[at]));
+        for (size_t i = end; i > begin; i -= step) {
+            fprintf(to, "L%.1f %.1f", x_of(p, s, i - step),
+                    murk_axis_place(&p->y, s->low[i - step]));
         }
+        fputs("Z\"/>\n", to);
+        begin = end;
     }
-    fputs("Z\"/>\n", to);
 }
 
-static void draw_line(FILE *to, const axis *x, const axis *y,
-                      const murk_chart *c, const murk_chart_series *s,
+static void draw_line(FILE *to, const plot *p, const murk_chart_series *s,
                       size_t number)
 {
-    bool is_first = true;
-    for (size_t i = 0; i < s->n; i += step_of(s)) {
-        if (is_drawn(c, s, i)) {
-            if (is_first) {
-                fprintf(to, "<path class=\"line s%zu\" d=\"M", number);
-            } else {
-                fputc('L', to);
-            }
-            fprintf(to, "%.1f %.1f", place(x, s->x[i]), place(y, s->y[i]));
-            is_first = false;
+    const size_t step = step_of(s);
+    for (size_t begin = 0; begin < s->n; begin += step) {
+        const size_t end = end_of_run(p, s, begin, false);
+        for (size_t i = begin; i < end; i += step) {
+            fprintf(to, i == begin ? "<path class=\"line s%zu\" d=\"M" : "L",
+                    number);
+            fprintf(to, "%.1f %.1f", x_of(p, s, i),
+                    murk_axis_place(&p->y, s->y[i]));
         }
+        fputs(end > begin ? "\"/>\n" : "", to);
+        begin = end;
     }
-    fputs(is_first ? "" : "\"/>\n", to);
 }
 
-static void draw_points(FILE *to, const axis *x, const axis *y,
-                        const murk_chart *c, const murk_chart_series *s,
+/* Shapes, so that series are told apart without colours. */
+static void draw_mark(FILE *to, size_t number, double x, double y)
+{
+    static const char *const shape[] = {
+        "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0z", "m-3-3h6v6h-6z",
+        "m0-4.2l4 7h-8z", "m0-4.4l4.4 4.4l-4.4 4.4l-4.4-4.4z"};
+    fprintf(to, "<path class=\"point s%zu\" d=\"M%.1f %.1f%s\"", number, x, y,
+            shape[number % 4]);
+}
+
+/* "held out: 12:00, 3.2 (3.1 to 3.3)" */
+static void tell_point(FILE *to, const plot *p, const murk_chart_series *s,
+                       size_t i)
+{
+    const murk_chart *c = p->chart;
+    const size_t name = (size_t)fmax(0, floor(s->x[i] + 0.5));
+    fputs("><title>", to);
+    murk_page_text(to, s->name);
+    fputs(": ", to);
+    if (c->x_names > 0) {
+        murk_page_text(to, name < c->x_names ? c->x_name[name] : "");
+    } else {
+        murk_axis_write(to, &p->x, s->x[i], 0);
+    }
+    fputs(", ", to);
+    murk_axis_write(to, &p->y, s->y[i], 0);
+    if (has_range(s, i) && s->low[i] < s->high[i]) {
+        fputs(" (", to);
+        murk_axis_write(to, &p->y, s->low[i], 0);
+        fputs(" to ", to);
+        murk_axis_write(to, &p->y, s->high[i], 0);
+        fputc(')', to);
+    }
+    fputs("</title></path>\n", to);
+}
+
+static void draw_points(FILE *to, const plot *p, const murk_chart_series *s,
                         size_t number)
 {
     for (size_t i = 0; i < s->n; i += step_of(s)) {
-        if (!is_drawn(c, s, i)) {
+        if (!is_drawn(p->chart, s, i)) {
             continue;
         }
-        const double at = place(x, s->x[i]);
-        if (!s->is_line && s->low && isfinite(s->low[i]) &&
-            isfinite(s->high[i])) {
+        const double at = x_of(p, s, i);
+        if (!s->is_line && has_range(s, i)) {
             fprintf(to, "<path class=\"whisker s%zu\" d=\"M%.1f %.1fV%.1f\"/>",
-                    number, at, place(y, s->low[i]), place(y, s->high[i]));
+                    number, at, murk_axis_place(&p->y, s->low[i]),
+                    murk_axis_place(&p->y, s->high[i]));
         }
-        fprintf(to,
-                "<circle class=\"point s%zu\" cx=\"%.1f\" cy=\"%.1f\" "
-                "r=\"3\"/>\n",
-                number, at, place(y, s->y[i]));
+        draw_mark(to, number, at, murk_axis_place(&p->y, s->y[i]));
+        if (p->is_telling) {
+            tell_point(to, p, s, i);
+        } else {
+            fputs("/>\n", to);
+        }
     }
 }
 
-/* Two columns under the plot. */
-static void draw_legend(FILE *to, const murk_chart_series *series, size_t n)
+/* ---- legend and words ---- */
+
+static size_t legend_columns(const murk_chart_series *series, size_t n)
 {
     for (size_t k = 0; k < n; ++k) {
-        const double x = LEFT + (k % 2 == 0 ? 0 : (WIDTH - LEFT) / 2);
-        const double y = HEIGHT + LEGEND * (double)(k / 2) + 8;
+        if (CHARACTER * (double)strlen(series[k].name) > 240) {
+            return 1;
+        }
+    }
+    return 2;
+}
+
+static void draw_legend(FILE *to, const plot *p,
+                        const murk_chart_series *series, size_t n,
+                        size_t columns)
+{
+    for (size_t k = 0; k < n; ++k) {
+        const double x =
+            LEFT + (double)(k % columns) * (WIDTH - LEFT) / (double)columns;
+        const double y = BASE + p->below + LEGEND * (double)(k / columns) + 8;
         if (series[k].is_line) {
             fprintf(to, "<path class=\"line s%zu\" d=\"M%.1f %.1fh22\"/>", k, x,
                     y - 4);
         }
-        fprintf(to,
-                "<circle class=\"point s%zu\" cx=\"%.1f\" cy=\"%.1f\" "
-                "r=\"3\"/><text class=\"tick\" x=\"%.1f\" y=\"%.1f\">",
-                k, x + 11, y - 4, x + 28, y);
+        draw_mark(to, k, x + 11, y - 4);
+        fprintf(to, "/><text class=\"tick\" x=\"%.1f\" y=\"%.1f\">", x + 28, y);
         murk_page_text(to, series[k].name);
         fputs("</text>\n", to);
     }
+}
+
+/* Of each series where it begins and ends, and its extremes. */
+static void describe(FILE *to, const plot *p, const murk_chart_series *series,
+                     size_t n)
+{
+    fputs("<desc>", to);
+    murk_page_text(to, p->chart->y_title);
+    fputs(" against ", to);
+    murk_page_text(to, p->chart->x_title);
+    for (size_t k = 0; k < n; ++k) {
+        const murk_chart_series *s = &series[k];
+        double least = INFINITY, most = -INFINITY;
+        size_t points = 0;
+        for (size_t i = 0; i < s->n; ++i) {
+            if (is_drawn(p->chart, s, i)) {
+                least = fmin(least, s->y[i]);
+                most = fmax(most, s->y[i]);
+                ++points;
+            }
+        }
+        fputs("; ", to);
+        murk_page_text(to, s->name);
+        fprintf(to, ": %zu point%s", points, points == 1 ? "" : "s");
+        if (points > 0) {
+            fputs(", from ", to);
+            murk_axis_write(to, &p->y, least, 0);
+            fputs(" to ", to);
+            murk_axis_write(to, &p->y, most, 0);
+        }
+    }
+    fputs(".</desc>\n", to);
 }
 
 void murk_chart_draw(FILE *to, const murk_chart *chart,
                      const murk_chart_series *series, size_t n)
 {
     n = n > MURK_CHART_SERIES_MAX ? MURK_CHART_SERIES_MAX : n;
-    axis x = {INFINITY, -INFINITY, LEFT + 8, WIDTH - RIGHT - 8, chart->log_x};
-    axis y = {INFINITY, -INFINITY, HEIGHT - BOTTOM, TOP, chart->log_y};
-    fit_axes(&x, &y, chart, series, n);
-    if (!(y.high - y.low < INFINITY && x.high - x.low < INFINITY)) {
+    plot p = {.chart = chart,
+              .x = murk_axis_of(LEFT + 8, WIDTH - RIGHT - 8, chart->x),
+              .y = murk_axis_of(BASE, TOP, chart->y)};
+    if (!fit_axes(&p, series, n)) {
         return;
     }
-    const double height = HEIGHT + (n > 1 ? LEGEND * (double)((n + 1) / 2) : 0);
+    fit_names(&p);
+    const size_t columns = legend_columns(series, n);
+    const size_t rows = n > 1 ? (n + columns - 1) / columns : 0;
     fprintf(to,
             "<figure>\n<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
             "aria-label=\"",
-            WIDTH, height);
+            WIDTH, BASE + p.below + LEGEND * (double)rows);
     murk_page_text(to, chart->title);
     fputs("\">\n", to);
-    draw_axes(to, &x, &y, chart);
+    describe(to, &p, series, n);
+    draw_axes(to, &p);
     for (size_t k = 0; k < n; ++k) {
-        if (series[k].is_line && series[k].low && series[k].high) {
-            draw_band(to, &x, &y, chart, &series[k], k);
+        if (series[k].is_line) {
+            draw_band(to, &p, &series[k], k);
         }
     }
     /* the first one lies on top */
     for (size_t k = n; k-- > 0;) {
         if (series[k].is_line) {
-            draw_line(to, &x, &y, chart, &series[k], k);
+            draw_line(to, &p, &series[k], k);
         }
-        draw_points(to, &x, &y, chart, &series[k], k);
+        draw_points(to, &p, &series[k], k);
     }
-    if (n > 1) {
-        draw_legend(to, series, n);
+    if (rows > 0) {
+        draw_legend(to, &p, series, n, columns);
     }
     fputs("</svg>\n<figcaption>", to);
     murk_page_text(to, chart->title);

@@ -1,9 +1,12 @@
 /* Plots as inline SVG: lines with bands, points with whiskers, axes, a legend.
  *
  * They need no script, scale with the page and print. Colours and strokes are
- * the page's style sheet's, by class: series 0 to 7. */
+ * the page's style sheet's, by class: series 0 to 7, each with a mark of its
+ * own shape. What is drawn is also said in words, for who does not see it. */
 #ifndef MURK_APP_CHART_H
 #define MURK_APP_CHART_H
+
+#include "app/chart_axis.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,7 +19,7 @@
 typedef struct murk_chart_series {
     const char *name;
     size_t n;
-    const double *x, *y;      /* [n]; points that are not finite are left out */
+    const double *x, *y;      /* [n]; where one is not finite, a line breaks */
     const double *low, *high; /* [n] or NULL: a band about a line, whiskers of
                                  points */
     bool is_line;
@@ -27,9 +30,7 @@ typedef struct murk_chart {
     const char *x_title, *y_title;
     const char *const *x_name; /* [x_names] of x = 0, 1, ..; NULL: numbers */
     size_t x_names;
-    bool log_x, log_y;    /* points that are not above 0 are left out */
-    bool whole_x;         /* x counts something */
-    bool is_share;        /* y is 0..1, shown in per cent */
+    murk_scale x, y;
     const double *y_line; /* [y_lines] drawn across */
     size_t y_lines;
 } murk_chart;

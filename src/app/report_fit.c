@@ -147,7 +147,7 @@ static bool draw_residuals(FILE *to, const columns *c)
                  "each with its 95 % interval; one in twenty may leave the "
                  "dashed lines by chance",
         .x_title = "row of the data",
-        .whole_x = true,
+        .x = MURK_SCALE_WHOLE,
         .y_title = "residual / standard error",
         .y_line = lines,
         .y_lines = 3};

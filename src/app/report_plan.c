@@ -140,8 +140,8 @@ static bool write_curve(FILE *to, const murk_yaml *plan)
                      "be had at most (on the map that was chosen by)",
             .x_title = "sensors",
             .y_title = "coverage",
-            .whole_x = true,
-            .is_share = true};
+            .x = MURK_SCALE_WHOLE,
+            .y = MURK_SCALE_SHARE};
         fputs("<h3>Coverage curve</h3>\n", to);
         murk_chart_draw(to, &chart, series, 2);
         write_curve_rows(to, count, coverage, upper, n);
@@ -210,7 +210,7 @@ static bool write_samples(FILE *to, const murk_yaml *plan)
             .y_title = "coverage",
             .x_name = name,
             .x_names = n,
-            .is_share = true};
+            .y = MURK_SCALE_SHARE};
         fputs("<h3>In sample against held out</h3>\n", to);
         murk_page_paragraph(
             to, "A plan is chosen to suit one sample of photons, so it looks "

@@ -226,15 +226,16 @@ static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
              lines < f->lines ? " (the first 8 lines; all are in table.csv)"
                               : "");
     snprintf(y_title, sizeof y_title, "%s%s%s", output, *unit ? " " : "", unit);
-    const murk_chart chart = {.title = title,
-                              .x_title =
-                                  f->axes > 0 ? f->table->name[f->along] : "",
-                              .y_title = y_title,
-                              .x_name = f->is_number ? NULL : f->value,
-                              .x_names = f->is_number ? 0 : f->values,
-                              .log_x = f->is_log,
-                              .log_y = spans_decades(f, column),
-                              .is_share = strncmp(output, "coverage", 8) == 0};
+    const murk_chart chart = {
+        .title = title,
+        .x_title = f->axes > 0 ? f->table->name[f->along] : "",
+        .y_title = y_title,
+        .x_name = f->is_number ? NULL : f->value,
+        .x_names = f->is_number ? 0 : f->values,
+        .x = f->is_log ? MURK_SCALE_LOG : MURK_SCALE_EVEN,
+        .y = strncmp(output, "coverage", 8) == 0 ? MURK_SCALE_SHARE
+             : spans_decades(f, column)          ? MURK_SCALE_LOG
+                                                 : MURK_SCALE_EVEN};
     murk_chart_draw(to, &chart, series, lines);
     free(room);
     return true;
