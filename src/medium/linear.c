@@ -1,15 +1,15 @@
 /* The walk in cells between voxel centres.
  *
  * A cell takes its corners from up to eight nodes of the tree. Two ways of
- * crossing cover all cases: where only constant nodes take part, the largest
- * box of cells that sees the same of them is one segment; where a leaf takes
- * part, the ray goes cell by cell through the block of 8 x 8 x 8 cells that
- * begins there. As in march.c the cell behind a face is known as a whole
- * number, so rounding can shift a crossing by its last digits but never skip
- * a cell, enter one twice, or stall. */
+ * crossing cover all cases: where only constant nodes take part, a whole box
+ * of cells is one segment (linear_even.c); where a leaf takes part, the ray
+ * goes cell by cell through the block of 8 x 8 x 8 cells that begins there. As
+ * in march.c the cell behind a face is known as a whole number, so rounding
+ * can shift a crossing by its last digits but never skip a cell, enter one
+ * twice, or stall. */
 #include "medium/linear.h"
 
-#include "medium/nodes.h"
+#include "medium/linear_even.h"
 #include "medium/steps.h"
 
 #include <float.h>
@@ -23,186 +23,6 @@ typedef double pair __attribute__((vector_size(16)));
 static double clamp01(double x)
 {
     return murk_smaller(murk_larger(x, 0), 1);
-}
-
-/* ---- nodes ---- */
-
-/* A leaf, or one value for a cell of the tree. */
-typedef struct node {
-    const float *leaf;
-    float value;
-    int32_t size;
-} node;
-
-static node node_at(murk_linear *m, const int32_t voxel[3])
-{
-    const int32_t i = voxel[0], j = voxel[1], k = voxel[2];
-    if (!(m->lower && murk_holds(m->lower_first, voxel, 128))) {
-        const murk_root_cell *root = murk_tree_root_cell(m->tree, voxel);
-        if (!root || !root->node) {
-            return (node){NULL, root ? root->value : 0, MURK_ROOT_CELL};
-        }
-        const murk_cell cell = murk_upper_cell(root->node, i, j, k);
-        if (!cell.child) {
-            return (node){NULL, cell.value, 128};
-        }
-        m->lower = cell.child;
-        murk_remember(m->lower_first, voxel, 128);
-    }
-    const murk_cell cell = murk_lower_cell(m->lower, i, j, k);
-    return cell.child ? (node){murk_leaf_values(cell.child), 0, 8}
-                      : (node){NULL, cell.value, 8};
-}
-
-/* ---- boxes of cells that see constant nodes only ---- */
-
-typedef struct even_box {
-    float value[8];  /* of the nodes, by the axes along which they lie behind */
-    int32_t size;    /* of the smallest of them */
-    unsigned behind; /* the axes at whose end the cell lies: 4 x, 2 y, 1 z */
-} even_box;
-
-static unsigned axes_at_end(const int32_t at[3], int32_t size)
-{
-    unsigned axes = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        axes |= (at[axis] & (size - 1)) == size - 1 ? 4U >> axis : 0;
-    }
-    return axes;
-}
-
-/* The box around the cell at[]; false when a leaf takes part. A smaller node
- * behind an end cuts the box, which may bring it to further ends: at most once
- * for each size of nodes. */
-static bool find_even_box(murk_linear *m, even_box *box)
-{
-    const node own = node_at(m, m->at);
-    if (own.leaf) {
-        return false;
-    }
-    box->value[0] = own.value;
-    box->size = own.size;
-    for (;;) {
-        int32_t least = box->size;
-        box->behind = axes_at_end(m->at, box->size);
-        for (unsigned which = 1; which < 8; ++which) {
-            if (which & ~box->behind) {
-                continue;
-            }
-            const int32_t voxel[3] = {m->at[0] + (int32_t)(which >> 2),
-                                      m->at[1] + (int32_t)(which >> 1 & 1),
-                                      m->at[2] + (int32_t)(which & 1)};
-            const node other = node_at(m, voxel);
-            if (other.leaf) {
-                return false;
-            }
-            box->value[which] = other.value;
-            least = other.size < least ? other.size : least;
-        }
-        if (least == box->size) {
-            return true;
-        }
-        box->size = least;
-    }
-}
-
-static bool is_nothing(const even_box *box)
-{
-    bool is_zero = box->size == MURK_ROOT_CELL;
-    for (unsigned which = 0; which < 8; ++which) {
-        is_zero &= (which & ~box->behind) || box->value[which] == 0;
-    }
-    return is_zero;
-}
-
-/* Moves at[] to the ray's place at t, between the cells first and last. */
-static void place_between(murk_linear *m, const int32_t first[3],
-                          const int32_t last[3], double t)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        m->at[axis] = murk_voxel_at(m->origin[axis] + t * m->direction[axis],
-                                    first[axis], last[axis]);
-    }
-}
-
-/* One segment across the cells first to last. */
-static void cross_between(murk_linear *m, const int32_t first[3],
-                          const int32_t last[3])
-{
-    double leave[3], least = INFINITY;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double face =
-            m->inverse[axis] > 0 ? (double)last[axis] + 1 : (double)first[axis];
-        leave[axis] = m->inverse[axis] == 0
-                          ? INFINITY
-                          : (face - m->origin[axis]) * m->inverse[axis];
-        least = murk_smaller(least, leave[axis]);
-    }
-    place_between(m, first, last, least);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (leave[axis] <= least && m->inverse[axis] != 0) {
-            m->at[axis] =
-                m->inverse[axis] > 0 ? last[axis] + 1 : first[axis] - 1;
-        }
-    }
-    m->to = murk_smaller(murk_larger(least, m->from), m->end);
-}
-
-static void cross_even_box(murk_linear *m, const even_box *box)
-{
-    int32_t first[3], last[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const int32_t end = m->at[axis] | (box->size - 1);
-        first[axis] = m->at[axis] & ~(box->size - 1);
-        last[axis] = end - 1;
-        if (box->behind & (4U >> axis)) {
-            first[axis] = last[axis] = m->at[axis];
-        }
-        m->low[axis] = m->at[axis];
-    }
-    for (unsigned which = 0; which < 8; ++which) {
-        m->corner[which] = (double)box->value[which & box->behind];
-    }
-    cross_between(m, first, last);
-}
-
-/* Across all that is empty, to the nearest root cell ahead, with the cells
- * below it that see it. Those that the ray has left end at or before `from`,
- * by the same arithmetic. */
-static void skip_to_root_cell(murk_linear *m)
-{
-    const murk_root_cell *nearest = NULL;
-    double least = m->end;
-    for (size_t i = 0; i < m->tree->n_cells; ++i) {
-        const murk_root_cell *cell = &m->tree->cells[i];
-        double t0 = m->from, t1 = m->end;
-        bool is_met = true;
-        for (int axis = 0; axis < 3 && is_met; ++axis) {
-            const double low = (double)cell->first[axis] - 1;
-            is_met =
-                murk_clip_axis(low, low + MURK_ROOT_CELL + 1, m->origin[axis],
-                               m->inverse[axis], &t0, &t1);
-        }
-        if (is_met && t0 < least) {
-            least = t0;
-            nearest = cell;
-        }
-    }
-    m->to = least;
-    for (int axis = 0; axis < 3; ++axis) {
-        m->low[axis] = m->at[axis];
-    }
-    for (int which = 0; which < 8; ++which) {
-        m->corner[which] = 0;
-    }
-    if (nearest) {
-        const int32_t *f = nearest->first;
-        const int32_t first[3] = {f[0] - 1, f[1] - 1, f[2] - 1};
-        const int32_t last[3] = {f[0] + MURK_ROOT_CELL - 1,
-                                 f[1] + MURK_ROOT_CELL - 1,
-                                 f[2] + MURK_ROOT_CELL - 1};
-        place_between(m, first, last, least);
-    }
 }
 
 /* ---- blocks ---- */
@@ -235,7 +55,7 @@ static void look_up(murk_linear *m, unsigned which)
     const int32_t voxel[3] = {m->block_first[0] + (int32_t)(which >> 2) * 8,
                               m->block_first[1] + (int32_t)(which >> 1 & 1) * 8,
                               m->block_first[2] + (int32_t)(which & 1) * 8};
-    const node found = node_at(m, voxel);
+    const murk_linear_node found = murk_linear_node_at(m, voxel);
     m->tile[which] = found.value;
     m->leaf[which] = found.leaf ? found.leaf : &m->tile[which];
     m->offset_mask[which] = found.leaf ? -1 : 0;
@@ -338,17 +158,11 @@ static bool step_in_block(murk_linear *m)
  * instead. */
 static bool cross_at(murk_linear *m)
 {
-    even_box box;
-    if (!find_even_box(m, &box)) {
-        enter_block(m);
-        return true;
+    if (murk_linear_cross_even(m)) {
+        return false;
     }
-    if (is_nothing(&box) && murk_trying_all_is_cheaper(m->tree)) {
-        skip_to_root_cell(m);
-    } else {
-        cross_even_box(m, &box);
-    }
-    return false;
+    enter_block(m);
+    return true;
 }
 
 bool murk_linear_clip(const murk_tree *tree, murk_vec3 origin,
