@@ -1,5 +1,6 @@
 extern "C" {
 #include "medium/vdb_bridge.h"
+#include "medium/grid_choice.h"
 }
 
 #include <cmath>
@@ -36,11 +37,6 @@ struct Entry {
     bool is_level_set, is_linear;
 };
 
-bool is_float(const Entry &entry)
-{
-    return entry.type == "float" || entry.type == "double";
-}
-
 /* What the file holds, without reading any tree. */
 std::vector<Entry> list_grids(openvdb::io::File &file)
 {
@@ -62,96 +58,23 @@ std::vector<Entry> list_grids(openvdb::io::File &file)
     return entries;
 }
 
-std::string describe(const std::vector<Entry> &entries)
-{
-    std::string text;
-    for (const Entry &entry : entries) {
-        if (text.size() > 400) {
-            return text + ", ...";
-        }
-        text += (text.empty() ? "" : ", ") + entry.unique + " (" +
-                (entry.is_level_set ? "level set" : entry.type) + ")";
-    }
-    return text;
-}
-
-std::vector<const Entry *> those_named(const std::vector<Entry> &entries,
-                                       const std::string &name)
-{
-    std::vector<const Entry *> found;
-    for (const Entry &entry : entries) {
-        if (entry.unique == name) {
-            return {&entry};
-        }
-        if (entry.name == name) {
-            found.push_back(&entry);
-        }
-    }
-    return found;
-}
-
+/* The one that `name` chooses, as medium/grid_choice.h says. */
 murk_status choose(const std::vector<Entry> &entries, const char *name,
                    const Entry *&chosen, const Place &at)
 {
-    std::vector<const Entry *> found;
-    if (name) {
-        found = those_named(entries, name);
-    } else {
-        for (const Entry &entry : entries) {
-            if (is_float(entry) && !entry.is_level_set) {
-                found.push_back(&entry);
-            }
-        }
-        if (found.size() > 1) {
-            const auto density = those_named(entries, "density");
-            found = density.empty() ? found : density;
-        } else if (found.empty() && entries.size() == 1) {
-            found.push_back(&entries[0]);
-        }
+    std::vector<murk_grid_entry> plain;
+    for (const Entry &entry : entries) {
+        plain.push_back({entry.unique.c_str(), entry.name.c_str(),
+                         entry.type.c_str(), entry.is_level_set,
+                         entry.is_linear});
     }
-    const std::string all = describe(entries);
-    if (entries.empty()) {
-        return murk_fail(at.err, MURK_BAD_FILE, at.where,
-                         "holds no grids: empty, or cut off in its header");
+    size_t index = 0;
+    const murk_status status = murk_grid_choose(
+        &index, plain.data(), plain.size(), name, at.where, at.err);
+    if (!status) {
+        chosen = &entries[index];
     }
-    if (found.empty()) {
-        return name ? murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                                "no grid named %.100s; there are %s", name,
-                                all.c_str())
-                    : murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                                "no float grid; there are %s", all.c_str());
-    }
-    if (found.size() > 1) {
-        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                         "several grids, choose one by name (such as %.100s) "
-                         "among %s",
-                         found[0]->unique.c_str(), all.c_str());
-    }
-    chosen = found[0];
-    return MURK_OK;
-}
-
-murk_status check_kind(const Entry &entry, const Place &at)
-{
-    const char *name = entry.unique.c_str();
-    if (!is_float(entry)) {
-        return murk_fail(
-            at.err, MURK_BAD_VALUE, at.where,
-            "grid %.100s holds %.60s, must be float, half or double", name,
-            entry.type.c_str());
-    }
-    if (entry.is_level_set) {
-        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                         "grid %.100s is a level set (distances to a "
-                         "surface), must be a density",
-                         name);
-    }
-    if (!entry.is_linear) {
-        return murk_fail(at.err, MURK_BAD_VALUE, at.where,
-                         "grid %.100s has a frustum transform, must be linear",
-                         name);
-    }
-    return MURK_OK;
+    return status;
 }
 
 /* OpenVDB multiplies row vectors from the left. */
@@ -358,9 +281,6 @@ murk_status read(const char *path, const char *name, bool is_albedo,
     const std::vector<Entry> entries = list_grids(file);
     const Entry *entry = nullptr;
     murk_status status = choose(entries, name, entry, at);
-    if (!status) {
-        status = check_kind(*entry, at);
-    }
     if (status) {
         return status;
     }
