@@ -1,0 +1,110 @@
+#include "scene/yaml_check.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/words.h"
+
+#define PLACE_SIZE 256
+
+/* Length of the well-formed UTF-8 character at p, or 0. */
+static size_t utf8_length(const unsigned char *p, size_t left)
+{
+    if (p[0] < 0x80) {
+        return 1;
+    }
+    const size_t n = p[0] >= 0xC2 && p[0] <= 0xDF   ? 2
+                     : p[0] >= 0xE0 && p[0] <= 0xEF ? 3
+                     : p[0] >= 0xF0 && p[0] <= 0xF4 ? 4
+                                                    : 0;
+    if (n == 0 || n > left) {
+        return 0;
+    }
+    for (size_t i = 1; i < n; ++i) {
+        if ((p[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    const bool is_overlong =
+        (p[0] == 0xE0 && p[1] < 0xA0) || (p[0] == 0xF0 && p[1] < 0x90);
+    const bool is_surrogate = p[0] == 0xED && p[1] > 0x9F;
+    const bool is_beyond = p[0] == 0xF4 && p[1] > 0x8F;
+    return is_overlong || is_surrogate || is_beyond ? 0 : n;
+}
+
+murk_status murk_yaml_check_text(const char *text, size_t size,
+                                 const char *source, murk_error *err)
+{
+    int line = 1, column = 1;
+    for (size_t i = 0; i < size;) {
+        const unsigned char *p = (const unsigned char *)text + i;
+        const size_t n = utf8_length(p, size - i);
+        const bool is_control =
+            (*p < 0x20 && *p != '\t' && *p != '\n' && *p != '\r') || *p == 0x7F;
+        if (n == 0 || is_control) {
+            char place[PLACE_SIZE];
+            murk_yaml_show_place(source, line, column, place, sizeof place);
+            return murk_fail(err, MURK_BAD_FILE, place,
+                             n == 0 ? "byte 0x%02X, must be UTF-8 text"
+                                    : "control character 0x%02X, must be text",
+                             *p);
+        }
+        ++column;
+        if (*p == '\n') {
+            ++line;
+            column = 1;
+        }
+        i += n;
+    }
+    return MURK_OK;
+}
+
+typedef struct key_order {
+    const char *key;
+    size_t index;
+} key_order;
+
+static int compare_keys(const void *a, const void *b)
+{
+    const key_order *left = a, *right = b;
+    const int order = strcmp(left->key, right->key);
+    return order ? order
+                 : (left->index > right->index) - (left->index < right->index);
+}
+
+/* By sorting: a million keys must not take a million squared. */
+murk_status murk_yaml_check_keys(const murk_yaml *map, murk_error *err)
+{
+    if (map->n < 2) {
+        return MURK_OK;
+    }
+    key_order *order = malloc(map->n * sizeof *order);
+    if (!order) {
+        return murk_fail(err, MURK_NO_MEMORY, map->source,
+                         "no memory to read it");
+    }
+    for (size_t i = 0; i < map->n; ++i) {
+        order[i] = (key_order){map->key[i], i};
+    }
+    qsort(order, map->n, sizeof *order, compare_keys);
+    size_t second = SIZE_MAX, first = 0;
+    for (size_t i = 1; i < map->n; ++i) {
+        if (strcmp(order[i - 1].key, order[i].key) == 0 &&
+            order[i].index < second) {
+            second = order[i].index;
+            first = order[i - 1].index;
+        }
+    }
+    free(order);
+    if (second == SIZE_MAX) {
+        return MURK_OK;
+    }
+    char place[PLACE_SIZE];
+    char key[64];
+    murk_yaml_key_place(map->child[second], place, sizeof place);
+    murk_words_show(key, sizeof key, map->key[second]);
+    return murk_fail(err, MURK_BAD_FILE, place,
+                     "%s is given twice, first in line %d", key,
+                     map->child[first]->key_line);
+}
