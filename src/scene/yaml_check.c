@@ -4,33 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "scene/words.h"
 
 #define PLACE_SIZE 256
 
-/* Length of the well-formed UTF-8 character at p, or 0. */
-static size_t utf8_length(const unsigned char *p, size_t left)
+/* Of the character at p, or 0: the text need not end in a NUL. */
+static size_t length_at(const char *p, size_t left)
 {
-    if (p[0] < 0x80) {
-        return 1;
-    }
-    const size_t n = p[0] >= 0xC2 && p[0] <= 0xDF   ? 2
-                     : p[0] >= 0xE0 && p[0] <= 0xEF ? 3
-                     : p[0] >= 0xF0 && p[0] <= 0xF4 ? 4
-                                                    : 0;
-    if (n == 0 || n > left) {
-        return 0;
-    }
-    for (size_t i = 1; i < n; ++i) {
-        if ((p[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-    }
-    const bool is_overlong =
-        (p[0] == 0xE0 && p[1] < 0xA0) || (p[0] == 0xF0 && p[1] < 0x90);
-    const bool is_surrogate = p[0] == 0xED && p[1] > 0x9F;
-    const bool is_beyond = p[0] == 0xF4 && p[1] > 0x8F;
-    return is_overlong || is_surrogate || is_beyond ? 0 : n;
+    char text[5] = {0};
+    memcpy(text, p, left < 4 ? left : 4);
+    return murk_utf8_length(text);
 }
 
 murk_status murk_yaml_check_text(const char *text, size_t size,
@@ -39,7 +23,7 @@ murk_status murk_yaml_check_text(const char *text, size_t size,
     int line = 1, column = 1;
     for (size_t i = 0; i < size;) {
         const unsigned char *p = (const unsigned char *)text + i;
-        const size_t n = utf8_length(p, size - i);
+        const size_t n = length_at(text + i, size - i);
         const bool is_control =
             (*p < 0x20 && *p != '\t' && *p != '\n' && *p != '\r') || *p == 0x7F;
         if (n == 0 || is_control) {
