@@ -310,6 +310,9 @@ static murk_status place(murk_session *session, murk_plan *plan,
     const unsigned threads = session->options->threads;
     murk_status status = murk_session_build(session, err);
     if (!status) {
+        status = murk_exports_begin(session, err);
+    }
+    if (!status) {
         status = murk_plan_prepare(plan, session->stage, threads, err);
     }
     if (!status) {

@@ -1,4 +1,5 @@
 #include "app/coverage_out.h"
+#include "app/exports.h"
 #include "app/goals_out.h"
 #include "app/robust_out.h"
 #include "app/session.h"
@@ -46,7 +47,8 @@ static cJSON *coverage_json(const murk_session *session,
 
 static murk_status write_coverage(murk_session *session,
                                   const murk_pose *sensor, size_t n,
-                                  const measured *of, murk_error *err)
+                                  const measured *of, murk_error *late,
+                                  murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -58,6 +60,9 @@ static murk_status write_coverage(murk_session *session,
     if (!status) {
         status = murk_add_coverage_csv(&session->results, session->scene,
                                        sensor, n, &of->coverage, err);
+    }
+    if (!status) {
+        status = murk_exports_add_sensed(session, sensor, n, late, err);
     }
     if (!status) {
         status =
@@ -136,6 +141,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
 {
     murk_session session;
     measured of = {0};
+    murk_error late = {0};
     murk_pose *sensor = NULL;
     size_t n = 0;
     if (!options->sensors) {
@@ -153,6 +159,9 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
                            "over: sense measures one scene; must be null, or "
                            "give it a scene-NAME.yaml of place");
     }
+    if (!status) {
+        status = murk_exports_begin(&session, err);
+    }
     const bool is_dark = !status && murk_plan_is_dark(session.stage);
     if (!status) { /* a plan made in the dark may have no sensor */
         status = murk_placement_read(&sensor, &n, options->sensors,
@@ -169,10 +178,13 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     }
     session.run.sense_s = murk_clock_s() - begun_s;
     if (!status) {
-        status = write_coverage(&session, sensor, n, &of, err);
+        status = write_coverage(&session, sensor, n, &of, &late, err);
     }
     if (!status && murk_session_speaks(&session)) {
         print_coverage(&session, sensor, n, &of);
+    }
+    if (!status && late.status) { /* the coverage is written, this is not */
+        status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_robust_release(&of.robust);
     murk_coverage_release(&of.coverage);

@@ -1,10 +1,15 @@
+#include "app/exports.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
 
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
 {
     murk_session session;
+    murk_error late = {0};
     murk_status status = murk_session_begin(&session, options, err);
+    if (!status) {
+        status = murk_exports_begin(&session, err);
+    }
     if (!status) {
         status = murk_session_light(&session, err);
     }
@@ -13,6 +18,9 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = murk_add_tallies(&session, err);
+    }
+    if (!status) {
+        status = murk_exports_add_scene(&session, NULL, NULL, 0, &late, err);
     }
     if (!status) {
         status = murk_session_finish(&session, "ledger.json",
@@ -25,6 +33,9 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
                session.run.total_s, session.run.load_s, session.run.trace_s,
                session.run.map_s);
         murk_print_files(&session);
+    }
+    if (!status && late.status) { /* the light is written, this is not */
+        status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_session_end(&session);
     return status;

@@ -1,10 +1,13 @@
 #include "app/exports.h"
 
 #include "app/coverage_out.h"
+#include "app/fields_out.h"
 #include "app/plan_ply.h"
 #include "base/log.h"
+#include "study/dark.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* 6 bytes of memory and up to some 20 of text an entry. */
 #define ENTRIES_MOST 100000000
@@ -122,17 +125,93 @@ static murk_status add_matrix(murk_session *session, const murk_plan *plan,
     return MURK_OK;
 }
 
+/* ---- of any scene ---- */
+
+/* Whether a grid tally's files would have the names of others. */
+static murk_status check_names(const murk_session *session, murk_error *err)
+{
+    static const char *const taken[] = {"extinction", "coverage",
+                                        "optical_depth", "fields", "surfaces"};
+    const murk_scene *scene = session->scene;
+    for (size_t i = 0; i < scene->n_tallies; ++i) {
+        const murk_scene_tally *tally = &scene->tallies[i];
+        bool is_taken = false;
+        for (size_t k = 0; k < sizeof taken / sizeof *taken; ++k) {
+            is_taken |= strcmp(tally->name, taken[k]) == 0;
+        }
+        for (size_t k = 0; k < scene->n_tallies; ++k) {
+            const char *other = scene->tallies[k].name;
+            const size_t length = strlen(other);
+            is_taken |= strncmp(tally->name, other, length) == 0 &&
+                        strcmp(tally->name + length, "_photons") == 0;
+        }
+        if (is_taken && tally->type == MURK_SCENE_TALLY_GRID) {
+            return murk_fail(err, MURK_BAD_VALUE, tally->where,
+                             "name: %s, which a file of --export fields has; "
+                             "must be another",
+                             tally->name);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_exports_begin(const murk_session *session, murk_error *err)
+{
+    const unsigned exports = session->options->exports;
+    murk_field_box box;
+    murk_status status = MURK_OK;
+    if (exports & MURK_EXPORT_FIELDS) {
+        status = check_names(session, err);
+    }
+    if (!status && exports & MURK_EXPORT_FIELDS) {
+        status = murk_fields_box(&box, session, err);
+    }
+    return status;
+}
+
+murk_status murk_exports_add_scene(murk_session *session,
+                                   const murk_sight *sight,
+                                   const murk_pose *sensor, size_t n,
+                                   murk_error *late, murk_error *err)
+{
+    const unsigned exports = session->options->exports;
+    murk_status status = MURK_OK;
+    if (exports & MURK_EXPORT_FIELDS) {
+        murk_fields_add_tallies(session, late);
+        status = murk_fields_add(session, sight, sensor, n, late, err);
+    }
+    return status;
+}
+
+murk_status murk_exports_add_sensed(murk_session *session,
+                                    const murk_pose *sensor, size_t n,
+                                    murk_error *late, murk_error *err)
+{
+    murk_sight *sight = NULL;
+    murk_status status = MURK_OK;
+    if (session->options->exports && !murk_plan_is_dark(session->stage)) {
+        status = murk_plan_sight(&sight, session->stage, session->traced,
+                                 session->options->threads, err);
+    }
+    if (!status) {
+        status = murk_exports_add_scene(session, sight, sensor, n, late, err);
+    }
+    murk_sight_destroy(sight);
+    return status;
+}
+
 murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
                                   murk_error *late, murk_error *err)
 {
+    const unsigned exports = session->options->exports;
     if (!session->results.folder) {
         return MURK_OK;
     }
     if (plan->is_dark) {
-        if (session->options->exports) {
+        if (exports & MURK_EXPORTS_OF_PROBLEM) {
             murk_note("--export", "it is dark: there is no coverage to write");
         }
-        return MURK_OK;
+        return murk_exports_add_scene(session, NULL, NULL, 0, late, err);
     }
     murk_sight *sight = NULL;
     murk_status status =
@@ -146,8 +225,12 @@ murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
             murk_add_plan_ply(&session->results, "plan.ply", sight,
                               plan->sensor, plan->place.count, size_m, err);
     }
-    if (!status && session->options->exports) {
+    if (!status && exports & MURK_EXPORTS_OF_PROBLEM) {
         status = add_matrix(session, plan, sight, late, err);
+    }
+    if (!status) {
+        status = murk_exports_add_scene(session, sight, plan->sensor,
+                                        plan->place.count, late, err);
     }
     murk_sight_destroy(sight);
     return status;

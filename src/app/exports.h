@@ -1,5 +1,6 @@
-/* What `murk place` writes for other programs: the coverage matrix, the problem
- * for an outside solver, the plan as a mesh of points. */
+/* What commands write for other programs: of `murk place` the coverage matrix,
+ * the problem for an outside solver and the plan as a mesh of points; of any
+ * scene fields, photons and surfaces. */
 #ifndef MURK_APP_EXPORTS_H
 #define MURK_APP_EXPORTS_H
 
@@ -18,9 +19,26 @@ void murk_exports_add(murk_results *results, unsigned exports,
 murk_status murk_exports_check(unsigned exports, murk_combining combining,
                                murk_error *err);
 
+/* What --export and --voxel ask of a scene, once its world is built and before
+ * any light is traced: sizes, and names that two files would have. */
+murk_status murk_exports_begin(const murk_session *session, murk_error *err);
+
+/* Adds fields, photons and surfaces, where --export asks for them. sight NULL:
+ * of light alone; else of sensors sensor[n] too, which look again. Files that
+ * cannot be had are told in *late. Fails with MURK_INTERRUPTED alone. */
+murk_status murk_exports_add_scene(murk_session *session,
+                                   const murk_sight *sight,
+                                   const murk_pose *sensor, size_t n,
+                                   murk_error *late, murk_error *err);
+
+/* The same of the sensors that `murk sense` measures. */
+murk_status murk_exports_add_sensed(murk_session *session,
+                                    const murk_pose *sensor, size_t n,
+                                    murk_error *late, murk_error *err);
+
 /* Adds plan.ply, and what --export asks for, of a scene's plan. Looks again
- * from its sensors, and for --export from all candidates. In the dark there is
- * nothing to add. */
+ * from its sensors, and for its problem from all candidates. In the dark there
+ * is only light to add. */
 murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
                                   murk_error *late, murk_error *err);
 

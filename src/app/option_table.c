@@ -33,11 +33,14 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_MATRIX, "--matrix", NULL, "FILE", "place",
      "choose columns of this coverage matrix, CSV or OR-Library text, in place "
      "of a scene; with --count, --target or --budget"},
-    {MURK_OPTION_EXPORT, "--export", NULL, "LIST", "place",
-     "write these into DIR, too, with commas between: matrix (matrix.csv, the "
-     "coverage matrix, which --matrix reads, and candidates.csv), or-library "
-     "(matrix.txt, the same as OR-Library text), lp (problem.lp, the problem "
-     "for an outside solver)"},
+    {MURK_OPTION_EXPORT, "--export", NULL, "LIST", "trace place sense",
+     "write these into DIR, too, with commas between: fields (coverage, "
+     "optical "
+     "depth, extinction and photon density as .vdb and .vti), photons "
+     "(photons.ply), surfaces (surfaces.ply and .vtp); and of place alone "
+     "matrix (matrix.csv, the coverage matrix, which --matrix reads, and "
+     "candidates.csv), or-library (matrix.txt, the same as OR-Library text), "
+     "lp (problem.lp, the problem for an outside solver)"},
     {MURK_OPTION_REPEAT, "--repeat", NULL, "N", "place",
      "do the whole job with N seeds, from --seed on: how far results differ, "
      "and how far the plan (that of the first seed) may be from the best; "
@@ -79,8 +82,10 @@ const murk_option murk_option_table[] = {
      "the profile's coefficient, where there are several"},
     {MURK_OPTION_ROWS, "--rows", NULL, "COLUMN=VALUE", "media",
      "these rows of the profile only, such as one cast of many"},
-    {MURK_OPTION_VOXEL, "--voxel", NULL, "M", "media",
-     "height of the grid's voxels in m; default: a hundredth of the profile"},
+    {MURK_OPTION_VOXEL, "--voxel", NULL, "M", "media trace place sense",
+     "media: height of the grid's voxels in m; default: a hundredth of the "
+     "profile. With --export: edge in m, at most, of the voxels of fields and "
+     "of the pieces of surfaces; default: some 100,000 of each"},
     {MURK_OPTION_WIDTH, "--width", NULL, "M", "media",
      "width of the grid in x and y in m; default: 1000"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense render",

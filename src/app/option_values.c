@@ -99,7 +99,8 @@ murk_status murk_option_choice(const char *name, const char *value,
 murk_status murk_option_exports(murk_options *out, const char *name,
                                 const char *value, murk_error *err)
 {
-    static const char *const words[] = {"matrix", "or-library", "lp"};
+    static const char *const words[] = {"matrix", "or-library", "lp",
+                                        "fields", "photons",    "surfaces"};
     for (const char *word = value;;) {
         const size_t length = strcspn(word, ",");
         unsigned bit = 0;
@@ -111,8 +112,8 @@ murk_status murk_option_exports(murk_options *out, const char *name,
         }
         if (!bit) {
             return murk_fail(err, MURK_BAD_VALUE, name,
-                             "%s, must be of matrix, or-library, lp, with "
-                             "commas between",
+                             "%s, must be of matrix, or-library, lp, fields, "
+                             "photons, surfaces, with commas between",
                              value);
         }
         out->exports |= bit;

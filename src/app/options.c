@@ -223,6 +223,35 @@ static murk_status check_belonging(const murk_options *out, int argc,
     return MURK_OK;
 }
 
+static murk_status check_exports(const murk_options *out, murk_error *err)
+{
+    const bool is_place = strcmp(out->command->name, "place") == 0;
+    const bool is_media = strcmp(out->command->name, "media") == 0;
+    if (out->exports && !out->out) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "needs a folder to write into: -o DIR");
+    }
+    if ((out->exports & MURK_EXPORTS_OF_PROBLEM) && !is_place) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "matrix, or-library, lp are of murk place; murk %s "
+                         "has fields, photons, surfaces",
+                         out->command->name);
+    }
+    if (out->matrix && (out->exports & ~(unsigned)MURK_EXPORTS_OF_PROBLEM)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "fields, photons, surfaces are of a scene, and "
+                         "--matrix has none; must be of matrix, or-library, "
+                         "lp");
+    }
+    if (out->voxel && !is_media &&
+        !(out->exports & (MURK_EXPORT_FIELDS | MURK_EXPORT_SURFACES))) {
+        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
+                         "is of --export fields or surfaces, which are not "
+                         "asked for");
+    }
+    return MURK_OK;
+}
+
 murk_status murk_options_parse(murk_options *out, int argc, char **argv,
                                murk_error *err)
 {
@@ -255,9 +284,9 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "no command; try murk --help");
     }
-    if (out->exports && !out->out) {
-        return murk_fail(err, MURK_BAD_VALUE, "--export",
-                         "needs a folder to write into: -o DIR");
+    status = check_exports(out, err);
+    if (status) {
+        return status;
     }
     if (out->matrix) {
         return out->input ? murk_fail(err, MURK_BAD_VALUE, "--matrix",

@@ -25,8 +25,15 @@ typedef struct murk_command {
 typedef enum murk_export {
     MURK_EXPORT_MATRIX = 1,
     MURK_EXPORT_OR_LIBRARY = 2,
-    MURK_EXPORT_LP = 4
+    MURK_EXPORT_LP = 4,
+    MURK_EXPORT_FIELDS = 8,
+    MURK_EXPORT_PHOTONS = 16,
+    MURK_EXPORT_SURFACES = 32
 } murk_export;
+
+/* Of the problem, by murk place alone; the others are of a scene. */
+#define MURK_EXPORTS_OF_PROBLEM \
+    (MURK_EXPORT_MATRIX | MURK_EXPORT_OR_LIBRARY | MURK_EXPORT_LP)
 
 typedef struct murk_words_given {
     char **word; /* [n] owned */
@@ -55,9 +62,10 @@ struct murk_options {
     const char *camera;  /* --camera */
     bool by_path;        /* --method path */
     const char *profile; /* --profile; with it: */
-    const char *column, *rows, *voxel, *width;
-    unsigned exports; /* --export: murk_export bits */
-    uint64_t repeat;  /* --repeat; 0: not given */
+    const char *column, *rows, *width;
+    const char *voxel; /* --voxel, of a profile's grid and of --export */
+    unsigned exports;  /* --export: murk_export bits */
+    uint64_t repeat;   /* --repeat; 0: not given */
     bool has_photon;
     uint64_t photon; /* --photon */
     murk_fit_options fit;

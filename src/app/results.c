@@ -49,6 +49,15 @@ static murk_status stage_name(murk_results *results, const char *name,
     }
     snprintf(path, size, "%s/%s", results->folder, name);
     forget(results, path);
+    for (size_t i = 0; i < results->n; ++i) {
+        if (strcmp(results->path[i], path) == 0) {
+            murk_fail(err, MURK_RUN_FAILED, path,
+                      "cannot write: two results have this name");
+            free(path);
+            free(staged);
+            return MURK_RUN_FAILED;
+        }
+    }
     if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
         murk_fail(err, MURK_RUN_FAILED, path,
                   "cannot write: not a regular file");

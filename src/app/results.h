@@ -13,9 +13,9 @@
 
 #include <cjson/cJSON.h>
 
-/* Two of each grid tally, four of each condition, and the others. */
+/* Four of each grid tally, four of each condition, and the others. */
 #define MURK_RESULTS_MAX \
-    (2 * MURK_TALLIES_MAX + 4 * MURK_SCENE_CONDITIONS_MAX + 16)
+    (4 * MURK_TALLIES_MAX + 4 * MURK_SCENE_CONDITIONS_MAX + 32)
 
 typedef struct murk_results {
     const char *folder; /* NULL: nothing is written */

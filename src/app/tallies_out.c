@@ -1,5 +1,6 @@
 #include "app/tallies_out.h"
 
+#include "app/field_files.h"
 #include "base/log.h"
 #include "medium/grid_write.h"
 #include "study/tallies.h"
@@ -114,13 +115,9 @@ static void name_fields(const murk_scene *scene, field_name *names)
 
 static murk_affine cells_to_world(const murk_tally_desc *d)
 {
-    const murk_vec3 a = d->box.min, all = murk_sub(d->box.max, a);
-    const murk_vec3 e =
-        murk_vec(all.x / (double)d->size[0], all.y / (double)d->size[1],
-                 all.z / (double)d->size[2]);
-    return (murk_affine){
-        .matrix = {{e.x, 0, 0}, {0, e.y, 0}, {0, 0, e.z}},
-        .shift = murk_vec(a.x + e.x / 2, a.y + e.y / 2, a.z + e.z / 2)};
+    const murk_field_box box = {.box = d->box,
+                                .size = {d->size[0], d->size[1], d->size[2]}};
+    return murk_field_to_world(&box);
 }
 
 static murk_status write_grid(const char *path, const void *context,
@@ -129,11 +126,10 @@ static murk_status write_grid(const char *path, const void *context,
     const tally *t = context;
     const size_t cells = murk_tally_cells(t->desc);
     const int bands = t->scene->bands;
-    const char *const notes[] = {
-        "unit", t->units.irradiance, "quantity",
-        t->is_error ? "standard error of the fluence rate" : "fluence rate",
-        NULL};
+    const char *quantity =
+        t->is_error ? "standard error of the fluence rate" : "fluence rate";
     murk_grid_field fields[MURK_BANDS_MAX];
+    murk_field_notes notes[MURK_BANDS_MAX];
     field_name names[MURK_BANDS_MAX];
     float *value = malloc((size_t)bands * cells * sizeof *value);
     if (!value) {
@@ -146,7 +142,10 @@ static murk_status write_grid(const char *path, const void *context,
             const murk_estimate e = read_cell(t, band, c);
             field[c] = (float)(t->is_error ? e.standard_error : e.value);
         }
-        fields[band] = (murk_grid_field){names[band], field, notes};
+        const murk_voxel_field facts = {
+            .unit = t->units.irradiance, .quantity = quantity, .band = band};
+        murk_field_notes_of(&notes[band], t->scene, &facts);
+        fields[band] = (murk_grid_field){names[band], field, notes[band].note};
     }
     const murk_affine to_world = cells_to_world(t->desc);
     const murk_status status = murk_grid_write(path, fields, (size_t)bands,

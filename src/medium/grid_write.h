@@ -1,5 +1,5 @@
-/* Fields on a box of voxels, written as a .vdb file that ParaView, Blender,
- * Houdini and OpenVDB read.
+/* Fields on a box of voxels, written as a .vdb file that Blender, Houdini
+ * and OpenVDB read.
  *
  * One float grid a field, of class fog volume, all with one transform. Values
  * of 0 are left out (they are the background), so a file costs by what it

@@ -1,0 +1,289 @@
+/* Pieces of the places are put in maps of their own, each seen by one thread:
+ * so memory does not grow with their number, and no sum is shared. */
+#include "sensing/places_seen.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "medium/rescaled.h"
+#include "sensing/depths.h"
+#include "sensing/views.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Places in a piece. What judges by power looks through all light to begin
+ * with, on all threads: so its pieces are large, and seen one by one. */
+#define PIECE          8192
+#define PIECE_BY_POWER 1048576
+
+typedef struct work {
+    const murk_places *places;
+    murk_sight_desc sight, open; /* as plans see; by surfaces alone */
+    const murk_media *media;     /* on open sightlines */
+    const murk_pose *pose;
+    size_t sensors;
+    size_t piece;  /* places in one */
+    bool is_shown; /* by a bar */
+    murk_place_seen *out;
+    murk_error *told; /* [pieces] */
+} work;
+
+/* The places of a piece, as maps; a record's emitted index is its number. */
+typedef struct piece {
+    murk_photon_map *surface, *volume;
+    size_t first, n;
+} piece;
+
+static void piece_release(piece *p)
+{
+    murk_photon_map_destroy(p->surface);
+    murk_photon_map_destroy(p->volume);
+}
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory to look at places");
+}
+
+static murk_status piece_fill(piece *p, const work *w, murk_error *err)
+{
+    murk_photon *surface = malloc(p->n * sizeof *surface);
+    murk_photon *volume = malloc(p->n * sizeof *volume);
+    size_t on = 0, in = 0;
+    if (!surface || !volume) {
+        free(surface);
+        free(volume);
+        return no_memory(err);
+    }
+    for (size_t i = 0; i < p->n; ++i) {
+        murk_photon record =
+            w->places->record(w->places->context, p->first + i);
+        record.power_w = 1;
+        record.emitted = (uint32_t)i;
+        record.kind = murk_photon_kind(record.normal == 0, 0);
+        if (murk_photon_is_volume(&record)) {
+            volume[in++] = record;
+        } else {
+            surface[on++] = record;
+        }
+    }
+    murk_status status =
+        murk_photon_map_create(&p->surface, surface, on, 1, err);
+    if (status) {
+        free(volume);
+        return status;
+    }
+    return murk_photon_map_create(&p->volume, volume, in, 1, err);
+}
+
+static murk_status sight_onto(murk_sight **out, murk_sight_desc desc,
+                              const piece *p, murk_error *err)
+{
+    desc.surface_map = p->surface;
+    desc.volume_map = p->volume;
+    desc.photons_emitted = p->n;
+    return murk_sight_create(out, &desc, err);
+}
+
+static murk_place_seen *place_of(const work *w, const piece *p,
+                                 const murk_sight *sight, uint32_t photon)
+{
+    return &w->out[p->first + murk_sight_photon(sight, photon)->emitted];
+}
+
+static murk_status see(const work *w, const piece *p, murk_error *err)
+{
+    const size_t layers = w->sight.redundancy > 1 ? w->sight.redundancy : 1;
+    murk_views views = {0};
+    murk_sight *sight = NULL;
+    murk_status status = sight_onto(&sight, w->sight, p, err);
+    if (!status && !murk_views_init(&views, p->n, w->sight.combining, layers)) {
+        status = no_memory(err);
+    }
+    for (size_t k = 0; k < w->sensors && !status; ++k) {
+        murk_look look;
+        murk_sight_look(sight, 0, &w->pose[k], &look);
+        murk_views_add(&views, (uint32_t)k, &look);
+        for (size_t i = 0; i < look.seen; ++i) {
+            const uint16_t clarity =
+                look.clarity ? look.clarity[i] : MURK_CLEAR;
+            murk_place_seen *place = place_of(w, p, sight, look.photon[i]);
+            place->clarity = fmaxf(place->clarity, (float)clarity / MURK_CLEAR);
+        }
+    }
+    for (uint32_t i = 0; i < p->n && !status; ++i) {
+        murk_place_seen *place = place_of(w, p, sight, i);
+        place->sensors = views.sensors[i];
+        place->worth = (float)((double)murk_views_worth(&views, i) /
+                               (double)(layers * MURK_CLEAR));
+    }
+    murk_views_release(&views);
+    murk_sight_destroy(sight);
+    return status;
+}
+
+/* Optical depths of one sensor's open sightlines. */
+static void take_depths(const work *w, const piece *p, murk_sight *sight,
+                        const murk_pose *pose, double *depth, double *sheets)
+{
+    murk_look look;
+    murk_sight_look(sight, 0, pose, &look);
+    murk_sight_depths(depth, sheets, sight, pose, look.photon, look.seen,
+                      &w->media, 1);
+    for (size_t i = 0; i < look.seen; ++i) {
+        murk_place_seen *place = place_of(w, p, sight, look.photon[i]);
+        place->depth = fminf(place->depth, (float)depth[i]);
+    }
+}
+
+static murk_status measure_depths(const work *w, const piece *p,
+                                  murk_error *err)
+{
+    double *depth = malloc(2 * p->n * sizeof *depth);
+    murk_sight *sight = NULL;
+    murk_status status =
+        depth ? sight_onto(&sight, w->open, p, err) : no_memory(err);
+    for (size_t i = 0; i < p->n && !status; ++i) {
+        w->out[p->first + i].depth = INFINITY;
+    }
+    for (size_t k = 0; k < w->sensors && !status; ++k) {
+        take_depths(w, p, sight, &w->pose[k], depth, depth + p->n);
+    }
+    murk_sight_destroy(sight);
+    free(depth);
+    return status;
+}
+
+static void see_piece(void *context, uint64_t number)
+{
+    const work *w = context;
+    const size_t first = (size_t)number * w->piece;
+    const size_t left = w->places->n - first;
+    piece p = {.first = first, .n = left < w->piece ? left : w->piece};
+    murk_error *told = &w->told[number];
+    memset(&w->out[first], 0, p.n * sizeof *w->out);
+    murk_status status = piece_fill(&p, w, told);
+    if (!status) {
+        status = see(w, &p, told);
+    }
+    if (!status && w->places->wants_depth) {
+        status = measure_depths(w, &p, told);
+    }
+    piece_release(&p);
+    if (w->is_shown) {
+        murk_progress_add(p.n);
+    }
+}
+
+/* ---- what sees ---- */
+
+/* Types that see light however it travels. */
+static murk_sensor_type *any_arrival(const murk_sight_desc *like)
+{
+    murk_sensor_type *type = malloc(like->types * sizeof *type + 1);
+    for (size_t k = 0; type && k < like->types; ++k) {
+        type[k] = like->type[k];
+        type[k].toward = false;
+    }
+    return type;
+}
+
+static void describe(work *w, const murk_sight *like,
+                     const murk_sensor_type *type)
+{
+    w->sight = *murk_sight_described(like);
+    w->sight.type = type;
+    w->sight.interest = NULL;
+    w->sight.weights = (murk_map_weights){.balanced = true};
+    const bool by_power = w->sight.power.radius_m > 0;
+    if (by_power && !w->sight.power.light.surface_map) {
+        w->sight.power.light =
+            (murk_power_light){w->sight.surface_map, w->sight.volume_map,
+                               w->sight.photons_emitted};
+    }
+    w->piece = by_power ? PIECE_BY_POWER : PIECE;
+    w->is_shown = w->places->step && !by_power; /* which has a bar itself */
+    w->sight.threads = by_power ? w->sight.threads : 1;
+}
+
+/* The same without what dims; acceptance and power judge what is dimmed. */
+static void describe_open(work *w, murk_sensor_type *type,
+                          const murk_media *clear)
+{
+    w->media = w->sight.media;
+    w->open = w->sight;
+    w->open.media = clear;
+    w->open.type = type;
+    w->open.refracts = false;
+    w->open.threshold = 0;
+    w->open.combining = MURK_COMBINE_CLEAREST;
+    w->open.redundancy = 1;
+    w->open.power = (murk_power_wish){0};
+    for (size_t k = 0; k < w->open.types; ++k) {
+        type[k].acceptance_rad = 0;
+    }
+}
+
+static murk_status make_clear(murk_media **out, const murk_media *media,
+                              murk_error *err)
+{
+    murk_spectrum *none = calloc(murk_media_count(media) + 1, sizeof *none);
+    const murk_status status =
+        none ? murk_media_rescale(out, media, none, err) : no_memory(err);
+    free(none);
+    return status;
+}
+
+static murk_status run(work *w, unsigned threads, murk_error *err)
+{
+    const size_t n = w->places->n;
+    const size_t pieces = (n + w->piece - 1) / w->piece;
+    w->told = calloc(pieces + 1, sizeof *w->told);
+    if (!w->told) {
+        return no_memory(err);
+    }
+    if (w->is_shown) {
+        murk_progress_begin(w->places->step, n, "places");
+    }
+    murk_crew_run(w->sight.threads > 1 ? 1 : threads, pieces, see_piece, w);
+    if (w->is_shown) {
+        murk_progress_end();
+    }
+    murk_status status =
+        murk_interrupted() ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+                           : MURK_OK;
+    for (size_t i = 0; i < pieces && !status; ++i) {
+        if (w->told[i].status) {
+            status = murk_fail(err, w->told[i].status, w->told[i].where, "%s",
+                               w->told[i].text);
+        }
+    }
+    free(w->told);
+    return status;
+}
+
+murk_status murk_places_see(murk_place_seen *out, const murk_places *places,
+                            const murk_sight *like, const murk_pose *pose,
+                            size_t n, murk_error *err)
+{
+    const murk_sight_desc *desc = murk_sight_described(like);
+    work w = {.places = places, .pose = pose, .sensors = n, .out = out};
+    murk_sensor_type *type = any_arrival(desc);
+    murk_sensor_type *open_type = any_arrival(desc);
+    murk_media *clear = NULL;
+    murk_status status = type && open_type ? MURK_OK : no_memory(err);
+    if (!status && places->wants_depth) {
+        status = make_clear(&clear, desc->media, err);
+    }
+    if (!status) {
+        describe(&w, like, type);
+        describe_open(&w, open_type, clear);
+        status = run(&w, desc->threads, err);
+    }
+    murk_media_destroy(clear);
+    free(open_type);
+    free(type);
+    return status;
+}
