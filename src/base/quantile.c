@@ -1,5 +1,7 @@
 #include "base/quantile.h"
 
+#include "base/log_gamma.h"
+
 #include <assert.h>
 #include <math.h>
 
@@ -46,8 +48,9 @@ double murk_student_upper(double p, size_t degrees)
 static double chance(size_t n, double q, size_t k)
 {
     const double all = (double)n, in = (double)k;
-    return exp(lgamma(all + 1) - lgamma(in + 1) - lgamma(all - in + 1) +
-               in * log(q) + (all - in) * log1p(-q));
+    return exp(murk_log_gamma(all + 1) - murk_log_gamma(in + 1) -
+               murk_log_gamma(all - in + 1) + in * log(q) +
+               (all - in) * log1p(-q));
 }
 
 murk_ranks murk_quantile_ranks(size_t n, double q, double miss)

@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/log_gamma.h"
 #include "preset/mie.h"
 
 #define PI 3.141592653589793
@@ -33,7 +34,7 @@ static double share_below(double order, double t)
         term *= t / (order + i);
         sum += term;
     }
-    return fmin(1, sum * exp(order * log(t) - t - lgamma(order + 1)));
+    return fmin(1, sum * exp(order * log(t) - t - murk_log_gamma(order + 1)));
 }
 
 /* Share of all droplets that are counted. */
@@ -47,8 +48,8 @@ static double counted(const murk_droplets *shape)
 static double moment(const murk_droplets *shape, double power)
 {
     const double c = shape->c;
-    return exp(lgamma((shape->a + 1 + power) / c) - lgamma((shape->a + 1) / c) -
-               power / c * log(shape->b));
+    return exp(murk_log_gamma((shape->a + 1 + power) / c) -
+               murk_log_gamma((shape->a + 1) / c) - power / c * log(shape->b));
 }
 
 double murk_droplets_effective_radius_um(const murk_droplets *shape)
@@ -126,8 +127,8 @@ murk_droplet_population murk_droplet_population_of(const murk_droplets *shape,
     return (murk_droplet_population){
         .shape = *shape,
         .radius_um = wavelength_nm / 1000 / (2 * PI),
-        .log_norm = log(shape->c) + order * log(shape->b) - lgamma(order) -
-                    log(counted(shape))};
+        .log_norm = log(shape->c) + order * log(shape->b) -
+                    murk_log_gamma(order) - log(counted(shape))};
 }
 
 /* What the ends are judged by: what a sphere takes from light and where it

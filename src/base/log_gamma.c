@@ -1,0 +1,12 @@
+#define _DEFAULT_SOURCE /* lgamma_r */
+#include "base/log_gamma.h"
+
+#include <assert.h>
+#include <math.h>
+
+double murk_log_gamma(double x)
+{
+    assert(x > 0);
+    int sign;
+    return lgamma_r(x, &sign);
+}
