@@ -3,11 +3,10 @@
 #include "calibrate/covered.h"
 #include "scene/yaml.h"
 
-#include "base/log.h"
+#include "base/progress.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* What a fit is made from, and comes to. */
 typedef struct fit {
@@ -19,7 +18,7 @@ typedef struct fit {
     murk_next next;
     char **asked; /* [n_asked] of --predict, else the options' */
     size_t n_asked;
-    bool owns_asked, shows_steps;
+    bool owns_asked;
 } fit;
 
 /* The files of all conditions first, then the scene's own world. */
@@ -155,17 +154,11 @@ static murk_status set_values(fit *f, const murk_yaml *list, murk_error *err)
 static void tell_step(void *context, size_t start, size_t traces, int iteration,
                       double chi2, const double *value)
 {
-    const fit *f = context;
-    if (!f->shows_steps) {
-        return;
-    }
-    fprintf(stderr, "fit: start %zu, light %zu, step %d: chi2 %.6g;", start + 1,
-            traces, iteration, chi2);
-    const size_t shown = f->keys->n < 4 ? f->keys->n : 4;
-    for (size_t k = 0; k < shown; ++k) {
-        fprintf(stderr, " %s %.6g", f->keys->key[k].name, value[k]);
-    }
-    fprintf(stderr, "%s\n", shown < f->keys->n ? " .." : "");
+    (void)context;
+    (void)value;
+    murk_progress_add(1);
+    murk_progress_text("start %zu, light %zu, step %d: chi2 %.6g", start + 1,
+                       traces, iteration, chi2);
 }
 
 /* What would else come up when all has been traced. */
@@ -271,9 +264,10 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
                                         .threads = o->threads,
                                         .seed = session->scene->seed,
                                         .only_predicts = o->fit.predict != NULL,
-                                        .watch = tell_step,
-                                        .context = f};
+                                        .watch = tell_step};
+    murk_progress_begin("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
+    murk_progress_end();
     if (!status && o->fit.next) {
         status = murk_next_propose(&f->next, (size_t)o->fit.next, &f->found,
                                    &desc, err);
@@ -302,11 +296,7 @@ static murk_status check_options(const murk_options *o, murk_error *err)
 
 murk_status murk_command_fit(const murk_options *options, murk_error *err)
 {
-    const bool is_shown =
-        !options->quiet &&
-        (options->progress == MURK_PROGRESS_ALWAYS ||
-         (options->progress == MURK_PROGRESS_AUTO && isatty(STDERR_FILENO)));
-    fit f = {.options = options, .shows_steps = is_shown};
+    fit f = {.options = options};
     murk_session session = {0};
     murk_yaml *values = NULL;
     murk_status status = check_options(options, err);

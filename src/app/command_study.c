@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #define VERSION_SIZE 128
 
@@ -18,33 +17,22 @@ typedef struct study_session {
     murk_sweep *sweep;
     murk_results results;
     murk_told told;
-    double begun_s, read_s; /* when it began, and when all rows were read */
-    size_t done_before;     /* rows kept */
-    bool shows_progress;
+    double begun_s;
 } study_session;
 
-/* One line a row, on standard error: what it was and how long the rest takes.
- */
+/* What a row has to say, on standard error. */
 static void tell_row(void *context, size_t row)
 {
     study_session *s = context;
     const murk_study_row *found = &s->sweep->row[row].found;
-    const size_t rows = s->study->rows, done = murk_sweep_done(s->sweep);
     char where[64];
-    snprintf(where, sizeof where, "row %zu of %zu", row + 1, rows);
+    snprintf(where, sizeof where, "row %zu of %zu", row + 1, s->study->rows);
     if (found->failed[0]) {
         murk_warn(where, "failed: %s", found->failed);
     }
     char news[MURK_ROW_TEXT_SIZE];
     if (murk_told_news(&s->told, found->note, news, sizeof news)) {
         murk_note(where, "%s", news);
-    }
-    if (s->shows_progress) {
-        const double spent_s = murk_clock_s() - s->read_s;
-        const double left_s =
-            spent_s / (double)(done - s->done_before) * (double)(rows - done);
-        fprintf(stderr, "%s done; %zu of %zu in all, %.0f s left\n", where,
-                done, rows, left_s);
     }
 }
 
@@ -70,10 +58,6 @@ static murk_status begin(study_session *s, murk_error *err)
         murk_warn_to(NULL);
     }
     murk_progress_set(o->quiet ? MURK_PROGRESS_NEVER : o->progress);
-    s->shows_progress =
-        !o->quiet &&
-        (o->progress == MURK_PROGRESS_ALWAYS ||
-         (o->progress == MURK_PROGRESS_AUTO && isatty(STDERR_FILENO)));
     snprintf(version, sizeof version, "%s %s", MURK_VERSION,
              murk_version_commit());
     murk_status status = murk_study_file_read(&s->study, o->input, err);
@@ -93,8 +77,6 @@ static murk_status begin(study_session *s, murk_error *err)
         status = murk_results_begin(&s->results, o->out, err);
     }
     if (!status) {
-        s->done_before = murk_sweep_done(s->sweep);
-        s->read_s = murk_clock_s();
         tell_early_failures(s);
     }
     return status;

@@ -1,6 +1,7 @@
 #include "app/options.h"
 #include "app/version.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 
 #include <signal.h>
 #include <string.h>
@@ -34,8 +35,10 @@ static murk_status run(const murk_options *options, murk_error *err)
 /* "murk: WHERE: TEXT"; where may be empty. */
 static void print_error(const murk_error *err)
 {
+    murk_progress_hide(); /* what a step that was cut short may have left */
     fprintf(stderr, "murk: %s%s%s\n", err->where, *err->where ? ": " : "",
             err->text);
+    murk_progress_show();
 }
 
 int main(int argc, char **argv)

@@ -1,6 +1,7 @@
 #include "base/apart.h"
 
 #include "base/pipe.h"
+#include "base/progress.h"
 
 #include <errno.h>
 #include <math.h>
@@ -143,8 +144,10 @@ murk_status murk_apart_run(murk_apart_work work, void *work_context,
         return murk_fail(err, MURK_RUN_FAILED, "", "cannot open a pipe: %s",
                          strerror(errno));
     }
+    murk_progress_pause();
     const pid_t self = getpid(), pid = fork();
     if (pid < 0) {
+        murk_progress_resume();
         close(ends[0]);
         close(ends[1]);
         return murk_fail(err, MURK_RUN_FAILED, "", "cannot start a process: %s",
@@ -152,6 +155,7 @@ murk_status murk_apart_run(murk_apart_work work, void *work_context,
     }
     if (pid == 0) {
         close(ends[0]);
+        murk_progress_apart();
         be_apart(ends[1], self, work, work_context);
     }
     close(ends[1]);
@@ -164,5 +168,6 @@ murk_status murk_apart_run(murk_apart_work work, void *work_context,
     int ended = 0;
     while (waitpid(pid, &ended, 0) < 0 && errno == EINTR) {
     }
+    murk_progress_resume();
     return explain(&end, ended, err);
 }

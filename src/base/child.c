@@ -207,7 +207,11 @@ murk_status murk_child_run(unsigned char **out, size_t *size,
         return murk_fail(err, MURK_RUN_FAILED, where, "cannot open a pipe: %s",
                          strerror(errno));
     }
+    murk_progress_pause();
     const pid_t pid = fork();
+    if (pid != 0) {
+        murk_progress_resume();
+    }
     if (pid < 0) {
         close(ends[0]);
         close(ends[1]);

@@ -1,5 +1,7 @@
 #include "base/log.h"
 
+#include "base/progress.h"
+
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -8,7 +10,9 @@
 
 static void note_to_stderr(const char *where, const char *text)
 {
+    murk_progress_hide();
     fprintf(stderr, "murk: note: %s%s%s\n", where, *where ? ": " : "", text);
+    murk_progress_show();
 }
 
 static murk_warn_sink current = murk_warn_to_stderr;
@@ -57,5 +61,7 @@ bool murk_warn_hush(bool is_silent)
 
 void murk_warn_to_stderr(const char *where, const char *text)
 {
+    murk_progress_hide();
     fprintf(stderr, "murk: warning: %s%s%s\n", where, *where ? ": " : "", text);
+    murk_progress_show();
 }

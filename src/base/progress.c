@@ -1,114 +1,312 @@
 #include "base/progress.h"
 
+#include "base/progress_line.h"
+
 #include <math.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
-#define FIRST_DRAW_S 0.5
-#define DRAW_EVERY_S 0.1
-#define BAR_CELLS    20
+#define FIRST_DRAW_S  0.5
+#define DRAW_EVERY_S  0.2
+#define FIRST_LINE_S  2.0
+#define LINE_GROWTH   1.25 /* of the time between whole lines */
+#define STEPS_MAX     4
+#define COLUMNS       80 /* where the terminal does not say */
+#define COLUMNS_LEAST 20
+#define LINE_SIZE     512
 
-static struct {
-    bool draws;
-    const char *step, *unit;
+typedef enum style { SILENT, OVER_AND_OVER, WHOLE_LINES } style;
+
+typedef struct step {
+    const char *name, *unit;
     uint64_t total;
-    uint64_t part, parts; /* 0: the whole */
-    double begun_s;
     atomic_uint_fast64_t done;
-    _Atomic double next_draw_s;
-    atomic_bool is_open, has_drawn;
-    atomic_flag drawing;
-} bar = {.drawing = ATOMIC_FLAG_INIT};
+    double begun_s;
+    char text[MURK_PROGRESS_TEXT_SIZE];
+} step;
 
-static void format_time(char *out, size_t size, double seconds)
+/* `lock` guards all but `done`, which workers add to without it; `steps` and
+ * `parts` change between workers' work alone. */
+static struct {
+    style style;
+    pthread_mutex_t lock;
+    pthread_cond_t wakes;
+    pthread_t drawer;
+    bool has_drawer, is_ending, is_drawn;
+    step step[STEPS_MAX];
+    int steps;        /* open; more than STEPS_MAX are not shown */
+    double next_s;    /* of whole lines */
+    bool told_a_line; /* of the outermost step */
+    uint64_t part, parts, parts_done, parts_done_first;
+    double parts_begun_s;
+} bar = {.lock = PTHREAD_MUTEX_INITIALIZER};
+
+static size_t window_columns(void)
 {
-    if (seconds < 90) {
-        snprintf(out, size, "%.0f s", seconds);
-    } else if (seconds < 5400) {
-        snprintf(out, size, "%.0f min", seconds / 60);
-    } else {
-        snprintf(out, size, "%.1f h", seconds / 3600);
+    struct winsize window;
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) {
+        return COLUMNS;
+    }
+    /* in the last column some terminals wrap already */
+    return window.ws_col > COLUMNS_LEAST ? window.ws_col - 1u : COLUMNS_LEAST;
+}
+
+static murk_progress_facts facts_of(const step *s, double now_s)
+{
+    const uint64_t made = bar.parts_done - bar.parts_done_first;
+    const double spent_s = now_s - bar.parts_begun_s;
+    return (murk_progress_facts){
+        .step = s->name,
+        .unit = s->unit,
+        .text = s->text,
+        .done = atomic_load(&s->done),
+        .total = s->total,
+        .elapsed_s = now_s - s->begun_s,
+        .part = bar.part,
+        .parts = bar.parts,
+        .parts_left_s = made > 0 ? spent_s / (double)made *
+                                       (double)(bar.parts - bar.parts_done)
+                                 : NAN};
+}
+
+static void put(const char *text)
+{
+    fputs(text, stderr);
+    fflush(stderr);
+}
+
+static void wipe(void)
+{
+    if (bar.is_drawn) {
+        put("\r\033[K");
+        bar.is_drawn = false;
     }
 }
 
-static void draw(double now_s)
+static void draw_over(double now_s)
 {
-    const uint64_t done = atomic_load(&bar.done);
-    const double share =
-        bar.total ? fmin(1, (double)done / (double)bar.total) : 1;
-    const double rate = (double)done / fmax(now_s - bar.begun_s, 1e-9);
-    char cells[BAR_CELLS + 1];
-    const int full = (int)(share * BAR_CELLS);
-    memset(cells, '.', BAR_CELLS);
-    memset(cells, '#', (size_t)full);
-    cells[BAR_CELLS] = '\0';
-    char left[32] = "?";
-    if (rate > 0 && bar.total >= done) {
-        format_time(left, sizeof left, (double)(bar.total - done) / rate);
+    const int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
+    const step *s = &bar.step[top - 1];
+    if (now_s - s->begun_s < FIRST_DRAW_S && !bar.is_drawn) {
+        return;
     }
-    char part[48] = "";
-    if (bar.parts > 0) {
-        snprintf(part, sizeof part, "%llu/%llu ", (unsigned long long)bar.part,
-                 (unsigned long long)bar.parts);
+    const murk_progress_facts facts = facts_of(s, now_s);
+    char line[LINE_SIZE], both[LINE_SIZE + 16];
+    murk_progress_line(line, sizeof line, &facts, window_columns());
+    snprintf(both, sizeof both, "\r%s\033[K", line);
+    put(both);
+    bar.is_drawn = true;
+}
+
+static void tell_line(double now_s)
+{
+    const murk_progress_facts facts = facts_of(&bar.step[0], now_s);
+    char line[LINE_SIZE], both[LINE_SIZE + 2];
+    murk_progress_sentence(line, sizeof line, &facts);
+    snprintf(both, sizeof both, "%s\n", line);
+    put(both);
+    bar.told_a_line = true;
+    bar.next_s = bar.step[0].begun_s + fmax(LINE_GROWTH * facts.elapsed_s,
+                                            facts.elapsed_s + FIRST_LINE_S);
+}
+
+/* With the lock held. */
+static void draw(void)
+{
+    const double now_s = murk_clock_s();
+    if (bar.steps == 0) {
+        return;
     }
-    fprintf(stderr, "\r%s%-8s[%s] %3.0f %%  %.3g %s  %.2g/s  %s left\033[K",
-            part, bar.step, cells, floor(share * 100), (double)done, bar.unit,
-            rate, left);
-    fflush(stderr);
-    atomic_store(&bar.has_drawn, true);
+    if (bar.style == OVER_AND_OVER) {
+        draw_over(now_s);
+    } else if (bar.style == WHOLE_LINES && now_s >= bar.next_s) {
+        tell_line(now_s);
+    }
+}
+
+static void *keep_drawing(void *unused)
+{
+    (void)unused;
+    pthread_mutex_lock(&bar.lock);
+    while (!bar.is_ending) {
+        struct timespec until;
+        clock_gettime(CLOCK_MONOTONIC, &until);
+        until.tv_nsec += (long)(DRAW_EVERY_S * 1e9);
+        if (until.tv_nsec >= 1000000000) {
+            until.tv_nsec -= 1000000000;
+            ++until.tv_sec;
+        }
+        pthread_cond_timedwait(&bar.wakes, &bar.lock, &until);
+        if (!bar.is_ending) {
+            draw();
+        }
+    }
+    pthread_mutex_unlock(&bar.lock);
+    return NULL;
+}
+
+static void start_drawer(void)
+{
+    if (bar.has_drawer || bar.style == SILENT) {
+        return;
+    }
+    pthread_condattr_t attributes;
+    sigset_t all, before;
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    pthread_cond_init(&bar.wakes, &attributes);
+    pthread_condattr_destroy(&attributes);
+    bar.is_ending = false;
+    sigfillset(&all); /* Ctrl-C is the main thread's */
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    bar.has_drawer = pthread_create(&bar.drawer, NULL, keep_drawing, NULL) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+}
+
+static void stop_drawer(void)
+{
+    if (!bar.has_drawer) {
+        return;
+    }
+    pthread_mutex_lock(&bar.lock);
+    bar.is_ending = true;
+    pthread_cond_signal(&bar.wakes);
+    pthread_mutex_unlock(&bar.lock);
+    pthread_join(bar.drawer, NULL);
+    pthread_cond_destroy(&bar.wakes);
+    bar.has_drawer = false;
 }
 
 void murk_progress_set(murk_progress_mode mode)
 {
-    bar.draws = mode == MURK_PROGRESS_ALWAYS ||
-                (mode == MURK_PROGRESS_AUTO && isatty(STDERR_FILENO));
+    const char *terminal = getenv("TERM");
+    const bool is_terminal = isatty(STDERR_FILENO);
+    const bool can_wipe =
+        is_terminal && terminal && *terminal && strcmp(terminal, "dumb") != 0;
+    const bool speaks = mode == MURK_PROGRESS_ALWAYS ||
+                        (mode == MURK_PROGRESS_AUTO && is_terminal);
+    bar.style = !speaks ? SILENT : can_wipe ? OVER_AND_OVER : WHOLE_LINES;
 }
 
-void murk_progress_begin(const char *step, uint64_t total, const char *unit)
+void murk_progress_begin(const char *name, uint64_t total, const char *unit)
 {
-    bar.step = step;
-    bar.unit = unit;
-    bar.total = total;
-    bar.begun_s = murk_clock_s();
-    atomic_store(&bar.done, 0);
-    atomic_store(&bar.next_draw_s, bar.begun_s + FIRST_DRAW_S);
-    atomic_store(&bar.has_drawn, false);
-    atomic_store(&bar.is_open, true);
-}
-
-void murk_progress_add(uint64_t done)
-{
-    atomic_fetch_add(&bar.done, done);
-    if (!bar.draws || !atomic_load(&bar.is_open)) {
-        return;
+    pthread_mutex_lock(&bar.lock);
+    if (bar.steps < STEPS_MAX) {
+        step *s = &bar.step[bar.steps];
+        s->name = name;
+        s->unit = unit;
+        s->total = total;
+        s->text[0] = '\0';
+        s->begun_s = murk_clock_s();
+        atomic_store(&s->done, 0);
     }
-    const double now_s = murk_clock_s();
-    if (now_s < atomic_load(&bar.next_draw_s) ||
-        atomic_flag_test_and_set(&bar.drawing)) {
-        return;
+    if (bar.steps == 0) {
+        bar.next_s = bar.step[0].begun_s + FIRST_LINE_S;
+        bar.told_a_line = false;
     }
-    atomic_store(&bar.next_draw_s, now_s + DRAW_EVERY_S);
-    draw(now_s);
-    atomic_flag_clear(&bar.drawing);
+    ++bar.steps;
+    pthread_mutex_unlock(&bar.lock);
+    start_drawer();
 }
 
 void murk_progress_end(void)
 {
-    atomic_store(&bar.is_open, false);
-    if (bar.draws && atomic_load(&bar.has_drawn)) {
-        draw(murk_clock_s());
-        fputc('\n', stderr);
+    if (bar.steps == 1) {
+        stop_drawer();
+    }
+    pthread_mutex_lock(&bar.lock);
+    if (bar.steps == 1 && bar.style == WHOLE_LINES && bar.told_a_line) {
+        tell_line(murk_clock_s());
+    }
+    if (bar.steps == 1) {
+        wipe();
+    }
+    bar.steps -= bar.steps > 0;
+    pthread_mutex_unlock(&bar.lock);
+}
+
+void murk_progress_add(uint64_t done)
+{
+    const int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
+    if (top == 0) {
+        return;
+    }
+    atomic_fetch_add(&bar.step[top - 1].done, done);
+    if (!bar.has_drawer && bar.style == WHOLE_LINES) { /* paused */
+        pthread_mutex_lock(&bar.lock);
+        draw();
+        pthread_mutex_unlock(&bar.lock);
     }
 }
 
-void murk_progress_part(uint64_t number, uint64_t parts)
+void murk_progress_text(const char *format, ...)
 {
+    pthread_mutex_lock(&bar.lock);
+    if (bar.steps > 0 && bar.steps <= STEPS_MAX) {
+        char *text = bar.step[bar.steps - 1].text;
+        va_list args;
+        va_start(args, format);
+        vsnprintf(text, MURK_PROGRESS_TEXT_SIZE, format, args);
+        va_end(args);
+    }
+    pthread_mutex_unlock(&bar.lock);
+}
+
+void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done)
+{
+    pthread_mutex_lock(&bar.lock);
+    if (bar.parts == 0) {
+        bar.parts_begun_s = murk_clock_s();
+        bar.parts_done_first = done;
+    }
     bar.part = number;
     bar.parts = parts;
+    bar.parts_done = done;
+    pthread_mutex_unlock(&bar.lock);
+}
+
+void murk_progress_pause(void)
+{
+    stop_drawer();
+    wipe();
+}
+
+void murk_progress_resume(void)
+{
+    if (bar.steps > 0) {
+        start_drawer();
+    }
+}
+
+void murk_progress_apart(void)
+{
+    if (bar.style == WHOLE_LINES) {
+        bar.style = SILENT;
+    }
+    bar.steps = 0;
+}
+
+void murk_progress_hide(void)
+{
+    pthread_mutex_lock(&bar.lock);
+    if (bar.style == OVER_AND_OVER) {
+        bar.is_drawn = true; /* perhaps by a child */
+        wipe();
+    }
+}
+
+void murk_progress_show(void)
+{
+    pthread_mutex_unlock(&bar.lock);
 }
 
 double murk_clock_s(void)

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "study/placement_in.h"
 #include "study/sweep_groups.h"
 #include "study/sweep_kept.h"
@@ -268,6 +269,9 @@ static murk_status take_row(void *context, const char *bytes, size_t size,
                                  size - (size_t)(text - bytes), err);
         sweep->cannot_keep = status != MURK_OK;
     }
+    if (!status) {
+        murk_progress_add(1);
+    }
     if (!status && sweep->desc.row_done) {
         sweep->desc.row_done(sweep->desc.context, i);
     }
@@ -282,6 +286,7 @@ static void fail_rest(murk_sweep *sweep, const murk_sweep_group *group,
         murk_sweep_row *row = &sweep->row[group->row[k]];
         if (!row->is_done) {
             tell_failure(row, why);
+            murk_progress_add(1);
             if (sweep->desc.row_done) {
                 sweep->desc.row_done(sweep->desc.context, group->row[k]);
             }
@@ -298,7 +303,7 @@ static bool is_done(const murk_sweep *sweep, const murk_sweep_group *group)
     return done == group->n;
 }
 
-murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
+static murk_status run_groups(murk_sweep *sweep, murk_error *err)
 {
     for (size_t g = 0; g < sweep->groups; ++g) {
         murk_sweep_group *group = &sweep->group[g];
@@ -320,7 +325,19 @@ murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
             fail_rest(sweep, group, &why);
         }
     }
-    return murk_sweep_plan_all(sweep, err);
+    return MURK_OK;
+}
+
+murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
+{
+    const size_t rows = sweep->desc.study->rows, kept = murk_sweep_done(sweep);
+    murk_progress_begin("study", rows, "rows");
+    murk_progress_add(kept);
+    murk_progress_part(0, rows, kept);
+    const murk_status status = run_groups(sweep, err);
+    murk_progress_part(0, 0, 0);
+    murk_progress_end();
+    return status ? status : murk_sweep_plan_all(sweep, err);
 }
 
 size_t murk_sweep_done(const murk_sweep *sweep)

@@ -19,6 +19,7 @@ typedef struct group_work {
     murk_sweep_light light;
     /* Warnings of the imports, and of building the first world. */
     char of_world[MURK_ROW_TEXT_SIZE], of_first[MURK_ROW_TEXT_SIZE];
+    size_t done; /* rows */
 } group_work;
 
 /* ---- warnings ---- */
@@ -181,7 +182,9 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     murk_study_row row = {0};
     murk_error why = {0};
     char own[MURK_ROW_TEXT_SIZE];
-    murk_progress_part(l->group->row[k] + 1, l->sweep->desc.study->rows);
+    const size_t done_before = murk_sweep_done(l->sweep);
+    murk_progress_part(l->group->row[k] + 1, l->sweep->desc.study->rows,
+                       done_before + w->done++);
     murk_status status = murk_sweep_light_build(l, k, &why);
     if (!status) {
         status = w->job->measures_plans ? measure_plans(w, k, &row, &why)
