@@ -25,6 +25,7 @@ typedef struct fit {
 static murk_status begin(fit *f, murk_session *session, murk_error *err)
 {
     murk_status status = murk_session_scene(session, f->options, err);
+    murk_progress_begin_over("build", 0, "");
     if (!status) {
         status = murk_donors_import(&f->donors, session->scene, err);
     }
@@ -35,6 +36,7 @@ static murk_status begin(fit *f, murk_session *session, murk_error *err)
     if (!status) {
         status = murk_stage_build(session->stage, err);
     }
+    murk_progress_end();
     session->run.load_s = murk_clock_s() - session->begun_s;
     return status;
 }
@@ -156,7 +158,7 @@ static void tell_step(void *context, size_t start, size_t traces, int iteration,
 {
     (void)context;
     (void)value;
-    murk_progress_add(1);
+    murk_progress_add_over(1);
     murk_progress_text("start %zu, light %zu, step %d: chi2 %.6g", start + 1,
                        traces, iteration, chi2);
 }
@@ -265,12 +267,14 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
                                         .seed = session->scene->seed,
                                         .only_predicts = o->fit.predict != NULL,
                                         .watch = tell_step};
-    murk_progress_begin("fit", 0, "steps");
+    murk_progress_begin_over("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
     murk_progress_end();
     if (!status && o->fit.next) {
+        murk_progress_begin_over("next", 0, "");
         status = murk_next_propose(&f->next, (size_t)o->fit.next, &f->found,
                                    &desc, err);
+        murk_progress_end();
     }
     return status ? status : write_files(f, session, err);
 }

@@ -1,6 +1,7 @@
 /* murk media: what presets there are, and what one comes to, band by band. Its
  * numbers are those of a scene with this one medium. */
 #include "app/results.h"
+#include "base/progress.h"
 
 #include "medium/phase.h"
 #include "preset/check_words.h"
@@ -324,6 +325,8 @@ static murk_status print_json(cJSON *root, murk_error *err)
 static murk_status say_one(const murk_options *options, murk_error *err)
 {
     resolved r = {0};
+    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_progress_begin_over("media", 0, "");
     murk_status status =
         murk_presets_read(&r.preset, options->input, "media", err);
     if (!status) {
@@ -332,6 +335,7 @@ static murk_status say_one(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_phases_create(&r.phases, r.scene, err);
     }
+    murk_progress_end();
     if (!status && options->json) {
         status = print_json(one_json(&r), err);
     } else if (!status && !options->quiet) {

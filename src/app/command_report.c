@@ -10,6 +10,7 @@
 #include "app/version.h"
 #include "app/web_files.h"
 #include "base/file.h"
+#include "base/progress.h"
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>
@@ -196,6 +197,8 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     }
     murk_results_in results;
     murk_report_scene scene = {0};
+    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_progress_begin_over("report", 0, "");
     char *path = options->out
                      ? strdup(options->out)
                      : murk_results_path(options->input, "report.html");
@@ -209,6 +212,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     if (!status) {
         status = write_file(path, &results, &scene, err);
     }
+    murk_progress_end();
     if (!status) {
         status = tell(options, path, &scene, err);
     }

@@ -4,6 +4,7 @@
 #include "app/fields_out.h"
 #include "app/plan_ply.h"
 #include "base/log.h"
+#include "base/progress.h"
 #include "study/dark.h"
 
 #include <stdlib.h>
@@ -226,11 +227,15 @@ murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
                               plan->sensor, plan->place.count, size_m, err);
     }
     if (!status && exports & MURK_EXPORTS_OF_PROBLEM) {
+        murk_progress_begin_over("export", 0, "");
         status = add_matrix(session, plan, sight, late, err);
+        murk_progress_end();
     }
     if (!status) {
+        murk_progress_begin_over("export", 0, "");
         status = murk_exports_add_scene(session, sight, plan->sensor,
                                         plan->place.count, late, err);
+        murk_progress_end();
     }
     murk_sight_destroy(sight);
     return status;

@@ -1,6 +1,7 @@
 #include "app/session.h"
 
 #include "base/log.h"
+#include "base/progress.h"
 #include "study/units.h"
 
 #include <stdlib.h>
@@ -23,9 +24,11 @@ murk_status murk_session_scene(murk_session *session,
         murk_warn_to(NULL);
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_progress_begin_over("read", 0, "");
     const murk_status status =
         murk_scene_read(&session->scene, options->input, options->overrides,
                         options->n_overrides, err);
+    murk_progress_end();
     if (!status) {
         murk_units_note(session->scene);
     }
@@ -42,8 +45,10 @@ murk_status murk_session_read(murk_session *session,
 
 murk_status murk_session_build(murk_session *session, murk_error *err)
 {
+    murk_progress_begin_over("build", 0, "");
     const murk_status status =
         murk_stage_create(&session->stage, session->scene, err);
+    murk_progress_end();
     session->run.load_s = murk_clock_s() - session->begun_s;
     return status;
 }
@@ -54,8 +59,10 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
     const double begun_s = murk_clock_s();
     murk_status status;
     if (session->options->light) {
+        murk_progress_begin_over("read light", 0, "");
         status = murk_light_load(&session->traced, session->stage,
                                  session->options->light, threads, err);
+        murk_progress_end();
         session->run.load_s += murk_clock_s() - begun_s;
     } else {
         status =
@@ -79,8 +86,10 @@ void murk_session_end(murk_session *session)
 
 murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
+    murk_progress_begin_over("write light", 0, "");
     const murk_status status = murk_results_add_light(
         &session->results, "light.murk", session->traced, session->stage, err);
+    murk_progress_end();
     return status ? status
                   : murk_results_add_text(&session->results, "scene.yaml",
                                           session->scene->resolved, err);

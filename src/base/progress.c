@@ -31,6 +31,7 @@ typedef struct step {
     uint64_t total;
     atomic_uint_fast64_t done;
     double begun_s;
+    bool is_over; /* of other steps, whose counts are not its own */
     char text[MURK_PROGRESS_TEXT_SIZE];
 } step;
 
@@ -92,14 +93,17 @@ static void wipe(void)
     }
 }
 
+/* The innermost step that has lasted long enough to be worth a line. */
 static void draw_over(double now_s)
 {
-    const int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
-    const step *s = &bar.step[top - 1];
-    if (now_s - s->begun_s < FIRST_DRAW_S && !bar.is_drawn) {
+    int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
+    while (top > 0 && now_s - bar.step[top - 1].begun_s < FIRST_DRAW_S) {
+        --top;
+    }
+    if (top == 0) {
         return;
     }
-    const murk_progress_facts facts = facts_of(s, now_s);
+    const murk_progress_facts facts = facts_of(&bar.step[top - 1], now_s);
     char line[LINE_SIZE], both[LINE_SIZE + 16];
     murk_progress_line(line, sizeof line, &facts, window_columns());
     snprintf(both, sizeof both, "\r%s\033[K", line);
@@ -107,16 +111,29 @@ static void draw_over(double now_s)
     bar.is_drawn = true;
 }
 
+/* The outermost step that knows how far it is, else the innermost. */
+static const step *told_step(void)
+{
+    const int open = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
+    for (int k = 0; k < open; ++k) {
+        if (bar.step[k].total > 0 || bar.step[k].text[0]) {
+            return &bar.step[k];
+        }
+    }
+    return &bar.step[open - 1];
+}
+
 static void tell_line(double now_s)
 {
-    const murk_progress_facts facts = facts_of(&bar.step[0], now_s);
+    const murk_progress_facts facts = facts_of(told_step(), now_s);
     char line[LINE_SIZE], both[LINE_SIZE + 2];
     murk_progress_sentence(line, sizeof line, &facts);
     snprintf(both, sizeof both, "%s\n", line);
     put(both);
     bar.told_a_line = true;
-    bar.next_s = bar.step[0].begun_s + fmax(LINE_GROWTH * facts.elapsed_s,
-                                            facts.elapsed_s + FIRST_LINE_S);
+    const double spent_s = now_s - bar.step[0].begun_s;
+    bar.next_s = bar.step[0].begun_s +
+                 fmax(LINE_GROWTH * spent_s, spent_s + FIRST_LINE_S);
 }
 
 /* With the lock held. */
@@ -138,6 +155,7 @@ static void *keep_drawing(void *unused)
     (void)unused;
     pthread_mutex_lock(&bar.lock);
     while (!bar.is_ending) {
+        draw();
         struct timespec until;
         clock_gettime(CLOCK_MONOTONIC, &until);
         until.tv_nsec += (long)(DRAW_EVERY_S * 1e9);
@@ -146,9 +164,6 @@ static void *keep_drawing(void *unused)
             ++until.tv_sec;
         }
         pthread_cond_timedwait(&bar.wakes, &bar.lock, &until);
-        if (!bar.is_ending) {
-            draw();
-        }
     }
     pthread_mutex_unlock(&bar.lock);
     return NULL;
@@ -197,7 +212,8 @@ void murk_progress_set(murk_progress_mode mode)
     bar.style = !speaks ? SILENT : can_wipe ? OVER_AND_OVER : WHOLE_LINES;
 }
 
-void murk_progress_begin(const char *name, uint64_t total, const char *unit)
+static void begin(const char *name, uint64_t total, const char *unit,
+                  bool is_over)
 {
     pthread_mutex_lock(&bar.lock);
     if (bar.steps < STEPS_MAX) {
@@ -206,6 +222,7 @@ void murk_progress_begin(const char *name, uint64_t total, const char *unit)
         s->unit = unit;
         s->total = total;
         s->text[0] = '\0';
+        s->is_over = is_over;
         s->begun_s = murk_clock_s();
         atomic_store(&s->done, 0);
     }
@@ -216,6 +233,17 @@ void murk_progress_begin(const char *name, uint64_t total, const char *unit)
     ++bar.steps;
     pthread_mutex_unlock(&bar.lock);
     start_drawer();
+}
+
+void murk_progress_begin(const char *name, uint64_t total, const char *unit)
+{
+    begin(name, total, unit, false);
+}
+
+void murk_progress_begin_over(const char *name, uint64_t total,
+                              const char *unit)
+{
+    begin(name, total, unit, true);
 }
 
 void murk_progress_end(void)
@@ -234,13 +262,22 @@ void murk_progress_end(void)
     pthread_mutex_unlock(&bar.lock);
 }
 
-void murk_progress_add(uint64_t done)
+static void add(uint64_t done, bool to_over)
 {
     const int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
-    if (top == 0) {
-        return;
+    if (top > 0 && bar.step[top - 1].is_over == to_over) {
+        atomic_fetch_add(&bar.step[top - 1].done, done);
     }
-    atomic_fetch_add(&bar.step[top - 1].done, done);
+}
+
+void murk_progress_add(uint64_t done)
+{
+    add(done, false);
+}
+
+void murk_progress_add_over(uint64_t done)
+{
+    add(done, true);
     if (!bar.has_drawer && bar.style == WHOLE_LINES) { /* paused */
         pthread_mutex_lock(&bar.lock);
         draw();
@@ -277,7 +314,7 @@ void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done)
 void murk_progress_pause(void)
 {
     stop_drawer();
-    wipe();
+    bar.is_drawn |= bar.style == OVER_AND_OVER; /* by a child, perhaps */
 }
 
 void murk_progress_resume(void)
@@ -292,7 +329,7 @@ void murk_progress_apart(void)
     if (bar.style == WHOLE_LINES) {
         bar.style = SILENT;
     }
-    bar.steps = 0;
+    murk_progress_resume();
 }
 
 void murk_progress_hide(void)

@@ -5,9 +5,9 @@
  * On a terminal it is drawn over and over, as wide as the window allows, and
  * wiped when the step ends. A thread of its own draws it, so it moves while
  * nothing is added, too. Elsewhere (only when asked), and on terminals that
- * cannot wipe (TERM is dumb), whole lines tell the outermost step, ever more
- * seldom: some forty in ten hours. Steps shorter than half a second draw
- * nothing. */
+ * cannot wipe (TERM is dumb), whole lines tell the outermost step that knows
+ * how far it is, ever more seldom: some forty in ten hours. Steps shorter than
+ * half a second draw nothing. */
 #ifndef MURK_BASE_PROGRESS_H
 #define MURK_BASE_PROGRESS_H
 
@@ -31,6 +31,12 @@ void murk_progress_end(void);
 /* To the innermost step; safe from any thread. */
 void murk_progress_add(uint64_t done);
 
+/* A step that other steps make up, such as the rows of a study: what is added
+ * to them, and to none, is not its own. */
+void murk_progress_begin_over(const char *step, uint64_t total,
+                              const char *unit);
+void murk_progress_add_over(uint64_t done);
+
 /* Where a search stands, behind the innermost step's numbers from now on. */
 void murk_progress_text(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
@@ -40,9 +46,9 @@ void murk_progress_text(const char *format, ...)
  * The first call begins to measure it. 0 of 0: of no part, as at first. */
 void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done);
 
-/* Around fork(), which no other thread may outlive; what is printed while it
- * lies stays readable. apart(): in a child that lives on, whose steps the
- * parent tells where whole lines do. */
+/* Around fork(), which no other thread may be alive at. A child that lives on
+ * calls apart(): it draws the steps that are open and its own, while its parent
+ * stays paused; whole lines are the parent's. */
 void murk_progress_pause(void);
 void murk_progress_resume(void);
 void murk_progress_apart(void);

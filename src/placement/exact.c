@@ -1,6 +1,7 @@
 #include "placement/exact.h"
 
 #include "base/interrupt.h"
+#include "base/progress.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -46,10 +47,12 @@ typedef struct exact {
 
 static void count_work(exact *e, uint64_t candidates)
 {
+    const uint64_t nodes = e->weighings / MURK_NODE_WEIGHINGS;
     e->weighings += candidates * e->oracle->problem->photons *
                     (e->oracle->all_clear       ? 1
                      : e->oracle->layout->doses ? WORK_OF_CHANCES
                                                 : WORK_OF_CLARITIES);
+    murk_progress_add(e->weighings / MURK_NODE_WEIGHINGS - nodes);
     e->is_cut |= e->weighings > e->weighings_most || murk_interrupted();
 }
 
@@ -366,7 +369,9 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
     if (oracle->book) {
         stand_fixed(&e);
     }
+    murk_progress_begin("prove", nodes, "nodes at most");
     const uint64_t highest = explore(&e, 0, bound->threshold, ROUNDS_AT_ROOT);
+    murk_progress_end();
     if (n > e.fixed + 1) {
         memcpy(bound->threshold, root->threshold,
                oracle->layout->slots * sizeof *bound->threshold);

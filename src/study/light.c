@@ -132,6 +132,7 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
         return status;
     }
     const double begun_s = murk_clock_s();
+    murk_progress_begin_over("maps", 0, "");
     murk_harvest_price(harvest, traced->packet_w,
                        emission->stage->scene->bands);
     status = murk_harvest_map(&traced->surface, &harvest->surface,
@@ -140,6 +141,7 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
         status = murk_harvest_map(&traced->volume, &harvest->volume,
                                   emission->threads, err);
     }
+    murk_progress_end();
     traced->map_s = murk_clock_s() - begun_s;
     return status;
 }

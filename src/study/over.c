@@ -1,5 +1,6 @@
 #include "study/over.h"
 
+#include "base/progress.h"
 #include "study/dark.h"
 #include "study/over_choose.h"
 #include "study/over_mean.h"
@@ -64,7 +65,9 @@ murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
                          "over: worst needs what every candidate sees, so "
                          "knowledge must be known");
     }
+    murk_progress_begin_over("build", 0, "");
     murk_status status = murk_conditions_create(&out->conditions, scene, err);
+    murk_progress_end();
     for (size_t c = 0; !status && c < scene->n_conditions; ++c) {
         status =
             murk_plan_check(out->conditions->condition[c].stage, threads, err);

@@ -381,6 +381,7 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_coverage coverage = {0};
+    murk_progress_begin_over("hold out", 0, "");
     murk_status status =
         murk_plan_see_anew(&other, stage, stream, threads, err);
     if (!status) {
@@ -409,6 +410,7 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
     murk_coverage_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(other);
+    murk_progress_end();
     return status;
 }
 

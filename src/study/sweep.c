@@ -175,11 +175,14 @@ static murk_status read_rows(reading *r, murk_error *err)
     murk_sweep *sweep = r->sweep;
     const size_t rows = sweep->desc.study->rows;
     murk_status status = MURK_OK;
+    murk_progress_begin_over("read", rows, "rows");
     for (size_t i = 0; i < rows && !status; ++i) {
+        murk_progress_add_over(i > 0);
         status = murk_interrupted()
                      ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
                      : read_row(r, i, err);
     }
+    murk_progress_end();
     if (!status && murk_sweep_done(sweep) == rows) {
         status = murk_fail(err, r->first.status, r->first.where, "%s",
                            r->first.text);
@@ -270,7 +273,7 @@ static murk_status take_row(void *context, const char *bytes, size_t size,
         sweep->cannot_keep = status != MURK_OK;
     }
     if (!status) {
-        murk_progress_add(1);
+        murk_progress_add_over(1);
     }
     if (!status && sweep->desc.row_done) {
         sweep->desc.row_done(sweep->desc.context, i);
@@ -286,7 +289,7 @@ static void fail_rest(murk_sweep *sweep, const murk_sweep_group *group,
         murk_sweep_row *row = &sweep->row[group->row[k]];
         if (!row->is_done) {
             tell_failure(row, why);
-            murk_progress_add(1);
+            murk_progress_add_over(1);
             if (sweep->desc.row_done) {
                 sweep->desc.row_done(sweep->desc.context, group->row[k]);
             }
@@ -331,13 +334,19 @@ static murk_status run_groups(murk_sweep *sweep, murk_error *err)
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
     const size_t rows = sweep->desc.study->rows, kept = murk_sweep_done(sweep);
-    murk_progress_begin("study", rows, "rows");
-    murk_progress_add(kept);
+    murk_progress_begin_over("study", rows, "rows");
+    murk_progress_add_over(kept);
     murk_progress_part(0, rows, kept);
-    const murk_status status = run_groups(sweep, err);
+    murk_status status = run_groups(sweep, err);
     murk_progress_part(0, 0, 0);
     murk_progress_end();
-    return status ? status : murk_sweep_plan_all(sweep, err);
+    if (!status) {
+        murk_progress_begin_over("plans for all", rows, "rows");
+        status = murk_sweep_plan_all(sweep, err);
+        murk_progress_part(0, 0, 0);
+        murk_progress_end();
+    }
+    return status;
 }
 
 size_t murk_sweep_done(const murk_sweep *sweep)

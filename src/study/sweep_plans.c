@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "study/sweep_choose.h"
 #include "study/sweep_kept.h"
 #include "study/sweep_work.h"
@@ -208,6 +209,7 @@ static murk_status take_values(void *context, const char *bytes, size_t size,
     murk_status status = murk_sweep_receive(&found, &i, sweep->desc.study->rows,
                                             bytes, size, &text, err);
     if (!status) {
+        murk_progress_add_over(1);
         status = put_values(sweep, i, &found, err);
     }
     if (!status && !found.failed[0]) {
