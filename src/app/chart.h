@@ -30,7 +30,7 @@ typedef struct murk_chart {
     const char *x_title, *y_title;
     const char *const *x_name; /* [x_names] of x = 0, 1, ..; NULL: numbers */
     size_t x_names;
-    murk_scale x, y;
+    murk_axis_scale x, y;
     const double *y_line; /* [y_lines] drawn across */
     size_t y_lines;
 } murk_chart;

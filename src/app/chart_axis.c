@@ -9,7 +9,7 @@
 /* What is less is nothing: steps of it would leave the doubles. */
 #define LEAST 1e-290
 
-murk_axis murk_axis_of(double from, double to, murk_scale scale)
+murk_axis murk_axis_of(double from, double to, murk_axis_scale scale)
 {
     return (murk_axis){INFINITY, -INFINITY, from, to, scale};
 }

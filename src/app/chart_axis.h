@@ -8,22 +8,22 @@
 
 #define MURK_TICKS_MAX 16
 
-typedef enum murk_scale {
+typedef enum murk_axis_scale {
     MURK_SCALE_EVEN,
     MURK_SCALE_LOG,   /* what is not above 0 has no place */
     MURK_SCALE_WHOLE, /* counts: ticks at whole numbers */
     MURK_SCALE_SHARE, /* 0..1, shown in per cent */
     MURK_SCALE_CLOCK  /* hours of a day, shown as 06:00 */
-} murk_scale;
+} murk_axis_scale;
 
 typedef struct murk_axis {
     double low, high; /* in the middle of it logarithms, for MURK_SCALE_LOG */
     double from, to;  /* on the drawing */
-    murk_scale scale;
+    murk_axis_scale scale;
 } murk_axis;
 
 /* An axis of nothing yet, to be widened; from..to on the drawing. */
-murk_axis murk_axis_of(double from, double to, murk_scale scale);
+murk_axis murk_axis_of(double from, double to, murk_axis_scale scale);
 
 /* So that the value, where it has a place, lies on it. */
 void murk_axis_widen(murk_axis *axis, double value);

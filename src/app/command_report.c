@@ -81,6 +81,7 @@ static void write_contents(FILE *to, const murk_results_in *results,
         const char *id, *title;
         bool is_there;
     } parts[] = {
+        {"summary", "In short", true},
         {"placement", "Placement", has_plan},
         {"where", "Where they are", scene->points.n + scene->sensors > 0},
         {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
@@ -116,6 +117,7 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
     fputs(".</p>\n", to);
     write_contents(to, results, scene);
     fputs("</header>\n<main id=\"main\">\n", to);
+    murk_report_summary(to, results);
     murk_status status = murk_report_plan(to, results, err);
     if (!status) {
         status = murk_report_plans(to, scene, err);
@@ -126,7 +128,9 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
     if (!status) {
         status = murk_report_fit(to, results, err);
     }
-    murk_report_light(to, results);
+    if (!status) {
+        status = murk_report_light(to, results, err);
+    }
     murk_report_made(to, results);
     fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
           ". This page is one file and loads nothing from elsewhere."

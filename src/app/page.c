@@ -152,6 +152,12 @@ void murk_page_share(FILE *to, double share, double standard_error)
     }
 }
 
+void murk_page_count(FILE *to, double n, const char *one, const char *more)
+{
+    murk_page_number(to, n);
+    fprintf(to, " %s", n == 1 ? one : more);
+}
+
 /* ---- blocks ---- */
 
 void murk_page_section_begin(FILE *to, const char *id, const char *title)
@@ -234,6 +240,22 @@ void murk_page_cell_estimate(FILE *to, double value, double standard_error)
     fputs("</td>", to);
 }
 
+void murk_page_shaded_begin(FILE *to, double shade)
+{
+    const double size = fmin(fabs(shade), 1);
+    const int step = size > 0 ? (int)ceil(6 * size) : 0;
+    if (step > 0) {
+        fprintf(to, "<td class=\"%s%d\">", shade < 0 ? "minus" : "plus", step);
+    } else {
+        fputs("<td>", to);
+    }
+}
+
+void murk_page_shaded_end(FILE *to)
+{
+    fputs("</td>", to);
+}
+
 void murk_page_fact(FILE *to, const char *name, const char *text)
 {
     murk_page_row_begin(to, name);
@@ -259,6 +281,16 @@ void murk_page_fact_share(FILE *to, const char *name, double share,
     murk_page_share(to, share, standard_error);
     fputs("</td>", to);
     murk_page_row_end(to);
+}
+
+void murk_page_line_begin(FILE *to, const char *name)
+{
+    fprintf(to, "<div><dt>%s</dt><dd>", name);
+}
+
+void murk_page_line_end(FILE *to)
+{
+    fputs("</dd></div>\n", to);
 }
 
 void murk_page_more(FILE *to, size_t rows, const char *file)

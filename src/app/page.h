@@ -34,6 +34,9 @@ void murk_page_estimate(FILE *to, double value, double standard_error);
 /* A share 0..1 in per cent. */
 void murk_page_share(FILE *to, double share, double standard_error);
 
+/* "1 sensor", "3 sensors". */
+void murk_page_count(FILE *to, double n, const char *one, const char *more);
+
 /* <section> with a heading that a list of contents can point to. */
 void murk_page_section_begin(FILE *to, const char *id, const char *title);
 void murk_page_section_end(FILE *to);
@@ -51,12 +54,19 @@ void murk_page_cell_text(FILE *to, const char *text);
 void murk_page_cell_number(FILE *to, double value);
 void murk_page_cell_share(FILE *to, double share, double standard_error);
 void murk_page_cell_estimate(FILE *to, double value, double standard_error);
+/* A cell of any content on a shade -1..1, which tells its sign and, in six
+ * steps, its size; none for 0 and NaN. */
+void murk_page_shaded_begin(FILE *to, double shade);
+void murk_page_shaded_end(FILE *to);
 /* Two cells, a row: a name and what it is. */
 void murk_page_fact(FILE *to, const char *name, const char *text);
 void murk_page_fact_number(FILE *to, const char *name, double value,
                            const char *unit);
 void murk_page_fact_share(FILE *to, const char *name, double share,
                           double standard_error);
+/* A name and what is said of it, inside <dl class="facts">. */
+void murk_page_line_begin(FILE *to, const char *name);
+void murk_page_line_end(FILE *to);
 /* Says how many rows are left out, where some are. */
 void murk_page_more(FILE *to, size_t rows, const char *file);
 

@@ -294,6 +294,7 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
 {
     murk_matrix_plan p = {.session = {.options = options,
                                       .run.threads = options->threads,
+                                      .run.command = options->typed,
                                       .begun_s = murk_clock_s()}};
     if (options->quiet) {
         murk_warn_to(NULL);

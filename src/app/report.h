@@ -7,6 +7,9 @@
 
 #include <stdio.h>
 
+/* What was asked, the answer, what it took, and what the words mean. */
+void murk_report_summary(FILE *to, const murk_results_in *results);
+
 /* A sensor placement, made (plan.json) or measured (coverage.json): what it
  * sees, curve and bound, in sample against held out, each sensor. */
 murk_status murk_report_plan(FILE *to, const murk_results_in *results,
@@ -21,7 +24,8 @@ murk_status murk_report_fit(FILE *to, const murk_results_in *results,
                             murk_error *err);
 
 /* ledger.json: where the light went. */
-void murk_report_light(FILE *to, const murk_results_in *results);
+murk_status murk_report_light(FILE *to, const murk_results_in *results,
+                              murk_error *err);
 
 /* How it was made: the commands that make it again, version, packages, files.
  */

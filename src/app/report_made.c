@@ -19,16 +19,6 @@ static const char *const names[MURK_RESULT_FILES] = {
     [MURK_RESULT_FIT] = "fit.json",
     [MURK_RESULT_LEDGER] = "ledger.json"};
 
-/* ledger.json is made beside the others, by the same run. */
-static bool is_main(const murk_results_in *results, int which)
-{
-    bool has_other = false;
-    for (int i = 0; i < MURK_RESULT_LEDGER; ++i) {
-        has_other = has_other || results->json[i];
-    }
-    return results->json[which] && !(which == MURK_RESULT_LEDGER && has_other);
-}
-
 static void write_word(FILE *to, const char *word)
 {
     char *quoted = murk_shell_word(word);
@@ -53,7 +43,7 @@ static bool write_typed(FILE *to, const murk_results_in *results)
         const murk_yaml *root = results->json[i];
         const char *command = murk_result_text(root, "run.command");
         const char *folder = murk_result_text(root, "run.folder");
-        if (!is_main(results, i) || !command) {
+        if (!murk_results_is_main(results, (murk_result_file)i) || !command) {
             continue;
         }
         if (!has_any) {
@@ -206,7 +196,7 @@ void murk_report_made(FILE *to, const murk_results_in *results)
     murk_page_section_begin(to, "made", "How it was made");
     write_commands(to, results);
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        if (is_main(results, i)) {
+        if (murk_results_is_main(results, (murk_result_file)i)) {
             write_run(to, names[i], results->json[i]);
         }
     }

@@ -1,4 +1,5 @@
 /* A placement, as sections of the report. */
+#include "app/report_plan.h"
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report.h"
@@ -7,85 +8,74 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CELL 48
+#define CELL        48
+#define SAMPLES_MAX 40 /* conditions that are drawn */
 
-/* What a list of maps holds under a key: values[n] for free(); NULL when out
- * of memory. */
-static double *column_of(const murk_yaml *list, size_t n, const char *key)
+/* Half a 95 % interval, in standard errors. */
+#define HALF_INTERVAL 1.96
+
+/* ---- numbers ---- */
+
+/* Rows of what there is. */
+static void fact_share(FILE *to, const murk_yaml *plan, const char *name,
+                       const char *key, const char *error_key)
 {
-    double *values = malloc((n + 1) * sizeof *values);
-    for (size_t i = 0; values && i < n; ++i) {
-        values[i] = murk_result_number(list->child[i], key);
+    const double share = murk_result_number(plan, key);
+    if (isfinite(share)) {
+        murk_page_fact_share(to, name, share,
+                             murk_result_number(plan, error_key));
     }
-    return values;
 }
 
-/* ---- the plan in a sentence and a table ---- */
-
-static void write_sentence(FILE *to, const murk_yaml *plan)
+static void fact_count(FILE *to, const murk_yaml *plan, const char *name,
+                       const char *key)
 {
-    const size_t n = murk_result_count(plan, "sensors");
-    const double held_out = murk_result_number(plan, "coverage.held_out");
-    const double upper = murk_result_number(plan, "bound.upper");
-    fprintf(to, "<p class=\"lead\">%zu sensor%s see%s <strong>", n,
-            n == 1 ? "" : "s", n == 1 ? "s" : "");
-    if (isfinite(held_out)) {
-        murk_page_share(
-            to, held_out,
-            murk_result_number(plan, "coverage.held_out_standard_error"));
-        fputs("</strong> of the light of a second, independent map.", to);
-    } else {
-        double error =
-            murk_result_number(plan, "coverage.in_sample_standard_error");
-        if (!isfinite(error)) {
-            error = murk_result_number(plan, "coverage.standard_error");
-        }
-        murk_page_share(to, murk_result_number(plan, "coverage.in_sample"),
-                        error);
-        fputs("</strong> of the light of this run's map.", to);
+    const double count = murk_result_number(plan, key);
+    if (isfinite(count)) {
+        murk_page_fact_number(to, name, count, "");
     }
-    if (isfinite(upper)) {
-        fputs(" On the map that it was chosen by, no plan of this kind sees "
-              "more than <strong>",
-              to);
-        murk_page_share(to, upper, NAN);
-        fputs("</strong>.", to);
-    }
-    fputs("</p>\n", to);
 }
 
-static void write_summary(FILE *to, const murk_yaml *plan)
+static void fact_text(FILE *to, const murk_yaml *plan, const char *name,
+                      const char *key)
+{
+    const char *text = murk_result_text(plan, key);
+    if (text) {
+        murk_page_fact(to, name, text);
+    }
+}
+
+static void write_numbers(FILE *to, const murk_yaml *plan, bool is_made)
 {
     murk_page_table_begin(to, "The placement in numbers", NULL, 0);
-    murk_page_fact_share(
-        to, "in sample: the map that it was chosen by",
-        murk_result_number(plan, "coverage.in_sample"),
-        murk_result_number(plan, "coverage.in_sample_standard_error"));
-    murk_page_fact_share(
-        to, "held out: an independent map",
-        murk_result_number(plan, "coverage.held_out"),
-        murk_result_number(plan, "coverage.held_out_standard_error"));
-    murk_page_fact_share(to, "of light on surfaces",
-                         murk_result_number(plan, "coverage.surface"), NAN);
-    murk_page_fact_share(to, "of light scattered in media",
-                         murk_result_number(plan, "coverage.volume"), NAN);
-    murk_page_fact_share(to, "ceiling: all candidates at once",
-                         murk_result_number(plan, "coverage.ceiling"), NAN);
-    murk_page_fact_share(to, "upper bound",
-                         murk_result_number(plan, "bound.upper"), NAN);
-    murk_page_fact_share(to, "gap to the bound",
-                         murk_result_number(plan, "bound.gap"), NAN);
-    murk_page_fact(to, "proven optimal",
-                   murk_result_text(plan, "bound.proven_optimal"));
-    murk_page_fact(to, "method", murk_result_text(plan, "placement.method"));
-    murk_page_fact_number(to, "candidates that were usable",
-                          murk_result_number(plan, "candidates.usable"), "");
-    murk_page_fact_number(to, "photons emitted",
-                          murk_result_number(plan, "photons.emitted"), "");
-    murk_page_fact_number(to, "photons stored on surfaces",
-                          murk_result_number(plan, "photons.surface"), "");
-    murk_page_fact_number(to, "photons stored in media",
-                          murk_result_number(plan, "photons.volume"), "");
+    fact_share(to, plan,
+               is_made ? "in sample: the map that it was chosen by"
+                       : "coverage",
+               "coverage.in_sample",
+               is_made ? "coverage.in_sample_standard_error"
+                       : "coverage.standard_error");
+    fact_share(to, plan, "held out: an independent map", "coverage.held_out",
+               "coverage.held_out_standard_error");
+    fact_share(to, plan, "of light on surfaces", "coverage.surface", "");
+    fact_share(to, plan, "of light scattered in media", "coverage.volume", "");
+    fact_share(to, plan, "ceiling: all candidates at once", "coverage.ceiling",
+               "");
+    fact_share(to, plan, "upper bound", "bound.upper", "");
+    fact_share(to, plan, "gap to the bound", "bound.gap", "");
+    fact_text(to, plan, "proven optimal", "bound.proven_optimal");
+    fact_text(to, plan, "what the method guarantees", "bound.guarantee");
+    fact_text(to, plan, "method", "placement.method");
+    fact_text(to, plan, "detection", "placement.detection");
+    fact_text(to, plan, "knowledge", "placement.knowledge");
+    fact_count(to, plan, "views of a photon that count",
+               "placement.redundancy");
+    fact_count(to, plan, "candidates asked for", "candidates.asked");
+    fact_count(to, plan, "candidates that were usable", "candidates.usable");
+    fact_count(to, plan, "plans weighed", "placement.evaluations");
+    fact_count(to, plan, "shadow rays", "placement.shadow_rays");
+    fact_count(to, plan, "photons emitted", "photons.emitted");
+    fact_count(to, plan, "photons stored on surfaces", "photons.surface");
+    fact_count(to, plan, "photons stored in media", "photons.volume");
     murk_page_table_end(to);
 }
 
@@ -118,9 +108,9 @@ static bool write_curve(FILE *to, const murk_yaml *plan)
         return true;
     }
     const murk_yaml *curve = murk_result_at(plan, "curve");
-    double *count = column_of(curve, n, "count");
-    double *coverage = column_of(curve, n, "coverage");
-    double *upper = column_of(curve, n, "upper");
+    double *count = murk_result_column(curve, n, "count");
+    double *coverage = murk_result_column(curve, n, "coverage");
+    double *upper = murk_result_column(curve, n, "upper");
     const bool is_whole = count && coverage && upper;
     if (is_whole) {
         const murk_chart_series series[] = {{.name = "coverage",
@@ -142,9 +132,10 @@ static bool write_curve(FILE *to, const murk_yaml *plan)
             .y_title = "coverage",
             .x = MURK_SCALE_WHOLE,
             .y = MURK_SCALE_SHARE};
-        fputs("<h3>Coverage curve</h3>\n", to);
+        fputs("<div>\n<h3>Coverage curve</h3>\n", to);
         murk_chart_draw(to, &chart, series, 2);
         write_curve_rows(to, count, coverage, upper, n);
+        fputs("</div>\n", to);
     }
     free(count);
     free(coverage);
@@ -154,160 +145,86 @@ static bool write_curve(FILE *to, const murk_yaml *plan)
 
 /* ---- in sample against held out ---- */
 
+/* Of the plan, and of each condition: two of each, beside each other. */
+typedef struct samples {
+    size_t n;
+    double *room; /* [8 * n]: of in sample, then held out: x, y, low, high */
+    const char **name;
+} samples;
+
+static void put_sample(const samples *s, size_t i, const char *name,
+                       const murk_yaml *root)
+{
+    static const char *const key[][2] = {
+        {"in_sample", "in_sample_standard_error"},
+        {"held_out", "held_out_standard_error"}};
+    s->name[i] = name ? name : "";
+    for (size_t k = 0; k < 2; ++k) {
+        double *x = s->room + 4 * s->n * k, *y = x + s->n;
+        double *low = y + s->n, *high = low + s->n;
+        const double error = murk_result_number(root, key[k][1]);
+        x[i] = (double)i + (k == 0 ? -0.08 : 0.08);
+        y[i] = murk_result_number(root, key[k][0]);
+        low[i] = y[i] - HALF_INTERVAL * error;
+        high[i] = y[i] + HALF_INTERVAL * error;
+    }
+}
+
+static void draw_samples(FILE *to, const samples *s, bool has_conditions)
+{
+    const double *r = s->room;
+    const size_t n = s->n;
+    const murk_chart_series series[] = {{.name = "in sample",
+                                         .n = n,
+                                         .x = r,
+                                         .y = r + n,
+                                         .low = r + 2 * n,
+                                         .high = r + 3 * n},
+                                        {.name = "held out",
+                                         .n = n,
+                                         .x = r + 4 * n,
+                                         .y = r + 5 * n,
+                                         .low = r + 6 * n,
+                                         .high = r + 7 * n}};
+    const murk_chart chart = {.title = "In sample against held out, each with "
+                                       "its 95 % interval",
+                              .x_title = has_conditions ? "measured in" : "",
+                              .y_title = "coverage",
+                              .x_name = s->name,
+                              .x_names = n,
+                              .y = MURK_SCALE_SHARE};
+    murk_chart_draw(to, &chart, series, 2);
+}
+
 static bool write_samples(FILE *to, const murk_yaml *plan)
 {
-    const char *list_path = "robustness.drop_one.without";
-    const size_t n = murk_result_count(plan, list_path) + 1;
+    const size_t conditions = murk_result_count(plan, "conditions");
+    const murk_yaml *list = murk_result_at(plan, "conditions");
     if (!isfinite(murk_result_number(plan, "coverage.held_out"))) {
         return true;
     }
-    const murk_yaml *list = murk_result_at(plan, list_path);
-    double *at = malloc(2 * n * sizeof *at);
-    double *in = malloc(n * sizeof *in), *out = malloc(n * sizeof *out);
-    double *low = malloc(2 * n * sizeof *low);
-    double *high = malloc(2 * n * sizeof *high);
-    char(*text)[CELL] = calloc(n, sizeof *text);
-    const char **name = malloc(n * sizeof *name);
-    const bool is_whole = at && in && out && low && high && text && name;
+    samples s = {.n =
+                     1 + (conditions < SAMPLES_MAX ? conditions : SAMPLES_MAX)};
+    s.room = malloc(8 * s.n * sizeof *s.room);
+    s.name = malloc(s.n * sizeof *s.name);
+    const bool is_whole = s.room && s.name;
     if (is_whole) {
-        const double in_error =
-            murk_result_number(plan, "coverage.in_sample_standard_error");
-        const double out_error =
-            murk_result_number(plan, "coverage.held_out_standard_error");
-        for (size_t i = 0; i < n; ++i) {
-            const murk_yaml *row = i == 0 ? NULL : list->child[i - 1];
-            const double sensor = murk_result_number(row, "sensor");
-            snprintf(text[i], CELL, i == 0 ? "all" : "no %.0f", sensor);
-            name[i] = text[i];
-            at[i] = (double)i - 0.08;
-            at[n + i] = (double)i + 0.08;
-            in[i] = i == 0 ? murk_result_number(plan, "coverage.in_sample")
-                           : murk_result_number(row, "in_sample");
-            out[i] = i == 0 ? murk_result_number(plan, "coverage.held_out")
-                            : murk_result_number(row, "held_out");
-            /* the errors are those of the whole plan */
-            low[i] = in[i] - (i == 0 ? 1.96 * in_error : NAN);
-            high[i] = in[i] + (i == 0 ? 1.96 * in_error : NAN);
-            low[n + i] = out[i] - (i == 0 ? 1.96 * out_error : NAN);
-            high[n + i] = out[i] + (i == 0 ? 1.96 * out_error : NAN);
+        put_sample(&s, 0, "the plan", murk_result_at(plan, "coverage"));
+        for (size_t i = 1; i < s.n; ++i) {
+            const murk_yaml *one = list->child[i - 1];
+            put_sample(&s, i, murk_result_text(one, "name"), one);
         }
-        const murk_chart_series series[] = {{.name = "in sample",
-                                             .n = n,
-                                             .x = at,
-                                             .y = in,
-                                             .low = low,
-                                             .high = high},
-                                            {.name = "held out",
-                                             .n = n,
-                                             .x = at + n,
-                                             .y = out,
-                                             .low = low + n,
-                                             .high = high + n}};
-        const murk_chart chart = {
-            .title = "In sample against held out: the plan (with its 95 % "
-                     "interval), and without each of its sensors",
-            .x_title = "sensors left",
-            .y_title = "coverage",
-            .x_name = name,
-            .x_names = n,
-            .y = MURK_SCALE_SHARE};
-        fputs("<h3>In sample against held out</h3>\n", to);
+        fputs("<div>\n<h3>In sample against held out</h3>\n", to);
         murk_page_paragraph(
             to, "A plan is chosen to suit one sample of photons, so it looks "
                 "better on that than it is. The held-out value is the one to "
                 "quote.");
-        murk_chart_draw(to, &chart, series, 2);
+        draw_samples(to, &s, conditions > 0);
+        fputs("</div>\n", to);
     }
-    free(at);
-    free(in);
-    free(out);
-    free(low);
-    free(high);
-    free(text);
-    free(name);
+    free(s.room);
+    free(s.name);
     return is_whole;
-}
-
-/* ---- tables ---- */
-
-static void write_sensors(FILE *to, const murk_yaml *plan, const char *file)
-{
-    static const char *const heads[] = {
-        "sensor",    "<type",  "x m",       "y m",           "z m",
-        "heading °", "tilt °", "it covers", "only it covers"};
-    const size_t n = murk_result_count(plan, "sensors");
-    const murk_yaml *list = murk_result_at(plan, "sensors");
-    if (n == 0) {
-        return;
-    }
-    murk_page_table_begin(to, "The sensors", heads, 9);
-    for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
-        const murk_yaml *sensor = list->child[i];
-        const murk_yaml *place = murk_result_at(sensor, "position_m");
-        const char *type = murk_result_text(sensor, "type");
-        char name[CELL];
-        snprintf(name, sizeof name, "%zu", i + 1);
-        murk_page_row_begin(to, name);
-        murk_page_cell_text(to, type ? type : murk_result_text(sensor, "name"));
-        for (size_t k = 0; k < 3; ++k) {
-            const bool has =
-                place && place->kind == MURK_YAML_LIST && k < place->n;
-            murk_page_cell_number(
-                to, has ? murk_result_number(place->child[k], "") : NAN);
-        }
-        murk_page_cell_number(to, murk_result_number(sensor, "heading_deg"));
-        murk_page_cell_number(to, murk_result_number(sensor, "tilt_deg"));
-        murk_page_cell_share(to, murk_result_number(sensor, "covers"), NAN);
-        murk_page_cell_share(to, murk_result_number(sensor, "only_it_covers"),
-                             NAN);
-        murk_page_row_end(to);
-    }
-    murk_page_table_end(to);
-    murk_page_more(to, n, file);
-}
-
-static void write_seen(FILE *to, const murk_yaml *plan)
-{
-    static const char *const heads[] = {"sensors", "see together"};
-    const size_t n = murk_result_count(plan, "seen_by_at_least");
-    const murk_yaml *list = murk_result_at(plan, "seen_by_at_least");
-    if (n == 0) {
-        return;
-    }
-    murk_page_table_begin(to, "Light seen by at least so many sensors", heads,
-                          2);
-    for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
-        char name[CELL];
-        snprintf(name, sizeof name, "%zu or more", i + 1);
-        murk_page_row_begin(to, name);
-        murk_page_cell_share(to, murk_result_number(list->child[i], ""), NAN);
-        murk_page_row_end(to);
-    }
-    murk_page_table_end(to);
-}
-
-/* Regions of interest and conditions: named shares with errors. */
-static void write_named(FILE *to, const murk_yaml *plan, const char *path,
-                        const char *caption, const char *in_sample)
-{
-    const char *const heads[] = {"name", "weight", "in sample", "held out"};
-    const size_t n = murk_result_count(plan, path);
-    const murk_yaml *list = murk_result_at(plan, path);
-    if (n == 0) {
-        return;
-    }
-    murk_page_table_begin(to, caption, heads, 4);
-    for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
-        const murk_yaml *row = list->child[i];
-        murk_page_row_begin(to, murk_result_text(row, "name"));
-        murk_page_cell_number(to, murk_result_number(row, "weight"));
-        murk_page_cell_share(to, murk_result_number(row, in_sample), NAN);
-        murk_page_cell_share(
-            to, murk_result_number(row, "held_out"),
-            murk_result_number(row, "held_out_standard_error"));
-        murk_page_row_end(to);
-    }
-    murk_page_table_end(to);
 }
 
 murk_status murk_report_plan(FILE *to, const murk_results_in *results,
@@ -321,17 +238,19 @@ murk_status murk_report_plan(FILE *to, const murk_results_in *results,
     }
     murk_page_section_begin(to, "placement",
                             is_made ? "The placement" : "What the sensors see");
-    write_sentence(to, plan);
-    write_summary(to, plan);
-    if (!write_curve(to, plan) || !write_samples(to, plan)) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
+    fputs("<div class=\"beside\">\n", to);
+    write_numbers(to, plan, is_made);
+    bool is_whole = write_curve(to, plan) && write_samples(to, plan);
+    fputs("</div>\n", to);
+    is_whole = is_whole && murk_report_sensors(to, results, plan);
+    is_whole = is_whole && murk_report_over(to, plan) &&
+               murk_report_robust(to, plan) && murk_report_explore(to, plan);
+    murk_status status = is_whole ? MURK_OK
+                                  : murk_fail(err, MURK_NO_MEMORY, "",
+                                              "no memory for the plots");
+    if (!status) {
+        status = murk_report_repeat(to, results, plan, err);
     }
-    fputs("<h3>Sensors</h3>\n", to);
-    write_sensors(to, plan, is_made ? "plan.json" : "coverage.json");
-    write_seen(to, plan);
-    write_named(to, plan, "regions_of_interest", "Regions of interest",
-                "coverage");
-    write_named(to, plan, "conditions", "Conditions", "in_sample");
     murk_page_section_end(to);
-    return MURK_OK;
+    return status;
 }

@@ -91,6 +91,21 @@ size_t murk_result_count(const murk_yaml *root, const char *path)
     return at && at->kind == MURK_YAML_LIST ? at->n : 0;
 }
 
+double *murk_result_column(const murk_yaml *list, size_t n, const char *key)
+{
+    double *values = malloc((n + 1) * sizeof *values);
+    for (size_t i = 0; values && i < n; ++i) {
+        values[i] = murk_result_number(list->child[i], key);
+    }
+    return values;
+}
+
+bool murk_result_is(const murk_yaml *root, const char *path, const char *text)
+{
+    const char *found = murk_result_text(root, path);
+    return found && strcmp(found, text) == 0;
+}
+
 /* ---- reading ---- */
 
 /* Length of "0.1" in "0.1.0". */
@@ -162,6 +177,16 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
                          "study.json, fit.json or ledger.json");
     }
     return MURK_OK;
+}
+
+bool murk_results_is_main(const murk_results_in *results,
+                          murk_result_file which)
+{
+    bool has_other = false;
+    for (int i = 0; i < MURK_RESULT_LEDGER; ++i) {
+        has_other = has_other || results->json[i];
+    }
+    return results->json[which] && !(which == MURK_RESULT_LEDGER && has_other);
 }
 
 void murk_results_release(murk_results_in *results)

@@ -32,6 +32,10 @@ typedef struct murk_results_in {
  * Release it in any case. */
 murk_status murk_results_read(murk_results_in *out, const char *folder,
                               murk_error *err);
+/* Whether it is there, and no other's by-product: ledger.json is, beside any
+ * other. */
+bool murk_results_is_main(const murk_results_in *results,
+                          murk_result_file which);
 void murk_results_release(murk_results_in *results);
 
 /* DIR/name for free(), NULL when out of memory. */
@@ -51,5 +55,12 @@ const murk_yaml *murk_result_at(const murk_yaml *root, const char *path);
 double murk_result_number(const murk_yaml *root, const char *path);
 const char *murk_result_text(const murk_yaml *root, const char *path);
 size_t murk_result_count(const murk_yaml *root, const char *path);
+
+/* What each map of a list holds under a key, NaN where that is no number:
+ * values[n] for free(), n as murk_result_count(); NULL when out of memory. */
+double *murk_result_column(const murk_yaml *list, size_t n, const char *key);
+
+/* Whether it is that text; true and false are texts, too. */
+bool murk_result_is(const murk_yaml *root, const char *path, const char *text);
 
 #endif

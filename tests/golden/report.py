@@ -212,7 +212,8 @@ def main(murk):
               "no provenance")
         check("murk place plan/scene.yaml -o again" in page.text, "no command")
         check("murk place 'it'\\''s <b>.yaml' -o again" in page.text, "not as typed")
-        check(page.tags.count("svg") == 4, page.tags.count("svg"), "plots, want 4")
+        # curve, samples, shares, seen by, losses, two drawings, light
+        check(page.tags.count("svg") == 8, page.tags.count("svg"), "plots, want 8")
         check(page.tags.count("table") >= 5, "tables")
         photons = plan["photons"]["surface"] + plan["photons"]["volume"]
         check(told["photons"] == photons == told["photons_shown"], told)

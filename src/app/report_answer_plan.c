@@ -1,0 +1,230 @@
+/* What was asked of a placement, and the answer: what it sees, whether a better
+ * one is possible, and what else was wanted. */
+#include "app/page.h"
+#include "app/report_answers.h"
+
+#include <math.h>
+
+/* Half a 95 % interval, in standard errors. */
+#define HALF_INTERVAL 1.96
+
+/* A gap to the bound that hardly matters. */
+#define HARDLY 0.02
+
+static void strong_share(FILE *to, double share, double standard_error)
+{
+    fputs("<strong>", to);
+    murk_page_share(to, share, standard_error);
+    fputs("</strong>", to);
+}
+
+static void ask_matrix(FILE *to, const murk_yaml *plan, double n)
+{
+    fputs("Which ", to);
+    murk_page_count(to, n, "column", "columns");
+    fputs(" of the matrix ", to);
+    murk_page_text(to, murk_result_text(plan, "matrix.file"));
+    fputs(" cover the most of its ", to);
+    murk_page_count(to, murk_result_number(plan, "matrix.rows"), "row", "rows");
+    fputs(", by their weights?", to);
+}
+
+static void ask_sensors(FILE *to, const murk_yaml *plan, double n)
+{
+    const double target = murk_result_number(plan, "target.asked");
+    const double budget = murk_result_number(plan, "budget.asked");
+    if (isfinite(target)) {
+        fputs("How few sensors see ", to);
+        murk_page_share(to, target, NAN);
+        fputs(" of the light", to);
+    } else if (isfinite(budget)) {
+        fputs("Which sensors, whose costs come to at most ", to);
+        murk_page_number(to, budget);
+        fputs(", see the most light", to);
+    } else {
+        fputs("Where should ", to);
+        murk_page_count(to, n, "sensor", "sensors");
+        fputs(" be to see the most light", to);
+    }
+    const double usable = murk_result_number(plan, "candidates.usable");
+    if (isfinite(usable)) {
+        fputs(", of ", to);
+        murk_page_count(to, usable, "place that is free",
+                        "places that are free");
+    }
+    if (murk_result_is(plan, "over", "mean") ||
+        murk_result_is(plan, "over", "worst")) {
+        fputs(", over ", to);
+        murk_page_count(to, (double)murk_result_count(plan, "conditions"),
+                        "condition", "conditions");
+        fputs(murk_result_is(plan, "over", "mean")
+                  ? " in the mean"
+                  : ", as judged by the worst of them",
+              to);
+    }
+    if (murk_result_is(plan, "placement.knowledge", "explore")) {
+        fputs(", when only what has been reached so far is known", to);
+    }
+    fputc('?', to);
+}
+
+static void ask_plan(FILE *to, const murk_yaml *plan, bool is_made)
+{
+    const double n = (double)murk_result_count(plan, "sensors");
+    murk_page_line_begin(to, "Asked");
+    if (!is_made) {
+        fputs("How much of the light do these ", to);
+        murk_page_count(to, n, "sensor", "sensors");
+        fputs(" see?", to);
+    } else if (murk_result_text(plan, "matrix.file")) {
+        ask_matrix(to, plan, n);
+    } else {
+        ask_sensors(to, plan, n);
+    }
+    murk_page_line_end(to);
+}
+
+/* What is to be quoted of a plan: held out, where that is. */
+static void quoted(double *value, double *standard_error, bool *is_held_out,
+                   const murk_yaml *plan)
+{
+    *value = murk_result_number(plan, "coverage.held_out");
+    *standard_error =
+        murk_result_number(plan, "coverage.held_out_standard_error");
+    *is_held_out = isfinite(*value);
+    if (*is_held_out) {
+        return;
+    }
+    *value = murk_result_number(plan, "coverage.in_sample");
+    *standard_error =
+        murk_result_number(plan, "coverage.in_sample_standard_error");
+    if (!isfinite(*standard_error)) {
+        *standard_error = murk_result_number(plan, "coverage.standard_error");
+    }
+}
+
+static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
+{
+    const bool is_matrix = murk_result_text(plan, "matrix.file") != NULL;
+    const double n = (double)murk_result_count(plan, "sensors");
+    double value, error;
+    bool is_held_out;
+    quoted(&value, &error, &is_held_out, plan);
+    murk_page_line_begin(to, "Answer");
+    fputs(is_made ? "" : "These ", to);
+    if (is_matrix) {
+        murk_page_count(to, n, "column covers ", "columns cover ");
+    } else {
+        murk_page_count(to, n, "sensor sees ", "sensors see ");
+    }
+    strong_share(to, value, error);
+    fputs(is_matrix     ? " of the rows' weight."
+          : is_held_out ? " of the light, measured with photons that had no "
+                          "say in the choice (held out)."
+          : is_made ? " of the light, on the map that the plan was chosen by: "
+                      "it may read high."
+                    : " of the light.",
+          to);
+    if (!is_matrix && isfinite(error)) {
+        fputs(" With 95 % confidence it is between ", to);
+        murk_page_share(to, fmax(value - HALF_INTERVAL * error, 0), NAN);
+        fputs(" and ", to);
+        murk_page_share(to, fmin(value + HALF_INTERVAL * error, 1), NAN);
+        fputs(": chance in the photons.", to);
+    }
+    murk_page_line_end(to);
+}
+
+static void limit_plan(FILE *to, const murk_yaml *plan)
+{
+    const double upper = murk_result_number(plan, "bound.upper");
+    const bool is_matrix = murk_result_text(plan, "matrix.file") != NULL;
+    if (!isfinite(upper)) {
+        return;
+    }
+    murk_page_line_begin(to, "Could it be better?");
+    if (murk_result_is(plan, "bound.proven_optimal", "true")) {
+        fputs(is_matrix ? "No: none of this kind covers more, which is proven."
+                        : "No: on the map that it was chosen by, no plan of "
+                          "this kind sees more, which is proven (",
+              to);
+        if (!is_matrix) {
+            murk_page_share(to, upper, NAN);
+            fputs(" there).", to);
+        }
+    } else {
+        const double gap = murk_result_number(plan, "bound.gap");
+        fputs(gap < HARDLY ? "Hardly: " : "Perhaps: ", to);
+        if (!is_matrix) {
+            fputs("on the map that it was chosen by, ", to);
+        }
+        fputs("the plan has ", to);
+        murk_page_share(to, murk_result_number(plan, "coverage.in_sample"),
+                        NAN);
+        fputs(", and no plan of this kind more than ", to);
+        strong_share(to, upper, NAN);
+        fputs(" (a gap of ", to);
+        murk_page_share(to, gap, NAN);
+        fputs(").", to);
+    }
+    const double ceiling = murk_result_number(plan, "coverage.ceiling");
+    if (isfinite(ceiling)) {
+        fputs(is_matrix ? " All columns together: " : " All places together: ",
+              to);
+        murk_page_share(to, ceiling, NAN);
+        fputc('.', to);
+    }
+    murk_page_line_end(to);
+}
+
+/* Target, budget, seeds: what else was wanted, and came out. */
+static void extra_plan(FILE *to, const murk_yaml *plan)
+{
+    const double confirmed = murk_result_number(plan, "target.confirmed");
+    const double fewest = murk_result_number(plan, "target.fewest_possible");
+    const double spent = murk_result_number(plan, "budget.spent");
+    const double runs = murk_result_number(plan, "repeat.runs");
+    if (isfinite(fewest)) {
+        murk_page_line_begin(to, "Target");
+        if (isfinite(confirmed)) {
+            fputs("Confirmed with a third map: ", to);
+            murk_page_share(
+                to, confirmed,
+                murk_result_number(plan, "target.confirmed_standard_error"));
+            fputs(". ", to);
+        }
+        fputs("It cannot be met by fewer than ", to);
+        murk_page_number(to, fewest);
+        fputc('.', to);
+        murk_page_line_end(to);
+    }
+    if (isfinite(spent)) {
+        murk_page_line_begin(to, "Budget");
+        murk_page_number(to, spent);
+        fputs(" of ", to);
+        murk_page_number(to, murk_result_number(plan, "budget.asked"));
+        fputs(" spent.", to);
+        murk_page_line_end(to);
+    }
+    if (isfinite(runs)) {
+        murk_page_line_begin(to, "With other seeds");
+        fputs("The whole job with ", to);
+        murk_page_count(to, runs, "seed", "seeds");
+        fputs(" gives, held out, ", to);
+        murk_page_share(to, murk_result_number(plan, "repeat.held_out.minimum"),
+                        NAN);
+        fputs(" to ", to);
+        murk_page_share(to, murk_result_number(plan, "repeat.held_out.maximum"),
+                        NAN);
+        fputc('.', to);
+        murk_page_line_end(to);
+    }
+}
+
+void murk_answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
+{
+    ask_plan(to, plan, is_made);
+    answer_plan(to, plan, is_made);
+    limit_plan(to, plan);
+    extra_plan(to, plan);
+}
