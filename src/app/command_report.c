@@ -87,6 +87,8 @@ static void write_contents(FILE *to, const murk_results_in *results,
         {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
         {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
         {"light", "Light", results->json[MURK_RESULT_LEDGER] != NULL},
+        {"tallies", "Tallies",
+         murk_results_has(results->folder, "tallies.csv")},
         {"made", "How it was made", true}};
     fputs("<nav aria-label=\"Contents\"><ul>\n", to);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
@@ -101,7 +103,8 @@ static void write_contents(FILE *to, const murk_results_in *results,
 /* ---- the page ---- */
 
 static murk_status write_page(FILE *to, const murk_results_in *results,
-                              const murk_report_scene *scene, murk_error *err)
+                              const murk_report_scene *scene,
+                              const murk_report_fields *fields, murk_error *err)
 {
     char name[NAME_SIZE];
     name_of(name, results);
@@ -129,7 +132,10 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
         status = murk_report_fit(to, results, err);
     }
     if (!status) {
-        status = murk_report_light(to, results, err);
+        status = murk_report_light(to, results, fields->scene, err);
+    }
+    if (!status) {
+        status = murk_report_tallies(to, results, fields, err);
     }
     murk_report_made(to, results);
     fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
@@ -147,12 +153,14 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
 }
 
 static murk_status write_file(const char *path, const murk_results_in *results,
-                              const murk_report_scene *scene, murk_error *err)
+                              const murk_report_scene *scene,
+                              const murk_report_fields *fields, murk_error *err)
 {
     murk_file *file = NULL;
     murk_status status = murk_file_create(&file, path, err);
     if (!status) {
-        status = write_page(murk_file_stream(file), results, scene, err);
+        status =
+            write_page(murk_file_stream(file), results, scene, fields, err);
     }
     if (!status) {
         status = murk_file_commit(&file, err);
@@ -200,6 +208,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
                          "shows results as they are: no --set and no --seed");
     }
     murk_results_in results;
+    murk_report_fields fields = {0};
     murk_report_scene scene = {0};
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
     murk_progress_begin_over("report", 0, "");
@@ -210,17 +219,21 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     if (!status && !path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
     }
+    if (!status) { /* by children: before there is any ray device */
+        status = murk_report_fields_read(&fields, &results, err);
+    }
     if (!status) {
         status = murk_report_scene_read(&scene, &results, err);
     }
     if (!status) {
-        status = write_file(path, &results, &scene, err);
+        status = write_file(path, &results, &scene, &fields, err);
     }
     murk_progress_end();
     if (!status) {
         status = tell(options, path, &scene, err);
     }
     murk_report_scene_release(&scene);
+    murk_report_fields_release(&fields);
     murk_results_release(&results);
     free(path);
     return status;

@@ -3,6 +3,7 @@
 #ifndef MURK_APP_REPORT_H
 #define MURK_APP_REPORT_H
 
+#include "app/report_fields.h"
 #include "app/results_in.h"
 
 #include <stdio.h>
@@ -23,9 +24,15 @@ murk_status murk_report_study(FILE *to, const murk_results_in *results,
 murk_status murk_report_fit(FILE *to, const murk_results_in *results,
                             murk_error *err);
 
-/* ledger.json: where the light went. */
+/* ledger.json: where the light went, by the scene's bands (NULL: not known).
+ */
 murk_status murk_report_light(FILE *to, const murk_results_in *results,
-                              murk_error *err);
+                              const murk_scene *scene, murk_error *err);
+
+/* tallies.csv, and the fields that were read: what was counted where. */
+murk_status murk_report_tallies(FILE *to, const murk_results_in *results,
+                                const murk_report_fields *fields,
+                                murk_error *err);
 
 /* How it was made: the commands that make it again, version, packages, files.
  */

@@ -31,10 +31,21 @@ static double watts_of(const murk_yaml *ledger, const char *key, long band)
                : NAN;
 }
 
+/* By its wavelength, where the scene is known; else by its number. */
+static void name_band(char out[CELL], size_t band, const murk_scene *scene)
+{
+    if (scene && band < (size_t)scene->bands) {
+        snprintf(out, CELL, "%.6g nm", scene->band_nm[band]);
+    } else {
+        snprintf(out, CELL, "band %zu", band + 1);
+    }
+}
+
 /* ---- bars ---- */
 
 /* One of all light, then one of each band where there are several. */
-static bool draw_bars(FILE *to, const murk_yaml *ledger, size_t bands)
+static bool draw_bars(FILE *to, const murk_yaml *ledger, size_t bands,
+                      const murk_scene *scene)
 {
     const size_t rows = bands > 1 ? bands + 1 : 1;
     const char *part[WAYS];
@@ -45,7 +56,11 @@ static bool draw_bars(FILE *to, const murk_yaml *ledger, size_t bands)
     for (size_t i = 0; is_whole && i < rows; ++i) {
         const long band = (long)i - 1;
         const double emitted = watts_of(ledger, "emitted_w", band);
-        snprintf(text[i], CELL, band < 0 ? "all light" : "band %ld", band + 1);
+        if (band < 0) {
+            snprintf(text[i], CELL, "all light");
+        } else {
+            name_band(text[i], (size_t)band, scene);
+        }
         name[i] = text[i];
         for (size_t k = 0; k < WAYS; ++k) {
             const double watts = watts_of(ledger, ways[k].key, band);
@@ -107,14 +122,16 @@ static void write_absorbers(FILE *to, const murk_yaml *ledger, const char *path,
 
 #define BANDS_MAX 16
 
-static void write_table(FILE *to, const murk_yaml *ledger, size_t bands)
+static void write_table(FILE *to, const murk_yaml *ledger, size_t bands,
+                        const murk_scene *scene)
 {
-    char text[BANDS_MAX][16];
+    char text[BANDS_MAX][CELL + 8], name[CELL];
     const char *heads[BANDS_MAX + 3] = {"where", "W", "of what was emitted"};
     const murk_yaml *emitted = murk_result_at(ledger, "emitted_w");
     bands = bands < BANDS_MAX ? bands : BANDS_MAX;
     for (size_t b = 0; b < bands; ++b) {
-        snprintf(text[b], sizeof text[b], "band %u, W", (unsigned)b + 1);
+        name_band(name, b, scene);
+        snprintf(text[b], sizeof text[b], "%s, W", name);
         heads[3 + b] = text[b];
     }
     murk_page_table_begin(to, "Energy balance", heads,
@@ -149,7 +166,7 @@ static void write_counts(FILE *to, const murk_yaml *ledger)
 }
 
 murk_status murk_report_light(FILE *to, const murk_results_in *results,
-                              murk_error *err)
+                              const murk_scene *scene, murk_error *err)
 {
     const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];
     if (!ledger) {
@@ -157,8 +174,8 @@ murk_status murk_report_light(FILE *to, const murk_results_in *results,
     }
     const size_t bands = murk_result_count(ledger, "emitted_w.bands");
     murk_page_section_begin(to, "light", "Where the light went");
-    const bool is_whole = draw_bars(to, ledger, bands);
-    write_table(to, ledger, bands);
+    const bool is_whole = draw_bars(to, ledger, bands, scene);
+    write_table(to, ledger, bands, scene);
     write_counts(to, ledger);
     murk_page_section_end(to);
     return is_whole
