@@ -24,6 +24,17 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
                                  const murk_traced *traced, unsigned threads,
                                  murk_error *err);
 
+/* Sight onto points that are given as records, numbered below `numbers`, as
+ * sensors of the scene would see light there: range, view, sightlines, media
+ * and threshold as ever. Where light comes from is not asked, nor is what a
+ * sensor takes up (arrival, detection: power), nor what counts for more
+ * (weights, interest). Borrows all. */
+murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
+                                   const murk_photon_map *surface,
+                                   const murk_photon_map *volume,
+                                   uint64_t numbers, unsigned threads,
+                                   murk_error *err);
+
 /* With detection: power, the radius of its estimates, as the scene has it, or
  * 10 % of the domain's diagonal, which is then the largest; else 0. */
 double murk_plan_power_radius_m(const murk_stage *stage);
