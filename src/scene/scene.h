@@ -249,11 +249,20 @@ typedef struct murk_scene_tally {
     bool hemispheres;
 } murk_scene_tally;
 
+typedef enum murk_scene_projection {
+    MURK_SCENE_PERSPECTIVE,
+    MURK_SCENE_EQUIRECTANGULAR
+} murk_scene_projection;
+
 typedef struct murk_scene_camera {
     murk_scene_name name;
     murk_scene_where where;
-    murk_vec3 from, to, up;
-    double vfov_rad;
+    murk_scene_projection projection;
+    murk_vec3 from;
+    bool has_to; /* false: all round, with north in the middle */
+    murk_vec3 to;
+    murk_vec3 up;     /* perspective */
+    double vfov_rad;  /* perspective */
     size_t pixels[2]; /* width, height */
     size_t samples;   /* of a pixel */
 } murk_scene_camera;

@@ -74,6 +74,25 @@ murk_status murk_walk_no_memory(murk_walk *walk)
 
 /* ---- the keys of one map ---- */
 
+/* Defaults are parsed from their text, so that they are read as the user's
+ * values are. */
+static murk_status put_preset(murk_walk *walk, murk_yaml *map, const char *name,
+                              const char *text)
+{
+    murk_yaml *node = NULL;
+    const char *source = walk->root->source;
+    const murk_status status =
+        murk_yaml_parse(&node, text, strlen(text), source, walk->err);
+    if (status) {
+        return status;
+    }
+    node->line = node->column = 0;
+    for (size_t i = 0; i < node->n; ++i) { /* no preset nests deeper */
+        node->child[i]->line = node->child[i]->key_line = 0;
+    }
+    return murk_yaml_put(map, name, node) ? MURK_OK : murk_walk_no_memory(walk);
+}
+
 static murk_status find_variant(murk_walk *walk, const murk_keys *keys,
                                 murk_yaml *map, int *variant)
 {
@@ -86,6 +105,14 @@ static murk_status find_variant(murk_walk *walk, const murk_keys *keys,
     }
     const murk_key *key = murk_keys_find(keys, keys->selector);
     murk_yaml *node = murk_yaml_get(map, keys->selector);
+    if (!node && key->preset) {
+        const murk_status status =
+            put_preset(walk, map, key->name, key->preset);
+        if (status) {
+            return status;
+        }
+        node = murk_yaml_get(map, keys->selector);
+    }
     if (!node) {
         char allowed[MURK_ALLOWED_SIZE];
         murk_value_allowed(key, allowed);
@@ -106,25 +133,6 @@ static bool has_group(const murk_keys *keys, const murk_yaml *map, int group)
         }
     }
     return false;
-}
-
-/* Defaults are parsed from their text, so that they are read as the user's
- * values are. */
-static murk_status put_preset(murk_walk *walk, murk_yaml *map, const char *name,
-                              const char *text)
-{
-    murk_yaml *node = NULL;
-    const char *source = walk->root->source;
-    const murk_status status =
-        murk_yaml_parse(&node, text, strlen(text), source, walk->err);
-    if (status) {
-        return status;
-    }
-    node->line = node->column = 0;
-    for (size_t i = 0; i < node->n; ++i) { /* no preset nests deeper */
-        node->child[i]->line = node->child[i]->key_line = 0;
-    }
-    return murk_yaml_put(map, name, node) ? MURK_OK : murk_walk_no_memory(walk);
 }
 
 static murk_status put_presets(murk_walk *walk, const murk_keys *keys,

@@ -81,6 +81,7 @@ static const char FULL_SCENE[] =
     "  media.thin: {extinction_per_m: 1, albedo: 1}}}\n"
     "cameras:\n"
     "  - {name: gate, from_m: [1, 1, 2], to_m: [15, 10, 1], up: [0, 0, 1],\n"
-    "     vfov_deg: 45, pixels: [640, 480], samples: 16}\n";
+    "     vfov_deg: 45, pixels: [640, 480], samples: 16}\n"
+    "  - {name: around, type: equirectangular, from_m: [1, 1, 2]}\n";
 
 #endif

@@ -474,6 +474,20 @@ static const refusal REFUSALS[] = {
      "180}]\n",
      VALUE, "fog.yaml:2:67: cameras.0.vfov_deg",
      "180, must be more than 0 and less than 180 degrees"},
+    {"cameras: [{name: a, type: equirectangular, from_m: [0, 0, 1], vfov_deg: "
+     "45}]\n",
+     VALUE, "fog.yaml:2:63: cameras.0.vfov_deg",
+     "not a key of a camera (equirectangular), must be one of name, type, "
+     "from_m, "
+     "to_m, pixels, samples"},
+    {"cameras: [{name: a, type: equirectangular, from_m: [0, 0, 1], to_m: [0, "
+     "0, 9]}]\n",
+     VALUE, "fog.yaml:2:11: cameras.0",
+     "to_m is straight above or below from_m, must be to one side: it says "
+     "what is in the middle"},
+    {"cameras: [{name: a, from_m: [0, 0, 1]}]\n", VALUE,
+     "fog.yaml:2:11: cameras.0",
+     "misses to_m, must be [x, y, z], each -1e9..1e9 m"},
     {"cameras: [{name: a, from_m: [0, 0, 1], to_m: [1, 0, 0], samples: 0}]\n",
      VALUE, "fog.yaml:2:66: cameras.0.samples", "0, must be 1..65536 samples"},
     {"cameras: [{name: a, from_m: [0, 0, 1], to_m: [1, 0, 0], pixels: [65536, "
