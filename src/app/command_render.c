@@ -1,89 +1,61 @@
-/* A picture of the scene, by one of its cameras. */
+/* A picture of the scene, by one of its cameras or from a sensor's place. */
+#include "app/images.h"
+#include "app/picture_coverage.h"
+#include "app/render_options.h"
 #include "app/session.h"
-#include "app/version.h"
+#include "app/viewpoint.h"
 #include "base/interrupt.h"
-#include "render/exr.h"
-#include "scene/words.h"
+#include "render/render.h"
 #include "study/machine.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct job {
     const murk_options *options;
     murk_session session;
-    const murk_scene_camera *camera;
-    char *path; /* of the image */
+    murk_viewpoint viewpoint;
+    murk_images images;
     murk_picture *picture;
     double render_s;
 } job;
 
 /* ---- what is asked for ---- */
 
-static murk_status find_camera(job *j, murk_error *err)
-{
-    const murk_scene *scene = j->session.scene;
-    const char *wanted = j->options->camera;
-    if (scene->n_cameras == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, scene->path,
-                         "cameras: the scene has none, must have one to be "
-                         "rendered: {name, from_m, to_m}");
-    }
-    const char **known = calloc(scene->n_cameras, sizeof *known);
-    for (size_t i = 0; i < scene->n_cameras; ++i) {
-        const murk_scene_camera *camera = &scene->cameras[i];
-        if (!wanted || strcmp(camera->name, wanted) == 0) {
-            j->camera = camera;
-            break;
-        }
-        if (known) {
-            known[i] = camera->name;
-        }
-    }
-    murk_status status = MURK_OK;
-    if (!j->camera) {
-        char shown[64];
-        murk_words_show(shown, sizeof shown, wanted);
-        const char *meant =
-            known ? murk_words_meant(wanted, known, scene->n_cameras) : NULL;
-        status =
-            murk_fail(err, MURK_BAD_VALUE, "--camera",
-                      "%s is no camera of the scene, %s %s%s", shown,
-                      meant ? "did you mean" : "the first of them is",
-                      meant ? meant : scene->cameras[0].name, meant ? "?" : "");
-    }
-    free(known);
-    return status;
-}
-
-static murk_status check_place(const job *j, murk_error *err)
-{
-    const murk_vec3 p = j->camera->from;
-    const murk_box *box = &j->session.stage->world.domain.box;
-    if (murk_box_contains(box, p)) {
-        return MURK_OK;
-    }
-    return murk_fail(err, MURK_BAD_VALUE, j->camera->where,
-                     "from_m is [%g, %g, %g] m, must be within the domain, "
-                     "[%g, %g, %g]..[%g, %g, %g] m",
-                     p.x, p.y, p.z, box->min.x, box->min.y, box->min.z,
-                     box->max.x, box->max.y, box->max.z);
-}
-
+/* What the picture takes, and once there is light also what is copied of it. */
 static murk_status check_memory(const job *j, murk_error *err)
 {
-    const murk_scene_camera *c = j->camera;
-    const double wanted =
-        murk_picture_bytes(c->pixels[0], c->pixels[1], j->session.scene->bands);
+    const murk_camera *c = &j->viewpoint.camera;
+    const murk_traced *traced = j->session.traced;
+    const double pixels = (double)c->width * (double)c->height;
+    double wanted =
+        murk_picture_bytes(c->width, c->height, j->session.scene->bands);
+    if (j->images.png || j->images.false_colour) {
+        wanted += 3 * pixels;
+    }
+    if (j->viewpoint.sensors > 0) {
+        wanted += murk_picture_coverage_bytes(c->width, c->height);
+    }
+    double maps = 0;
+    if (traced) {
+        maps = murk_photon_map_memory_for(
+                   (double)murk_photon_map_count(traced->surface)) +
+               murk_photon_map_memory_for(
+                   (double)murk_photon_map_count(traced->volume));
+    }
     const double spare = murk_machine_memory_bytes();
-    if (wanted <= spare) {
+    if (wanted + maps <= spare) {
         return MURK_OK;
     }
-    return murk_fail(err, MURK_NO_MEMORY, c->where,
-                     "pixels are %zu x %zu: the picture takes %.3g GB, and "
+    char also[64] = "";
+    if (maps > 0) {
+        snprintf(also, sizeof also, ", copies of the photon maps %.3g GB",
+                 maps * 1e-9);
+    }
+    return murk_fail(err, MURK_NO_MEMORY, j->viewpoint.where,
+                     "pixels are %zu x %zu: the picture takes %.3g GB%s, and "
                      "%.3g GB are free",
-                     c->pixels[0], c->pixels[1], wanted * 1e-9, spare * 1e-9);
+                     c->width, c->height, wanted * 1e-9, also, spare * 1e-9);
 }
 
 static murk_status check_maps(const job *j, murk_error *err)
@@ -97,52 +69,22 @@ static murk_status check_maps(const job *j, murk_error *err)
                      "%s, must be both for --method maps", words[maps]);
 }
 
-/* Beside the scene, under its name (and the camera's, where that is asked
- * for). */
-static murk_status name_image(job *j, murk_error *err)
-{
-    const char *input = j->options->input;
-    const char *out = j->options->out;
-    const char *camera = j->options->camera;
-    const size_t size =
-        strlen(out ? out : input) + (camera ? strlen(camera) : 0) + 16;
-    j->path = malloc(size);
-    if (!j->path) {
-        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a name");
-    }
-    if (out) {
-        snprintf(j->path, size, "%s", out);
-        return MURK_OK;
-    }
-    const char *slash = strrchr(input, '/');
-    const char *dot = strrchr(slash ? slash : input, '.');
-    const int stem = (int)(dot ? (size_t)(dot - input) : strlen(input));
-    const int n = snprintf(j->path, size, "%.*s%s%s.exr", stem, input,
-                           camera ? "-" : "", camera ? camera : "");
-    for (int i = stem; i < n; ++i) {
-        j->path[i] = j->path[i] == '/' ? '_' : j->path[i];
-    }
-    return MURK_OK;
-}
-
 /* ---- the picture ---- */
 
 static murk_status take_picture(job *j, murk_error *err)
 {
     const murk_session *s = &j->session;
     const murk_scene *scene = s->scene;
-    const murk_scene_camera *c = j->camera;
     const murk_trace trace = murk_stage_trace(s->stage);
-    murk_render render = {
-        .trace = &trace,
-        .camera = murk_camera_look(c->from, c->to, c->up, c->vfov_rad,
-                                   c->pixels[0], c->pixels[1]),
-        .samples = c->samples,
-        .method = j->options->by_path ? MURK_BY_PATHS : MURK_BY_MAPS,
-        .surface = s->traced ? s->traced->surface : NULL,
-        .volume = s->traced ? s->traced->volume : NULL,
-        .nearest = MURK_RENDER_NEAREST,
-        .threads = s->options->threads};
+    murk_render render = {.trace = &trace,
+                          .camera = j->viewpoint.camera,
+                          .samples = j->viewpoint.samples,
+                          .method = j->options->by_path ? MURK_BY_PATHS
+                                                        : MURK_BY_MAPS,
+                          .surface = s->traced ? s->traced->surface : NULL,
+                          .volume = s->traced ? s->traced->volume : NULL,
+                          .nearest = MURK_RENDER_NEAREST,
+                          .threads = s->options->threads};
     for (int b = 0; b < scene->bands; ++b) {
         const bool edges = scene->has_edges;
         render.from_nm[b] = edges ? scene->band_edge_nm[b] : scene->band_nm[b];
@@ -151,6 +93,10 @@ static murk_status take_picture(job *j, murk_error *err)
     }
     const double begun_s = murk_clock_s();
     murk_status status = murk_render_run(&j->picture, &render, err);
+    if (!status && j->viewpoint.sensors > 0 && !murk_interrupted()) {
+        status = murk_picture_cover(j->picture, &j->viewpoint, s->stage,
+                                    s->options->threads, err);
+    }
     j->render_s = murk_clock_s() - begun_s;
     if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -166,79 +112,136 @@ static const char *method_of(const job *j)
                  "records";
 }
 
-static murk_status write_image(const job *j, murk_error *err)
+static murk_status write_images(job *j, murk_error *err)
 {
-    const murk_scene *scene = j->session.scene;
-    char seed[16], samples[16], nearest[16], photons[24];
-    snprintf(seed, sizeof seed, "%lu", (unsigned long)scene->seed);
-    snprintf(samples, sizeof samples, "%zu", j->camera->samples);
-    snprintf(nearest, sizeof nearest, "%d", MURK_RENDER_NEAREST);
-    snprintf(photons, sizeof photons, "%llu",
-             (unsigned long long)(j->session.traced ? j->session.traced->emitted
-                                                    : 0));
-    const murk_exr_text header[] = {
-        {"software", "murk " MURK_VERSION},
-        {"murkCommit", murk_version_commit()},
-        {"murkScene", scene->path},
-        {"murkSceneSha256", scene->sha256},
-        {"murkSeed", seed},
-        {"murkCamera", j->camera->name},
-        {"murkMethod", method_of(j)},
-        {"murkSamples", samples},
-        {"murkNearest", j->options->by_path ? "0" : nearest},
-        {"murkPhotons", photons},
-        {"emissiveUnits", "W.m^-2.sr^-1"},
-    };
-    const murk_exr exr = {.picture = j->picture,
-                          .band_nm = scene->band_nm,
-                          .header = header,
-                          .n_header = sizeof header / sizeof *header};
-    return murk_exr_write(&exr, j->path, err);
+    const murk_traced *traced = j->session.traced;
+    const murk_image_facts facts = {
+        .scene = j->session.scene,
+        .viewpoint = &j->viewpoint,
+        .method = method_of(j),
+        .photons = traced ? traced->emitted : 0,
+        .nearest = j->options->by_path ? 0 : MURK_RENDER_NEAREST};
+    return murk_images_write(&j->images, j->picture, &facts,
+                             &j->options->render, err);
 }
 
 /* ---- what is told of it ---- */
 
+static bool is_all_round(const job *j)
+{
+    return j->viewpoint.camera.projection == MURK_EQUIRECTANGULAR;
+}
+
+static void print_radiance(const job *j, int b)
+{
+    const murk_picture *p = j->picture;
+    /* Of the records' noise the pixels have their share, which they have in
+     * common. */
+    const char *rays = j->options->by_path ? "" : " (error of the rays alone)";
+    printf("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over the %s%s\n",
+           j->session.scene->band_nm[b], p->mean[b], p->mean_error[b],
+           is_all_round(j) ? "sphere" : "picture's pixels", rays);
+    if (is_all_round(j)) {
+        printf("irradiance  %.7g nm: %.4g +- %.2g W/m2, scalar, where the "
+               "camera stands%s\n",
+               j->session.scene->band_nm[b], 4 * MURK_PI * p->mean[b],
+               4 * MURK_PI * p->mean_error[b], rays);
+    }
+}
+
+static void print_images(const job *j)
+{
+    const murk_images *images = &j->images;
+    printf("files       %s\n", images->exr);
+    if (images->png) {
+        printf("            %s: exposure %.2f stops%s\n", images->png,
+               images->stops,
+               j->options->render.has_exposure ? "" : ", by the picture");
+    }
+    if (images->false_colour) {
+        const murk_false_colour *c = &images->colours;
+        printf("            %s: %s, %.5g to %.5g, %s\n", images->false_colour,
+               images->channel, c->low, c->high,
+               c->is_log ? "logarithmic" : "linear");
+    }
+}
+
 static void print_summary(const job *j)
 {
     const murk_session *s = &j->session;
+    const murk_viewpoint *v = &j->viewpoint;
     const murk_picture *p = j->picture;
     if (s->traced) {
         murk_print_light(s);
     }
-    printf("camera      %s: %zu x %zu pixels, %zu samples; %s\n",
-           j->camera->name, p->width, p->height, j->camera->samples,
-           method_of(j));
+    printf("camera      %s: %zu x %zu pixels, %zu samples; ", v->name, p->width,
+           p->height, v->samples);
+    if (is_all_round(j)) {
+        printf("all round, heading %.1f degrees in the middle\n",
+               v->heading_deg);
+    } else {
+        printf("heading %.1f, tilt %.1f degrees\n", v->heading_deg,
+               v->tilt_deg);
+    }
+    printf("method      %s\n", method_of(j));
     for (int b = 0; b < p->bands; ++b) {
-        /* Of the records' noise the pixels have their share, which they have in
-         * common. */
-        printf("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean of the "
-               "picture%s\n",
-               s->scene->band_nm[b], p->mean[b], p->mean_error[b],
-               j->options->by_path ? "" : " (error of the rays alone)");
+        print_radiance(j, b);
     }
     if (p->lost > 0) {
         printf("lost        %llu of %llu rays, by caps or rounding\n",
                (unsigned long long)p->lost, (unsigned long long)p->rays);
     }
+    if (v->sensors > 0) {
+        printf("coverage    by %zu sensors, in coverage.count and "
+               "coverage.clarity\n",
+               v->sensors);
+    }
     printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, render "
            "%.2f\n",
            s->run.total_s, s->run.load_s, s->run.trace_s, s->run.map_s,
            j->render_s);
-    printf("files       %s\n", j->path);
+    print_images(j);
+}
+
+static void add_images(cJSON *root, const job *j)
+{
+    const murk_images *images = &j->images;
+    cJSON_AddStringToObject(root, "image", images->exr);
+    if (images->png) {
+        cJSON *png = cJSON_AddObjectToObject(root, "png");
+        cJSON_AddStringToObject(png, "image", images->png);
+        murk_json_number(png, "exposure_stops", images->stops);
+    }
+    if (images->false_colour) {
+        cJSON *png = cJSON_AddObjectToObject(root, "false_colour");
+        cJSON_AddStringToObject(png, "image", images->false_colour);
+        cJSON_AddStringToObject(png, "channel", images->channel);
+        murk_json_number(png, "low", images->colours.low);
+        murk_json_number(png, "high", images->colours.high);
+        cJSON_AddBoolToObject(png, "logarithmic", images->colours.is_log);
+    }
 }
 
 static cJSON *facts_json(const job *j)
 {
     const murk_picture *p = j->picture;
+    const murk_viewpoint *v = &j->viewpoint;
     cJSON *root = murk_json_begin(j->session.scene);
-    cJSON_AddStringToObject(root, "image", j->path);
-    cJSON_AddStringToObject(root, "camera", j->camera->name);
+    add_images(root, j);
+    cJSON_AddStringToObject(root, "camera", v->name);
+    cJSON_AddStringToObject(root, "projection",
+                            is_all_round(j) ? "equirectangular"
+                                            : "perspective");
+    murk_json_vector(root, "from_m", v->camera.from);
+    murk_json_number(root, "heading_deg", v->heading_deg);
+    murk_json_number(root, "tilt_deg", v->tilt_deg);
     cJSON_AddStringToObject(root, "method",
                             j->options->by_path ? "path" : "maps");
     cJSON *pixels = cJSON_AddArrayToObject(root, "pixels");
     cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->width));
     cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->height));
-    murk_json_number(root, "samples", (double)j->camera->samples);
+    murk_json_number(root, "samples", (double)v->samples);
+    murk_json_number(root, "sensors", (double)v->sensors);
     murk_json_number(root, "rays", (double)p->rays);
     murk_json_number(root, "lost", (double)p->lost);
     murk_spectrum mean = {{0}}, error = {{0}};
@@ -246,6 +249,8 @@ static cJSON *facts_json(const job *j)
         mean.band[b] = p->mean[b];
         error.band[b] = p->mean_error[b];
     }
+    cJSON_AddStringToObject(root, "mean_over",
+                            is_all_round(j) ? "solid angle" : "pixels");
     murk_json_spectrum(root, "mean_radiance", &mean, p->bands);
     murk_json_spectrum(root, "mean_radiance_standard_error", &error, p->bands);
     return root;
@@ -261,45 +266,65 @@ static murk_status tell(job *j, murk_error *err)
     return status;
 }
 
+/* Whatever can be wrong is found before any light is traced. */
+static murk_status prepare(job *j, murk_error *err)
+{
+    const murk_options *options = j->options;
+    murk_session *s = &j->session;
+    murk_status status = murk_render_options_check(options, err);
+    if (!status) {
+        /* The image is no folder of results. */
+        murk_options inner = *options;
+        inner.out = NULL;
+        status = murk_session_read(s, &inner, err);
+        s->options = options;
+    }
+    if (!status) {
+        status = murk_viewpoint_choose(&j->viewpoint, s->scene, options, err);
+    }
+    if (!status) {
+        status = check_maps(j, err);
+    }
+    if (!status) {
+        status = murk_images_name(&j->images, options, s->scene,
+                                  j->viewpoint.mark, err);
+    }
+    if (!status) {
+        status = murk_session_build(s, err);
+    }
+    if (!status) {
+        status = murk_viewpoint_stand(&j->viewpoint, s->stage, options, err);
+    }
+    if (!status) {
+        status = check_memory(j, err);
+    }
+    if (!status) {
+        status = murk_viewpoint_judge(&j->viewpoint, s->stage, options->threads,
+                                      err);
+    }
+    return status;
+}
+
 murk_status murk_command_render(const murk_options *options, murk_error *err)
 {
-    /* The image is no folder of results. */
-    murk_options inner = *options;
-    inner.out = NULL;
     job j = {.options = options};
-    murk_status status = murk_session_read(&j.session, &inner, err);
-    if (!status) {
-        status = find_camera(&j, err);
-    }
-    if (!status) {
-        status = check_maps(&j, err);
-    }
-    if (!status) {
-        status = name_image(&j, err);
-    }
-    if (!status) {
-        status = murk_session_build(&j.session, err);
-    }
-    if (!status) {
-        status = check_place(&j, err);
-    }
-    if (!status) {
-        status = check_memory(&j, err);
-    }
+    murk_status status = prepare(&j, err);
     if (!status && !options->by_path) {
         status = murk_session_light(&j.session, err);
+        status = status ? status : check_memory(&j, err);
     }
     if (!status) {
         status = take_picture(&j, err);
     }
     if (!status) {
-        status = write_image(&j, err);
+        status = write_images(&j, err);
     }
     if (!status) {
         status = tell(&j, err);
     }
     murk_picture_destroy(j.picture);
-    free(j.path);
+    murk_images_release(&j.images);
+    murk_viewpoint_release(&j.viewpoint);
     murk_session_end(&j.session);
     return status;
 }

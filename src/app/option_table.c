@@ -27,9 +27,11 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_BUDGET, "--budget", NULL, "B", "check place",
      "the best sensors whose costs come to B at most; replaces the scene's "
      "count"},
-    {MURK_OPTION_SENSORS, "--sensors", NULL, "FILE", "sense",
-     "the placement to measure: sensors.csv (type, x_m, y_m, z_m) or a "
-     "plan.json"},
+    {MURK_OPTION_SENSORS, "--sensors", NULL, "FILE", "sense render",
+     "a placement, sensors.csv (type, x_m, y_m, z_m) or a plan.json: the one "
+     "to "
+     "measure; render: who sees each pixel's place, as channels coverage.count "
+     "and coverage.clarity"},
     {MURK_OPTION_MATRIX, "--matrix", NULL, "FILE", "place",
      "choose columns of this coverage matrix, CSV or OR-Library text, in place "
      "of a scene; with --count, --target or --budget"},
@@ -75,6 +77,28 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_METHOD, "--method", NULL, "maps|path", "render",
      "maps (default): direct light by shadow rays, all other from the photon "
      "maps; path: path tracing, which needs no photons and has no bias"},
+    {MURK_OPTION_FROM_SENSOR, "--from-sensor", NULL, "N", "render",
+     "stand where sensor N of --sensors does, from 1: a hfov x vfov view as it "
+     "is, all others all round with the way they look in the middle; pixels "
+     "and samples are the camera's that is named, else 640 across and 16"},
+    {MURK_OPTION_PIXELS, "--pixels", NULL, "WIDTHxHEIGHT", "render",
+     "size of the picture; replaces the camera's"},
+    {MURK_OPTION_SAMPLES, "--samples", NULL, "N", "render",
+     "rays of each pixel, 1..65536; replaces the camera's"},
+    {MURK_OPTION_PNG, "--png", NULL, NULL, "render",
+     "write the picture for the eye beside the image, too, as .png"},
+    {MURK_OPTION_EXPOSURE, "--exposure", NULL, "STOPS", "render",
+     "radiance is shown 2^STOPS times as bright in the PNG, -100..100; "
+     "default: by the picture, and said"},
+    {MURK_OPTION_FALSE_COLOUR, "--false-colour", NULL, "CHANNEL", "render",
+     "write one channel in false colour with a legend, too, as "
+     "IMAGE-CHANNEL.png: radiance, error, surface, volume, depth (of several "
+     "bands: depth.550nm), Z, P.X, R, coverage.count and so on"},
+    {MURK_OPTION_RANGE, "--range", NULL, "LOW:HIGH", "render",
+     "values that the false colours go from and to; default: by the picture"},
+    {MURK_OPTION_SCALE, "--scale", NULL, "linear|log", "render",
+     "of the false colours; default: log for radiances and their errors, else "
+     "linear"},
     {MURK_OPTION_PROFILE, "--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb"},

@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "app/option_table.h"
 #include "app/option_values.h"
+#include "app/render_options.h"
 #include "base/crew.h"
 
 #include <errno.h>
@@ -115,6 +116,15 @@ static murk_status apply(murk_options *out, const murk_option *option,
         status = murk_option_choice(name, value, methods, &which, err);
         out->by_path = which == 1;
         break;
+    case MURK_OPTION_FROM_SENSOR:
+    case MURK_OPTION_PIXELS:
+    case MURK_OPTION_SAMPLES:
+    case MURK_OPTION_PNG:
+    case MURK_OPTION_EXPOSURE:
+    case MURK_OPTION_FALSE_COLOUR:
+    case MURK_OPTION_RANGE:
+    case MURK_OPTION_SCALE:
+        return murk_render_option(&out->render, option, value, err);
     case MURK_OPTION_PROFILE:
         out->profile = value;
         break;

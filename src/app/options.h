@@ -51,6 +51,19 @@ typedef struct murk_fit_options {
     const char *predict;     /* --predict */
 } murk_fit_options;
 
+typedef struct murk_render_options {
+    uint64_t from_sensor;     /* --from-sensor, from 1; 0: not given */
+    size_t pixels[2];         /* --pixels; 0: not given */
+    uint64_t samples;         /* --samples; 0: not given */
+    bool png;                 /* --png; with it: */
+    bool has_exposure;        /* --exposure */
+    double exposure_stops;    /* 0: radiance as it is */
+    const char *false_colour; /* --false-colour; with it: */
+    bool has_range, has_scale;
+    double range[2]; /* --range */
+    bool is_log;     /* --scale */
+} murk_render_options;
+
 struct murk_options {
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
@@ -69,6 +82,7 @@ struct murk_options {
     bool has_photon;
     uint64_t photon; /* --photon */
     murk_fit_options fit;
+    murk_render_options render;
     unsigned threads;
     bool json, quiet;
     murk_progress_mode progress;

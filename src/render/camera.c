@@ -5,21 +5,132 @@ murk_camera murk_camera_look(murk_vec3 from, murk_vec3 to, murk_vec3 up,
 {
     const murk_vec3 forward = murk_unit(murk_sub(to, from));
     const murk_vec3 right = murk_unit(murk_cross(forward, up));
-    return (murk_camera){.from = from,
+    const double step = 2 * tan(vfov_rad / 2) / (double)height;
+    return (murk_camera){.projection = MURK_PERSPECTIVE,
+                         .from = from,
                          .forward = forward,
                          .right = right,
                          .up = murk_cross(right, forward),
-                         .tangent = tan(vfov_rad / 2),
+                         .step = {step, step},
                          .width = width,
                          .height = height};
 }
 
+murk_camera murk_camera_view(murk_vec3 from, murk_vec3 forward, murk_vec3 right,
+                             double hfov_rad, double vfov_rad, size_t width,
+                             size_t height)
+{
+    return (murk_camera){.projection = MURK_PERSPECTIVE,
+                         .from = from,
+                         .forward = forward,
+                         .right = right,
+                         .up = murk_cross(right, forward),
+                         .step = {2 * tan(hfov_rad / 2) / (double)width,
+                                  2 * tan(vfov_rad / 2) / (double)height},
+                         .width = width,
+                         .height = height};
+}
+
+murk_camera murk_camera_around(murk_vec3 from, murk_vec3 toward, size_t width,
+                               size_t height)
+{
+    const murk_vec3 up = {0, 0, 1};
+    const murk_vec3 forward = murk_unit(murk_vec(toward.x, toward.y, 0));
+    return (murk_camera){.projection = MURK_EQUIRECTANGULAR,
+                         .from = from,
+                         .forward = forward,
+                         .right = murk_cross(forward, up),
+                         .up = up,
+                         .width = width,
+                         .height = height};
+}
+
+/* In a direction of longitude from forward to the right, and of a latitude's
+ * sine and cosine. */
+static murk_vec3 on_sphere(const murk_camera *c, double longitude, double sine,
+                           double cosine)
+{
+    const murk_vec3 level = murk_along(murk_scale(cos(longitude), c->forward),
+                                       sin(longitude), c->right);
+    return murk_unit(murk_along(murk_scale(cosine, level), sine, c->up));
+}
+
+static double longitude_at(const murk_camera *c, double x)
+{
+    return (x / (double)c->width - 0.5) * (2 * MURK_PI);
+}
+
+static double latitude_at(const murk_camera *c, double y)
+{
+    return (0.5 - y / (double)c->height) * MURK_PI;
+}
+
 murk_vec3 murk_camera_sight(const murk_camera *c, double x, double y)
 {
-    const double per_pixel = 2 * c->tangent / (double)c->height;
-    const double aside = (x - (double)c->width / 2) * per_pixel;
-    const double above = ((double)c->height / 2 - y) * per_pixel;
+    if (c->projection == MURK_EQUIRECTANGULAR) {
+        const double latitude = latitude_at(c, y);
+        return on_sphere(c, longitude_at(c, x), sin(latitude), cos(latitude));
+    }
+    const double aside = (x - (double)c->width / 2) * c->step[0];
+    const double above = ((double)c->height / 2 - y) * c->step[1];
     murk_vec3 d = murk_along(c->forward, aside, c->right);
     d = murk_along(d, above, c->up);
     return murk_unit(d);
+}
+
+/* Zones of a sphere are as large as they are high (Archimedes), so the sine of
+ * the latitude is even over a pixel's solid angle. */
+murk_vec3 murk_camera_draw(const murk_camera *c, size_t column, size_t row,
+                           double u, double v)
+{
+    const double x = (double)column + u, y = (double)row;
+    if (c->projection == MURK_PERSPECTIVE) {
+        return murk_camera_sight(c, x, y + v);
+    }
+    const double top = sin(latitude_at(c, y)),
+                 bottom = sin(latitude_at(c, y + 1));
+    const double sine = top + v * (bottom - top);
+    return on_sphere(c, longitude_at(c, x), sine,
+                     sqrt(fmax(0, 1 - sine * sine)));
+}
+
+bool murk_camera_find(const murk_camera *c, murk_vec3 direction, double *x,
+                      double *y)
+{
+    const double ahead = murk_dot(direction, c->forward);
+    const double aside = murk_dot(direction, c->right);
+    const double above = murk_dot(direction, c->up);
+    const double width = (double)c->width, height = (double)c->height;
+    if (c->projection == MURK_EQUIRECTANGULAR) {
+        const double level = sqrt(ahead * ahead + aside * aside);
+        *x = (0.5 + atan2(aside, ahead) / (2 * MURK_PI)) * width;
+        *y = (0.5 - atan2(above, level) / MURK_PI) * height;
+        return level > 0 || above != 0;
+    }
+    *x = width / 2 + aside / ahead / c->step[0];
+    *y = height / 2 - above / ahead / c->step[1];
+    return ahead > 0 && *x >= 0 && *x <= width && *y >= 0 && *y <= height;
+}
+
+/* Of the rectangle from the axis to (a, b) in the plane at distance 1; signed.
+ */
+static double corner_angle(double a, double b)
+{
+    return atan(a * b / sqrt(1 + a * a + b * b));
+}
+
+double murk_camera_solid_angle(const murk_camera *c, size_t column, size_t row)
+{
+    const double x = (double)column, y = (double)row;
+    if (c->projection == MURK_EQUIRECTANGULAR) {
+        const double middle = latitude_at(c, y + 0.5);
+        const double height =
+            2 * cos(middle) * sin(MURK_PI / 2 / (double)c->height);
+        return 2 * MURK_PI / (double)c->width * height;
+    }
+    const double left = (x - (double)c->width / 2) * c->step[0];
+    const double low = ((double)c->height / 2 - y - 1) * c->step[1];
+    const double right = left + c->step[0], high = low + c->step[1];
+    return corner_angle(right, high) - corner_angle(left, high) -
+           corner_angle(right, low) + corner_angle(left, low);
 }

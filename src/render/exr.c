@@ -7,14 +7,7 @@
 #include <openexr.h>
 
 #include "base/file.h"
-
-#define NAME_SIZE 48
-#define CHANNELS  (5 * MURK_BANDS_MAX + 10)
-
-typedef struct channel {
-    char name[NAME_SIZE];
-    const float *value; /* [height * width] */
-} channel;
+#include "render/channels.h"
 
 typedef struct writer {
     murk_file *file;
@@ -48,54 +41,10 @@ static int64_t put(exr_const_context_t context, void *data, const void *bytes,
     return (int64_t)size;
 }
 
-/* ---- channels ---- */
-
-/* "550nm", "414,5nm": a point would part a layer's name. */
-static void name_band(char name[NAME_SIZE], const char *layer, double nm)
-{
-    snprintf(name, NAME_SIZE, "%s.%.7gnm", layer, nm);
-    char *point = strchr(name + strlen(layer) + 1, '.');
-    if (point) {
-        *point = ',';
-    }
-}
-
-static size_t list_channels(const murk_exr *exr, channel list[CHANNELS])
-{
-    const murk_picture *p = exr->picture;
-    static const char colour[3] = {'R', 'G', 'B'}, axis[3] = {'X', 'Y', 'Z'};
-    size_t n = 0;
-    for (int k = 0; k < 3; ++k) {
-        snprintf(list[n].name, NAME_SIZE, "%c", colour[k]);
-        list[n++].value = p->rgb[k];
-        snprintf(list[n].name, NAME_SIZE, "error.%c", colour[k]);
-        list[n++].value = p->rgb_error[k];
-        snprintf(list[n].name, NAME_SIZE, "P.%c", axis[k]);
-        list[n++].value = p->position[k];
-    }
-    snprintf(list[n].name, NAME_SIZE, "Z");
-    list[n++].value = p->distance_m;
-    for (int b = 0; b < p->bands; ++b) {
-        const struct {
-            const char *layer;
-            const float *value;
-        } of_band[] = {{"S0", p->radiance[b]},
-                       {"error", p->error[b]},
-                       {"surface", p->surface[b]},
-                       {"volume", p->volume[b]},
-                       {"depth", p->depth[b]}};
-        for (size_t i = 0; i < sizeof of_band / sizeof *of_band; ++i) {
-            name_band(list[n].name, of_band[i].layer, exr->band_nm[b]);
-            list[n++].value = of_band[i].value;
-        }
-    }
-    return n;
-}
-
 /* ---- the file ---- */
 
 static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
-                                 const channel *list, size_t n)
+                                 const murk_channel *list, size_t n)
 {
     int part = 0;
     exr_result_t result =
@@ -104,6 +53,13 @@ static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
         result = exr_initialize_required_attr_simple(
             file, part, (int32_t)exr->picture->width,
             (int32_t)exr->picture->height, EXR_COMPRESSION_ZIP);
+    }
+    if (!result && exr->is_all_round) {
+        result = exr_attr_set_envmap(file, part, "envmap", EXR_ENVMAP_LATLONG);
+    }
+    if (!result && exr->pixel_aspect > 0) {
+        result =
+            exr_set_pixel_aspect_ratio(file, part, (float)exr->pixel_aspect);
     }
     for (size_t i = 0; i < n && !result; ++i) {
         result = exr_add_channel(file, part, list[i].name, EXR_PIXEL_FLOAT,
@@ -116,7 +72,8 @@ static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
     return result ? result : exr_write_header(file);
 }
 
-static const float *rows_of(const channel *list, size_t n, const char *name)
+static const float *rows_of(const murk_channel *list, size_t n,
+                            const char *name)
 {
     for (size_t i = 0; i < n; ++i) {
         if (strcmp(list[i].name, name) == 0) {
@@ -128,7 +85,7 @@ static const float *rows_of(const channel *list, size_t n, const char *name)
 
 /* Rows [y, y + a chunk's). */
 static exr_result_t write_rows(exr_context_t file, const murk_exr *exr,
-                               const channel *list, size_t n, int y,
+                               const murk_channel *list, size_t n, int y,
                                exr_encode_pipeline_t *encoder, bool is_first)
 {
     exr_chunk_info_t chunk;
@@ -155,7 +112,7 @@ static exr_result_t write_rows(exr_context_t file, const murk_exr *exr,
 }
 
 static exr_result_t write_all(exr_context_t file, const murk_exr *exr,
-                              const channel *list, size_t n)
+                              const murk_channel *list, size_t n)
 {
     exr_result_t result = write_header(file, exr, list, n);
     int32_t step = 1;
@@ -174,11 +131,13 @@ static exr_result_t write_all(exr_context_t file, const murk_exr *exr,
 murk_status murk_exr_write(const murk_exr *exr, const char *path,
                            murk_error *err)
 {
-    channel *list = calloc(CHANNELS, sizeof *list);
+    murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
     if (!list) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory for an image");
     }
-    const size_t n = list_channels(exr, list);
+    const murk_picture *p = exr->picture;
+    const size_t n =
+        murk_channels_list(p, p->bands, exr->band_nm, p->seen_by != NULL, list);
     writer w = {0};
     murk_status status = murk_file_create(&w.file, path, err);
     if (status) {

@@ -51,7 +51,8 @@ static void look_straight(const run *r, size_t x, size_t y, size_t at)
     murk_picture *p = r->picture;
     const murk_vec3 sight =
         murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
-    const double reach = murk_scenery_reach(&r->scenery, c->from, sight);
+    const double reach =
+        murk_scenery_look(&r->scenery, c->from, sight).distance_m;
     const murk_vec3 there = murk_along(c->from, reach, sight);
     p->distance_m[at] = (float)reach;
     p->position[0][at] = (float)there.x;
@@ -61,6 +62,15 @@ static void look_straight(const run *r, size_t x, size_t y, size_t at)
         p->depth[b][at] =
             (float)murk_scenery_depth(&r->scenery, b, c->from, sight, reach);
     }
+}
+
+/* How a pixel counts in the picture's mean; 1 on average. */
+static double share_of_mean(const murk_camera *c, size_t x, size_t y)
+{
+    return c->projection == MURK_EQUIRECTANGULAR
+               ? murk_camera_solid_angle(c, x, y) / (4 * MURK_PI) *
+                     (double)c->width * (double)c->height
+               : 1;
 }
 
 static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
@@ -78,8 +88,8 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         const uint64_t number = (uint64_t)at * render->samples + i;
         const murk_random4 u = murk_random(
             trace->seed, MURK_LENS + MURK_STREAM * RENDER_STREAM, number, 0, 0);
-        const murk_vec3 sight = murk_camera_sight(
-            &render->camera, (double)x + u.u[0], (double)y + u.u[1]);
+        const murk_vec3 sight =
+            murk_camera_draw(&render->camera, x, y, u.u[0], u.u[1]);
         double rgb[3] = {0, 0, 0};
         for (int b = 0; b < p->bands; ++b) {
             const murk_found found = murk_sampler_look(
@@ -97,6 +107,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
             take(&colour[k], rgb[k]);
         }
     }
+    const double share = share_of_mean(&render->camera, x, y);
     double records[3] = {0, 0, 0};
     for (int b = 0; b < p->bands; ++b) {
         const double square = deviation[b] * deviation[b];
@@ -105,8 +116,8 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         p->surface[b][at] = (float)part[b][0];
         p->volume[b][at] = (float)part[b][1];
         p->error[b][at] = (float)sqrt(variance + square);
-        tile[b][0] += band[b].sum / n;
-        tile[b][1] += variance;
+        tile[b][0] += share * (band[b].sum / n);
+        tile[b][1] += share * share * variance;
         for (int k = 0; k < 3; ++k) { /* bands have records of their own */
             records[k] += r->colour[k][b] * r->colour[k][b] * square;
         }
@@ -182,9 +193,25 @@ static murk_picture *picture_create(size_t width, size_t height, int bands)
 void murk_picture_destroy(murk_picture *picture)
 {
     if (picture) {
-        free(picture->radiance[0]); /* all channels are one piece */
+        free(picture->radiance[0]); /* all channels are one piece, */
+        free(picture->seen_by);     /* but for these two */
         free(picture);
     }
+}
+
+murk_status murk_picture_add_coverage(murk_picture *picture, murk_error *err)
+{
+    const size_t n = picture->width * picture->height;
+    picture->seen_by = malloc(2 * n * sizeof *picture->seen_by);
+    if (!picture->seen_by) {
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for the coverage of %zu pixels", n);
+    }
+    picture->clarity = picture->seen_by + n;
+    for (size_t i = 0; i < 2 * n; ++i) {
+        picture->seen_by[i] = NAN;
+    }
+    return MURK_OK;
 }
 
 static murk_status set_up(run *r, size_t tiles, murk_error *err)

@@ -46,8 +46,13 @@ typedef struct murk_picture {
     float *distance_m;  /* to the first surface, change of index or side of the
                            domain */
     float *position[3]; /* there */
-    double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX]; /* of the picture,
-                          samples' errors alone */
+    /* Of the first surface: how many sensors see it, and how clearly the
+     * clearest of them; NAN where there is none. NULL before
+     * murk_picture_add_coverage(). */
+    float *seen_by, *clarity;
+    /* Of the picture, samples' errors alone: over its pixels, or all round over
+     * the solid angle, so that 4 pi times it is the scalar irradiance. */
+    double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX];
     uint64_t rays, lost;
 } murk_picture;
 
@@ -60,5 +65,9 @@ double murk_picture_bytes(size_t width, size_t height, int bands);
 murk_status murk_render_run(murk_picture **out, const murk_render *render,
                             murk_error *err);
 void murk_picture_destroy(murk_picture *picture); /* NULL is fine */
+
+/* Sets the coverage's channels aside, NAN all over. Fails with MURK_NO_MEMORY.
+ */
+murk_status murk_picture_add_coverage(murk_picture *picture, murk_error *err);
 
 #endif

@@ -124,11 +124,11 @@ double murk_scenery_through(const murk_scenery *scenery, int band,
     return p.n < PIECES_MAX ? through : 0;
 }
 
-double murk_scenery_reach(const murk_scenery *scenery, murk_vec3 from,
-                          murk_vec3 direction)
+murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
+                                   murk_vec3 direction)
 {
     const murk_world *world = scenery->world;
-    double reach = 0;
+    murk_scenery_end end = {0};
     pieces p = pieces_of(scenery, from, direction, INFINITY);
     while (next_piece(&p)) {
         double length = murk_length(murk_sub(p.to, p.from));
@@ -151,12 +151,18 @@ double murk_scenery_reach(const murk_scenery *scenery, murk_vec3 from,
                     murk_passage_change(&passages, &leg[0], &change);
             length = bends ? change.distance_m : length;
         }
-        reach += length;
+        end.distance_m += length;
+        if (met && !bends) {
+            end.is_surface = true;
+            end.position =
+                held(&world->domain.box, murk_along(p.from, length, direction));
+            end.normal = hit.normal;
+        }
         if (met || bends) {
             break;
         }
     }
-    return reach;
+    return end;
 }
 
 double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,

@@ -33,10 +33,17 @@ double murk_scenery_through(const murk_scenery *scenery, int band,
                             murk_vec3 from, murk_vec3 direction,
                             double length_m, bool through_sheets);
 
-/* How far one can look from a point in the open: to the first surface, change
- * of index or side of the domain. */
-double murk_scenery_reach(const murk_scenery *scenery, murk_vec3 from,
-                          murk_vec3 direction);
+/* What one looks at from a point in the open: the first surface, change of
+ * index or side of the domain. */
+typedef struct murk_scenery_end {
+    double distance_m;
+    bool is_surface;
+    murk_vec3 position; /* of a surface: in the domain, whose copies repeat */
+    murk_vec3 normal;   /* of a surface: unit, faces who looks */
+} murk_scenery_end;
+
+murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
+                                   murk_vec3 direction);
 
 /* Optical depth over that length. */
 double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,

@@ -17,6 +17,118 @@ static void test_a_picture_is_upright(void)
     CHECK_NEAR(right.x, sqrt(0.5), 1e-15);
 }
 
+static murk_camera camera_of(int which)
+{
+    const murk_vec3 from = {1, 2, 3};
+    const double h = 1.2;
+    switch (which) {
+    case 0:
+        return murk_camera_look(from, murk_vec(4, -1, 2), murk_vec(0, 0, 1), h,
+                                17, 12);
+    case 1:
+        return murk_camera_view(from, murk_unit(murk_vec(1, 1, 0)),
+                                murk_unit(murk_vec(1, -1, 0)), 2 * h, h, 24,
+                                10);
+    default:
+        return murk_camera_around(from, murk_vec(3, -4, 9), 36, 18);
+    }
+}
+
+/* Sight and place are each other's inverse, at middles and in corners. */
+static void test_what_is_seen_at_a_place_is_found_there(void)
+{
+    for (int which = 0; which < 3; ++which) {
+        const murk_camera c = camera_of(which);
+        for (size_t i = 0; i < c.width; ++i) {
+            for (size_t k = 0; k < c.height; ++k) {
+                const double x = (double)i + 0.5, y = (double)k + 0.01;
+                const murk_vec3 d = murk_camera_sight(&c, x, y);
+                double found_x, found_y;
+                CHECK_NEAR(murk_length(d), 1, 1e-15);
+                CHECK(
+                    murk_camera_find(&c, murk_scale(7, d), &found_x, &found_y));
+                CHECK_NEAR(found_x, x, 1e-11);
+                CHECK_NEAR(found_y, y, 1e-11);
+            }
+        }
+    }
+    const murk_camera c = camera_of(0);
+    double x, y;
+    CHECK(!murk_camera_find(&c, murk_vec(-3, 3, 1), &x, &y)); /* behind */
+}
+
+/* What is drawn in a pixel is found in it, over all of it. */
+static void test_draws_stay_in_their_pixel(void)
+{
+    for (int which = 0; which < 3; ++which) {
+        const murk_camera c = camera_of(which);
+        for (int k = 0; k < 16; ++k) {
+            const double u = (k % 4 + 0.1) / 4, v = (k / 4 + 0.1) / 4;
+            double x, y;
+            CHECK(
+                murk_camera_find(&c, murk_camera_draw(&c, 5, 2, u, v), &x, &y));
+            CHECK_NEAR(x, 5 + u, 1e-11);
+            CHECK(y > 2 && y < 3);
+            CHECK(c.projection == MURK_EQUIRECTANGULAR ||
+                  fabs(y - 2 - v) < 1e-11);
+        }
+    }
+}
+
+/* All round it is 4 pi; a rectangle's is known; and each pixel's is what the
+ * slopes of its own sight make it. */
+static void test_solid_angles(void)
+{
+    for (int which = 0; which < 3; ++which) {
+        const murk_camera c = camera_of(which);
+        double sum = 0;
+        for (size_t i = 0; i < c.width; ++i) {
+            for (size_t k = 0; k < c.height; ++k) {
+                const double x = (double)i + 0.5, y = (double)k + 0.5, h = 1e-3;
+                const murk_vec3 across =
+                    murk_sub(murk_camera_sight(&c, x + h, y),
+                             murk_camera_sight(&c, x - h, y));
+                const murk_vec3 down =
+                    murk_sub(murk_camera_sight(&c, x, y + h),
+                             murk_camera_sight(&c, x, y - h));
+                const double dense =
+                    murk_length(murk_cross(across, down)) / (4 * h * h);
+                const double whole = murk_camera_solid_angle(&c, i, k);
+                /* a pixel's middle for all of it, of the second order in its
+                 * angle, 0.2 at most */
+                CHECK_NEAR(dense / whole, 1, 0.04);
+                sum += whole;
+            }
+        }
+        const double a = c.step[0] * (double)c.width / 2;
+        const double b = c.step[1] * (double)c.height / 2;
+        const double all = c.projection == MURK_EQUIRECTANGULAR
+                               ? 4 * MURK_PI
+                               : 4 * atan(a * b / sqrt(1 + a * a + b * b));
+        CHECK_NEAR(sum, all, 1e-12);
+    }
+}
+
+/* The middle looks where it is told, the right is clockwise, the top is up. */
+static void test_all_round_is_upright(void)
+{
+    const murk_camera c = camera_of(2);
+    const murk_vec3 middle = murk_camera_sight(&c, 18, 9);
+    CHECK_NEAR(middle.x, 0.6, 1e-15);
+    CHECK_NEAR(middle.y, -0.8, 1e-15);
+    const murk_vec3 right = murk_camera_sight(&c, 27, 9);
+    CHECK_NEAR(right.x, -0.8, 1e-15);
+    CHECK_NEAR(right.y, -0.6, 1e-15);
+    CHECK_NEAR(murk_camera_sight(&c, 3, 0).z, 1, 1e-15);
+    const murk_vec3 low = murk_camera_sight(&c, 18, 15);
+    CHECK_NEAR(low.z, -sin(MURK_PI / 3), 1e-15);
+    /* even over the solid angle: half of the pixel below the zenith lies within
+     * cos(angle) = 1 - (1 - cos 10) / 2 */
+    const double ten = MURK_PI / 18;
+    CHECK_NEAR(murk_camera_draw(&c, 0, 0, 0.5, 0.5).z, 1 - (1 - cos(ten)) / 2,
+               1e-15);
+}
+
 static void test_even_light_is_about_white(void)
 {
     double from[16], to[16], weight[3][MURK_BANDS_MAX];
@@ -50,6 +162,10 @@ static void test_one_band_is_grey(void)
 int main(void)
 {
     test_a_picture_is_upright();
+    test_what_is_seen_at_a_place_is_found_there();
+    test_draws_stay_in_their_pixel();
+    test_solid_angles();
+    test_all_round_is_upright();
     test_even_light_is_about_white();
     test_one_band_is_grey();
     return check_done();

@@ -1,0 +1,293 @@
+#include "app/images.h"
+
+#include "app/version.h"
+#include "render/exr.h"
+#include "render/tone.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TEXTS_MAX 24
+#define TEXT_SIZE 96
+
+/* ---- names ---- */
+
+/* How long a path is without the extension of its last part. */
+static size_t stem_length(const char *path, const char *extension)
+{
+    const char *slash = strrchr(path, '/');
+    const char *dot = strrchr(slash ? slash : path, '.');
+    const bool ends = dot && (!extension || strcmp(dot, extension) == 0);
+    return ends ? (size_t)(dot - path) : strlen(path);
+}
+
+/* Stem, "-" and what is added where that is not empty, extension; no slash but
+ * in the stem. NULL when out of memory. */
+static char *path_of(const char *path, size_t stem, const char *added,
+                     const char *extension)
+{
+    const size_t size = stem + strlen(added) + strlen(extension) + 2;
+    char *out = malloc(size);
+    if (out) {
+        snprintf(out, size, "%.*s%s%s%s", (int)stem, path, *added ? "-" : "",
+                 added, extension);
+        for (char *at = out + stem; *at; ++at) {
+            *at = *at == '/' ? '_' : *at;
+        }
+    }
+    return out;
+}
+
+static murk_status no_channel(const murk_channel *list, size_t n,
+                              const char *wanted, bool has_coverage,
+                              murk_error *err)
+{
+    char known[160] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < n && length < sizeof known - 48; ++i) {
+        length += (size_t)snprintf(known + length, sizeof known - length,
+                                   "%s%s", i ? ", " : "", list[i].name);
+    }
+    const bool lacks = !has_coverage && strncmp(wanted, "coverage", 8) == 0;
+    return murk_fail(err, MURK_BAD_VALUE, "--false-colour", "%.48s%s%s%s",
+                     wanted,
+                     lacks ? ", which pictures have with --sensors FILE alone"
+                           : " is no channel of the picture, or one in several "
+                             "bands; there are ",
+                     lacks ? "" : known, lacks ? "" : " and others");
+}
+
+static murk_status find_channel(murk_images *out, const murk_options *options,
+                                const murk_scene *scene, murk_error *err)
+{
+    const char *wanted = options->render.false_colour;
+    const bool has_coverage = options->sensors != NULL;
+    murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
+    if (!list) {
+        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for names");
+    }
+    const size_t n = murk_channels_list(NULL, scene->bands, scene->band_nm,
+                                        has_coverage, list);
+    const murk_channel *found = murk_channel_find(list, n, wanted);
+    murk_status status = MURK_OK;
+    if (found) {
+        snprintf(out->channel, sizeof out->channel, "%s", found->name);
+    } else {
+        /* bands first, which are asked for most */
+        const size_t first = 10;
+        status = no_channel(list + first, n - first, wanted, has_coverage, err);
+    }
+    free(list);
+    return status;
+}
+
+murk_status murk_images_name(murk_images *out, const murk_options *options,
+                             const murk_scene *scene, const char *mark,
+                             murk_error *err)
+{
+    const murk_render_options *wish = &options->render;
+    const char *given = options->out;
+    if (wish->false_colour) {
+        const murk_status status = find_channel(out, options, scene, err);
+        if (status) {
+            return status;
+        }
+    }
+    if (given) {
+        const size_t length = strlen(given);
+        if (length > 4 && strcmp(given + length - 4, ".png") == 0) {
+            return murk_fail(err, MURK_BAD_VALUE, "-o",
+                             "%s: the image is OpenEXR, must not end in .png; "
+                             "--png writes one beside it",
+                             given);
+        }
+        out->exr = strdup(given);
+    } else {
+        out->exr = path_of(options->input, stem_length(options->input, NULL),
+                           mark, ".exr");
+    }
+    const size_t stem = out->exr ? stem_length(out->exr, ".exr") : 0;
+    if (out->exr && wish->png) {
+        out->png = path_of(out->exr, stem, "", ".png");
+    }
+    if (out->exr && wish->false_colour) {
+        out->false_colour = path_of(out->exr, stem, out->channel, ".png");
+    }
+    return out->exr && (out->png || !wish->png) &&
+                   (out->false_colour || !wish->false_colour)
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "render",
+                           "no memory for a name");
+}
+
+void murk_images_release(murk_images *images)
+{
+    free(images->exr);
+    free(images->png);
+    free(images->false_colour);
+    *images = (murk_images){0};
+}
+
+/* ---- what they say of themselves ---- */
+
+typedef struct texts {
+    murk_image_text of[TEXTS_MAX];
+    size_t n;
+    char made[TEXTS_MAX][TEXT_SIZE]; /* those that are numbers */
+} texts;
+
+static void say(texts *t, const char *name, const char *text)
+{
+    t->of[t->n++] = (murk_image_text){name, text};
+}
+
+__attribute__((format(printf, 3, 4))) static void
+say_made(texts *t, const char *name, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    vsnprintf(t->made[t->n], TEXT_SIZE, format, args);
+    va_end(args);
+    say(t, name, t->made[t->n]);
+}
+
+static void say_all(texts *t, const murk_image_facts *facts)
+{
+    const murk_viewpoint *v = facts->viewpoint;
+    const murk_camera *c = &v->camera;
+    say(t, "software", "murk " MURK_VERSION);
+    say(t, "murkCommit", murk_version_commit());
+    say(t, "murkScene", facts->scene->path);
+    say(t, "murkSceneSha256", facts->scene->sha256);
+    say_made(t, "murkSeed", "%lu", (unsigned long)facts->scene->seed);
+    say(t, "murkCamera", v->name);
+    say(t, "murkProjection",
+        c->projection == MURK_EQUIRECTANGULAR ? "equirectangular"
+                                              : "perspective");
+    say_made(t, "murkFrom", "%.9g %.9g %.9g m", c->from.x, c->from.y,
+             c->from.z);
+    say_made(t, "murkHeading", "%.6g degrees", v->heading_deg);
+    say_made(t, "murkTilt", "%.6g degrees", v->tilt_deg);
+    say(t, "murkMethod", facts->method);
+    say_made(t, "murkSamples", "%zu", v->samples);
+    say_made(t, "murkNearest", "%llu", (unsigned long long)facts->nearest);
+    say_made(t, "murkPhotons", "%llu", (unsigned long long)facts->photons);
+    if (v->sensors > 0) {
+        say_made(t, "murkSensors", "%zu", v->sensors);
+    }
+}
+
+/* ---- the files ---- */
+
+static murk_status write_exr(const murk_images *images,
+                             const murk_picture *picture,
+                             const murk_image_facts *facts, murk_error *err)
+{
+    const murk_camera *c = &facts->viewpoint->camera;
+    const bool is_all_round = c->projection == MURK_EQUIRECTANGULAR;
+    texts t = {.n = 0};
+    say_all(&t, facts);
+    say(&t, "emissiveUnits", "W.m^-2.sr^-1");
+    const murk_exr exr = {
+        .picture = picture,
+        .band_nm = facts->scene->band_nm,
+        .is_all_round = is_all_round,
+        .pixel_aspect = is_all_round ? 2 * (double)c->height / (double)c->width
+                                     : c->step[0] / c->step[1],
+        .header = t.of,
+        .n_header = t.n};
+    return murk_exr_write(&exr, images->exr, err);
+}
+
+static murk_status write_png(murk_images *images, const murk_picture *picture,
+                             const murk_image_facts *facts,
+                             const murk_render_options *wish, murk_error *err)
+{
+    images->stops = wish->exposure_stops;
+    murk_status status = wish->has_exposure
+                             ? MURK_OK
+                             : murk_tone_stops(&images->stops, picture, err);
+    murk_raster raster = {0};
+    if (!status) {
+        status = murk_tone_raster(&raster, picture, images->stops, err);
+    }
+    if (!status) {
+        texts t = {.n = 0};
+        say_all(&t, facts);
+        say_made(&t, "murkExposure", "%.2f stops%s", images->stops,
+                 wish->has_exposure ? "" : ", by the picture");
+        status = murk_png_write(&raster, t.of, t.n, images->png, err);
+    }
+    free(raster.rgb);
+    return status;
+}
+
+static murk_status choose_colours(murk_images *images,
+                                  const murk_channel *channel, size_t n,
+                                  const murk_render_options *wish,
+                                  murk_error *err)
+{
+    /* A range that begins at 0 or below asks for no logarithm. */
+    const bool is_log = wish->has_scale
+                            ? wish->is_log
+                            : murk_false_colour_is_log(channel) &&
+                                  !(wish->has_range && !(wish->range[0] > 0));
+    if (wish->has_range) {
+        images->colours =
+            (murk_false_colour){wish->range[0], wish->range[1], is_log};
+        return MURK_OK;
+    }
+    return murk_false_colour_range(&images->colours, channel, n, is_log, err);
+}
+
+static murk_status write_false_colour(murk_images *images,
+                                      const murk_picture *picture,
+                                      const murk_image_facts *facts,
+                                      const murk_render_options *wish,
+                                      murk_error *err)
+{
+    murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
+    if (!list) {
+        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for names");
+    }
+    const size_t n =
+        murk_channels_list(picture, picture->bands, facts->scene->band_nm,
+                           picture->seen_by != NULL, list);
+    const murk_channel *channel = murk_channel_find(list, n, images->channel);
+    murk_status status = choose_colours(
+        images, channel, picture->width * picture->height, wish, err);
+    const murk_false_colour *colours = &images->colours;
+    murk_raster raster = {0};
+    if (!status) {
+        status = murk_false_colour_raster(&raster, channel, picture->width,
+                                          picture->height, *colours, err);
+    }
+    if (!status) {
+        texts t = {.n = 0};
+        say_all(&t, facts);
+        say(&t, "murkChannel", channel->name);
+        say_made(&t, "murkColours", "viridis, %s, %.9g to %.9g%s%s",
+                 colours->is_log ? "logarithmic" : "linear", colours->low,
+                 colours->high, *channel->unit ? " " : "", channel->unit);
+        status = murk_png_write(&raster, t.of, t.n, images->false_colour, err);
+    }
+    free(raster.rgb);
+    free(list);
+    return status;
+}
+
+murk_status murk_images_write(murk_images *images, const murk_picture *picture,
+                              const murk_image_facts *facts,
+                              const murk_render_options *wish, murk_error *err)
+{
+    murk_status status = write_exr(images, picture, facts, err);
+    if (!status && images->png) {
+        status = write_png(images, picture, facts, wish, err);
+    }
+    if (!status && images->false_colour) {
+        status = write_false_colour(images, picture, facts, wish, err);
+    }
+    return status;
+}

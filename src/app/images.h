@@ -1,0 +1,36 @@
+/* The files of murk render: the OpenEXR image, and PNG files beside it. */
+#ifndef MURK_APP_IMAGES_H
+#define MURK_APP_IMAGES_H
+
+#include "app/viewpoint.h"
+#include "render/false_colour.h"
+
+typedef struct murk_images {
+    char *exr, *png, *false_colour;       /* paths, owned; NULL: not wanted */
+    char channel[MURK_CHANNEL_NAME_SIZE]; /* in false colour */
+    /* Once written: */
+    double stops;              /* of the PNG */
+    murk_false_colour colours; /* of the other */
+} murk_images;
+
+/* What a picture is of and how it was made, as far as the images say it. */
+typedef struct murk_image_facts {
+    const murk_scene *scene;
+    const murk_viewpoint *viewpoint;
+    const char *method; /* "path: path tracing with shadow rays" */
+    uint64_t photons, nearest;
+} murk_image_facts;
+
+/* Names them: beside the scene, under its name and the mark, or by -o; and
+ * finds the channel that is meant. Release them also after a failure. */
+murk_status murk_images_name(murk_images *out, const murk_options *options,
+                             const murk_scene *scene, const char *mark,
+                             murk_error *err);
+
+/* Each is written whole or not at all; the OpenEXR image first. */
+murk_status murk_images_write(murk_images *images, const murk_picture *picture,
+                              const murk_image_facts *facts,
+                              const murk_render_options *wish, murk_error *err);
+void murk_images_release(murk_images *images);
+
+#endif

@@ -1,0 +1,195 @@
+#include "app/picture_coverage.h"
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "render/points.h"
+#include "study/plan.h"
+#include "study/targets.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+/* Pixels that are looked at together, and what one of them takes meanwhile:
+ * record, tree, sums and what a look finds. */
+#define PIXELS_TOGETHER ((size_t)1 << 20)
+#define BYTES_EACH      128
+
+/* What the sensors see of some rows. Whole numbers, added and compared in any
+ * order: the same for any threads. */
+typedef struct strip {
+    murk_picture *picture;
+    const murk_stage *stage;
+    const murk_viewpoint *viewpoint;
+    const murk_scenery *scenery;
+    size_t first_row, rows;
+    int band;
+    unsigned threads;
+    murk_sight *sight;
+    _Atomic uint32_t *count, *clearest; /* [rows * width] */
+} strip;
+
+static int band_of(const murk_scene *scene, uint32_t type)
+{
+    const uint32_t bands = scene->sensors.type[type].bands;
+    int band = murk_targets_band(scene);
+    if (bands && !(bands >> band & 1)) {
+        for (band = 0; !(bands >> band & 1); ++band) {
+        }
+    }
+    return band;
+}
+
+static size_t rows_together(size_t width)
+{
+    return width < PIXELS_TOGETHER ? PIXELS_TOGETHER / width : 1;
+}
+
+double murk_picture_coverage_bytes(size_t width, size_t height)
+{
+    const double rows = fmin((double)height, (double)rows_together(width));
+    return (double)width *
+           ((double)height * 2 * sizeof(float) + rows * BYTES_EACH);
+}
+
+static void raise(_Atomic uint32_t *cell, uint32_t value)
+{
+    uint32_t there = atomic_load_explicit(cell, memory_order_relaxed);
+    while (there < value &&
+           !atomic_compare_exchange_weak_explicit(
+               cell, &there, value, memory_order_relaxed, memory_order_relaxed))
+        ;
+}
+
+static void look_by_sensor(void *context, unsigned worker, uint64_t batch)
+{
+    strip *s = context;
+    const murk_pose *pose = &s->viewpoint->sensor[batch];
+    if (murk_interrupted() || band_of(s->stage->scene, pose->type) != s->band) {
+        return;
+    }
+    const size_t first = s->first_row * s->picture->width;
+    murk_look look;
+    murk_sight_look(s->sight, worker, pose, &look);
+    for (size_t i = 0; i < look.seen; ++i) {
+        const size_t at =
+            murk_sight_photon(s->sight, look.photon[i])->emitted - first;
+        atomic_fetch_add_explicit(&s->count[at], 1, memory_order_relaxed);
+        raise(&s->clearest[at], look.clarity ? look.clarity[i] : MURK_CLEAR);
+    }
+    murk_progress_add(1);
+}
+
+/* What has been found, of the pixels that look at a surface. */
+static void keep(const strip *s, const murk_photon_map *points)
+{
+    murk_picture *p = s->picture;
+    const murk_photon *point = murk_photon_map_photons(points);
+    const size_t n = murk_photon_map_count(points);
+    for (size_t i = 0; i < n; ++i) {
+        const size_t pixel = point[i].emitted;
+        const size_t at = pixel - s->first_row * p->width;
+        p->seen_by[pixel] = (float)s->count[at];
+        p->clarity[pixel] = (float)s->clearest[at] / MURK_CLEAR;
+    }
+}
+
+/* By the sensors of one band. */
+static murk_status look_at_strip(strip *s, murk_error *err)
+{
+    const murk_picture *p = s->picture;
+    murk_photon *point = NULL;
+    size_t n = 0;
+    murk_photon_map *points = NULL, *none = NULL;
+    murk_status status =
+        murk_points_find(&point, &n, s->scenery, &s->viewpoint->camera,
+                         s->first_row, s->rows, s->band, s->threads, err);
+    if (!status) { /* takes the points over */
+        status = murk_photon_map_create(&points, point, n, s->threads, err);
+    }
+    if (!status) {
+        status = murk_photon_map_create(&none, NULL, 0, 1, err);
+    }
+    if (!status && n > 0) {
+        status = murk_plan_sight_points(&s->sight, s->stage, points, none,
+                                        p->width * p->height, s->threads, err);
+    }
+    if (!status && n > 0) {
+        murk_crew_run_workers(s->threads, s->viewpoint->sensors, look_by_sensor,
+                              s);
+        keep(s, points);
+    }
+    murk_sight_destroy(s->sight);
+    s->sight = NULL;
+    murk_photon_map_destroy(points);
+    murk_photon_map_destroy(none);
+    return status;
+}
+
+static uint32_t bands_of_sensors(const strip *s)
+{
+    uint32_t bands = 0;
+    for (size_t i = 0; i < s->viewpoint->sensors; ++i) {
+        bands |= UINT32_C(1)
+                 << band_of(s->stage->scene, s->viewpoint->sensor[i].type);
+    }
+    return bands;
+}
+
+static murk_status look_at_all(strip *s, murk_error *err)
+{
+    const murk_picture *p = s->picture;
+    const size_t together = rows_together(p->width);
+    const uint32_t bands = bands_of_sensors(s);
+    const size_t cells = together * p->width;
+    s->count = calloc(2 * cells, sizeof *s->count);
+    if (!s->count) {
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for the coverage of %zu pixels", cells);
+    }
+    s->clearest = s->count + cells;
+    murk_status status = MURK_OK;
+    for (size_t y = 0; y < p->height && !status; y += together) {
+        s->first_row = y;
+        s->rows = p->height - y < together ? p->height - y : together;
+        for (size_t i = 0; i < 2 * cells; ++i) {
+            s->count[i] = 0;
+        }
+        for (int b = 0; b < p->bands && !status; ++b) {
+            s->band = b;
+            status = bands >> b & 1 ? look_at_strip(s, err) : MURK_OK;
+        }
+        if (!status && murk_interrupted()) {
+            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        }
+    }
+    free((void *)s->count);
+    return status;
+}
+
+murk_status murk_picture_cover(murk_picture *picture,
+                               const murk_viewpoint *viewpoint,
+                               const murk_stage *stage, unsigned threads,
+                               murk_error *err)
+{
+    murk_scenery scenery = {0};
+    strip s = {.picture = picture,
+               .stage = stage,
+               .viewpoint = viewpoint,
+               .scenery = &scenery,
+               .threads = threads};
+    murk_status status = murk_picture_add_coverage(picture, err);
+    if (!status) {
+        status = murk_scenery_prepare(&scenery, &stage->world, err);
+    }
+    if (!status) {
+        const size_t together = rows_together(picture->width);
+        const size_t strips = (picture->height + together - 1) / together;
+        murk_progress_begin("coverage", strips * viewpoint->sensors, "looks");
+        status = look_at_all(&s, err);
+        murk_progress_end();
+    }
+    murk_scenery_release(&scenery);
+    return status;
+}

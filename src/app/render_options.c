@@ -1,0 +1,143 @@
+#include "app/render_options.h"
+
+#include "app/option_values.h"
+#include "render/render.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SIDE_MAX     65536
+#define SENSORS_MAX  1000000
+#define EXPOSURE_MAX 100.0 /* stops: 2^100 is beyond any radiance */
+
+static bool is_side(unsigned long n)
+{
+    return n >= 1 && n <= SIDE_MAX;
+}
+
+/* "640x480" */
+static murk_status take_pixels(size_t pixels[2], const char *name,
+                               const char *value, murk_error *err)
+{
+    char *end = NULL, *last = NULL;
+    const bool begins = *value >= '0' && *value <= '9';
+    const unsigned long width = begins ? strtoul(value, &end, 10) : 0;
+    const bool goes_on =
+        begins && *end == 'x' && end[1] >= '0' && end[1] <= '9';
+    const unsigned long height = goes_on ? strtoul(end + 1, &last, 10) : 0;
+    if (!is_side(width) || !is_side(height) || *last ||
+        (uint64_t)width * height > MURK_PIXELS_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be WIDTHxHEIGHT, such as 640x480: each "
+                         "1..%d, %llu pixels together at most",
+                         value, SIDE_MAX, (unsigned long long)MURK_PIXELS_MAX);
+    }
+    pixels[0] = width;
+    pixels[1] = height;
+    return MURK_OK;
+}
+
+static murk_status take_exposure(murk_render_options *out, const char *name,
+                                 const char *value, murk_error *err)
+{
+    char *end;
+    const double stops = strtod(value, &end);
+    if (end == value || *end || !(fabs(stops) <= EXPOSURE_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be a number of stops, %g..%g", value,
+                         -EXPOSURE_MAX, EXPOSURE_MAX);
+    }
+    out->has_exposure = true;
+    out->exposure_stops = stops;
+    return MURK_OK;
+}
+
+/* "LOW:HIGH" */
+static murk_status take_range(murk_render_options *out, const char *name,
+                              const char *value, murk_error *err)
+{
+    char *middle, *end = NULL;
+    const double low = strtod(value, &middle);
+    const bool goes_on = middle != value && *middle == ':';
+    const double high = goes_on ? strtod(middle + 1, &end) : NAN;
+    if (!goes_on || end == middle + 1 || *end || !isfinite(low) ||
+        !isfinite(high) || !(low < high)) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be LOW:HIGH, two numbers, the first less "
+                         "than the second",
+                         value);
+    }
+    out->has_range = true;
+    out->range[0] = low;
+    out->range[1] = high;
+    return MURK_OK;
+}
+
+murk_status murk_render_option(murk_render_options *out,
+                               const murk_option *option, const char *value,
+                               murk_error *err)
+{
+    static const char *const scales[] = {"linear", "log", NULL};
+    const char *name = option->name;
+    int which = 0;
+    murk_status status = MURK_OK;
+    switch (option->id) {
+    case MURK_OPTION_FROM_SENSOR:
+        return murk_option_count(name, value, 1, SENSORS_MAX, &out->from_sensor,
+                                 err);
+    case MURK_OPTION_PIXELS:
+        return take_pixels(out->pixels, name, value, err);
+    case MURK_OPTION_SAMPLES:
+        return murk_option_count(name, value, 1, MURK_SAMPLES_MAX,
+                                 &out->samples, err);
+    case MURK_OPTION_PNG:
+        out->png = true;
+        break;
+    case MURK_OPTION_EXPOSURE:
+        return take_exposure(out, name, value, err);
+    case MURK_OPTION_FALSE_COLOUR:
+        out->false_colour = value;
+        break;
+    case MURK_OPTION_RANGE:
+        return take_range(out, name, value, err);
+    default: /* MURK_OPTION_SCALE */
+        status = murk_option_choice(name, value, scales, &which, err);
+        out->has_scale = true;
+        out->is_log = which == 1;
+        break;
+    }
+    return status;
+}
+
+static murk_status needs(const char *option, const char *other, murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_VALUE, option,
+                     "goes with %s, which is not "
+                     "given",
+                     other);
+}
+
+murk_status murk_render_options_check(const murk_options *options,
+                                      murk_error *err)
+{
+    const murk_render_options *r = &options->render;
+    if (r->from_sensor > 0 && !options->sensors) {
+        return needs("--from-sensor", "--sensors FILE", err);
+    }
+    if (r->has_exposure && !r->png) {
+        return needs("--exposure", "--png", err);
+    }
+    if (r->has_range && !r->false_colour) {
+        return needs("--range", "--false-colour CHANNEL", err);
+    }
+    if (r->has_scale && !r->false_colour) {
+        return needs("--scale", "--false-colour CHANNEL", err);
+    }
+    if (r->has_range && r->is_log && !(r->range[0] > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--range",
+                         "%g:%g, must be above 0 with --scale log", r->range[0],
+                         r->range[1]);
+    }
+    return MURK_OK;
+}

@@ -1,0 +1,220 @@
+#include "app/viewpoint.h"
+
+#include "base/log.h"
+#include "render/render.h"
+#include "scene/words.h"
+#include "study/dark.h"
+#include "study/free_space.h"
+#include "study/placement_in.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEG_PER_RAD (180 / MURK_PI)
+
+/* Of a sensor's picture, where nothing says its size. */
+#define WIDTH   640
+#define SAMPLES 16
+
+#define SIDE_MAX 65536
+
+/* ---- the camera that is named ---- */
+
+static murk_status no_such_camera(const murk_scene *scene, const char *wanted,
+                                  murk_error *err)
+{
+    char shown[64];
+    murk_words_show(shown, sizeof shown, wanted);
+    const char **known = calloc(scene->n_cameras, sizeof *known);
+    for (size_t i = 0; known && i < scene->n_cameras; ++i) {
+        known[i] = scene->cameras[i].name;
+    }
+    const char *meant =
+        known ? murk_words_meant(wanted, known, scene->n_cameras) : NULL;
+    const murk_status status =
+        murk_fail(err, MURK_BAD_VALUE, "--camera",
+                  "%s is no camera of the scene, %s %s%s", shown,
+                  meant ? "did you mean" : "the first of them is",
+                  meant ? meant : scene->cameras[0].name, meant ? "?" : "");
+    free(known);
+    return status;
+}
+
+murk_status murk_viewpoint_choose(murk_viewpoint *out, const murk_scene *scene,
+                                  const murk_options *options, murk_error *err)
+{
+    const char *wanted = options->camera;
+    const uint64_t number = options->render.from_sensor;
+    if (number > 0) {
+        snprintf(out->mark, sizeof out->mark, "sensor%llu",
+                 (unsigned long long)number);
+    } else if (wanted) {
+        snprintf(out->mark, sizeof out->mark, "%s", wanted);
+    }
+    if (options->sensors && !scene->sensors.given) {
+        return murk_fail(err, MURK_BAD_VALUE, scene->path,
+                         "sensors: the scene has none, so --sensors has no "
+                         "types");
+    }
+    if (number > 0 && !wanted) {
+        return MURK_OK;
+    }
+    if (scene->n_cameras == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, scene->path,
+                         "cameras: the scene has none, must have one to be "
+                         "rendered: {name, from_m, to_m}; or --sensors FILE "
+                         "--from-sensor N");
+    }
+    for (size_t i = 0; i < scene->n_cameras && !out->named; ++i) {
+        const murk_scene_camera *camera = &scene->cameras[i];
+        if (!wanted || strcmp(camera->name, wanted) == 0) {
+            out->named = camera;
+        }
+    }
+    return out->named ? MURK_OK : no_such_camera(scene, wanted, err);
+}
+
+/* ---- where it stands ---- */
+
+static void stand_at_camera(murk_viewpoint *v, const murk_scene *scene,
+                            const size_t asked[2])
+{
+    const murk_scene_camera *c = v->named;
+    const size_t *pixels = asked[0] ? asked : c->pixels;
+    snprintf(v->name, sizeof v->name, "%s", c->name);
+    v->where = c->where;
+    v->camera = c->projection == MURK_SCENE_EQUIRECTANGULAR
+                    ? murk_camera_around(c->from,
+                                         c->has_to ? murk_sub(c->to, c->from)
+                                                   : scene->north,
+                                         pixels[0], pixels[1])
+                    : murk_camera_look(c->from, c->to, c->up, c->vfov_rad,
+                                       pixels[0], pixels[1]);
+}
+
+/* Rows that make pixels of a picture so much wider than high square. */
+static size_t rows_for(size_t width, double wider)
+{
+    const double rows = round((double)width / wider);
+    return (size_t)fmax(
+        1, fmin(rows, fmin(SIDE_MAX, (double)(MURK_PIXELS_MAX / width))));
+}
+
+static void stand_at_sensor(murk_viewpoint *v, const murk_scene *scene,
+                            const murk_pose *pose, uint64_t number,
+                            const size_t asked[2])
+{
+    const murk_scene_sensor_type *type = &scene->sensors.type[pose->type];
+    const murk_sensor_frame frame = murk_pose_frame(pose, scene->north);
+    size_t width = asked[0], height = asked[1];
+    if (!width) {
+        width = v->named ? v->named->pixels[0] : WIDTH;
+        height = rows_for(width, type->view == MURK_SCENE_VIEW_FRUSTUM
+                                     ? tan(type->hfov_rad / 2) /
+                                           tan(type->vfov_rad / 2)
+                                     : 2);
+    }
+    snprintf(v->name, sizeof v->name, "sensor %llu (%s)",
+             (unsigned long long)number, type->name);
+    v->where = "--from-sensor";
+    if (type->view == MURK_SCENE_VIEW_FRUSTUM) {
+        v->camera =
+            murk_camera_view(pose->position, frame.axis, frame.right,
+                             type->hfov_rad, type->vfov_rad, width, height);
+        return;
+    }
+    murk_pose level = *pose; /* looking straight up, it has a heading still */
+    level.tilt_rad = 0;
+    v->camera = murk_camera_around(pose->position,
+                                   murk_pose_frame(&level, scene->north).axis,
+                                   width, height);
+}
+
+static void tell_direction(murk_viewpoint *v, murk_vec3 north)
+{
+    const murk_vec3 east = murk_cross(north, murk_vec(0, 0, 1));
+    const murk_vec3 ahead = v->camera.forward;
+    const double heading =
+        DEG_PER_RAD * atan2(murk_dot(ahead, east), murk_dot(ahead, north));
+    v->heading_deg = heading < 0 ? heading + 360 : heading;
+    v->tilt_deg = DEG_PER_RAD * asin(fmax(-1, fmin(1, ahead.z)));
+}
+
+murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
+                                 const murk_options *options, murk_error *err)
+{
+    const murk_scene *scene = stage->scene;
+    const murk_render_options *wish = &options->render;
+    const murk_box *box = &stage->world.domain.box;
+    murk_status status = MURK_OK;
+    if (options->sensors) {
+        status = murk_placement_read(&v->sensor, &v->sensors, options->sensors,
+                                     1, scene, &stage->world.domain, err);
+    }
+    if (status) {
+        return status;
+    }
+    if (wish->from_sensor > v->sensors) {
+        return murk_fail(err, MURK_BAD_VALUE, "--from-sensor",
+                         "%llu, must be 1..%zu: %s has no more sensors",
+                         (unsigned long long)wish->from_sensor, v->sensors,
+                         options->sensors);
+    }
+    v->samples = wish->samples ? (size_t)wish->samples
+                 : v->named    ? v->named->samples
+                               : SAMPLES;
+    if (wish->from_sensor > 0) {
+        stand_at_sensor(v, scene, &v->sensor[wish->from_sensor - 1],
+                        wish->from_sensor, wish->pixels);
+    } else {
+        stand_at_camera(v, scene, wish->pixels);
+    }
+    tell_direction(v, scene->north);
+    const murk_vec3 p = v->camera.from;
+    if (!murk_box_contains(box, p)) {
+        return murk_fail(err, MURK_BAD_VALUE, v->where,
+                         "from_m is [%g, %g, %g] m, must be within the "
+                         "domain, [%g, %g, %g]..[%g, %g, %g] m",
+                         p.x, p.y, p.z, box->min.x, box->min.y, box->min.z,
+                         box->max.x, box->max.y, box->max.z);
+    }
+    return MURK_OK;
+}
+
+/* ---- what may be wrong there ---- */
+
+murk_status murk_viewpoint_judge(const murk_viewpoint *v,
+                                 const murk_stage *stage, unsigned threads,
+                                 murk_error *err)
+{
+    const murk_vec3 p = v->camera.from;
+    if (murk_surfaces_solid_at(stage->surfaces, p) > 0) {
+        murk_warn(v->where,
+                  "%s stands at [%g, %g, %g] m inside a solid of transmitting "
+                  "material",
+                  v->name, p.x, p.y, p.z);
+        return MURK_OK;
+    }
+    if (murk_stage_is_dark(stage)) { /* nothing leads to a light */
+        return MURK_OK;
+    }
+    murk_open_space *space = NULL;
+    const murk_status status =
+        murk_stage_free_space(&space, stage, threads, err);
+    if (!status && !murk_open_space_holds(space, p, murk_vec(0, 0, 0))) {
+        murk_warn(v->where,
+                  "%s stands at [%g, %g, %g] m, from where no open way to any "
+                  "light was found: it may be inside something or behind a "
+                  "wall",
+                  v->name, p.x, p.y, p.z);
+    }
+    murk_open_space_destroy(space);
+    return status;
+}
+
+void murk_viewpoint_release(murk_viewpoint *viewpoint)
+{
+    free(viewpoint->sensor);
+    *viewpoint = (murk_viewpoint){0};
+}

@@ -1,0 +1,119 @@
+#include "render/channels.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct filling {
+    murk_channel *list;
+    size_t n;
+} filling;
+
+static void add(filling *f, const char *name, const char *title,
+                const char *unit, murk_channel_kind kind, const float *value)
+{
+    murk_channel *c = &f->list[f->n++];
+    snprintf(c->name, sizeof c->name, "%s", name);
+    snprintf(c->title, sizeof c->title, "%s", title);
+    c->unit = unit;
+    c->kind = kind;
+    c->value = value;
+}
+
+/* "550nm", "414,5nm": a point would part a layer's name. */
+static void add_of_band(filling *f, const char *layer, const char *title,
+                        murk_channel_kind kind, double nm, const float *value)
+{
+    char name[MURK_CHANNEL_NAME_SIZE], full[MURK_CHANNEL_NAME_SIZE];
+    snprintf(name, sizeof name, "%s.%.7gnm", layer, nm);
+    char *point = strchr(name + strlen(layer) + 1, '.');
+    if (point) {
+        *point = ',';
+    }
+    snprintf(full, sizeof full, "%s at %.7g nm", title, nm);
+    add(f, name, full, kind == MURK_CHANNEL_DEPTH ? "" : "W/m2/sr", kind,
+        value);
+}
+
+static void add_band(filling *f, const murk_picture *p, int b, double nm)
+{
+    add_of_band(f, "S0", "radiance", MURK_CHANNEL_RADIANCE, nm,
+                p ? p->radiance[b] : NULL);
+    add_of_band(f, "error", "standard error", MURK_CHANNEL_RADIANCE, nm,
+                p ? p->error[b] : NULL);
+    add_of_band(f, "surface", "radiance of surfaces", MURK_CHANNEL_RADIANCE, nm,
+                p ? p->surface[b] : NULL);
+    add_of_band(f, "volume", "radiance of media", MURK_CHANNEL_RADIANCE, nm,
+                p ? p->volume[b] : NULL);
+    add_of_band(f, "depth", "optical depth", MURK_CHANNEL_DEPTH, nm,
+                p ? p->depth[b] : NULL);
+}
+
+size_t murk_channels_list(const murk_picture *p, int bands,
+                          const double *band_nm, bool has_coverage,
+                          murk_channel *list)
+{
+    static const struct {
+        const char *colour, *colour_title, *error, *error_title, *axis,
+            *axis_title;
+    } of[3] = {{"R", "red", "error.R", "standard error of red", "P.X", "x"},
+               {"G", "green", "error.G", "standard error of green", "P.Y", "y"},
+               {"B", "blue", "error.B", "standard error of blue", "P.Z", "z"}};
+    filling f = {list, 0};
+    for (int k = 0; k < 3; ++k) {
+        add(&f, of[k].colour, of[k].colour_title, "W/m2/sr",
+            MURK_CHANNEL_RADIANCE, p ? p->rgb[k] : NULL);
+        add(&f, of[k].error, of[k].error_title, "W/m2/sr",
+            MURK_CHANNEL_RADIANCE, p ? p->rgb_error[k] : NULL);
+        add(&f, of[k].axis, of[k].axis_title, "m", MURK_CHANNEL_LENGTH,
+            p ? p->position[k] : NULL);
+    }
+    add(&f, "Z", "distance", "m", MURK_CHANNEL_LENGTH,
+        p ? p->distance_m : NULL);
+    for (int b = 0; b < bands; ++b) {
+        add_band(&f, p, b, band_nm[b]);
+    }
+    if (has_coverage) {
+        add(&f, "coverage.count", "seen by", "sensors", MURK_CHANNEL_COUNT,
+            p ? p->seen_by : NULL);
+        add(&f, "coverage.clarity", "clearest view", "", MURK_CHANNEL_CLARITY,
+            p ? p->clarity : NULL);
+    }
+    return f.n;
+}
+
+/* "radiance" is S0, and a point within the wavelength a comma. */
+static void put_straight(char out[MURK_CHANNEL_NAME_SIZE], const char *wanted)
+{
+    static const char word[] = "radiance";
+    const size_t length = sizeof word - 1;
+    const bool is_word = strncmp(wanted, word, length) == 0 &&
+                         (!wanted[length] || wanted[length] == '.');
+    snprintf(out, MURK_CHANNEL_NAME_SIZE, "%s%s", is_word ? "S0" : "",
+             wanted + (is_word ? length : 0));
+    char *point = strchr(out, '.');
+    while (point && (point = strchr(point + 1, '.'))) {
+        *point = ',';
+    }
+}
+
+const murk_channel *murk_channel_find(const murk_channel *list, size_t n,
+                                      const char *wanted)
+{
+    char name[MURK_CHANNEL_NAME_SIZE];
+    put_straight(name, wanted);
+    const size_t length = strlen(name);
+    const murk_channel *found = NULL;
+    size_t of_layer = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (strcmp(list[i].name, name) == 0) {
+            return &list[i];
+        }
+        /* error.R and the like are not of a layer's bands */
+        if (strncmp(list[i].name, name, length) == 0 &&
+            list[i].name[length] == '.' && strstr(list[i].name, "nm")) {
+            found = &list[i];
+            ++of_layer;
+        }
+    }
+    return of_layer == 1 ? found : NULL;
+}

@@ -1,0 +1,18 @@
+/* Text in images: letters of 5 by 8 pixels (the last row for what hangs below
+ * the line), enlarged by a whole number. They are what legends need; other
+ * characters leave a gap. */
+#ifndef MURK_RENDER_GLYPHS_H
+#define MURK_RENDER_GLYPHS_H
+
+#include "render/png.h"
+
+#define MURK_GLYPH_HEIGHT  8
+#define MURK_GLYPH_ADVANCE 6 /* from one letter to the next */
+
+/* Pixels across. */
+size_t murk_text_width(const char *text, size_t scale);
+
+void murk_text_draw(murk_raster *raster, size_t left, size_t top, size_t scale,
+                    const char *text, const uint8_t rgb[3]);
+
+#endif

@@ -1,0 +1,66 @@
+#include "render/points.h"
+
+#include <stdlib.h>
+
+#include "base/crew.h"
+#include "base/interrupt.h"
+
+typedef struct search {
+    const murk_scenery *scenery;
+    const murk_camera *camera;
+    size_t first_row;
+    int band;
+    murk_photon *point; /* [rows * width], those without a surface of power 0 */
+} search;
+
+static murk_photon point_at(const search *s, size_t x, size_t y)
+{
+    const murk_camera *c = s->camera;
+    const murk_vec3 sight =
+        murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
+    const murk_scenery_end end = murk_scenery_look(s->scenery, c->from, sight);
+    if (!end.is_surface) {
+        return (murk_photon){.power_w = 0};
+    }
+    const murk_vec3 p = end.position;
+    return (murk_photon){.position_m = {(float)p.x, (float)p.y, (float)p.z},
+                         .direction = murk_direction_pack(sight),
+                         .normal = murk_direction_pack(end.normal),
+                         .power_w = 1,
+                         .emitted = (uint32_t)(y * c->width + x),
+                         .band = (uint8_t)s->band,
+                         .kind = murk_photon_kind(0, 0)};
+}
+
+static void look_along_row(void *context, uint64_t batch)
+{
+    const search *s = context;
+    const size_t width = s->camera->width;
+    for (size_t x = 0; x < width && !murk_interrupted(); ++x) {
+        s->point[batch * width + x] = point_at(s, x, s->first_row + batch);
+    }
+}
+
+murk_status murk_points_find(murk_photon **out, size_t *n,
+                             const murk_scenery *scenery,
+                             const murk_camera *camera, size_t first_row,
+                             size_t rows, int band, unsigned threads,
+                             murk_error *err)
+{
+    const size_t all = rows * camera->width;
+    search s = {scenery, camera, first_row, band, calloc(all, sizeof *s.point)};
+    if (!s.point) {
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for %zu points", all);
+    }
+    murk_crew_run(threads, rows, look_along_row, &s);
+    size_t kept = 0;
+    for (size_t i = 0; i < all; ++i) {
+        if (s.point[i].power_w > 0) {
+            s.point[kept++] = s.point[i];
+        }
+    }
+    *out = s.point;
+    *n = kept;
+    return MURK_OK;
+}

@@ -1,0 +1,21 @@
+#include "render/spread.h"
+
+#include <stdlib.h>
+
+size_t murk_spread_step(size_t n)
+{
+    /* odd, so that it does not walk down a column of a picture */
+    return (n > 0 ? (n - 1) / MURK_SPREAD_MOST + 1 : 1) | 1;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+float murk_spread_share(float *value, size_t n, double share)
+{
+    qsort(value, n, sizeof *value, compare);
+    return value[(size_t)(share * (double)(n - 1) + 0.5)];
+}

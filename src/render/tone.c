@@ -1,0 +1,102 @@
+#include "render/tone.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "render/spread.h"
+
+#define MIDDLE_GREY 0.18
+#define WHITE       4.0
+
+/* Pixels that are darker than the bright ones by more than so many stops say
+ * nothing of how to show these. */
+#define STOPS_MOST 12
+
+/* ITU-R BT.709 */
+static double luminance(double r, double g, double b)
+{
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+static double luminance_of(const murk_picture *p, size_t i)
+{
+    return luminance((double)p->rgb[0][i], (double)p->rgb[1][i],
+                     (double)p->rgb[2][i]);
+}
+
+/* Of the bright pixels; 0: all is dark. */
+static murk_status find_bright(double *out, const murk_picture *p,
+                               murk_error *err)
+{
+    const size_t n = p->width * p->height, step = murk_spread_step(n);
+    float *lit = malloc(MURK_SPREAD_MOST * sizeof *lit);
+    if (!lit) {
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for an exposure");
+    }
+    size_t kept = 0;
+    for (size_t i = 0; i < n; i += step) {
+        const double l = luminance_of(p, i);
+        if (l > 0 && isfinite(l)) {
+            lit[kept++] = (float)l;
+        }
+    }
+    *out = kept > 0 ? (double)murk_spread_share(lit, kept, 0.99) : 0;
+    free(lit);
+    return MURK_OK;
+}
+
+murk_status murk_tone_stops(double *out, const murk_picture *p, murk_error *err)
+{
+    double bright = 0;
+    const murk_status status = find_bright(&bright, p, err);
+    const double least = status ? 0 : ldexp(bright, -STOPS_MOST);
+    double sum = 0, counted = 0;
+    for (size_t i = 0; least > 0 && i < p->width * p->height; ++i) {
+        const double l = luminance_of(p, i);
+        if (l >= least && isfinite(l)) {
+            sum += log2(l);
+            ++counted;
+        }
+    }
+    if (!status) {
+        *out = counted > 0
+                   ? round(100 * (log2(MIDDLE_GREY) - sum / counted)) / 100
+                   : 0;
+    }
+    return status;
+}
+
+static uint8_t encoded(double linear)
+{
+    const double c = linear <= 0.0031308 ? 12.92 * linear
+                                         : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+    return (uint8_t)(255 * fmin(1, c) + 0.5);
+}
+
+void murk_tone_pixel(const double rgb[3], double stops, uint8_t out[3])
+{
+    double c[3];
+    for (int k = 0; k < 3; ++k) {
+        /* fmax() takes the other of what is no number */
+        c[k] = fmin(1e30, exp2(stops) * fmax(0, rgb[k]));
+    }
+    const double l = luminance(c[0], c[1], c[2]);
+    const double scale = (1 + l / (WHITE * WHITE)) / (1 + l);
+    for (int k = 0; k < 3; ++k) {
+        out[k] = encoded(scale * c[k]);
+    }
+}
+
+murk_status murk_tone_raster(murk_raster *out, const murk_picture *p,
+                             double stops, murk_error *err)
+{
+    const murk_status status =
+        murk_raster_create(out, p->width, p->height, err);
+    for (size_t i = 0; !status && i < p->width * p->height; ++i) {
+        const double rgb[3] = {(double)p->rgb[0][i], (double)p->rgb[1][i],
+                               (double)p->rgb[2][i]};
+        murk_tone_pixel(rgb, stops, out->rgb + 3 * i);
+    }
+    return status;
+}
