@@ -73,7 +73,7 @@ size_t murk_channels_list(const murk_picture *p, int bands,
         add_band(&f, p, b, band_nm[b]);
     }
     if (has_coverage) {
-        add(&f, "coverage.count", "seen by", "sensors", MURK_CHANNEL_COUNT,
+        add(&f, "coverage.count", "sensors that see it", "", MURK_CHANNEL_COUNT,
             p ? p->seen_by : NULL);
         add(&f, "coverage.clarity", "clearest view", "", MURK_CHANNEL_CLARITY,
             p ? p->clarity : NULL);

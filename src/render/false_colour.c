@@ -231,8 +231,8 @@ static legend legend_of(const murk_channel *channel, size_t width,
              *channel->unit ? ", " : "", channel->unit,
              c->is_log ? " (log)" : "",
              !any_grey(channel, n, c) ? ""
-             : c->is_log              ? "; grey: 0 or none"
-                                      : "; grey: none");
+             : c->is_log              ? " (grey: 0 or none)"
+                                      : " (grey: none)");
     l.scale = width > 600 ? (width + 200) / 400 : 1;
     l.pad = 16 * l.scale;
     const size_t needed = murk_text_width(l.title, l.scale) + 2 * l.pad;
