@@ -83,7 +83,7 @@ static void write_contents(FILE *to, const murk_results_in *results,
     } parts[] = {
         {"summary", "In short", true},
         {"placement", "Placement", has_plan},
-        {"where", "Where they are", scene->points.n + scene->sensors > 0},
+        {"where", "Where they are", murk_report_has_view(scene)},
         {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
         {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
         {"light", "Light", results->json[MURK_RESULT_LEDGER] != NULL},
@@ -142,7 +142,7 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
           ". This page is one file and loads nothing from elsewhere."
           "</footer>\n",
           to);
-    if (scene->points.n + scene->sensors > 0) {
+    if (murk_report_has_view(scene)) {
         const murk_web_file *view = find_file("view.js");
         fputs("<script>", to);
         (void)fwrite(view->text, 1, view->size, to);

@@ -21,6 +21,7 @@ typedef enum vertex_kind {
 
 typedef struct seen {
     uint16_t sensors, clarity;
+    uint32_t which; /* bit k: sensor k, of the first 32 */
 } sighting;
 
 typedef struct parts {
@@ -33,13 +34,20 @@ typedef struct parts {
 
 /* ---- who sees what ---- */
 
-static void take_up(sighting *to, const murk_sparse_matrix *looks)
+/* Looks of sensors first, first + 1, .. */
+static void take_up(sighting *to, const murk_sparse_matrix *looks, size_t first)
 {
-    for (size_t k = 0; k < murk_sparse_matrix_entries(looks); ++k) {
-        sighting *s = &to[looks->row[k]];
-        s->sensors = (uint16_t)(s->sensors + (s->sensors < UINT16_MAX));
-        if (looks->clarity[k] > s->clarity) {
-            s->clarity = looks->clarity[k];
+    for (size_t j = 0; j < looks->columns; ++j) {
+        const size_t sensor = first + j;
+        const uint32_t bit =
+            sensor < MURK_PLAN_PLY_SENSORS ? UINT32_C(1) << sensor : 0;
+        for (size_t k = looks->begin[j]; k < looks->begin[j + 1]; ++k) {
+            sighting *s = &to[looks->row[k]];
+            s->sensors = (uint16_t)(s->sensors + (s->sensors < UINT16_MAX));
+            s->which |= bit;
+            if (looks->clarity[k] > s->clarity) {
+                s->clarity = looks->clarity[k];
+            }
         }
     }
 }
@@ -57,7 +65,7 @@ static murk_status look_all(parts *p, murk_error *err)
         status =
             murk_sparse_matrix_collect(&looks, &problem.problem, SIZE_MAX, err);
         if (!status) {
-            take_up(p->seen, looks);
+            take_up(p->seen, looks, first);
         }
         murk_sparse_matrix_destroy(looks);
     }
@@ -77,19 +85,20 @@ static void put_vertex(FILE *to, const float place_m[3], vertex_kind kind,
                                                             : green;
     const uint8_t number = (uint8_t)kind;
     const float quality = (float)s.clarity / MURK_CLEAR;
-    uint8_t bytes[22];
+    uint8_t bytes[26];
     memcpy(bytes, place_m, 12);
     memcpy(bytes + 12, color, 3);
     memcpy(bytes + 15, &number, 1);
     memcpy(bytes + 16, &s.sensors, 2);
     memcpy(bytes + 18, &quality, 4);
+    memcpy(bytes + 22, &s.which, 4);
     (void)fwrite(bytes, 1, sizeof bytes, to); /* commit asks ferror */
 }
 
 static void put_sensor(FILE *to, murk_vec3 at, vertex_kind kind)
 {
     const float place_m[3] = {(float)at.x, (float)at.y, (float)at.z};
-    put_vertex(to, place_m, kind, (sighting){0, MURK_CLEAR});
+    put_vertex(to, place_m, kind, (sighting){0, MURK_CLEAR, 0});
 }
 
 static void put_map(FILE *to, const murk_photon_map *map, vertex_kind kind,
@@ -165,7 +174,7 @@ static murk_status write_ply(const char *path, const void *context,
         "property float x\nproperty float y\nproperty float z\n"
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
         "property uchar kind\nproperty ushort seen_by\n"
-        "property float quality\n"
+        "property float quality\nproperty uint sensors\n"
         "element face %zu\nproperty list uchar int vertex_indices\n"
         "end_header\n",
         p->sensors + corners + p->photons, faces);

@@ -5,6 +5,8 @@
 #include "app/results.h"
 #include "sensing/sight.h"
 
+#define MURK_PLAN_PLY_SENSORS 32 /* that have a bit */
+
 /* Vertices: the sensors, in order; the corners of each one's mark (app/mark.h),
  * which the faces join (a point alone is hard to see); the stored photons,
  * surface map first, in the maps' order. Each with
@@ -16,6 +18,8 @@
  *                     3 corner of a sensor's mark
  *     seen_by         ushort: of a photon, how many sensors see it
  *     quality         float, 0..1: of a photon, its clearest sightline; else 1
+ *     sensors         uint: of a photon, who sees it: bit k is sensor k, from
+ *                     0, of the first 32
  *
  * Binary, little endian. size_m: of the world; octahedra are one part
  * in a hundred of it wide, views two parts long. */

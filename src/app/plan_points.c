@@ -1,15 +1,22 @@
 #include "app/plan_points.h"
 
+#include "photonmap/light_file.h"
+#include "photonmap/photon.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #define HEADER_MAX     2048
-#define VERTEX         22 /* bytes */
+#define VERTEX         26 /* bytes */
 #define SURFACE_PHOTON 1  /* of a vertex's kind */
 #define VOLUME_PHOTON  2
+
+#define FARTHEST_M       1e12F
+#define LIGHT_MOST_BYTES 2000000000
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are read as they lie in the file");
@@ -18,7 +25,7 @@ static const char properties[] =
     "property float x\nproperty float y\nproperty float z\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\n"
     "property uchar kind\nproperty ushort seen_by\n"
-    "property float quality\n";
+    "property float quality\nproperty uint sensors\n";
 
 /* Moves behind the header, and says how many vertices it promises. */
 static murk_status read_header(FILE *file, uint64_t *vertices, const char *path,
@@ -58,9 +65,10 @@ static vertex vertex_of(const unsigned char bytes[VERTEX])
                     bytes[15] == SURFACE_PHOTON || bytes[15] == VOLUME_PHOTON};
     memcpy(v.point.place_m, bytes, 12);
     memcpy(&v.point.seen_by, bytes + 16, 2);
+    memcpy(&v.point.sensors, bytes + 22, 4);
     v.point.is_volume = bytes[15] == VOLUME_PHOTON;
     for (int k = 0; k < 3; ++k) {
-        v.is_photon = v.is_photon && isfinite(v.point.place_m[k]);
+        v.is_photon = v.is_photon && fabsf(v.point.place_m[k]) <= FARTHEST_M;
     }
     return v;
 }
@@ -131,6 +139,75 @@ murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
     }
     const murk_status status = read_points(out, file, path, most, err);
     fclose(file);
+    return status;
+}
+
+/* ---- light.murk ---- */
+
+/* room of all photons, evenly chosen: those that are in this map, which has
+ * `before` of them before it. */
+static void take_map(murk_plan_points *out, size_t room,
+                     const murk_section *map, uint64_t before)
+{
+    const murk_photon *photon = map->bytes;
+    const size_t n = map->size / sizeof *photon;
+    const double share = (double)out->photons / (double)room;
+    while (out->n < room) {
+        const uint64_t next = (uint64_t)((double)out->n * share);
+        if (next - before >= n) {
+            return;
+        }
+        const murk_photon *p = &photon[next - before];
+        murk_plan_point *to = &out->point[out->n++];
+        *to = (murk_plan_point){.is_volume = murk_photon_is_volume(p)};
+        for (int k = 0; k < 3; ++k) {
+            to->place_m[k] =
+                fabsf(p->position_m[k]) <= FARTHEST_M ? p->position_m[k] : 0;
+        }
+    }
+}
+
+static murk_status take_light(murk_plan_points *out,
+                              const murk_section *sections, size_t n,
+                              const char *path, size_t most, murk_error *err)
+{
+    static const char *const names[] = {"surface", "volume"};
+    const murk_section *map[2];
+    for (int k = 0; k < 2; ++k) {
+        map[k] = murk_light_file_find(sections, n, names[k]);
+        if (!map[k]) {
+            return murk_fail(err, MURK_BAD_FILE, path, "has no %s map",
+                             names[k]);
+        }
+        out->photons += map[k]->size / sizeof(murk_photon);
+    }
+    const size_t room = out->photons < most ? (size_t)out->photons : most;
+    out->point = malloc((room + 1) * sizeof *out->point);
+    if (!out->point) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+    }
+    take_map(out, room, map[0], 0);
+    take_map(out, room, map[1], map[0]->size / sizeof(murk_photon));
+    return MURK_OK;
+}
+
+murk_status murk_plan_points_of_light(murk_plan_points *out, const char *path,
+                                      size_t most, murk_error *err)
+{
+    murk_section *sections = NULL;
+    size_t n = 0;
+    struct stat known;
+    *out = (murk_plan_points){0};
+    if (stat(path, &known) == 0 && known.st_size > LIGHT_MOST_BYTES) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "%.1f GB, may have %.0f GB for a view",
+                         (double)known.st_size / 1e9, LIGHT_MOST_BYTES / 1e9);
+    }
+    murk_status status = murk_light_file_read(&sections, &n, path, err);
+    if (!status) {
+        status = take_light(out, sections, n, path, most, err);
+    }
+    murk_light_file_release(sections, n);
     return status;
 }
 

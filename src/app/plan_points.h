@@ -1,4 +1,4 @@
-/* plan.ply, read back: photons, and how many sensors see each. */
+/* plan.ply, read back: photons, and which sensors see each. */
 #ifndef MURK_APP_PLAN_POINTS_H
 #define MURK_APP_PLAN_POINTS_H
 
@@ -10,6 +10,7 @@
 
 typedef struct murk_plan_point {
     float place_m[3];
+    uint32_t sensors; /* bit k: sensor k sees it; of the first 32 */
     uint16_t seen_by;
     bool is_volume;
 } murk_plan_point;
@@ -26,6 +27,12 @@ typedef struct murk_plan_points {
  * Release *out in any case. */
 murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
                                   size_t most, murk_error *err);
+
+/* The same of a light.murk, for which no sensor looked: the surface map, then
+ * the volume map. Files above 2 GB fail. */
+murk_status murk_plan_points_of_light(murk_plan_points *out, const char *path,
+                                      size_t most, murk_error *err);
+
 void murk_plan_points_release(murk_plan_points *points);
 
 #endif

@@ -51,7 +51,7 @@ static bool fit(projection *p, const murk_report_scene *s)
         }
     }
     const double wide = high[0] - low[0], tall = high[1] - low[1];
-    if (!(wide < INFINITY && tall < INFINITY)) {
+    if (!(wide >= 0 && wide < INFINITY && tall < INFINITY)) {
         return false;
     }
     const double room = fmax(fmax(wide, tall), 1e-6);
@@ -151,7 +151,7 @@ murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
         .name = "From above: x to the right, y up", .across = 0, .up = 1};
     projection side = {
         .name = "From the side: x to the right, z up", .across = 0, .up = 2};
-    if (scene->points.n + scene->sensors == 0) {
+    if (!murk_report_has_view(scene)) {
         return MURK_OK;
     }
     murk_page_section_begin(to, "where", "Where they are");

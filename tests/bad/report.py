@@ -19,6 +19,7 @@ PLY = ("ply\nformat binary_little_endian 1.0\ncomment x\nelement vertex %d\n"
        "property float x\nproperty float y\nproperty float z\n"
        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
        "property uchar kind\nproperty ushort seen_by\nproperty float quality\n"
+       "property uint sensors\n"
        "element face 0\nproperty list uchar int vertex_indices\nend_header\n")
 MEMORY = 1 << 30
 failures = 0
@@ -32,7 +33,7 @@ def check(holds, *what):
 
 
 def photon(x, kind=1, seen=0):
-    return struct.pack("<3f3BBHf", x, 0, 0, 0, 0, 0, kind, seen, 1)
+    return struct.pack("<3f3BBHfI", x, 0, 0, 0, 0, 0, kind, seen, 1, 2**32 - 1)
 
 
 def main(murk, is_sanitized):
@@ -133,7 +134,7 @@ def main(murk, is_sanitized):
         plan()
         write("plan.ply", (PLY % 250000).encode() +
               b"".join(photon(k * 1e-3, 1 + k % 2, k % 3) for k in range(250000)))
-        run(0, "Of 250000 stored photons 100000 are shown")
+        run(0, "Of 250000 stored photons 100000 are here")
         plan()
         write("scene.yaml", "murk: 1\nnonsense: 3\n")
         run(0, "scene.yaml cannot be read again")

@@ -89,8 +89,8 @@ def seen_points(path):
     head, body = data.split(b"end_header\n", 1)
     count = next(int(line.split()[2]) for line in head.splitlines()
                  if line.startswith(b"element vertex"))
-    for x, y, z, _, _, _, kind, seen_by, quality in struct.iter_unpack(
-            "<3f3BBHf", body[:22 * count]):
+    for x, y, z, _, _, _, kind, seen_by, quality, _ in struct.iter_unpack(
+            "<3f3BBHfI", body[:26 * count]):
         if kind == 2:
             yield (x, y, z), seen_by, quality
 

@@ -14,7 +14,7 @@ import tempfile
 
 from exchange import Failed, Murk, check
 
-SIZES = {"float": "f", "uchar": "B", "ushort": "H", "int": "i"}
+SIZES = {"float": "f", "uchar": "B", "ushort": "H", "int": "i", "uint": "I"}
 TYPES = ("[{name: node, range_m: 2}, "
          "{name: cam, range_m: 3, view: {hfov_deg: 70, vfov_deg: 40}, headings: 6, "
          "tilts_deg: [-20], least_count: 1}, "

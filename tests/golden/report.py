@@ -112,12 +112,12 @@ def block(text, name):
 
 
 def photons_of(path):
-    """x, y, z, seen_by of plan.ply's photons."""
+    """x, y, z, seen_by, sensors of plan.ply's photons."""
     with open(path, "rb") as file:
         head, body = file.read().split(b"end_header\n", 1)
     n = int(re.search(rb"element vertex (\d+)", head).group(1))
-    rows = struct.iter_unpack("<3f4BHf", body[:22 * n])
-    return [(*row[:3], row[7]) for row in rows if row[6] in (1, 2)]
+    rows = struct.iter_unpack("<3f4BHfI", body[:26 * n])
+    return [(*row[:3], row[7], row[9]) for row in rows if row[6] in (1, 2)]
 
 
 def hash_of(text):
@@ -223,28 +223,32 @@ def main(murk):
         with open(at("plan/report.html"), encoding="utf-8") as file:
             text = file.read()
         data = json.loads(block(text, "view-data"))
-        places = array.array("H", base64.b64decode(block(text, "photon-places")))
-        seen = base64.b64decode(block(text, "photon-seen"))
+        places = array.array("H", base64.b64decode(block(text, "photon-places-0")))
+        seen = base64.b64decode(block(text, "photon-seen-0"))
+        (state,) = data["states"]
+        who = base64.b64decode(block(text, "photon-sensors-0"))
         want = photons_of(at("plan/plan.ply"))
-        check(len(want) == photons == len(seen) == len(places) // 3 == data["photons"],
+        check(len(want) == photons == len(seen) == len(places) // 3 == state["photons"],
               "photons in the view")
-        low, high = data["photon_box"]["low"], data["photon_box"]["high"]
+        low, high = state["low"], state["high"]
         far = max(abs(low[k] + (high[k] - low[k]) * places[3 * i + k] / 65535 - want[i][k])
                   for i in range(photons) for k in range(3))
         check(far <= .5001 * max(h - l for l, h in zip(low, high)) / 65535, "places off by", far)
         check(list(seen) == [w[3] for w in want], "seen by")
-        check(data["surface_photons"] == plan["photons"]["surface"], "photons on surfaces")
-        check(len(base64.b64decode(block(text, "mesh-corners"))) == 24 * 12, "triangles")
+        check(state["bit_bytes"] == 1 and list(who) == [w[4] for w in want], "by whom")
+        check(all(bin(w[4]).count("1") == w[3] for w in want), "as many as see it")
+        check(state["surface_photons"] == plan["photons"]["surface"], "photons on surfaces")
+        check(len(base64.b64decode(block(text, "mesh-corners-0"))) == 24 * 6, "triangles")
         check(data["balls"] == [{"center": [3, 3, 1], "radius": 0.3}] or
               abs(data["balls"][0]["radius"] - 0.3) < 1e-6, data["balls"])
-        check([s["type"] for s in data["sensors"]] == [s["type"] for s in plan["sensors"]],
+        check([s["type"] for s in state["sensors"]] == [s["type"] for s in plan["sensors"]],
               "names in the view")
-        for shown, sensor in zip(data["sensors"], plan["sensors"]):
+        for shown, sensor in zip(state["sensors"], plan["sensors"]):
             check(shown["place"] == sensor["position_m"], shown)
             check(sensor["heading_deg"] is None or
                   all(abs(a - b) < 1e-9 for a, b in zip(shown["axis"], sensor["axis"])), shown)
-        cells = base64.b64decode(block(text, "media-cells"))
-        check(len(cells) == math.prod(data["media"]["size"]) and set(cells) == {255}, "even fog")
+        cells = base64.b64decode(block(text, "media-cells-0"))
+        check(len(cells) == math.prod(data["media"][0]["size"]) and set(cells) == {255}, "even fog")
 
         # from the scene beside it: the same plan
         paste(f"cd {folder}\n" + commands(at("plan/report.html"))[1])
@@ -277,7 +281,7 @@ def main(murk):
         run("study", "study.yaml", "-o", "study", "--quiet")
         run("report", "study")
         page = read(at("study/report.html"))
-        check(page.tags.count("svg") == 2, page.tags.count("svg"), "plots, want 2")
+        check(page.tags.count("svg") == 4, page.tags.count("svg"), "want 2 plots, 2 drawings")
         check("photons.emit 500" in page.text, "no line's name")
         with open(at("study/report.html"), encoding="utf-8") as file:
             text = file.read()

@@ -1,0 +1,29 @@
+/* What the view in space draws, as its script reads it: one JSON text and
+ * blocks of bytes (tools/report/view.js reads these names). */
+#ifndef MURK_APP_VIEW_DATA_H
+#define MURK_APP_VIEW_DATA_H
+
+#include "app/report_scene.h"
+#include "app/view_media.h"
+#include "app/view_mesh.h"
+
+typedef struct murk_view_data {
+    const murk_report_scene *scene; /* borrowed */
+    murk_box box;                   /* of what is to be looked at */
+    murk_view_mesh mesh;
+    murk_view_media media[MURK_SHOWN_STATES_MAX]; /* [medias] that differ */
+    size_t medias;
+    size_t media_of[MURK_SHOWN_STATES_MAX]; /* of each state: its media */
+} murk_view_data;
+
+/* Release *out in any case. Fails with MURK_NO_MEMORY. */
+murk_status murk_view_data_make(murk_view_data *out,
+                                const murk_report_scene *scene,
+                                murk_error *err);
+void murk_view_data_release(murk_view_data *data);
+
+/* Script elements that no browser runs. Fails with MURK_NO_MEMORY. */
+murk_status murk_view_data_write(FILE *to, const murk_view_data *data,
+                                 murk_error *err);
+
+#endif

@@ -1,0 +1,24 @@
+/* Media as the view draws them: extinction in cells of a box. */
+#ifndef MURK_APP_VIEW_MEDIA_H
+#define MURK_APP_VIEW_MEDIA_H
+
+#include "study/stage.h"
+
+typedef struct murk_view_media {
+    murk_box box;
+    size_t size[3];
+    uint8_t *cell; /* [size[0] * size[1] * size[2]], x fastest: extinction in
+                      the first band at the cell's middle, 255: the most of
+                      all. NULL: no medium */
+    double least_per_m, most_per_m;
+    bool is_even; /* the same everywhere, to a hundredth */
+} murk_view_media;
+
+/* At most `most` cells, cubes as far as the box allows. NULL for no world: no
+ * media. Fails with MURK_NO_MEMORY. Release *out in any case. */
+murk_status murk_view_media_make(murk_view_media *out, const murk_stage *stage,
+                                 const murk_box *box, size_t most,
+                                 murk_error *err);
+void murk_view_media_release(murk_view_media *media);
+
+#endif
