@@ -2,6 +2,7 @@
 #include "app/session.h"
 #include "calibrate/covered.h"
 #include "scene/yaml.h"
+#include "study/machine.h"
 
 #include "base/progress.h"
 
@@ -19,6 +20,7 @@ typedef struct fit {
     char **asked; /* [n_asked] of --predict, else the options' */
     size_t n_asked;
     bool owns_asked;
+    double foretold_bytes; /* of memory, by the program */
 } fit;
 
 /* The files of all conditions first, then the scene's own world. */
@@ -163,6 +165,15 @@ static void tell_step(void *context, size_t start, size_t traces, int iteration,
                        traces, iteration, chi2);
 }
 
+/* All that the program will take, with what it has by now. */
+static void tell_memory(void *context, double bytes, double have_bytes)
+{
+    fit *f = context;
+    f->foretold_bytes = murk_machine_peak_bytes() + bytes;
+    murk_progress_text("takes about %.2g GB of %.3g GB free", bytes / 1e9,
+                       have_bytes / 1e9);
+}
+
 /* What would else come up when all has been traced. */
 static murk_status check_wishes(const fit *f, const murk_session *session,
                                 murk_error *err)
@@ -246,8 +257,10 @@ static murk_status write_files(const fit *f, murk_session *session,
     }
     if (!status && murk_session_speaks(session)) {
         murk_print_fit(&facts);
-        printf("time        %.2f s: load %.2f, trace %.2f\n",
-               session->run.total_s, session->run.load_s, session->run.trace_s);
+        printf("time        %.2f s: load %.2f, trace %.2f; memory %.2g GB "
+               "(%.2g foretold)\n",
+               session->run.total_s, session->run.load_s, session->run.trace_s,
+               murk_machine_peak_bytes() / 1e9, f->foretold_bytes / 1e9);
         murk_print_files(session);
     }
     return status;
@@ -266,7 +279,9 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
                                         .threads = o->threads,
                                         .seed = session->scene->seed,
                                         .only_predicts = o->fit.predict != NULL,
-                                        .watch = tell_step};
+                                        .watch = tell_step,
+                                        .foretold = tell_memory,
+                                        .context = f};
     murk_progress_begin_over("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
     murk_progress_end();

@@ -333,7 +333,9 @@ murk_status murk_calibrate(murk_calibration *out,
     const murk_model_desc model_desc = {.keys = desc->keys,
                                         .measured = desc->measured,
                                         .donors = desc->donors,
-                                        .threads = desc->threads};
+                                        .threads = desc->threads,
+                                        .foretold = desc->foretold,
+                                        .context = desc->context};
     murk_fit_search search = {0};
     const size_t starts = desc->only_predicts ? 0
                           : desc->starts      ? desc->starts

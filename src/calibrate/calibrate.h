@@ -34,6 +34,8 @@ typedef struct murk_calibration_desc {
     /* After each step of the search, on the caller's thread; may be NULL. */
     void (*watch)(void *context, size_t start, size_t traces, int iteration,
                   double chi2, const double *value);
+    /* As in murk_model_desc. */
+    void (*foretold)(void *context, double bytes, double have_bytes);
     void *context;
 } murk_calibration_desc;
 

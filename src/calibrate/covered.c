@@ -91,6 +91,17 @@ void murk_covered_destroy(murk_covered *covered)
     }
 }
 
+double murk_covered_bytes(const murk_covered *covered)
+{
+    const murk_seen *seen = covered->seen;
+    double bytes =
+        (double)seen->n * (sizeof *seen->worth_w + sizeof *seen->kind);
+    for (size_t g = 0; g < seen->groups; ++g) {
+        bytes += murk_sightlines_bytes(&seen->of[g], seen->media);
+    }
+    return bytes;
+}
+
 /* ---- extinctions as sensors see them ---- */
 
 static double extinction_of(const murk_optics *optics, size_t medium,

@@ -38,6 +38,9 @@ murk_status murk_covered_create(murk_covered **out,
                                 const murk_covered_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */
 
+/* Bytes that it holds by what is seen, so in proportion to the photons. */
+double murk_covered_bytes(const murk_covered *covered);
+
 /* value[groups], slope[groups][keys]; batch[batches][groups], or NULL with 0:
  * the linearised parts of batches of photons, whose total over batches is the
  * value and whose covariance is the values' (calibrate/coverage_ratio.h);

@@ -10,10 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Growing arrays hold up to 1.5 times what is in them, and that beside the old
- * ones while they move. */
-#define WHILE_GROWING 2.5
-
 typedef struct job {
     const murk_followed_desc *desc;
     murk_emission emission;
@@ -33,7 +29,7 @@ static double bytes_at(const job *j, double grow)
     const murk_harvest *harvest = j->recorder->harvest;
     const double records =
         harvest ? grow * (double)(harvest->surface.n + harvest->volume.n) : 0;
-    return WHILE_GROWING *
+    return MURK_WHILE_GROWING *
                (murk_recorded_bytes(j->desc->media, grow * (double)all->n,
                                     grow * (double)all->turns) +
                 sizeof(murk_photon) * records) +

@@ -24,11 +24,12 @@ static murk_status count_watts(murk_lit *lit, murk_error *err)
     return MURK_OK;
 }
 
-static murk_status follow(murk_lit *lit, murk_error *err)
+static murk_status follow(murk_lit *lit, uint64_t photons, murk_error *err)
 {
     const murk_lit_desc *d = lit->desc;
     const murk_posts *posts = d->posts;
     const murk_followed_desc followed = {.stage = lit->stage,
+                                         .photons = photons,
                                          .threads = d->threads,
                                          .medium = d->medium,
                                          .media = d->media,
@@ -53,8 +54,8 @@ static murk_status follow(murk_lit *lit, murk_error *err)
     return status;
 }
 
-murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
-                            const double *value, murk_error *err)
+murk_status murk_lit_build(murk_lit *out, const murk_lit_desc *desc,
+                           const double *value, murk_error *err)
 {
     *out = (murk_lit){.desc = desc};
     const murk_free_keys *keys = desc->keys;
@@ -71,17 +72,34 @@ murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
         status =
             murk_free_optics(&out->optics, keys, desc->condition, value, err);
     }
-    if (!status && desc->posts->lit) {
-        status = follow(out, err);
-    }
     return status;
 }
 
-void murk_lit_release(murk_lit *lit)
+murk_status murk_lit_light(murk_lit *lit, uint64_t photons, murk_error *err)
+{
+    return lit->desc->posts->lit ? follow(lit, photons, err) : MURK_OK;
+}
+
+murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
+                            const double *value, murk_error *err)
+{
+    const murk_status status = murk_lit_build(out, desc, value, err);
+    return status ? status : murk_lit_light(out, 0, err);
+}
+
+void murk_lit_darken(murk_lit *lit)
 {
     free(lit->per_watt);
     murk_covered_destroy(lit->covered);
     murk_followed_destroy(lit->followed);
+    lit->per_watt = NULL;
+    lit->covered = NULL;
+    lit->followed = NULL;
+}
+
+void murk_lit_release(murk_lit *lit)
+{
+    murk_lit_darken(lit);
     murk_optics_destroy(lit->optics);
     murk_stage_destroy(lit->stage);
     murk_scene_destroy(lit->scene);

@@ -30,10 +30,19 @@ typedef struct murk_lit {
     murk_spectrum *per_watt; /* [receivers][lights] to their units */
 } murk_lit;
 
-/* Release also after a failure. */
+/* Its world, dark. Release also after a failure. */
+murk_status murk_lit_build(murk_lit *out, const murk_lit_desc *desc,
+                           const double *value, murk_error *err);
+void murk_lit_release(murk_lit *lit);
+
+/* Its light, where a row asks for any: of as many photons as the scene says, or
+ * of so many (not 0). To be darkened, or released, also after a failure. */
+murk_status murk_lit_light(murk_lit *lit, uint64_t photons, murk_error *err);
+void murk_lit_darken(murk_lit *lit);
+
+/* Both. Release also after a failure. */
 murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
                             const double *value, murk_error *err);
-void murk_lit_release(murk_lit *lit);
 
 /* Rows of light, posts->lit of them: value[lit] in their units without gain;
  * slope[lit][keys], or NULL, by the keys of sides[keys]; batch[batches][lit]

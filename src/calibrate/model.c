@@ -3,7 +3,9 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "calibrate/beams.h"
+#include "calibrate/foretold.h"
 #include "calibrate/world_slopes.h"
+#include "study/machine.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -286,43 +288,98 @@ static void warn_of_few(const murk_model *m, const murk_model_world *w)
     free(photons);
 }
 
+/* What cannot fit is refused before light is traced. */
+static murk_status foretell(murk_model *m, murk_error *err)
+{
+    murk_foretold foretold;
+    const murk_status status = murk_model_foretell(&foretold, m, err);
+    if (status) {
+        return status;
+    }
+    m->memory_bytes = foretold.bytes;
+    const double have = murk_machine_memory_bytes();
+    if (m->desc.foretold) {
+        m->desc.foretold(m->desc.context, foretold.bytes, have);
+    }
+    return foretold.bytes <= have
+               ? MURK_OK
+               : murk_fail(
+                     err, MURK_BAD_VALUE, m->world[0].scene->photons.where,
+                     "the fit would keep about %.3g contributions of "
+                     "light and take %.3g GB, must be at most the %.3g "
+                     "GB that are free: fewer photons, receivers, "
+                     "sensors or free keys",
+                     foretold.contributions, foretold.bytes / 1e9, have / 1e9);
+}
+
+/* All worlds, dark. */
+static murk_status build_worlds(murk_model *m, const double *value,
+                                murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t c = 0; c < m->worlds; ++c) { /* before more is needed */
+        murk_lit_release(&m->world[c].lit);
+        murk_reweighed_release(&m->world[c].rows.reweighed);
+    }
+    for (size_t c = 0; c < m->worlds && !status; ++c) {
+        murk_model_world *w = &m->world[c];
+        status = murk_lit_build(&w->lit, &w->desc, value, err);
+        if (!status) {
+            status = murk_beams_check(w->lit.stage, m->desc.measured,
+                                      m->desc.keys->condition[c], err);
+        }
+    }
+    return status;
+}
+
+static murk_status light_world(murk_model *m, size_t c, murk_error *err)
+{
+    murk_model_world *w = &m->world[c];
+    if (!w->posts.lit) {
+        return MURK_OK;
+    }
+    murk_status status = murk_lit_light(&w->lit, 0, err);
+    if (!status) {
+        ++m->traces;
+        m->photons = w->lit.followed->emitted;
+        warn_of_few(m, w);
+    }
+    if (!status && w->has_world_keys) {
+        const murk_warn_sink before = murk_warn_to(NULL);
+        status = slopes_of_world(m, c, err);
+        (void)murk_warn_to(before);
+    }
+    return status;
+}
+
 murk_status murk_model_trace(murk_model *m, const double *value,
                              murk_error *err)
 {
-    murk_status status = MURK_OK;
     /* what there is to say of the worlds is said once */
     const murk_warn_sink sink = m->was_built ? murk_warn_to(NULL) : NULL;
     memcpy(m->traced, value, m->n * sizeof *value);
     for (size_t k = 0; k < m->n; ++k) {
         m->slope_off[k] = m->slope_size[k] = 0;
     }
-    for (size_t c = 0; c < m->worlds && !status; ++c) {
-        murk_model_world *w = &m->world[c];
-        murk_lit_release(&w->lit);
-        murk_reweighed_release(&w->rows.reweighed); /* before more is needed */
-        const double begun_s = murk_clock_s();
-        status = murk_lit_create(&w->lit, &w->desc, value, err);
-        if (!status) {
-            status = murk_beams_check(w->lit.stage, m->desc.measured,
-                                      m->desc.keys->condition[c], err);
-        }
-        if (!status && w->posts.lit) {
-            ++m->traces;
-            m->photons = w->lit.followed->emitted;
-            warn_of_few(m, w);
-        }
-        if (!status && w->posts.lit && w->has_world_keys) {
-            const murk_warn_sink before = murk_warn_to(NULL);
-            status = slopes_of_world(m, c, err);
-            (void)murk_warn_to(before);
-        }
-        m->trace_s += murk_clock_s() - begun_s;
+    const double begun_s = murk_clock_s();
+    murk_status status = build_worlds(m, value, err);
+    if (!status && !m->was_built) {
+        status = foretell(m, err);
     }
+    for (size_t c = 0; c < m->worlds && !status; ++c) {
+        status = light_world(m, c, err);
+    }
+    m->trace_s += murk_clock_s() - begun_s;
     if (m->was_built) {
         (void)murk_warn_to(sink);
     }
     m->was_built = true;
     return status;
+}
+
+double murk_model_memory_bytes(const murk_model *m)
+{
+    return m->memory_bytes;
 }
 
 double murk_model_slope_error(const murk_model *m, size_t key)

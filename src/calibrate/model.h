@@ -19,6 +19,10 @@ typedef struct murk_model_desc {
     const murk_measurements *measured;
     unsigned threads;
     const murk_donors *donors; /* of the keys' scene */
+    /* Before light is first traced, on the caller's thread: the memory that it
+     * all will take, and what there is [bytes]; may be NULL. */
+    void (*foretold)(void *context, double bytes, double have_bytes);
+    void *context;
 } murk_model_desc;
 
 typedef struct murk_model murk_model;
@@ -30,9 +34,14 @@ murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
 void murk_model_destroy(murk_model *model); /* NULL is fine */
 
 /* Builds the worlds at these values and lights those that rows of light ask
- * for. value[keys->n]. Refuses what cannot be measured in them. */
+ * for. value[keys->n]. Refuses what cannot be measured in them and, the first
+ * time, before light is traced, what would take more memory than there is. */
 murk_status murk_model_trace(murk_model *model, const double *value,
                              murk_error *err);
+
+/* Memory that the fit takes, as foretold by the first trace [bytes]; 0 before.
+ */
+double murk_model_memory_bytes(const murk_model *model);
 
 /* Rows at other values: predicted[rows] in each row's own unit, gain included;
  * slope[rows][keys->n] by the keys' values, or NULL. *effective_share: the

@@ -34,6 +34,7 @@ struct murk_model {
     size_t batches, runs;
     size_t traces;
     bool was_built;
+    double memory_bytes; /* foretold; 0: not yet */
     uint64_t photons;
     double trace_s;
 };

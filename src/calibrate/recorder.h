@@ -61,6 +61,10 @@ void murk_recorder_leg(void *context, uint64_t batch,
 murk_status murk_recorder_gather(murk_recorder *recorder, uint64_t last,
                                  murk_error *err);
 
+/* Growing arrays have room for up to 1.5 times what is in them. The old ones
+ * are not held beside: arrays of such size move by their pages. */
+#define MURK_WHILE_GROWING 1.5
+
 /* Bytes that n contributions and so many turns take. */
 double murk_recorded_bytes(size_t media, double n, double turns);
 

@@ -168,3 +168,12 @@ void murk_sightlines_release(murk_sightlines *lines)
     free(lines->acceptance);
     *lines = (murk_sightlines){0};
 }
+
+double murk_sightlines_bytes(const murk_sightlines *lines, size_t media)
+{
+    const size_t each = sizeof *lines->contribution +
+                        media * sizeof *lines->path_m +
+                        (lines->rest ? sizeof *lines->rest : 0) +
+                        (lines->acceptance ? sizeof *lines->acceptance : 0);
+    return (double)lines->n * (double)each;
+}

@@ -48,4 +48,7 @@ bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
                           size_t contributions);
 void murk_sightlines_release(murk_sightlines *lines);
 
+/* Bytes that they take. */
+double murk_sightlines_bytes(const murk_sightlines *lines, size_t media);
+
 #endif

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "calibrate/followed.h"
 #include "planted.h"
+#include "study/machine.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -108,10 +109,12 @@ static bool fit(planted_field *field)
                seconds / reference_s, THREADS);
         fprintf(stderr,
                 "%s: %zu rows, %zu keys, %llu photons: %zu traces in %.1f s, "
-                "%zu evaluations; %s\n",
+                "%zu evaluations; memory %.3g GB, of the fit %.3g foretold; "
+                "%s\n",
                 field->of->name, field->measured->rows, found.n,
                 (unsigned long long)found.photons, found.traces, found.trace_s,
-                found.evaluations,
+                found.evaluations, murk_machine_peak_bytes() / 1e9,
+                murk_model_memory_bytes(found.model) / 1e9,
                 found.converged ? "converged" : "not converged");
     }
     murk_calibration_release(&found);
