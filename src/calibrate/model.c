@@ -328,6 +328,10 @@ static murk_status build_worlds(murk_model *m, const double *value,
             status = murk_beams_check(w->lit.stage, m->desc.measured,
                                       m->desc.keys->condition[c], err);
         }
+        if (!status) {
+            murk_posts_warn_of_cut(&w->posts, m->desc.measured,
+                                   w->lit.stage->surfaces);
+        }
     }
     return status;
 }

@@ -1,6 +1,9 @@
 #include "calibrate/posts.h"
 
+#include "base/log.h"
+
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static void add_receiver(murk_posts *p, const murk_reading *reading, size_t row)
@@ -78,4 +81,40 @@ void murk_posts_release(murk_posts *posts)
     free(posts->lit_row);
     free(posts->beam_row);
     *posts = (murk_posts){0};
+}
+
+/* Of the radius; a cap less high than this holds less than 7.5e-5 of the ball
+ * (3/4 of its square), and touching is not crossing. */
+#define CUT_DEPTH .01
+
+/* Receivers that are named one by one. */
+#define CUT_NAMED 5
+
+void murk_posts_warn_of_cut(const murk_posts *posts,
+                            const murk_measurements *measured,
+                            const murk_surfaces *surfaces)
+{
+    size_t cut = 0;
+    for (size_t i = 0; i < posts->receivers; ++i) {
+        const murk_receiver *r = &posts->receiver[i];
+        if (!murk_surfaces_near(surfaces, r->center,
+                                (1 - CUT_DEPTH) * r->radius_m) ||
+            ++cut > CUT_NAMED) {
+            continue;
+        }
+        const size_t row = posts->lit_row[i];
+        char where[320];
+        snprintf(where, sizeof where, "%s:%zu", measured->path,
+                 measured->reading[measured->row[row].first].line);
+        murk_warn(where,
+                  "a surface cuts the receiver of %g m around (%g, %g, %g) m, "
+                  "behind which it is dark: it reads low; take a smaller "
+                  "radius_m, or a place farther from the surface",
+                  r->radius_m, r->center.x, r->center.y, r->center.z);
+    }
+    if (cut > CUT_NAMED) {
+        murk_warn(measured->path,
+                  "%zu more receivers are cut by surfaces and read low",
+                  cut - CUT_NAMED);
+    }
 }

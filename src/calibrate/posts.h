@@ -28,4 +28,10 @@ murk_status murk_posts_create(murk_posts *out,
                               size_t condition, murk_error *err);
 void murk_posts_release(murk_posts *posts);
 
+/* Warns of receivers whose sphere a surface crosses: what lies behind it is
+ * dark, so they read low. */
+void murk_posts_warn_of_cut(const murk_posts *posts,
+                            const murk_measurements *measured,
+                            const murk_surfaces *surfaces);
+
 #endif
