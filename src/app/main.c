@@ -22,7 +22,7 @@ static murk_status run(const murk_options *options, murk_error *err)
         return MURK_OK;
     }
     if (options->wants_man) {
-        murk_man_print(stdout);
+        murk_man_print(stdout, options->command);
         return MURK_OK;
     }
     if (options->wants_help) {

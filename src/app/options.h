@@ -105,8 +105,8 @@ void murk_options_release(murk_options *options);
 /* --help of one command, or of the program (NULL). */
 void murk_help_print(FILE *to, const murk_command *command);
 
-/* The man page, in roff. */
-void murk_man_print(FILE *to);
+/* The man page of one command, or of the program (NULL), in roff. */
+void murk_man_print(FILE *to, const murk_command *command);
 
 /* The commands, each in its own file. */
 murk_status murk_command_check(const murk_options *, murk_error *);

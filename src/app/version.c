@@ -17,6 +17,11 @@ const char *murk_version_commit(void)
     return MURK_BUILD_COMMIT;
 }
 
+const char *murk_version_date(void)
+{
+    return MURK_BUILD_DATE;
+}
+
 const char *murk_version_compiler(void)
 {
 #ifdef __clang__

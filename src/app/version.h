@@ -15,5 +15,6 @@ extern const size_t murk_packages_count;
 
 const char *murk_version_commit(void);   /* "unknown" outside a checkout */
 const char *murk_version_compiler(void); /* "gcc 12.2.0" */
+const char *murk_version_date(void);     /* of the commit, "2026-11-21" */
 
 #endif
