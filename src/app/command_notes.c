@@ -74,7 +74,9 @@ static const murk_command_notes all[] = {
                   "air with --set."}}},
     {.command = "render",
      .formats = "murk-scene murk-results",
-     .file = {{"IMAGE.exr", "radiance by band, errors, parts and depth"}},
+     .file = {{"IMAGE.exr", "radiance by band, errors, parts and depth"},
+              {"IMAGE.png", "--png: for the eye"},
+              {"IMAGE-CHANNEL.png", "--false-colour, with a legend"}},
      .example = {{"murk render scenes/smoke-hall.yaml --set "
                   "'cameras=[{name: door, from_m: [28, 2, 2.5], to_m: [15, 9, "
                   "3], vfov_deg: 60}]' -o hall.exr",
