@@ -1,6 +1,7 @@
 #include "app/chart.h"
 
 #include "app/page.h"
+#include "base/utf8.h"
 
 #include <math.h>
 #include <string.h>
@@ -11,10 +12,10 @@
 #define LEFT      80.0
 #define RIGHT     16.0
 #define TOP       14.0
-#define BELOW     52.0  /* room for ticks and name of that axis */
-#define SLANT     130.0 /* most room for names on a slant */
-#define LEGEND    20.0  /* height of a row of it */
-#define CHARACTER 7.0   /* width of one, about */
+#define BELOW     52.0 /* room for ticks and name of that axis */
+#define SLANTED   20   /* characters of a name on a slant: what fits */
+#define LEGEND    20.0 /* height of a row of it */
+#define CHARACTER 7.0  /* width of one, about */
 #define MOST      1e300
 #define ROOM      0.06 /* above and below the data, in shares */
 
@@ -103,18 +104,44 @@ static bool fit_axes(plot *p, const murk_chart_series *series, size_t n)
     return true;
 }
 
+static size_t characters_of(const char *text)
+{
+    size_t n = 0;
+    for (; *text; ++n) {
+        const size_t length = murk_utf8_length(text);
+        text += length > 0 ? length : 1;
+    }
+    return n;
+}
+
+/* On a slant where they would run into each other. */
 static void fit_names(plot *p)
 {
     const murk_chart *c = p->chart;
     size_t most = 0;
     for (size_t i = 0; i < c->x_names; ++i) {
-        const size_t length = strlen(c->x_name[i]);
+        const size_t length = characters_of(c->x_name[i]);
         most = length > most ? length : most;
     }
     const double width = CHARACTER * (double)most;
     const double room = (p->x.to - p->x.from) / fmax((double)c->x_names, 1);
+    const size_t shown = most < SLANTED ? most : SLANTED;
     p->is_slanted = c->x_names > 0 && width > room - 4;
-    p->below = BELOW + (p->is_slanted ? fmin(width / 2, SLANT) : 0);
+    p->below = BELOW + (p->is_slanted ? 0.7 * CHARACTER * (double)shown : 0);
+}
+
+/* On a slant the end of a name, which tells more than its beginning. */
+static void write_name(FILE *to, const plot *p, const char *name)
+{
+    size_t n = characters_of(name);
+    if (p->is_slanted && n > SLANTED) {
+        for (; n > SLANTED - 1; --n) {
+            const size_t length = murk_utf8_length(name);
+            name += length > 0 ? length : 1;
+        }
+        fputs("…", to);
+    }
+    murk_page_text(to, name);
 }
 
 /* ---- axes ---- */
@@ -141,7 +168,7 @@ static void begin_x_tick(FILE *to, const plot *p, double at)
     if (p->is_slanted) {
         fprintf(to,
                 "<text class=\"tick\" transform=\"translate(%.1f %.1f) "
-                "rotate(-30)\" text-anchor=\"end\">",
+                "rotate(-40)\" text-anchor=\"end\">",
                 at + 4, BASE + 16);
     } else {
         fprintf(to,
@@ -166,7 +193,7 @@ static void draw_x_ticks(FILE *to, const plot *p)
     const size_t stride = room < 18 ? (size_t)ceil(18 / room) : 1;
     for (size_t i = 0; i < c->x_names; i += stride) {
         begin_x_tick(to, p, murk_axis_place(&p->x, (double)i));
-        murk_page_text(to, c->x_name[i]);
+        write_name(to, p, c->x_name[i]);
         fputs("</text>\n", to);
     }
 }

@@ -1,7 +1,8 @@
 #include "app/chart_axis.h"
 
+#include "app/page.h"
+
 #include <math.h>
-#include <string.h>
 
 /* Ticks aimed at. */
 #define TICKS 6
@@ -119,31 +120,6 @@ size_t murk_axis_ticks(double out[MURK_TICKS_MAX], double *step,
     return n;
 }
 
-/* 2·10⁵ */
-static void write_power(FILE *to, double value)
-{
-    static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴",
-                                         "⁵", "⁶", "⁷", "⁸", "⁹"};
-    char text[32];
-    snprintf(text, sizeof text, "%.5g", value);
-    char *e = strchr(text, 'e');
-    const char *exponent = e ? e + 1 : "+0";
-    if (e) {
-        *e = '\0';
-    }
-    if (strcmp(text, "1") != 0 || !e) {
-        fprintf(to, "%s%s", text, e ? "·" : "");
-    }
-    if (!e) {
-        return;
-    }
-    fprintf(to, "10%s", *exponent == '-' ? "⁻" : "");
-    exponent += 1 + strspn(exponent + 1, "0");
-    for (; *exponent; ++exponent) {
-        fputs(digits[*exponent - '0'], to);
-    }
-}
-
 void murk_axis_write(FILE *to, const murk_axis *a, double value, double step)
 {
     if (a->scale == MURK_SCALE_CLOCK) {
@@ -157,7 +133,7 @@ void murk_axis_write(FILE *to, const murk_axis *a, double value, double step)
     const double most = fabs(shown);
     const int decimals = by > 0 ? -(int)floor(log10(by * 1.0001)) : 0;
     if (most > 0 && (most >= 99999.5 || most < 1e-4)) {
-        write_power(to, shown);
+        murk_page_power(to, shown, 5);
     } else if (by > 0 && decimals <= 8) {
         fprintf(to, "%.*f", decimals > 0 ? decimals : 0, shown);
     } else {

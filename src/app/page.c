@@ -5,11 +5,15 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define NO_VALUE   "\xe2\x80\x93" /* en dash */
 #define UNKNOWN    "\xef\xbf\xbd" /* U+FFFD */
 #define PLUS_MINUS " \xc2\xb1 "
+
+/* Whole numbers below it are written out. */
+#define COUNT_MOST 1e10
 
 /* ---- text ---- */
 
@@ -113,14 +117,53 @@ void murk_page_hash(char out[MURK_PAGE_HASH_SIZE], const char *text,
 
 /* ---- numbers ---- */
 
+static void write_exponent(FILE *to, int exponent)
+{
+    static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴",
+                                         "⁵", "⁶", "⁷", "⁸", "⁹"};
+    char text[16];
+    snprintf(text, sizeof text, "%d", abs(exponent));
+    fputs(exponent < 0 ? "10⁻" : "10", to);
+    for (const char *c = text; *c; ++c) {
+        fputs(digits[*c - '0'], to);
+    }
+}
+
+void murk_page_power(FILE *to, double value, int digits)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.*g", digits, value);
+    char *e = strchr(text, 'e');
+    if (!e) {
+        fputs(text, to);
+        return;
+    }
+    *e = '\0';
+    if (strcmp(text, "1") != 0) {
+        fprintf(to, "%s·", text);
+    }
+    write_exponent(to, atoi(e + 1));
+}
+
 void murk_page_number(FILE *to, double value)
 {
-    if (isfinite(value)) {
-        const bool is_count = value == floor(value) && fabs(value) < 1e15;
-        fprintf(to, is_count ? "%.0f" : "%.5g", value);
-    } else {
+    if (!isfinite(value)) {
         fputs(NO_VALUE, to);
+    } else if (value == floor(value) && fabs(value) < COUNT_MOST) {
+        fprintf(to, "%.0f", value);
+    } else {
+        murk_page_power(to, value, 5);
     }
+}
+
+/* Decimals that two digits of an error need; negative: it ends before the
+ * point. */
+static int decimals_of(double standard_error)
+{
+    const int exponent = (int)floor(log10(standard_error));
+    /* .0996 is .10 to two digits */
+    const bool rounds_up = standard_error / pow(10, exponent) >= 9.95;
+    return 1 - exponent - rounds_up;
 }
 
 void murk_page_estimate(FILE *to, double value, double standard_error)
@@ -129,14 +172,27 @@ void murk_page_estimate(FILE *to, double value, double standard_error)
         murk_page_number(to, value);
         return;
     }
-    /* as many decimals as two digits of the error have */
-    const int exponent = (int)floor(log10(standard_error));
-    const int decimals = 1 - exponent;
-    if (decimals >= 0 && decimals <= 9 && fabs(value) < 1e9) {
-        fprintf(to, "%.*f" PLUS_MINUS "%.*f", decimals, value, decimals,
-                standard_error);
-    } else {
-        fprintf(to, "%.5g" PLUS_MINUS "%.2g", value, standard_error);
+    const double most = fmax(fabs(value), standard_error);
+    const int exponent = (int)floor(log10(most));
+    const bool has_power = exponent >= 6 || exponent < -4;
+    const double unit = has_power ? pow(10, exponent) : 1;
+    const double v = value / unit, error = standard_error / unit;
+    const int decimals = error > 0 ? decimals_of(error) : 99;
+    if (!(unit > 0 && decimals <= 12)) {
+        murk_page_power(to, value, 5);
+        fputs(PLUS_MINUS, to);
+        murk_page_power(to, standard_error, 2);
+        return;
+    }
+    const double ten = decimals < 0 ? pow(10, -decimals) : 1;
+    const int shown = decimals > 0 ? decimals : 0;
+    fputs(has_power ? "(" : "", to);
+    fprintf(to, "%.*f" PLUS_MINUS "%.*f", shown,
+            decimals < 0 ? ten * round(v / ten) : v, shown,
+            decimals < 0 ? ten * round(error / ten) : error);
+    if (has_power) {
+        fputs(")·", to);
+        write_exponent(to, exponent);
     }
 }
 
@@ -177,6 +233,20 @@ void murk_page_paragraph(FILE *to, const char *text)
     fputs("</p>\n", to);
 }
 
+/* A key may be broken after its dots, underscores and slashes. */
+static void write_head(FILE *to, const char *head)
+{
+    while (head && *head) {
+        const size_t length = murk_utf8_length(head);
+        const size_t n = length > 0 ? length : 1;
+        char one[5] = "";
+        memcpy(one, head, n);
+        murk_page_text(to, one);
+        head += n;
+        fputs(*head && strchr("._/", one[0]) ? "<wbr>" : "", to);
+    }
+}
+
 void murk_page_table_begin(FILE *to, const char *caption,
                            const char *const *heads, size_t n)
 {
@@ -189,7 +259,7 @@ void murk_page_table_begin(FILE *to, const char *caption,
     for (size_t i = 0; i < n; ++i) {
         const bool is_text = heads[i] && heads[i][0] == '<';
         fprintf(to, "<th scope=\"col\"%s>", is_text ? " class=\"text\"" : "");
-        murk_page_text(to, is_text ? heads[i] + 1 : heads[i]);
+        write_head(to, is_text ? heads[i] + 1 : heads[i]);
         fputs("</th>", to);
     }
     fputs(n > 0 ? "</tr></thead>\n<tbody>\n" : "<tbody>\n", to);

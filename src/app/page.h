@@ -27,9 +27,13 @@ void murk_page_base64(FILE *to, const void *bytes, size_t size);
 void murk_page_hash(char out[MURK_PAGE_HASH_SIZE], const char *text,
                     size_t size);
 
-/* A value to five digits; an en dash where there is none (NaN). */
+/* A finite value to so many digits (1..9), very large and small ones as
+ * 2.5·10¹³. */
+void murk_page_power(FILE *to, double value, int digits);
+/* The same to five digits; an en dash where there is none (NaN). */
 void murk_page_number(FILE *to, double value);
-/* The same with its standard error, to two digits of that. */
+/* With its standard error, to two digits of that: 1.235 ± 0.023,
+ * (8.90 ± 0.15)·10¹⁴. */
 void murk_page_estimate(FILE *to, double value, double standard_error);
 /* A share 0..1 in per cent. */
 void murk_page_share(FILE *to, double share, double standard_error);

@@ -61,8 +61,11 @@ static bool find_extremes(extreme out[2], const murk_yaml *rows, size_t n,
     return out[0].row > 0;
 }
 
-static void write_extreme(FILE *to, const extreme *e, const char *output)
+/* The value, and in which row that is: by what the axes are there. */
+static void write_extreme(FILE *to, const extreme *e, const murk_yaml *rows,
+                          const char *output)
 {
+    const murk_yaml *axes = murk_result_at(rows->child[e->row - 1], "axes");
     if (strncmp(output, "coverage", 8) == 0) {
         strong_share(to, e->value, e->error);
     } else {
@@ -70,7 +73,12 @@ static void write_extreme(FILE *to, const extreme *e, const char *output)
         murk_page_estimate(to, e->value, e->error);
         fputs("</strong>", to);
     }
-    fprintf(to, " (row %zu)", e->row);
+    const size_t n = axes && axes->kind == MURK_YAML_MAP ? axes->n : 0;
+    for (size_t i = 0; i < n && i < SHOWN_MAX; ++i) {
+        fputs(i == 0 ? " (" : ", ", to);
+        murk_page_text(to, murk_result_text(axes->child[i], ""));
+    }
+    fputs(n > 0 ? ")" : "", to);
 }
 
 static void answer_study(FILE *to, const murk_yaml *study)
@@ -92,12 +100,12 @@ static void answer_study(FILE *to, const murk_yaml *study)
         }
         fputs("<li>", to);
         murk_page_text(to, output);
+        fputs(unit && *unit && strcmp(unit, "1") != 0 ? ", " : "", to);
+        murk_page_text(to, unit && *unit && strcmp(unit, "1") != 0 ? unit : "");
         fputs(": from ", to);
-        write_extreme(to, &found[0], output);
+        write_extreme(to, &found[0], rows, output);
         fputs(" to ", to);
-        write_extreme(to, &found[1], output);
-        fputc(' ', to);
-        murk_page_text(to, unit && strcmp(unit, "1") != 0 ? unit : "");
+        write_extreme(to, &found[1], rows, output);
         fputs("</li>", to);
     }
     fputs("</ul>", to);
@@ -195,7 +203,7 @@ static void judge_fit(FILE *to, const murk_yaml *fit)
                 : "Yes: the readings scatter about the model as their errors "
                   "say");
     fputs(" (chi² ", to);
-    murk_page_number(to, chi2);
+    murk_page_power(to, chi2, 4);
     fputs(" where ", to);
     murk_page_number(to, n);
     fprintf(to, " ± %.0f is due).", round(sqrt(2 * n)));

@@ -1,4 +1,5 @@
 /* A calibration, as a section of the report. */
+#include "app/report_fit.h"
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report.h"
@@ -8,8 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A matrix with more rows is told by fit.json alone. */
-#define CORRELATIONS_MAX 24
+/* Values, and units of readings, that are drawn. */
+#define INTERVALS_MAX 40
+#define UNITS_MAX     6
+
+/* From this ratio on, readings are drawn by logarithms. */
+#define LOG_RATIO 50
 
 /* Half a 95 % interval, in standard errors. */
 #define HALF_INTERVAL 1.96
@@ -24,6 +29,8 @@ static void write_facts(FILE *to, const murk_yaml *fit)
     murk_page_fact(to, "why it ended", murk_result_text(fit, "why"));
     murk_page_fact_number(to, "times that light was traced",
                           murk_result_number(fit, "traces"), "");
+    murk_page_fact_number(to, "iterations",
+                          murk_result_number(fit, "iterations"), "");
     murk_page_fact_number(to, "evaluations",
                           murk_result_number(fit, "evaluations"), "");
     murk_page_fact_number(to, "rows held out",
@@ -58,31 +65,44 @@ static void write_parameters(FILE *to, const murk_yaml *fit)
     murk_page_more(to, n, "fit.json");
 }
 
-static void write_correlations(FILE *to, const murk_yaml *fit)
+/* Each value's 95 % interval, as shares of the value. */
+static bool draw_intervals(FILE *to, const murk_yaml *fit)
 {
-    const char *heads[CORRELATIONS_MAX + 1] = {"key"};
-    const size_t n = murk_result_count(fit, "parameters");
+    const size_t all = murk_result_count(fit, "parameters");
     const murk_yaml *list = murk_result_at(fit, "parameters");
-    const murk_yaml *matrix = murk_result_at(fit, "correlation");
-    if (n < 2 || n > CORRELATIONS_MAX ||
-        murk_result_count(fit, "correlation") != n) {
-        return;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        heads[i + 1] = murk_result_text(list->child[i], "key");
-    }
-    murk_page_table_begin(to, "Correlations", heads, n + 1);
-    for (size_t i = 0; i < n; ++i) {
-        const murk_yaml *row = matrix->child[i];
-        murk_page_row_begin(to, heads[i + 1]);
-        for (size_t k = 0; k < n; ++k) {
-            const bool has = row->kind == MURK_YAML_LIST && k < row->n;
-            murk_page_cell_number(
-                to, has ? murk_result_number(row->child[k], "") : NAN);
+    const size_t n = all < INTERVALS_MAX ? all : INTERVALS_MAX;
+    double *room = malloc((4 * n + 1) * sizeof *room);
+    const char **name = malloc((n + 1) * sizeof *name);
+    const bool is_whole = room && name;
+    if (is_whole) {
+        double *x = room, *y = x + n, *low = y + n, *high = low + n;
+        for (size_t i = 0; i < n; ++i) {
+            const murk_yaml *p = list->child[i];
+            const char *key = murk_result_text(p, "key");
+            const double value = murk_result_number(p, "value");
+            const double a = murk_result_number(p, "lower") / value - 1;
+            const double b = murk_result_number(p, "upper") / value - 1;
+            name[i] = key ? key : "";
+            x[i] = (double)i;
+            low[i] = fmin(a, b);
+            high[i] = fmax(a, b);
+            y[i] = isfinite(a) && isfinite(b) ? 0 : NAN;
         }
-        murk_page_row_end(to);
+        const murk_chart_series series = {
+            .name = "found", .n = n, .x = x, .y = y, .low = low, .high = high};
+        const murk_chart chart = {
+            .title = "How well each value is known: its 95 % interval, in per "
+                     "cent of the value",
+            .x_title = "",
+            .y_title = "off the value",
+            .x_name = name,
+            .x_names = n,
+            .y = MURK_SCALE_SHARE};
+        murk_chart_draw(to, &chart, &series, 1);
     }
-    murk_page_table_end(to);
+    free(room);
+    free(name);
+    return is_whole;
 }
 
 /* ---- residuals ---- */
@@ -151,10 +171,83 @@ static bool draw_residuals(FILE *to, const columns *c)
         .y_title = "residual / standard error",
         .y_line = lines,
         .y_lines = 3};
-    fputs("<h3>Residuals</h3>\n", to);
     murk_chart_draw(to, &chart, series, n_series);
     free(room);
     return true;
+}
+
+/* Measured against predicted, of the readings of one unit: on the line they
+ * agree. */
+static bool draw_agreement(FILE *to, const columns *c, const char *unit)
+{
+    const size_t rows = c->table->rows;
+    double *room = malloc((4 * rows + 4) * sizeof *room);
+    double least = INFINITY, most = -INFINITY;
+    if (!room) {
+        return false;
+    }
+    double *x = room, *y = x + rows, *low = y + rows, *high = low + rows;
+    double *end = high + rows;
+    for (size_t i = 0; i < rows; ++i) {
+        const bool is_of = strcmp(cell(c, i, c->unit), unit) == 0;
+        const double error = number(c, i, c->error);
+        x[i] = is_of ? number(c, i, c->predicted) : NAN;
+        y[i] = is_of ? number(c, i, c->value) : NAN;
+        low[i] = y[i] - HALF_INTERVAL * error;
+        high[i] = y[i] + HALF_INTERVAL * error;
+        if (isfinite(x[i]) && isfinite(y[i])) {
+            least = fmin(least, fmin(x[i], y[i]));
+            most = fmax(most, fmax(x[i], y[i]));
+        }
+    }
+    end[0] = least;
+    end[1] = most;
+    const murk_axis_scale scale = least > 0 && most > LOG_RATIO * least
+                                      ? MURK_SCALE_LOG
+                                      : MURK_SCALE_EVEN;
+    const murk_chart_series series[] = {{.name = "readings, 95 % intervals",
+                                         .n = rows,
+                                         .x = x,
+                                         .y = y,
+                                         .low = low,
+                                         .high = high},
+                                        {.name = "where both are the same",
+                                         .n = 2,
+                                         .x = end,
+                                         .y = end,
+                                         .is_line = true}};
+    char x_title[80], y_title[80];
+    snprintf(x_title, sizeof x_title, "predicted, %.60s", unit);
+    snprintf(y_title, sizeof y_title, "measured, %.60s", unit);
+    const murk_chart chart = {.title = "Measured against predicted",
+                              .x_title = x_title,
+                              .y_title = y_title,
+                              .x = scale,
+                              .y = scale};
+    if (most > -INFINITY) {
+        murk_chart_draw(to, &chart, series, 2);
+    }
+    free(room);
+    return true;
+}
+
+/* A plot for each unit, in the order of the rows. */
+static bool draw_agreements(FILE *to, const columns *c)
+{
+    const char *unit[UNITS_MAX];
+    size_t units = 0;
+    bool is_whole = true;
+    for (size_t i = 0; i < c->table->rows && is_whole; ++i) {
+        size_t k = 0;
+        while (k < units && strcmp(unit[k], cell(c, i, c->unit)) != 0) {
+            ++k;
+        }
+        if (k == units && units < UNITS_MAX) {
+            unit[units++] = cell(c, i, c->unit);
+            is_whole = draw_agreement(to, c, unit[k]);
+        }
+    }
+    return is_whole;
 }
 
 static void write_rows(FILE *to, const columns *c)
@@ -193,7 +286,12 @@ murk_status murk_report_fit(FILE *to, const murk_results_in *results,
         return status;
     }
     murk_page_section_begin(to, "calibration", "The calibration");
+    fputs("<div class=\"beside\">\n", to);
     write_parameters(to, fit);
+    if (!draw_intervals(to, fit)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
+    }
+    fputs("</div>\n", to);
     if (table) {
         const columns c = {
             .table = table,
@@ -204,16 +302,21 @@ murk_status murk_report_fit(FILE *to, const murk_results_in *results,
             .predicted = murk_table_column(table, "predicted"),
             .kind = murk_table_column(table, "kind"),
             .unit = murk_table_column(table, "unit")};
-        if (!draw_residuals(to, &c)) {
+        fputs("<h3>Residuals</h3>\n<div class=\"plans\">\n", to);
+        if (!draw_residuals(to, &c) || !draw_agreements(to, &c)) {
             status =
                 murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
         }
+        fputs("</div>\n", to);
         write_rows(to, &c);
     } else {
         murk_page_paragraph(to, "There is no fit.csv beside fit.json.");
     }
+    murk_report_correlations(to, fit);
+    murk_report_directions(to, fit);
+    murk_report_next(to, fit);
+    murk_report_starts(to, fit);
     write_facts(to, fit);
-    write_correlations(to, fit);
     murk_page_section_end(to);
     murk_table_destroy(table);
     return status;

@@ -3,6 +3,7 @@
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report.h"
+#include "base/calendar.h"
 #include "scene/number.h"
 
 #include <math.h>
@@ -27,7 +28,8 @@ typedef struct frame {
     size_t values;      /* different ones along the axis */
     const char **value; /* [values] in the table's order */
     double *x;          /* [table->rows] */
-    bool is_number, is_log;
+    murk_axis_scale scale;
+    bool is_number;
 } frame;
 
 static const char *cell(const frame *f, size_t row, size_t column)
@@ -78,11 +80,20 @@ static void find_lines(frame *f, bool is_paired)
     }
 }
 
-/* Numbers as they are, else the words one after the other. */
+/* "06:30" or "06:30:00" as hours. */
+static bool read_clock(const char *text, double *hours)
+{
+    double seconds;
+    const bool is_clock = murk_clock_read(text, &seconds);
+    *hours = is_clock ? seconds / 3600 : NAN;
+    return is_clock;
+}
+
+/* Numbers as they are, hours as hours, else the words one after the other. */
 static void find_places(frame *f)
 {
     double least = INFINITY, most = -INFINITY;
-    f->is_number = true;
+    bool is_number = true, is_clock = true;
     for (size_t i = 0; i < f->table->rows; ++i) {
         const char *text = f->axes > 0 ? cell(f, i, f->along) : "1";
         size_t k = 0;
@@ -93,14 +104,23 @@ static void find_places(frame *f)
             f->value[f->values++] = text;
         }
         f->x[i] = (double)k;
-        double value = NAN;
-        f->is_number = f->is_number && murk_number_parse(text, &value);
+        double value = NAN, hours;
+        is_number = is_number && murk_number_parse(text, &value);
+        is_clock = is_clock && read_clock(text, &hours);
         least = fmin(least, value);
         most = fmax(most, value);
     }
-    f->is_log = f->is_number && least > 0 && most > LOG_RATIO * least;
+    f->is_number = is_number || is_clock;
+    f->scale = is_number && least > 0 && most > LOG_RATIO * least
+                   ? MURK_SCALE_LOG
+               : is_clock ? MURK_SCALE_CLOCK
+                          : MURK_SCALE_EVEN;
     for (size_t i = 0; f->is_number && f->axes > 0 && i < f->table->rows; ++i) {
-        f->x[i] = number(f, i, f->along);
+        if (is_clock) {
+            (void)read_clock(cell(f, i, f->along), &f->x[i]);
+        } else {
+            f->x[i] = number(f, i, f->along);
+        }
     }
 }
 
@@ -197,8 +217,9 @@ static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
     if (!room) {
         return false;
     }
-    for (size_t line = 0; line < lines; ++line) {
-        double *x = room + 4 * rows * line, *y = x + rows;
+    for (size_t k = 0; k < lines; ++k) {
+        const size_t line = k * f->lines / lines; /* evenly chosen */
+        double *x = room + 4 * rows * k, *y = x + rows;
         double *low = y + rows, *high = low + rows;
         size_t n = 0;
         for (size_t i = 0; i < rows; ++i) {
@@ -212,27 +233,34 @@ static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
             high[n] = y[n] + (isfinite(error) ? 1.96 * error : 0);
             ++n;
         }
-        name_line(names[line], f, line, output, is_paired);
-        series[line] = (murk_chart_series){.name = names[line],
-                                           .n = n,
-                                           .x = x,
-                                           .y = y,
-                                           .low = low,
-                                           .high = high,
-                                           .is_line = true};
+        name_line(names[k], f, line, output, is_paired);
+        series[k] = (murk_chart_series){.name = names[k],
+                                        .n = n,
+                                        .x = x,
+                                        .y = y,
+                                        .low = low,
+                                        .high = high,
+                                        .is_line = true};
     }
+    const bool has_unit = *unit && strcmp(unit, "1") != 0;
     char title[2 * NAME_SIZE], y_title[NAME_SIZE];
-    snprintf(title, sizeof title, "%s, with 95 %% intervals%s", output,
-             lines < f->lines ? " (the first 8 lines; all are in table.csv)"
-                              : "");
-    snprintf(y_title, sizeof y_title, "%s%s%s", output, *unit ? " " : "", unit);
+    if (lines < f->lines) {
+        snprintf(title, sizeof title,
+                 "%.160s, with 95 %% intervals (%zu of %zu lines; all are in "
+                 "table.csv)",
+                 output, lines, f->lines);
+    } else {
+        snprintf(title, sizeof title, "%.200s, with 95 %% intervals", output);
+    }
+    snprintf(y_title, sizeof y_title, "%.100s%s%.40s", output,
+             has_unit ? ", " : "", has_unit ? unit : "");
     const murk_chart chart = {
         .title = title,
         .x_title = f->axes > 0 ? f->table->name[f->along] : "",
         .y_title = y_title,
         .x_name = f->is_number ? NULL : f->value,
         .x_names = f->is_number ? 0 : f->values,
-        .x = f->is_log ? MURK_SCALE_LOG : MURK_SCALE_EVEN,
+        .x = f->scale,
         .y = strncmp(output, "coverage", 8) == 0 ? MURK_SCALE_SHARE
              : spans_decades(f, column)          ? MURK_SCALE_LOG
                                                  : MURK_SCALE_EVEN};
@@ -286,6 +314,32 @@ static void write_rows(FILE *to, const frame *f)
     murk_page_table_end(to);
     murk_page_more(to, t->rows, "table.csv");
     free(heads);
+}
+
+/* The rows that failed, and why. */
+static void write_failed(FILE *to, const murk_yaml *study)
+{
+    static const char *const heads[] = {"row", "<why"};
+    const size_t n = murk_result_count(study, "rows");
+    const murk_yaml *list = murk_result_at(study, "rows");
+    size_t failed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const char *why = murk_result_text(list->child[i], "failed");
+        if (!why || failed == MURK_PAGE_ROWS_MAX) {
+            continue;
+        }
+        if (failed++ == 0) {
+            murk_page_table_begin(to, "Rows that failed", heads, 2);
+        }
+        char name[32];
+        snprintf(name, sizeof name, "%zu", i + 1);
+        murk_page_row_begin(to, name);
+        murk_page_cell_text(to, why);
+        murk_page_row_end(to);
+    }
+    if (failed > 0) {
+        murk_page_table_end(to);
+    }
 }
 
 static void write_plan_for_all(FILE *to, const murk_yaml *study)
@@ -362,18 +416,12 @@ murk_status murk_report_study(FILE *to, const murk_results_in *results,
         return status;
     }
     murk_page_section_begin(to, "study", "The study");
-    fputs("<p class=\"lead\">", to);
-    murk_page_number(to, murk_result_number(study, "rows_done"));
-    fputs(" of ", to);
-    murk_page_number(to, murk_result_number(study, "rows_asked"));
-    fputs(" runs done, ", to);
-    murk_page_number(to, murk_result_number(study, "rows_failed"));
-    fputs(" failed.</p>\n", to);
     if (table && !write_table(to, table, study)) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
     } else if (!table) {
         murk_page_paragraph(to, "There is no table.csv beside study.json.");
     }
+    write_failed(to, study);
     write_plan_for_all(to, study);
     murk_page_section_end(to);
     murk_table_destroy(table);

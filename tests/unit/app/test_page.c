@@ -89,8 +89,26 @@ static void test_numbers(void)
     CHECK_TEXT(kept, "\xe2\x80\x93");
     WRITTEN(murk_page_estimate(to, 1.23456, 0.0234));
     CHECK_TEXT(kept, "1.235 \xc2\xb1 0.023");
+    WRITTEN(murk_page_number(to, 2.30024e13));
+    CHECK_TEXT(kept, "2.3002\xc2\xb7"
+                     "10\xc2\xb9\xc2\xb3");
+    WRITTEN(murk_page_number(to, -1.5e-7));
+    CHECK_TEXT(kept, "-1.5\xc2\xb7"
+                     "10\xe2\x81\xbb\xe2\x81\xb7");
+    WRITTEN(murk_page_power(to, 1e5, 5));
+    CHECK_TEXT(kept, "10\xe2\x81\xb5");
     WRITTEN(murk_page_estimate(to, 890420387029321.25, 15429865000838.934));
-    CHECK_TEXT(kept, "8.9042e+14 \xc2\xb1 1.5e+13");
+    CHECK_TEXT(kept, "(8.90 \xc2\xb1 0.15)\xc2\xb7"
+                     "10\xc2\xb9\xe2\x81\xb4");
+    WRITTEN(murk_page_estimate(to, 10397, 213));
+    CHECK_TEXT(kept, "10400 \xc2\xb1 210");
+    WRITTEN(murk_page_estimate(to, 0.5, 0.0998));
+    CHECK_TEXT(kept, "0.50 \xc2\xb1 0.10");
+    WRITTEN(murk_page_estimate(to, 0, 3e-320));
+    CHECK_TEXT(kept, "(0.0 \xc2\xb1 3.0)\xc2\xb7"
+                     "10\xe2\x81\xbb\xc2\xb3\xc2\xb2\xe2\x81\xb0");
+    WRITTEN(murk_page_estimate(to, 1e300, 1e-300));
+    CHECK(strlen(kept) < 60);
     WRITTEN(murk_page_estimate(to, 2, 0));
     CHECK_TEXT(kept, "2");
     WRITTEN(murk_page_share(to, 0.91238, 0.00219));
