@@ -20,7 +20,7 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
         status = murk_add_tallies(&session, err);
     }
     if (!status) {
-        status = murk_exports_add_scene(&session, NULL, NULL, 0, &late, err);
+        murk_exports_add_scene(&session, NULL, NULL, 0, &late);
     }
     if (!status) {
         status = murk_session_finish(&session, "ledger.json",

@@ -2,7 +2,9 @@
 
 #include "app/coverage_out.h"
 #include "app/fields_out.h"
+#include "app/photons_out.h"
 #include "app/plan_ply.h"
+#include "app/surfaces_out.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "study/dark.h"
@@ -167,21 +169,28 @@ murk_status murk_exports_begin(const murk_session *session, murk_error *err)
     if (!status && exports & MURK_EXPORT_FIELDS) {
         status = murk_fields_box(&box, session, err);
     }
+    if (!status && exports & MURK_EXPORT_SURFACES) {
+        status = murk_surfaces_check(session, err);
+    }
     return status;
 }
 
-murk_status murk_exports_add_scene(murk_session *session,
-                                   const murk_sight *sight,
-                                   const murk_pose *sensor, size_t n,
-                                   murk_error *late, murk_error *err)
+void murk_exports_add_scene(murk_session *session, murk_sight *sight,
+                            const murk_pose *sensor, size_t n, murk_error *late)
 {
     const unsigned exports = session->options->exports;
-    murk_status status = MURK_OK;
+    murk_progress_begin_over("export", 0, "");
     if (exports & MURK_EXPORT_FIELDS) {
         murk_fields_add_tallies(session, late);
-        status = murk_fields_add(session, sight, sensor, n, late, err);
+        murk_fields_add(session, sight, sensor, n, late);
     }
-    return status;
+    if (exports & MURK_EXPORT_PHOTONS) {
+        murk_photons_add(session, late);
+    }
+    if (exports & MURK_EXPORT_SURFACES) {
+        murk_surfaces_add(session, sight, sensor, n, late);
+    }
+    murk_progress_end();
 }
 
 murk_status murk_exports_add_sensed(murk_session *session,
@@ -195,7 +204,7 @@ murk_status murk_exports_add_sensed(murk_session *session,
                                  session->options->threads, err);
     }
     if (!status) {
-        status = murk_exports_add_scene(session, sight, sensor, n, late, err);
+        murk_exports_add_scene(session, sight, sensor, n, late);
     }
     murk_sight_destroy(sight);
     return status;
@@ -212,7 +221,8 @@ murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
         if (exports & MURK_EXPORTS_OF_PROBLEM) {
             murk_note("--export", "it is dark: there is no coverage to write");
         }
-        return murk_exports_add_scene(session, NULL, NULL, 0, late, err);
+        murk_exports_add_scene(session, NULL, NULL, 0, late);
+        return MURK_OK;
     }
     murk_sight *sight = NULL;
     murk_status status =
@@ -232,10 +242,8 @@ murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
         murk_progress_end();
     }
     if (!status) {
-        murk_progress_begin_over("export", 0, "");
-        status = murk_exports_add_scene(session, sight, plan->sensor,
-                                        plan->place.count, late, err);
-        murk_progress_end();
+        murk_exports_add_scene(session, sight, plan->sensor, plan->place.count,
+                               late);
     }
     murk_sight_destroy(sight);
     return status;

@@ -25,11 +25,10 @@ murk_status murk_exports_begin(const murk_session *session, murk_error *err);
 
 /* Adds fields, photons and surfaces, where --export asks for them. sight NULL:
  * of light alone; else of sensors sensor[n] too, which look again. Files that
- * cannot be had are told in *late. Fails with MURK_INTERRUPTED alone. */
-murk_status murk_exports_add_scene(murk_session *session,
-                                   const murk_sight *sight,
-                                   const murk_pose *sensor, size_t n,
-                                   murk_error *late, murk_error *err);
+ * cannot be had, and an interrupt, are told in *late. */
+void murk_exports_add_scene(murk_session *session, murk_sight *sight,
+                            const murk_pose *sensor, size_t n,
+                            murk_error *late);
 
 /* The same of the sensors that `murk sense` measures. */
 murk_status murk_exports_add_sensed(murk_session *session,

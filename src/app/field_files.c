@@ -1,6 +1,6 @@
 #include "app/field_files.h"
 
-#include "app/version.h"
+#include "app/vtk.h"
 #include "medium/grid_write.h"
 
 #include <assert.h>
@@ -50,7 +50,7 @@ void murk_field_notes_of(murk_field_notes *out, const murk_scene *scene,
 {
     size_t n = 0;
     *out = (murk_field_notes){0};
-    snprintf(out->seed, sizeof out->seed, "%lu", (unsigned long)scene->seed);
+    murk_facts_of(&out->facts, scene);
     if (field->band >= 0) {
         snprintf(out->band_nm, sizeof out->band_nm, "%.9g",
                  scene->band_nm[field->band]);
@@ -61,11 +61,9 @@ void murk_field_notes_of(murk_field_notes *out, const murk_scene *scene,
         put_note(out, &n, "meaning", field->meaning);
     }
     put_note(out, &n, "band_nm", field->band >= 0 ? out->band_nm : "all");
-    put_note(out, &n, "scene", scene->path);
-    put_note(out, &n, "scene_sha256", scene->sha256);
-    put_note(out, &n, "seed", out->seed);
-    put_note(out, &n, "murk_version", MURK_VERSION);
-    put_note(out, &n, "murk_commit", murk_version_commit());
+    for (const char *const *fact = out->facts.fact; fact[0]; fact += 2) {
+        put_note(out, &n, fact[0], fact[1]);
+    }
 }
 
 /* ---- .vdb ---- */
@@ -169,30 +167,10 @@ murk_status murk_field_add_vdb(murk_results *results, const char *name,
 
 /* ---- .vti: VTK's image data, as XML before raw bytes ---- */
 
-/* Character by character, so that no text has to be escaped. */
-static void put_text(FILE *to, const char *name, const char *text)
-{
-    fprintf(to,
-            "      <DataArray type=\"String\" Name=\"%s\" "
-            "NumberOfTuples=\"1\" format=\"ascii\">",
-            name);
-    for (const char *c = text; *c; ++c) {
-        fprintf(to, "%d ", (unsigned char)*c);
-    }
-    fputs("0</DataArray>\n", to);
-}
-
 static void put_facts(FILE *to, const files *f)
 {
-    murk_field_notes notes;
-    const murk_voxel_field all = {.unit = "", .quantity = "", .band = -1};
-    murk_field_notes_of(&notes, f->scene, &all);
     fputs("    <FieldData>\n", to);
-    for (const char *const *note = notes.note; note[0]; note += 2) {
-        if (*note[1] && strcmp(note[0], "band_nm") != 0) {
-            put_text(to, note[0], note[1]);
-        }
-    }
+    murk_vtk_put_facts(to, f->scene);
     for (size_t i = 0; i < f->n; ++i) {
         const murk_voxel_field *field = &f->field[i];
         char name[sizeof field->name + 16], text[512];
@@ -200,7 +178,7 @@ static void put_facts(FILE *to, const files *f)
         snprintf(text, sizeof text, "%s [%s]%s%s", field->quantity, field->unit,
                  field->meaning ? ": " : "",
                  field->meaning ? field->meaning : "");
-        put_text(to, name, text);
+        murk_vtk_put_text(to, name, text);
     }
     fputs("    </FieldData>\n", to);
 }
@@ -211,10 +189,8 @@ static void put_header(FILE *to, const files *f)
     const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
     const murk_vec3 at = f->box->box.min;
     const murk_affine m = murk_field_to_world(f->box);
+    murk_vtk_begin(to, "ImageData");
     fprintf(to,
-            "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"ImageData\" version=\"1.0\" "
-            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
             "  <ImageData WholeExtent=\"0 %zu 0 %zu 0 %zu\" "
             "Origin=\"%.17g %.17g %.17g\" Spacing=\"%.17g %.17g %.17g\">\n",
             n[0], n[1], n[2], at.x, at.y, at.z, m.matrix[0][0], m.matrix[1][1],

@@ -12,6 +12,7 @@
 #define MURK_APP_FIELD_FILES_H
 
 #include "app/results.h"
+#include "app/vtk.h"
 
 typedef struct murk_field_box {
     murk_box box;
@@ -41,7 +42,8 @@ typedef struct murk_voxel_field {
 #define MURK_FIELD_NOTES 24
 typedef struct murk_field_notes {
     const char *note[MURK_FIELD_NOTES];
-    char band_nm[32], seed[16];
+    murk_facts facts;
+    char band_nm[32];
 } murk_field_notes;
 void murk_field_notes_of(murk_field_notes *out, const murk_scene *scene,
                          const murk_voxel_field *field);

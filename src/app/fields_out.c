@@ -110,7 +110,7 @@ static float *new_field(domain_fields *f, const murk_voxel_field *like)
 static murk_status no_memory(const domain_fields *f, murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, "--export",
-                     "fields: no memory for %zu voxels", f->voxels);
+                     "no memory for %zu voxels", f->voxels);
 }
 
 static murk_status make_extinction(domain_fields *f, murk_error *err)
@@ -257,9 +257,8 @@ static void add_files(murk_session *session, const domain_fields *f,
     }
 }
 
-murk_status murk_fields_add(murk_session *session, const murk_sight *sight,
-                            const murk_pose *sensor, size_t n, murk_error *late,
-                            murk_error *err)
+void murk_fields_add(murk_session *session, const murk_sight *sight,
+                     const murk_pose *sensor, size_t n, murk_error *late)
 {
     murk_voxel_field field[FIELDS_OF_A_BAND * MURK_BANDS_MAX];
     domain_fields f = {.stage = session->stage, .field = field};
@@ -275,15 +274,12 @@ murk_status murk_fields_add(murk_session *session, const murk_sight *sight,
             status = make_extinction(&f, &told);
         }
     }
-    if (!status) {
+    if (status) {
+        (void)murk_fail(late, status, "--export", "fields: %s", told.text);
+    } else {
         add_files(session, &f, late);
     }
     for (size_t i = 0; i < f.n; ++i) {
         free((void *)(uintptr_t)field[i].value);
     }
-    return status ? murk_fail(status == MURK_INTERRUPTED ? err : late, status,
-                              told.where, "%s", told.text) == MURK_INTERRUPTED
-                        ? MURK_INTERRUPTED
-                        : MURK_OK
-                  : MURK_OK;
 }

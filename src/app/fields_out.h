@@ -29,11 +29,9 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
                             murk_error *err);
 
 /* Adds the files of the domain. sight NULL: no plan, extinction alone. Files
- * that cannot be had are told in *late, and the others are added all the same;
- * fails with MURK_INTERRUPTED alone. */
-murk_status murk_fields_add(murk_session *session, const murk_sight *sight,
-                            const murk_pose *sensor, size_t n, murk_error *late,
-                            murk_error *err);
+ * that cannot be had, and an interrupt, are told in *late. */
+void murk_fields_add(murk_session *session, const murk_sight *sight,
+                     const murk_pose *sensor, size_t n, murk_error *late);
 
 /* Adds those of grid tallies; none is worth a note. */
 void murk_fields_add_tallies(murk_session *session, murk_error *late);

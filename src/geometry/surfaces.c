@@ -146,6 +146,14 @@ void murk_surfaces_sphere(const murk_surfaces *s, size_t i, murk_vec3 *center,
     *radius_m = s->soup.ball[i].radius;
 }
 
+uint8_t murk_surfaces_material_of(const murk_surfaces *s, size_t i)
+{
+    const murk_soup *soup = &s->soup;
+    assert(i < soup->triangles + soup->balls);
+    return i < soup->triangles ? soup->material[i]
+                               : soup->ball[i - soup->triangles].material;
+}
+
 double murk_surfaces_material_area(const murk_surfaces *s, size_t material)
 {
     assert(material < s->n_materials);

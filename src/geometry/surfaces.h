@@ -138,6 +138,10 @@ void murk_surfaces_triangle(const murk_surfaces *surfaces, size_t i,
 void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,
                           murk_vec3 *center, double *radius_m);
 
+/* The material of triangle i, or of sphere i - triangles: numbers as in
+ * murk_hit. */
+uint8_t murk_surfaces_material_of(const murk_surfaces *surfaces, size_t i);
+
 /* Area [m2] of one material. */
 double murk_surfaces_material_area(const murk_surfaces *surfaces,
                                    size_t material);

@@ -8,92 +8,18 @@ import json
 import math
 import os
 import resource
-import struct
 import subprocess
 import sys
 import tempfile
-import xml.etree.ElementTree
 
+from crate import (BANDS, CLEAR, FOG, MIST, POOL, SCENE, depth_between, ways, write_scene)
 from exchange import Failed, Murk, check, is_near
+from vtk_file import read_vtk
 
 try:
     import pyopenvdb as vdb
 except ImportError:  # newer packages
     import openvdb as vdb
-
-BANDS = (450, 650)
-FOG, MIST = (0.2, 0.1), (0.5, 0.9)
-CRATE = ((3, 2, 0), (4, 4, 2))
-POOL = ((5, 0, 0), (8, 6, 1))
-RANGE_M = 4
-CLEAR = 65535
-SCENE = """
-murk: 1
-seed: 7
-bands_nm: [450, 650]
-domain: {min_m: [0, 0, 0], max_m: [8, 6, 3]}
-geometry:
-  - {box: {min_m: [0, 0, 0], max_m: [8, 6, 3]}}
-  - {box: {min_m: [3, 2, 0], max_m: [4, 4, 2]}}
-materials: {default: {diffuse: [0.5, 0.7]}}
-media:
-  fog: {extinction_per_m: [0.2, 0.1], albedo: 0.9}
-  mist: {extinction_per_m: [0.5, 0.9], albedo: 0.9}
-regions: [{medium: fog}, {medium: mist, box: {min_m: [5, 0, 0], max_m: [8, 6, 1]}}]
-lights: [{type: point, position_m: [1, 1, 2.5], power_w: 10}]
-photons: {emit: 2000}
-tallies: [{name: box, type: grid, min_m: [1, 1, 1], max_m: [7, 5, 2], size: [6, 4, 2]}]
-sensors:
-  types: [{name: node, range_m: 4}]
-  candidates: {grid: {min_m: [1.1, 1.1, 1.1], max_m: [7.1, 5.1, 2.1], size: [4, 3, 2]}}
-  count: 3
-"""
-
-
-def write_scene(murk, text=SCENE, name="scene.yaml"):
-    with open(murk.path(name), "w") as file:
-        file.write(text)
-    return murk.path(name)
-
-
-# ---- what lies between two points, by slabs ----
-
-def shares(a, b, box):
-    """Where the segment enters and leaves a box, as shares of it; None: it misses."""
-    near, far = 0.0, 1.0
-    for p, q, low, high in zip(a, b, *box):
-        if q == p:
-            if not low < p < high:
-                return None
-            continue
-        one, two = sorted(((low - p) / (q - p), (high - p) / (q - p)))
-        near, far = max(near, one), min(far, two)
-    return (near, far) if near < far else None
-
-
-def grown(box, by):
-    return [x - by for x in box[0]], [x + by for x in box[1]]
-
-
-def depth_between(a, b, band):
-    inside = shares(a, b, POOL)
-    length = math.dist(a, b)
-    return FOG[band] * length + (MIST[band] * length * (inside[1] - inside[0]) if inside else 0)
-
-
-def ways(place, sensors):
-    """The sensors' open ways to a place; None where one grazes the crate, or a range."""
-    out = []
-    for sensor in sensors:
-        length = math.dist(place, sensor)
-        if abs(length - RANGE_M) < 1e-4 or \
-                bool(shares(place, sensor, grown(CRATE, 1e-4))) != \
-                bool(shares(place, sensor, grown(CRATE, -1e-4))):
-            return None
-        if length < RANGE_M and not shares(place, sensor, CRATE):
-            out.append(sensor)
-    return out
-
 
 # ---- the files ----
 
@@ -105,28 +31,11 @@ def read_vdb(path):
 
 
 def read_vti(path):
-    """Size, origin, spacing, texts and arrays, as the header says."""
-    with open(path, "rb") as file:
-        data = file.read()
-    at = data.index(b"_", data.index(b"<AppendedData")) + 1
-    end = data.rindex(b"\n  </AppendedData>")
-    head = data[:at - 1].decode("ascii") + "</AppendedData></VTKFile>"
-    root = xml.etree.ElementTree.fromstring(head)
-    check(root.attrib["byte_order"] == "LittleEndian" and root.attrib["header_type"] == "UInt64",
-          root.attrib)
-    image = root.find("ImageData")
-    extent = [int(x) for x in image.attrib["WholeExtent"].split()]
-    size = extent[1::2]
-    texts = {array.attrib["Name"]: bytes(int(x) for x in array.text.split()[:-1]).decode()
-             for array in image.find("FieldData")}
-    arrays, used = {}, 0
-    for array in image.find("Piece").find("CellData"):
-        offset = at + int(array.attrib["offset"])
-        (n,) = struct.unpack_from("<Q", data, offset)
-        check(n == 4 * math.prod(size), array.attrib, n)
-        arrays[array.attrib["Name"]] = struct.unpack_from("<%df" % (n // 4), data, offset + 8)
-        used += 8 + n
-    check(used == end - at, "bytes behind the arrays", end - at - used)
+    """Size, origin and spacing, texts and arrays."""
+    image, texts, arrays = read_vtk(path, "ImageData")
+    size = [int(x) for x in image.attrib["WholeExtent"].split()][1::2]
+    for name, values in arrays.items():
+        check(len(values) == math.prod(size), name, len(values))
     place = [[float(x) for x in image.attrib[key].split()] for key in ("Origin", "Spacing")]
     return size, place, texts, arrays
 
