@@ -15,7 +15,7 @@
 #define FIELD_FILES                                                    \
     {"coverage.vdb, optical_depth.vdb, extinction.vdb, *_photons.vdb", \
      "--export fields; fields.vti holds the same for ParaView"},       \
-        {"photons.ply", "--export photons"},                           \
+        {"photons.ply, photons.vtp", "--export photons"},              \
     {                                                                  \
         "surfaces.ply, surfaces.vtp", "--export surfaces"              \
     }
