@@ -6,6 +6,7 @@
 #include "app/options.h"
 #include "app/page.h"
 #include "app/report.h"
+#include "app/report_pictures.h"
 #include "app/report_scene.h"
 #include "app/version.h"
 #include "app/web_files.h"
@@ -18,6 +19,14 @@
 #include <sys/stat.h>
 
 #define NAME_SIZE 256
+
+/* What a page is made of. */
+typedef struct content {
+    murk_results_in results;
+    murk_report_fields fields;
+    murk_report_scene scene;
+    murk_report_pictures pictures;
+} content;
 
 static const murk_web_file *find_file(const char *name)
 {
@@ -48,7 +57,7 @@ static void name_of(char out[NAME_SIZE], const murk_results_in *results)
     snprintf(out, NAME_SIZE, "%.*s", (int)(length < 200 ? length : 200), path);
 }
 
-static void write_head(FILE *to, const char *name)
+static void write_head(FILE *to, const char *name, bool has_pictures)
 {
     const murk_web_file *css = find_file("page.css");
     const murk_web_file *view = find_file("view.js");
@@ -60,21 +69,21 @@ static void write_head(FILE *to, const char *name)
             "<meta charset=\"utf-8\">\n"
             "<meta http-equiv=\"Content-Security-Policy\" content=\""
             "default-src &#39;none&#39;; style-src &#39;%s&#39;; "
-            "script-src &#39;%s&#39;; "
+            "script-src &#39;%s&#39;; %s"
             "base-uri &#39;none&#39;; form-action &#39;none&#39;\">\n"
             "<meta name=\"viewport\" content=\"width=device-width\">\n"
             "<meta name=\"generator\" content=\"murk %s\">\n"
             "<title>",
-            style, script, MURK_VERSION);
+            style, script, has_pictures ? "img-src data:; " : "", MURK_VERSION);
     murk_page_text(to, name);
     fputs(" \xe2\x80\x93 murk</title>\n<style>", to);
     (void)fwrite(css->text, 1, css->size, to);
     fputs("</style>\n</head>\n", to);
 }
 
-static void write_contents(FILE *to, const murk_results_in *results,
-                           const murk_report_scene *scene)
+static void write_contents(FILE *to, const content *c)
 {
+    const murk_results_in *results = &c->results;
     const bool has_plan =
         results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
     const struct {
@@ -83,7 +92,8 @@ static void write_contents(FILE *to, const murk_results_in *results,
     } parts[] = {
         {"summary", "In short", true},
         {"placement", "Placement", has_plan},
-        {"where", "Where they are", murk_report_has_view(scene)},
+        {"where", "Where they are", murk_report_has_view(&c->scene)},
+        {"pictures", "Pictures", c->pictures.n + c->pictures.n_exr > 0},
         {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
         {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
         {"light", "Light", results->json[MURK_RESULT_LEDGER] != NULL},
@@ -102,29 +112,15 @@ static void write_contents(FILE *to, const murk_results_in *results,
 
 /* ---- the page ---- */
 
-static murk_status write_page(FILE *to, const murk_results_in *results,
-                              const murk_report_scene *scene,
-                              const murk_report_fields *fields, murk_error *err)
+static murk_status write_parts(FILE *to, const content *c, murk_error *err)
 {
-    char name[NAME_SIZE];
-    name_of(name, results);
-    write_head(to, name);
-    fputs("<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n"
-          "<header>\n<h1>",
-          to);
-    murk_page_text(to, name);
-    fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
-          "murk " MURK_VERSION ". Results of the folder ",
-          to);
-    murk_page_text(to, results->folder);
-    fputs(".</p>\n", to);
-    write_contents(to, results, scene);
-    fputs("</header>\n<main id=\"main\">\n", to);
+    const murk_results_in *results = &c->results;
     murk_report_summary(to, results);
     murk_status status = murk_report_plan(to, results, err);
     if (!status) {
-        status = murk_report_plans(to, scene, err);
+        status = murk_report_plans(to, &c->scene, err);
     }
+    murk_report_pictures_write(to, &c->pictures);
     if (!status) {
         status = murk_report_study(to, results, err);
     }
@@ -132,17 +128,37 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
         status = murk_report_fit(to, results, err);
     }
     if (!status) {
-        status = murk_report_light(to, results, fields->scene, err);
+        status = murk_report_light(to, results, c->fields.scene, err);
     }
     if (!status) {
-        status = murk_report_tallies(to, results, fields, err);
+        status = murk_report_tallies(to, results, &c->fields, err);
     }
     murk_report_made(to, results);
+    return status;
+}
+
+static murk_status write_page(FILE *to, const content *c, murk_error *err)
+{
+    char name[NAME_SIZE];
+    name_of(name, &c->results);
+    write_head(to, name, c->pictures.carried > 0);
+    fputs("<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n"
+          "<header>\n<h1>",
+          to);
+    murk_page_text(to, name);
+    fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
+          "murk " MURK_VERSION ". Results of the folder ",
+          to);
+    murk_page_text(to, c->results.folder);
+    fputs(".</p>\n", to);
+    write_contents(to, c);
+    fputs("</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
+    const murk_status status = write_parts(to, c, err);
     fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
           ". This page is one file and loads nothing from elsewhere."
           "</footer>\n",
           to);
-    if (murk_report_has_view(scene)) {
+    if (murk_report_has_view(&c->scene)) {
         const murk_web_file *view = find_file("view.js");
         fputs("<script>", to);
         (void)fwrite(view->text, 1, view->size, to);
@@ -152,15 +168,13 @@ static murk_status write_page(FILE *to, const murk_results_in *results,
     return status;
 }
 
-static murk_status write_file(const char *path, const murk_results_in *results,
-                              const murk_report_scene *scene,
-                              const murk_report_fields *fields, murk_error *err)
+static murk_status write_file(const char *path, const content *c,
+                              murk_error *err)
 {
     murk_file *file = NULL;
     murk_status status = murk_file_create(&file, path, err);
     if (!status) {
-        status =
-            write_page(murk_file_stream(file), results, scene, fields, err);
+        status = write_page(murk_file_stream(file), c, err);
     }
     if (!status) {
         status = murk_file_commit(&file, err);
@@ -207,34 +221,36 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "report",
                          "shows results as they are: no --set and no --seed");
     }
-    murk_results_in results;
-    murk_report_fields fields = {0};
-    murk_report_scene scene = {0};
+    content c = {0};
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
     murk_progress_begin_over("report", 0, "");
     char *path = options->out
                      ? strdup(options->out)
                      : murk_results_path(options->input, "report.html");
-    murk_status status = murk_results_read(&results, options->input, err);
+    murk_status status = murk_results_read(&c.results, options->input, err);
     if (!status && !path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
     }
     if (!status) { /* by children: before there is any ray device */
-        status = murk_report_fields_read(&fields, &results, err);
+        status = murk_report_fields_read(&c.fields, &c.results, err);
     }
     if (!status) {
-        status = murk_report_scene_read(&scene, &results, err);
+        status = murk_report_pictures_read(&c.pictures, options->input, err);
     }
     if (!status) {
-        status = write_file(path, &results, &scene, &fields, err);
+        status = murk_report_scene_read(&c.scene, &c.results, err);
+    }
+    if (!status) {
+        status = write_file(path, &c, err);
     }
     murk_progress_end();
     if (!status) {
-        status = tell(options, path, &scene, err);
+        status = tell(options, path, &c.scene, err);
     }
-    murk_report_scene_release(&scene);
-    murk_report_fields_release(&fields);
-    murk_results_release(&results);
+    murk_report_scene_release(&c.scene);
+    murk_report_pictures_release(&c.pictures);
+    murk_report_fields_release(&c.fields);
+    murk_results_release(&c.results);
     free(path);
     return status;
 }

@@ -83,7 +83,7 @@ bool murk_report_explore(FILE *to, const murk_yaml *plan)
     murk_page_number(to, murk_result_number(explore, "places_seen"));
     fputs(" of ", to);
     murk_page_number(to, murk_result_number(explore, "places"));
-    fputs(" places seen on the way. It ended by ", to);
+    fputs(" places seen on the way. What ended it: ", to);
     murk_page_text(to, murk_result_text(explore, "ended_by"));
     fputs(".</p>\n", to);
     const bool is_whole = draw(to, steps, n);

@@ -19,6 +19,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 MOST_BYTES = 3_000_000
 EVIL = "<img src=x onerror=alert(1)>&\"'"
@@ -61,6 +62,7 @@ class Page(html.parser.HTMLParser):
         super().__init__()
         self.open, self.text, self.inside = [], "", {}
         self.tags, self.ids, self.links, self.policy = [], set(), [], ""
+        self.pictures = []
         self.feed(text)
         self.close()
         check(not self.open, "left open:", self.open)
@@ -71,6 +73,9 @@ class Page(html.parser.HTMLParser):
         check(len(values) == len(attrs), "an attribute twice:", attrs)
         for name, value in attrs:
             check(not name.startswith("on"), "a handler:", tag, name)
+            if tag == "img" and name == "src":
+                self.pictures.append(value)
+                continue
             check(name not in ("src", "srcset", "action", "data", "style", "poster",
                                "xlink:href", "background"), "an attribute:", tag, name)
             if name == "href":
@@ -125,7 +130,19 @@ def hash_of(text):
     return "'sha256-" + base64.b64encode(digest).decode() + "'"
 
 
-def read(path):
+def picture(width, height, size=0):
+    """A grey PNG that says which camera it is of, with `size` bytes more."""
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data +
+                struct.pack(">I", zlib.crc32(kind + data)))
+    rows = (b"\0" + b"\x80" * width) * height
+    return (b"\x89PNG\r\n\x1a\n" +
+            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
+            chunk(b"iTXt", b"murkCamera\0\0\0\0\0" + EVIL.encode()) +
+            chunk(b"zzZz", b"x" * size) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def read(path, pictures=()):
     with open(path, encoding="utf-8") as file:
         text = file.read()
     check(len(text.encode()) <= MOST_BYTES, path, "has", len(text.encode()), "bytes")
@@ -140,7 +157,10 @@ def read(path):
     check(page.policy.count("sha256-") == 2, page.policy)
     for link in page.links:
         check(link in page.ids, "no such place:", link)
-    check("img" not in page.tags, "a name became a tag")
+    check(page.pictures == ["data:image/png;base64," + base64.b64encode(p).decode()
+                            for p in pictures], "pictures:", len(page.pictures))
+    check(page.tags.count("img") == len(pictures), "a name became a tag")
+    check(("img-src data:" in page.policy) == (len(pictures) > 0), page.policy)
     check("nan" not in re.sub(r"[a-z]*nan[a-z]+|[a-z]+nan", "", page.text.lower()),
           "NaN is shown")
     check(not re.search(r'd="[^"]*(nan|inf)', text), "NaN in a plot")
@@ -249,6 +269,24 @@ def main(murk):
                   all(abs(a - b) < 1e-9 for a, b in zip(shown["axis"], sensor["axis"])), shown)
         cells = base64.b64decode(block(text, "media-cells-0"))
         check(len(cells) == math.prod(data["media"][0]["size"]) and set(cells) == {255}, "even fog")
+
+        # pictures that lie beside it, but what is none or too large
+        small = picture(40, 30)
+        for name, content in (("a.png", small), ("b.png", b"GIF89a" * 9), ("c.exr", b"x"),
+                              ("d.png", picture(9000, 1)), ("e.png", picture(7, 7, 800000)),
+                              ("f.png", small[:40]), ("g.png", small[:20])):
+            with open(at("plan/" + name), "wb") as file:
+                file.write(content)
+        os.mkfifo(at("plan/h.png"))
+        os.symlink("/dev/zero", at("plan/i.png"))
+        run("report", "plan", "-o", "pictures.html", "--quiet")
+        page = read(at("pictures.html"), [small, small[:40]])
+        check(f"40 x 30 pixels, camera {EVIL}" in page.text, "no caption")
+        check("e.png (7 x 7 pixels, 0.80 MB) is too large" in page.text, "the large one")
+        check("Radiances with their errors are in c.exr" in page.text, "the EXR's name")
+        for name in "abdefghi":
+            os.unlink(at(f"plan/{name}.png"))
+        os.unlink(at("plan/c.exr"))
 
         # from the scene beside it: the same plan
         paste(f"cd {folder}\n" + commands(at("plan/report.html"))[1])
