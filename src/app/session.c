@@ -6,6 +6,14 @@
 
 #include <stdlib.h>
 
+/* Keys that are given in vain. */
+static void warn_of_idle(const murk_scene *scene)
+{
+    for (size_t i = 0; i < scene->idles; ++i) {
+        murk_warn(scene->idle[i].where, "%s", scene->idle[i].text);
+    }
+}
+
 murk_status murk_session_begin(murk_session *session,
                                const murk_options *options, murk_error *err)
 {
@@ -31,6 +39,7 @@ murk_status murk_session_scene(murk_session *session,
     murk_progress_end();
     if (!status) {
         murk_units_note(session->scene);
+        warn_of_idle(session->scene);
     }
     return status;
 }

@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "scene/conditions.h"
+#include "scene/idle.h"
 #include "scene/medium_preset.h"
 #include "scene/override.h"
 #include "scene/print.h"
@@ -250,6 +251,9 @@ static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
             read_condition(&scene->conditions[i], scene, r->root, given, err);
     }
     murk_yaml_destroy(given);
+    if (!status && !murk_idle_find(scene, r->root)) {
+        status = no_memory(scene->path, err);
+    }
     if (!status &&
         (print_resolved(&r->walk, scene) || print_light_key(&r->walk, scene))) {
         status = no_memory(scene->path, err);
@@ -414,6 +418,7 @@ void murk_scene_destroy(murk_scene *scene)
     free(scene->lights);
     free(scene->tallies);
     free(scene->cameras);
+    free(scene->idle);
     free(scene->resolved);
     free(scene->light_key);
     free(scene->world_key);

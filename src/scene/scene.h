@@ -488,6 +488,12 @@ typedef struct murk_scene_condition {
                         */
 } murk_scene_condition;
 
+/* A key that is given and does nothing. */
+typedef struct murk_scene_idle {
+    murk_scene_where where;
+    const char *text; /* why */
+} murk_scene_idle;
+
 struct murk_scene {
     char *path;             /* as given */
     char sha256[65];        /* of the file's bytes */
@@ -533,6 +539,8 @@ struct murk_scene {
                         are equal */
     char *world_key; /* the light's key without its lights: where these are
                         equal, light differs by the lights alone */
+    murk_scene_idle *idle; /* [idles] neither here nor in any condition */
+    size_t idles;
     char **file; /* [files] that the scene names, by absolute path; a pattern of
                     frames as it is written */
     size_t files;
