@@ -1,6 +1,7 @@
 #include "app/coverage_out.h"
 #include "app/exports.h"
 #include "app/goals_out.h"
+#include "app/plan_ply.h"
 #include "app/robust_out.h"
 #include "app/session.h"
 #include "app/tallies_out.h"
@@ -110,7 +111,20 @@ static murk_status measure_dark(measured *of, const murk_stage *stage,
                                       &of->coverage, err);
 }
 
-static murk_status measure(measured *of, const murk_session *session,
+/* Who sees what, for viewers and the report. */
+static murk_status add_points(murk_session *session, murk_sight *sight,
+                              const murk_pose *sensor, size_t n,
+                              murk_error *err)
+{
+    if (!session->results.folder) {
+        return MURK_OK;
+    }
+    const murk_box *box = &session->stage->world.domain.box;
+    return murk_add_plan_ply(&session->results, "coverage.ply", sight, sensor,
+                             n, murk_length(murk_sub(box->max, box->min)), err);
+}
+
+static murk_status measure(measured *of, murk_session *session,
                            const murk_pose *sensor, size_t n, murk_error *err)
 {
     const murk_stage *stage = session->stage;
@@ -132,6 +146,9 @@ static murk_status measure(measured *of, const murk_session *session,
     if (!status) {
         status = murk_robust_jitter(&of->robust, stage, sight, sensor,
                                     &of->coverage, false, err);
+    }
+    if (!status) {
+        status = add_points(session, sight, sensor, n, err);
     }
     murk_sight_destroy(sight);
     return status;

@@ -82,6 +82,25 @@ static murk_status begin(study_session *s, murk_error *err)
     return status;
 }
 
+/* The scene that rows differ from, as resolved; none, where it cannot stand
+ * without a row's own values. */
+static murk_status add_base(study_session *s, murk_error *err)
+{
+    murk_scene *scene = NULL;
+    murk_error why = {0};
+    const murk_warn_sink told = murk_warn_to(NULL); /* by the rows */
+    const murk_status read =
+        murk_scene_read(&scene, s->study->base, s->options->overrides,
+                        s->options->n_overrides, &why);
+    murk_warn_to(told);
+    const murk_status status =
+        read ? MURK_OK
+             : murk_results_add_text(&s->results, "scene.yaml", scene->resolved,
+                                     err);
+    murk_scene_destroy(scene);
+    return status;
+}
+
 static murk_status write_files(study_session *s, bool is_interrupted,
                                murk_error *err)
 {
@@ -93,6 +112,9 @@ static murk_status write_files(study_session *s, bool is_interrupted,
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, "study.json",
                          "no memory to write it");
+    }
+    if (!status) {
+        status = add_base(s, err);
     }
     if (!status) {
         status = murk_results_add_text(&s->results, "study.json", text, err);
@@ -177,7 +199,7 @@ static void print_study(const study_session *s)
            s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
     printf("time        %.2f s\n", murk_clock_s() - s->begun_s);
     if (s->options->out) {
-        printf("files       %s: study.json table.csv %srows/\n",
+        printf("files       %s: study.json table.csv scene.yaml %srows/\n",
                s->options->out,
                s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE] ? "fluence_*.vdb "
                                                             : "");

@@ -228,6 +228,10 @@ static void write_row(FILE *file, const murk_fit_facts *f, size_t i)
     write_number(file, c->predicted);
     write_number(file, c->photon_error);
     write_number(file, c->residual);
+    const bool is_line = r->kind == MURK_READ_TRANSMITTANCE;
+    write_number(file, is_line ? r->to.x : NAN);
+    write_number(file, is_line ? r->to.y : NAN);
+    write_number(file, is_line ? r->to.z : NAN);
     fputc('\n', file);
 }
 
@@ -243,7 +247,7 @@ static murk_status write_csv(const char *path, const void *context,
     FILE *file = murk_file_stream(out);
     fputs("line,kind,condition,group,x_m,y_m,z_m,band_nm,unit,use,value,"
           "standard_error,predicted,photon_standard_error,residual_in_"
-          "standard_errors\n",
+          "standard_errors,x2_m,y2_m,z2_m\n",
           file);
     for (size_t i = 0; i < f->measured->rows; ++i) {
         write_row(file, f, i);

@@ -64,15 +64,17 @@ static bool fit(projection *p, const murk_report_scene *s)
 }
 
 static void draw_photons(FILE *to, const projection *p,
-                         const murk_plan_points *points)
+                         const murk_report_scene *s)
 {
+    const murk_plan_points *points = &s->points;
+    const unsigned first = s->sensors > 0 ? 0 : 1; /* nobody looked */
     const size_t step = points->n / DOTS_MAX + 1;
     fputs("<g class=\"photons\">\n", to);
     for (unsigned seen = 0; seen < 3; ++seen) {
         fprintf(to, "<path class=\"seen%u\" d=\"", seen);
         for (size_t i = 0; i < points->n; i += step) {
             const murk_plan_point *photon = &points->point[i];
-            if ((photon->seen_by > 2 ? 2 : photon->seen_by) == seen) {
+            if ((photon->seen_by > 2 ? 2 : photon->seen_by + first) == seen) {
                 fprintf(to, "M%.1f %.1fh0",
                         place_x(p, photon->place_m[p->across]),
                         place_y(p, photon->place_m[p->up]));
@@ -138,7 +140,7 @@ static void draw(FILE *to, projection *p, const murk_report_scene *s)
             "<figure>\n<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
             "aria-label=\"%s\">\n",
             WIDTH, p->height + SCALE_BAR, p->name);
-    draw_photons(to, p, &s->points);
+    draw_photons(to, p, s);
     draw_sensors(to, p, s);
     draw_scale(to, p);
     fprintf(to, "</svg>\n<figcaption>%s</figcaption>\n</figure>\n", p->name);
@@ -155,9 +157,13 @@ murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
         return MURK_OK;
     }
     murk_page_section_begin(to, "where", "Where they are");
-    fputs("<p class=\"key\"><span class=\"place\"></span>sensor, range dashed",
-          to);
-    if (scene->points.n > 0) {
+    fputs("<p class=\"key\">", to);
+    if (scene->sensors > 0) {
+        fputs("<span class=\"place\"></span>sensor, range dashed", to);
+    } else if (scene->points.n > 0) {
+        fputs("<span class=\"one\"></span>stored photon", to);
+    }
+    if (scene->sensors > 0 && scene->points.n > 0) {
         fputs("<span class=\"unseen\"></span>photon that none sees"
               "<span class=\"one\"></span>seen by one"
               "<span class=\"more\"></span>by more",

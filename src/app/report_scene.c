@@ -230,6 +230,7 @@ static murk_status read_all(murk_report_scene *out,
     if (plan) {
         status = read_plan(out, plan, err);
     } else if (study) {
+        out->is_study = true;
         status = murk_report_read_study(out, study, err);
     }
     out->states = out->states > 0 ? out->states : 1;

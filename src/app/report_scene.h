@@ -44,7 +44,8 @@ typedef struct murk_report_scene {
     murk_stage *stage; /* NULL: likewise, or what it names is not there */
     murk_shown_state state[MURK_SHOWN_STATES_MAX]; /* [states], 1 or more */
     size_t states, states_asked;
-    murk_plan_points points;         /* of the first state, borrowed */
+    bool is_study;           /* states are its rows, the scene is its base */
+    murk_plan_points points; /* of the first state, borrowed */
     const murk_shown_sensor *sensor; /* [sensors] likewise */
     size_t sensors;
     murk_vec3 *stop; /* [stops] the path's */

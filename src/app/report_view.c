@@ -36,6 +36,17 @@ static bool any_sensors(const murk_report_scene *s)
     return false;
 }
 
+/* Sky and air have no place. */
+static bool any_lamps(const murk_scene *scene)
+{
+    for (size_t i = 0; scene && i < scene->n_lights; ++i) {
+        if (scene->lights[i].type <= MURK_SCENE_LIGHT_MOON) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void write_media_switches(FILE *to, const murk_view_data *data)
 {
     bool is_there = false, is_uneven = false;
@@ -49,7 +60,7 @@ static void write_media_switches(FILE *to, const murk_view_data *data)
         write_switch(to, "level", "media where their extinction is", false);
         fputs("<label><input type=\"range\" aria-label=\"extinction\" "
               "id=\"view-level\" min=\"2\" "
-              "max=\"98\" step=\"2\" value=\"30\"> "
+              "max=\"98\" step=\"2\" value=\"50\"> "
               "<output id=\"view-level-said\"></output></label>\n",
               to);
     }
@@ -73,8 +84,8 @@ static void write_switches(FILE *to, const murk_view_data *data)
         write_switch(to, "sensors", "sensors", true);
         write_switch(to, "ranges", "ranges and views", true);
     }
-    if (s->scene && s->scene->n_lights > 0) {
-        write_switch(to, "lamps", "lamps", true);
+    if (any_lamps(s->scene)) {
+        write_switch(to, "lamps", "lamps and sun", true);
     }
     if (s->stops > 0) {
         write_switch(to, "path", "the path", true);
@@ -158,6 +169,10 @@ static void write_notes(FILE *to, const murk_view_data *data)
                 data->mesh.asked, data->mesh.triangles);
     }
     note_media(to, data);
+    if (data->scene->is_study) {
+        fputs("Surfaces, lamps and media are those of the study's base scene. ",
+              to);
+    }
     fputs("<span class=\"interactive\">Drag to turn, scroll to go nearer, with "
           "two fingers or the right button to move. With the picture in "
           "focus: arrow keys turn, + and \xe2\x88\x92 go nearer and away, N "

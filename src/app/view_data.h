@@ -26,4 +26,15 @@ void murk_view_data_release(murk_view_data *data);
 murk_status murk_view_data_write(FILE *to, const murk_view_data *data,
                                  murk_error *err);
 
+/* ---- parts of it ---- */
+
+/* The JSON, for cJSON_free(); NULL when out of memory. */
+char *murk_view_data_json(const murk_view_data *data);
+/* Of a state's photons, between whose corners places are sent. */
+murk_box murk_view_photon_box(const murk_plan_points *points);
+/* A photon's bits of who sees it. */
+size_t murk_view_bit_bytes(const murk_shown_state *state);
+/* Whether corners' numbers need four bytes. */
+bool murk_view_is_wide(const murk_view_mesh *mesh);
+
 #endif

@@ -67,7 +67,7 @@ murk_status murk_view_media_make(murk_view_media *out, const murk_stage *stage,
     for (size_t i = 0; i < n; ++i) {
         const double share =
             out->most_per_m > 0 ? value[i] / out->most_per_m : 0;
-        out->cell[i] = (uint8_t)floor(FULL * share + 0.5);
+        out->cell[i] = (uint8_t)floor(FULL * sqrt(share) + 0.5);
     }
     out->is_even = !(out->least_per_m < 0.99 * out->most_per_m);
     free(value);

@@ -7,9 +7,10 @@
 typedef struct murk_view_media {
     murk_box box;
     size_t size[3];
-    uint8_t *cell; /* [size[0] * size[1] * size[2]], x fastest: extinction in
-                      the first band at the cell's middle, 255: the most of
-                      all. NULL: no medium */
+    uint8_t *cell; /* [size[0] * size[1] * size[2]], x fastest: 255 times the
+                      root of extinction over the most of all, in the first
+                      band at the cell's middle (by the root, as smoke may be
+                      thousands of times thicker than haze). NULL: no medium */
     double least_per_m, most_per_m;
     bool is_even; /* the same everywhere, to a hundredth */
 } murk_view_media;

@@ -7,6 +7,7 @@ usage: report.py MURK
 
 import array
 import base64
+import csv
 import hashlib
 import html
 import html.parser
@@ -123,6 +124,12 @@ def photons_of(path):
     n = int(re.search(rb"element vertex (\d+)", head).group(1))
     rows = struct.iter_unpack("<3f4BHfI", body[:26 * n])
     return [(*row[:3], row[7], row[9]) for row in rows if row[6] in (1, 2)]
+
+
+def view_data(path):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    return json.loads(block(text, "view-data")), text
 
 
 def hash_of(text):
@@ -268,6 +275,7 @@ def main(murk):
             check(sensor["heading_deg"] is None or
                   all(abs(a - b) < 1e-9 for a, b in zip(shown["axis"], sensor["axis"])), shown)
         cells = base64.b64decode(block(text, "media-cells-0"))
+        check(data["lamps"][0]["place"] == [2, 2, 2.5] and data["north"] == [0, 1, 0], "lamps")
         check(len(cells) == math.prod(data["media"][0]["size"]) and set(cells) == {255}, "even fog")
 
         # pictures that lie beside it, but what is none or too large
@@ -307,11 +315,19 @@ def main(murk):
         check("murk sense seen/scene.yaml --sensors seen/coverage.json" in page.text,
               "no command of sense")
         run("sense", "seen/scene.yaml", "--sensors", "seen/coverage.json", "--quiet")
+        data, text = view_data(at("seen/report.html"))
+        want = photons_of(at("seen/coverage.ply"))
+        check(want == photons_of(at("plan/plan.ply")), "the same sensors see otherwise")
+        check(base64.b64decode(block(text, "photon-sensors-0")) == bytes(w[4] for w in want),
+              "by whom, of sense")
 
         run("trace", scene, "-o", "light", "--quiet")
         run("report", "light")
         check("murk trace light/scene.yaml -o again" in read(at("light/report.html")).text,
               "no command of trace")
+        (state,) = view_data(at("light/report.html"))[0]["states"]
+        check(state["stored"] == state["photons"] == photons and state["sensors"] == [],
+              "photons of light.murk")
 
         write("study.yaml", 'murk_study: 1\nbase: "it\'s <b>.yaml"\naxes:\n'
               "  lights.0.power_w: [1, 2, 4]\n  photons.emit: [500, 1000]\n"
@@ -325,10 +341,29 @@ def main(murk):
             text = file.read()
         check(text.count('class="band') == 4, "bands: two lines in two plots")
 
-        write("data.csv", "kind,x_m,y_m,z_m,radius_m,unit,value,standard_error,use\n"
-              "fluence,0.8,0.8,2.5,0.3,W/m2,0.5,0.05,fit\n"
-              "fluence,3,1,2.5,0.3,W/m2,0.4,0.04,fit\n"
-              "fluence,1,3,1,0.3,W/m2,0.3,0.03,hold_out\n")
+        data = view_data(at("study/report.html"))[0]
+        check([s["name"] for s in data["states"]] == ["the plan of every row"], data["states"])
+        check("mesh" in data and os.path.exists(at("study/scene.yaml")), "the base scene")
+        run("check", "study/scene.yaml")
+        write("more.yaml", 'murk_study: 1\nbase: "it\'s <b>.yaml"\naxes: {sensors.count: [1, 2]}\n'
+              "outputs: [coverage_best]\n")
+        run("study", "more.yaml", "-o", "more", "--quiet")
+        run("report", "more")
+        with open(at("more/study.json"), encoding="utf-8") as file:
+            study = json.load(file)
+        states = view_data(at("more/report.html"))[0]["states"]
+        check([s["name"] for s in states] ==
+              ["row 1: sensors.count 1", "row 2: sensors.count 2"], states)
+        for shown, row in zip(states, study["rows"]):
+            check([s["place"] for s in shown["sensors"]] ==
+                  [s["position_m"] for s in row["sensors"]], shown["name"])
+
+        write("data.csv",
+              "kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,radius_m,unit,value,standard_error,use\n"
+              "fluence,0.8,0.8,2.5,,,,0.3,W/m2,0.5,0.05,fit\n"
+              "fluence,3,1,2.5,,,,0.3,W/m2,0.4,0.04,fit\n"
+              "fluence,1,3,1,,,,0.3,W/m2,0.3,0.03,hold_out\n"
+              "transmittance,1,1,2,1,3,2,,fraction,0.5,0.05,fit\n")
         run("fit", scene, "--data", "data.csv", "--free", "lights.0.power_w", "-o", "fit",
             "--traces", "1", "--quiet", "--emit", "2000")
         run("report", "fit")
@@ -337,6 +372,15 @@ def main(murk):
         check("'it'\\''s <b>.yaml'" in page.text, "the scene is not quoted for a shell")
         # the value's interval, residuals, measured against predicted
         check("held out" in page.text and page.tags.count("svg") == 3, "residuals")
+        readings = view_data(at("fit/report.html"))[0]["readings"]
+        check([(r["place"], r["to"]) for r in readings] ==
+              [([0.8, 0.8, 2.5],) * 2, ([3, 1, 2.5],) * 2, ([1, 3, 1],) * 2,
+               ([1, 1, 2], [1, 3, 2])], readings)
+        check([r["held_out"] for r in readings] == [False, False, True, False], "held out")
+        with open(at("fit/fit.csv"), encoding="utf-8") as file:
+            residuals = [float(r["residual_in_standard_errors"]) for r in csv.DictReader(file)]
+        check(all(abs(r["residual"] - want) < 1e-12 for r, want in zip(readings, residuals)),
+              "residuals in the view")
 
         # what is printed, pasted, makes the same: options of each kind
         run("place", scene, "-o", "two", "-j2", "--quiet", "--set", "placement.restarts=7",

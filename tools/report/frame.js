@@ -70,10 +70,12 @@ export function frame(data) {
   edge([x, y, -z], [-x, y, -z]);
   edge([-x, y, -z], [-x, -y, -z]);
   edge([-x, y, -z], [-x, y, z]);
-  const step = stepOf(2 * Math.max(...half) || 1), tick = data.size_m / 70;
+  const longest = stepOf(2 * Math.max(...half) || 1), tick = data.size_m / 70;
   // where each axis's edge begins, and outward from it
   const begins = [[-x, -y, -z], [-x, -y, -z], [-x, y, -z]], away = [[0, -1, 0], [-1, 0, 0], [-0.8, 0.6, 0]];
   for (let k = 0; k < 3; ++k) {
+    // short sides have finer ones
+    const step = Math.min(longest, stepOf(5 * Math.max(half[k], data.size_m / 25)));
     const last = Math.floor(data.high[k] / step + 1e-9);
     const put = (at, far) => new Vector3(...at.map((v, j) => v + far * tick * away[k][j]));
     let n = 0;
@@ -81,6 +83,8 @@ export function frame(data) {
       const at = [...begins[k]];
       at[k] = i * step - data.middle[k];
       edge(at, put(at, 1).toArray());
+      // at its foot the upright would write over the floor's
+      if (k === 2 && at[2] + z < 2 * tick) continue;
       group.add(label(String(Number((i * step).toPrecision(8))), put(at, 2.6)));
     }
     const name = [...begins[k]];
@@ -92,11 +96,11 @@ export function frame(data) {
   return group;
 }
 
-// Beside the floor, to the right.
+// Before the floor's corner on the right.
 function north(data, [x, y, z], tick) {
   const group = new Group(), way = new Vector3(...data.north), side = new Vector3(way.y, -way.x, 0);
   const length = 6 * tick;
-  const foot = new Vector3(x + 6 * tick, -y + length / 2, -z).addScaledVector(way, -length / 2);
+  const foot = new Vector3(x + 5 * tick, -y - 5 * tick, -z).addScaledVector(way, -length / 2);
   const tip = foot.clone().addScaledVector(way, length), out = [];
   const to = (a, b) => out.push(a.x, a.y, a.z, b.x, b.y, b.z);
   to(foot, tip);

@@ -12,7 +12,9 @@ import {
 } from "three";
 import { bytes } from "./data.js";
 
-const MOST_DEPTH = 1.6; // of the deepest line of sight through the cloud
+// Of lines of sight through the cloud, level ones at half of which are deeper:
+// what is deeper in truth is thinned to it.
+const DEPTH = 0.35;
 const STEPS = 72;
 
 export class Medium {
@@ -54,34 +56,35 @@ void main() {
   vec3 leg = way * (1.0 - begin) / ${STEPS}.0;
   float sum = 0.0;
   for (int i = 0; i < ${STEPS}; ++i) {
-    sum += texture(cells, eye + way * begin + leg * (float(i) + 0.5)).r;
+    float root = texture(cells, eye + way * begin + leg * (float(i) + 0.5)).r;
+    sum += root * root;
   }
   float depth = strength * sum * length(leg * extent);
   color = vec4(tint, 1.0 - exp(-depth));
   if (color.a < 0.004) discard;
 }`;
 
-// Optical depth of the deepest of the lines along the axes, in cells of 1 / 255.
-function deepest(medium, extent) {
-  const [nx, ny, nz] = medium.size, n = [nx, ny, nz], stride = [1, nx, nx * ny];
-  let most = 0;
-  for (let k = 0; k < 3; ++k) {
-    const u = (k + 1) % 3, v = (k + 2) % 3;
+// Optical depth of level lines of sight, from side to side: half are deeper.
+function usualDepth(medium, extent) {
+  const [nx, ny, nz] = medium.size, n = [nx, ny, nz], stride = [1, nx, nx * ny], all = [];
+  for (const k of [0, 1]) {
+    const u = 1 - k;
     for (let i = 0; i < n[u]; ++i) {
-      for (let j = 0; j < n[v]; ++j) {
+      for (let j = 0; j < nz; ++j) {
         let sum = 0;
-        for (let t = 0; t < n[k]; ++t) sum += medium.cell[i * stride[u] + j * stride[v] + t * stride[k]];
-        most = Math.max(most, sum * extent[k] / n[k]);
+        for (let t = 0; t < n[k]; ++t) sum += (medium.cell[i * stride[u] + j * stride[2] + t * stride[k]] / 255) ** 2;
+        all.push(sum * medium.most_per_m * extent[k] / n[k]);
       }
     }
   }
-  return most / 255;
+  all.sort((a, b) => a - b);
+  return all[all.length >> 1];
 }
 
-// What the cloud's depth is of the true one: deep ones are thinned.
+// What the cloud's depth is of the true one.
 export function cloudShare(medium) {
-  const depth = deepest(medium, medium.extent()) * medium.most_per_m;
-  return depth > MOST_DEPTH ? MOST_DEPTH / depth : 1;
+  medium.share ??= Math.min(1, DEPTH / usualDepth(medium, medium.extent()));
+  return medium.share;
 }
 
 export function cloud(medium) {
@@ -117,8 +120,8 @@ const CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1
 const EDGES = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 // Corners and triangles of the surface; what is outside of the box has no
-// extinction, so it is closed. share: of the largest extinction, 0..1.
-export function net({ size, cell }, share) {
+// extinction, so it is closed. root: of the share of the largest extinction.
+export function net({ size, cell }, root) {
   const wide = size.map((n) => n + 2), [wx, wy, wz] = wide;
   const value = new Float32Array(wx * wy * wz);
   for (let z = 0, i = 0; z < size[2]; ++z) {
@@ -136,8 +139,8 @@ export function net({ size, cell }, share) {
         const sum = [0, 0, 0];
         for (const [a, b] of EDGES) {
           const p = value[i + step[a]], q = value[i + step[b]];
-          if (p >= share === q >= share) continue;
-          const t = (share - p) / (q - p);
+          if (p >= root === q >= root) continue;
+          const t = (root - p) / (q - p);
           for (let k = 0; k < 3; ++k) sum[k] += CORNERS[a][k] + t * (CORNERS[b][k] - CORNERS[a][k]);
           ++crossed;
         }
@@ -157,8 +160,8 @@ export function net({ size, cell }, share) {
         for (let k = 0; k < 3; ++k) {
           const u = (k + 1) % 3, v = (k + 2) % 3;
           if (at[k] + 1 === wide[k] || at[u] === 0 || at[v] === 0) continue;
-          const isInside = value[i] >= share;
-          if (isInside === value[i + along[k]] >= share) continue;
+          const isInside = value[i] >= root;
+          if (isInside === value[i + along[k]] >= root) continue;
           const q = [i, i - along[u], i - along[u] - along[v], i - along[v]].map((n) => number[n]);
           if (!isInside) q.reverse();
           corner.push(q[0], q[1], q[2], q[0], q[2], q[3]);
@@ -169,9 +172,9 @@ export function net({ size, cell }, share) {
   return { place, corner };
 }
 
-export function level(medium, share) {
+export function level(medium, root) {
   if (!medium.there) return null;
-  const { place, corner } = net(medium, share), extent = medium.extent(), low = medium.corner();
+  const { place, corner } = net(medium, root), extent = medium.extent(), low = medium.corner();
   for (let i = 0; i < place.length; ++i) {
     const k = i % 3;
     place[i] = low[k] + extent[k] * Math.min(1, Math.max(0, place[i]));

@@ -36,12 +36,31 @@ export function surfaces(data) {
   return group;
 }
 
+// Arrows that meet the box, the way the light of sun and moon travels.
+export function distant(data) {
+  const half = data.high.map((v, k) => Math.max(v - data.low[k], 0) / 2), t = data.size_m / 70;
+  return data.lamps.filter((lamp) => lamp.distant).map((lamp) => {
+    const way = new Vector3(...lamp.direction).normalize();
+    const out = Math.min(...way.toArray().map((v, k) => Math.abs(v) > 0 ? half[k] / Math.abs(v) : Infinity));
+    const at = (far) => way.clone().multiplyScalar(-out - far * t), tip = at(1);
+    const side = new Vector3(-way.y, way.x, 0).normalize();
+    const barbs = [-1, 1].map((s) => at(2.5).addScaledVector(side, s * t));
+    return { lamp, tip, tail: at(7), barbs, word: at(8.5) };
+  });
+}
+
 // Lamps as what they are: a ball, a sheet, a ray's beginning.
 export function lamps(data) {
   const group = new Group(), out = [], size = data.size_m / 140;
   const to = (a, b) => out.push(a.x, a.y, a.z, b.x, b.y, b.z);
   const ball = new SphereGeometry(size, 12, 8);
+  for (const { tail, tip, barbs, word, lamp } of distant(data)) {
+    to(tail, tip);
+    for (const barb of barbs) to(tip, barb);
+    group.add(label(lamp.type, word, "#fff3c4"));
+  }
   for (const lamp of data.lamps) {
+    if (lamp.distant) continue;
     const place = from(data, lamp.place);
     if (lamp.type === "rect") {
       const u = new Vector3(...lamp.edge1), v = new Vector3(...lamp.edge2);
@@ -147,10 +166,19 @@ export function sensors(data, list) {
     // without a limit: as far as tells where it looks
     const reach = Math.min(sensor.range_m ?? data.size_m / 8, data.size_m);
     ranges.add(lines(reachLines(data, sensor, reach), SENSOR, 0.4));
-    if (list.length <= NUMBERED) {
-      labels.add(label(String(number + 1), place.clone().add(new Vector3(0, 0, data.size_m / 38)), "#10141b", "#ffd400", 1.15));
-    }
   });
+  // one label for those that stand together
+  const groups = new Map();
+  if (list.length <= NUMBERED) {
+    list.forEach((sensor, number) => {
+      const key = sensor.place.map((v) => Math.round(60 * v / data.size_m)).join();
+      groups.set(key, [...(groups.get(key) ?? []), number]);
+    });
+  }
+  for (const numbers of groups.values()) {
+    const above = from(data, list[numbers[0]].place).add(new Vector3(0, 0, data.size_m / 38));
+    labels.add(label(numbers.map((n) => n + 1).join(" · "), above, "#10141b", "#ffd400", 1.15));
+  }
   return { marks, labels, ranges };
 }
 
@@ -162,7 +190,7 @@ export function path(data) {
   for (let i = 0; i + 1 < stops.length; ++i) out.push(...stops[i].toArray(), ...stops[i + 1].toArray());
   group.add(lines(out, PATH));
   if (stops.length > 0) {
-    group.add(label("start", stops[0].clone().add(new Vector3(0, 0, data.size_m / 30)), "#1c2430", "#ff8ad8"));
+    group.add(label("start", stops[0].clone().add(new Vector3(0, 0, -data.size_m / 38)), "#1c2430", "#ff8ad8"));
   }
   return group;
 }

@@ -34,7 +34,9 @@ function photonEntries(photons, picked) {
 export function sayKey(box, data, state, photons, picked, medium, hidden) {
   const out = photonEntries(photons, picked);
   if (state.sensors.length > 0) out.push(entry(0xffd400, "sensor, and how far and where it sees"));
-  if (data.lamps.length > 0 && !hidden.has("lamps")) out.push(entry(0xfff3c4, "lamp"));
+  if (!hidden.has("lamps")) {
+    for (const kind of new Set(data.lamps.map((lamp) => lamp.distant ? lamp.type : "lamp"))) out.push(entry(0xfff3c4, kind));
+  }
   if (data.path.length > 0) out.push(entry(0xff8ad8, "the path"));
   if (data.readings.length > 0) {
     out.push(entry(residualColor(3), "reading 3 standard errors or more above the model"),

@@ -43,7 +43,7 @@ class View {
       readings: parts.readings(data), axes: frame(data),
     };
     for (const part of Object.values(this.parts)) this.scene.add(part);
-    this.share = 0.3;
+    this.root = 0.5;
     this.choose(0);
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
@@ -98,38 +98,57 @@ class View {
     }));
   }
 
-  // The surface on which the extinction is that share of the largest. Made
-  // when it is first looked at.
+  // The surface on which the extinction is a share of the largest, whose root is
+  // set. Made when it is looked at.
   cut() {
     const isWanted = !this.hidden.has("level");
-    this.put("level", isWanted ? level(this.medium, this.share) : null);
+    this.put("level", isWanted ? level(this.medium, this.root) : null);
     const said = element("view-level-said");
     if (said) {
       said.textContent = this.medium.there
-        ? `${Number((this.share * this.medium.most_per_m).toPrecision(3))} per m`
+        ? `${Number((this.root ** 2 * this.medium.most_per_m).toPrecision(3))} per m`
         : "none here";
     }
   }
 
   look(name) {
-    const way = new Vector3(...LOOKS[name]).normalize();
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(way.multiplyScalar(this.distance(way)));
+    const way = new Vector3(...LOOKS[name]).normalize(), target = new Vector3();
+    const right = new Vector3(-way.y, way.x, 0).normalize(), up = new Vector3().crossVectors(way, right);
+    let distance = 0;
+    for (let pass = 0; pass < 4; ++pass) { // the middle of what is seen, not of the box
+      distance = this.distance(way, right, up, target);
+      const range = [right, up].map((axis) => {
+        const seen = this.corners().map((c) => c.sub(target)).map((c) => c.dot(axis) / (distance - c.dot(way)));
+        return (Math.min(...seen) + Math.max(...seen)) / 2 * distance;
+      });
+      target.addScaledVector(right, range[0]).addScaledVector(up, range[1]);
+    }
+    distance = this.distance(way, right, up, target);
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(way, distance);
     this.controls.update();
     this.draw();
   }
 
+  // What is to be in view: the box, its labels, and where distant light comes from.
+  corners() {
+    const [x, y, z] = this.data.high.map((v, k) => (v - this.data.low[k]) / 2), t = this.data.size_m / 70;
+    const box = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => new Vector3(i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z));
+    const words = [[x / 3, -y - 7 * t, -z], [-x - 11 * t, y / 3, -z], [-x - 4 * t, y, z + 4 * t], [x + 6 * t, -y - 8 * t, -z],
+      [-x, -y - 4 * t, -z], [-x - 4 * t, -y, -z]];
+    const arrows = parts.distant(this.data).map((arrow) => arrow.word);
+    return [...box, ...words.map((place) => new Vector3(...place)), ...arrows];
+  }
+
   // So far off that the box and its labels are in view.
-  distance(way) {
-    const right = new Vector3(-way.y, way.x, 0).normalize(), up = new Vector3().crossVectors(way, right);
-    const half = this.data.high.map((v, k) => (v - this.data.low[k]) / 2);
+  distance(way, right, up, target) {
     let most = 0;
-    for (let i = 0; i < 8; ++i) {
-      const corner = new Vector3(...half.map((v, k) => i >> k & 1 ? v : -v));
+    for (const corner of this.corners()) {
+      corner.sub(target);
       const across = Math.abs(corner.dot(right)) / (TANGENT * this.camera.aspect), high = Math.abs(corner.dot(up)) / TANGENT;
-      most = Math.max(most, Math.max(across, high) + corner.dot(way));
+      most = Math.max(most, 1.06 * Math.max(across, high) + corner.dot(way));
     }
-    return 1.13 * Math.max(most, this.data.size_m / 2);
+    return Math.max(most, this.data.size_m / 3);
   }
 
   // Keys turn the view about its middle; + and - go nearer and away.
@@ -225,7 +244,7 @@ function connectControls(view) {
   states?.addEventListener("change", () => view.choose(Number(states.value)));
   const slider = element("view-level");
   slider?.addEventListener("input", () => {
-    view.share = Number(slider.value) / 100;
+    view.root = Number(slider.value) / 100;
     const box = document.querySelector("#view input[value=level]");
     box.checked = true; // who moves it wants to see it
     view.show("level", true);
