@@ -370,8 +370,8 @@ def main(murk):
         page = read(at("fit/report.html"))
         check("--free lights.0.power_w" in page.text, "no command of fit")
         check("'it'\\''s <b>.yaml'" in page.text, "the scene is not quoted for a shell")
-        # the value's interval, residuals, measured against predicted
-        check("held out" in page.text and page.tags.count("svg") == 3, "residuals")
+        # the value's interval, residuals, measured against predicted in each unit
+        check("held out" in page.text and page.tags.count("svg") == 4, page.tags.count("svg"))
         readings = view_data(at("fit/report.html"))[0]["readings"]
         check([(r["place"], r["to"]) for r in readings] ==
               [([0.8, 0.8, 2.5],) * 2, ([3, 1, 2.5],) * 2, ([1, 3, 1],) * 2,
