@@ -33,7 +33,8 @@ static void write_effort(FILE *to, const murk_yaml *root,
     }
     const char *date = murk_result_text(root, "run.date");
     murk_page_line_begin(to, "It took");
-    fprintf(to, isfinite(seconds) ? "%.3g" : "â", seconds);
+    murk_page_number(to, seconds < 100 ? round(100 * seconds) / 100
+                                       : round(seconds));
     fputs(" s on ", to);
     murk_page_count(to, threads, "thread", "threads");
     fputs(" and ", to);
@@ -123,34 +124,52 @@ static void explain(FILE *to, const murk_results_in *results)
     fputs("</dl>\n</details>\n", to);
 }
 
+static void write_one(FILE *to, murk_result_file which, const murk_yaml *root)
+{
+    switch (which) {
+    case MURK_RESULT_PLAN:
+    case MURK_RESULT_COVERAGE:
+        murk_answer_plan(to, root, which == MURK_RESULT_PLAN);
+        break;
+    case MURK_RESULT_STUDY:
+        murk_answer_study(to, root);
+        break;
+    case MURK_RESULT_FIT:
+        murk_answer_fit(to, root);
+        break;
+    case MURK_RESULT_LEDGER:
+    case MURK_RESULT_FILES:
+        murk_answer_light(to, root);
+        break;
+    }
+}
+
 void murk_report_summary(FILE *to, const murk_results_in *results)
 {
-    const murk_yaml *const *json = (const murk_yaml *const *)results->json;
-    const murk_yaml *ledger = json[MURK_RESULT_LEDGER];
+    static const char *const kinds[MURK_RESULT_FILES] = {
+        [MURK_RESULT_PLAN] = "The placement",
+        [MURK_RESULT_COVERAGE] = "The sensors that were given",
+        [MURK_RESULT_STUDY] = "The study",
+        [MURK_RESULT_FIT] = "The calibration",
+        [MURK_RESULT_LEDGER] = "The light"};
+    size_t n = 0;
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        n += murk_results_is_main(results, (murk_result_file)i);
+    }
     murk_page_section_begin(to, "summary", "In short");
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        const murk_yaml *root = json[i];
+        const murk_yaml *root = results->json[i];
         if (!murk_results_is_main(results, (murk_result_file)i)) {
             continue;
         }
-        fputs("<dl class=\"facts\">\n", to);
-        switch ((murk_result_file)i) {
-        case MURK_RESULT_PLAN:
-        case MURK_RESULT_COVERAGE:
-            murk_answer_plan(to, root, i == MURK_RESULT_PLAN);
-            break;
-        case MURK_RESULT_STUDY:
-            murk_answer_study(to, root);
-            break;
-        case MURK_RESULT_FIT:
-            murk_answer_fit(to, root);
-            break;
-        case MURK_RESULT_LEDGER:
-        case MURK_RESULT_FILES:
-            murk_answer_light(to, root);
-            break;
+        if (n > 1) {
+            fprintf(to, "<h3>%s</h3>\n", kinds[i]);
         }
-        write_effort(to, root, ledger);
+        fputs("<dl class=\"facts\">\n", to);
+        write_one(to, (murk_result_file)i, root);
+        /* light of several runs is not told apart */
+        write_effort(to, root,
+                     n == 1 ? results->json[MURK_RESULT_LEDGER] : NULL);
         fputs("</dl>\n", to);
     }
     explain(to, results);

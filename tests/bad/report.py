@@ -21,6 +21,9 @@ PLY = ("ply\nformat binary_little_endian 1.0\ncomment x\nelement vertex %d\n"
        "property uchar kind\nproperty ushort seen_by\nproperty float quality\n"
        "property uint sensors\n"
        "element face 0\nproperty list uchar int vertex_indices\nend_header\n")
+GRID = ("murk: 1\ndomain: {min_m: [0, 0, 0], max_m: [1, 1, 1]}\nlights: [{type: point, "
+        "position_m: [0.5, 0.5, 0.5], power_w: 1}]\ntallies: [{name: inside, type: grid, min_m: "
+        "[0, 0, 0], max_m: [1, 1, 1], size: [2, 2, 2]}]\n")
 MEMORY = 1 << 30
 failures = 0
 
@@ -58,6 +61,7 @@ def main(murk, is_sanitized):
                       "one line with", part, "not", done.stderr)
             page = os.path.join(folder, "report.html")
             check(os.path.exists(page) == (want == 0), part, "a page or none")
+            check(want == 0 or not [n for n in os.listdir(folder) if "html" in n], "a part of a page")
             text = ""
             if os.path.exists(page):
                 with open(page, encoding="utf-8") as file:
@@ -80,6 +84,10 @@ def main(murk, is_sanitized):
         run(2, "0.0.9, must be 0.1: results of another version")
         plan(murk={"version": "0.10.0"})
         run(2, "0.10.0, must be 0.1")
+        plan(murk={"version": "0.2.0"})
+        run(2, "plan.json:1:22: murk.version: 0.2.0, must be 0.1")
+        plan(murk={"version": "1"})
+        run(2, "1, must be 0.1")
         plan(murk={})
         run(2, "murk.version is missing")
         write("plan.json", '{"murk": {"version": "0.1.0"')
@@ -102,6 +110,18 @@ def main(murk, is_sanitized):
         write("table.csv", "a,b,b_standard_error\n1e999,nan,x\n,,\n2,1e300,1e300\n")
         run(0, "The study")
 
+        # what is no file, or cannot be written
+        os.symlink("/dev/zero", os.path.join(folder, "plan.json"))
+        run(2, "no results here")
+        os.mkfifo(os.path.join(folder, "plan.json"))
+        run(2, "no results here")
+        plan()
+        run(1, "cannot write", ".", "-o", "nowhere/report.html")
+        plan()
+        run(1, "cannot write", ".", "-o", "/dev/full")
+        plan()
+        run(1, "cannot write", ".", "-o", folder)
+
         # values of other kinds than a plan has, or beyond all measure
         for value in (None, "x", [], {}, -1e308, [[[]]], "<script>"):
             plan(sensors=value, coverage=value, curve=value, bound=value,
@@ -117,6 +137,30 @@ def main(murk, is_sanitized):
         run(0, "The placement")
         plan(sensors=[{"type": "node", "position_m": [k, 1, 1]} for k in range(20000)])
         run(0, "The first 200 of 20000 rows")
+
+        # tables beside the JSON that are not what they should be
+        ledger = json.dumps({"murk": {"version": "0.1.0"}})
+        for rows in ("top,550,0,0,0,forward,1,0,W\n" * 2, "top,550,9,0,0,forward,1,0,W\n",
+                     "top,nan,0,0,0,forward,1,0,W\n", "top,550,-1,0,0,forward,1,0,W\n",
+                     "top,550,1e9,1e9,1e9,forward,1,0,W\n", "top,550,0.5,0,0,,1e999,x,W\n",
+                     "".join(f"top,{n},0,0,0,forward,1,0,W\n" for n in range(400, 420)),
+                     "".join(f"<b>,550,{n},0,0,<i>,1e308,1e308,<u>\n" for n in range(5000))):
+            write("ledger.json", ledger)
+            write("tallies.csv", "tally,band_nm,bin_i,bin_j,bin_k,direction,value,"
+                  "standard_error,unit\n" + rows)
+            text = run(0, "Tallies")
+            check("<b>" not in text and "<i>" not in text, "a name is a tag")
+        write("ledger.json", ledger)
+        write("tallies.csv", "a\nb\n")
+        run(0, "Tallies")
+        write("ledger.json", ledger)
+        write("tallies.csv", "")
+        run(2, "tallies.csv")
+        write("ledger.json", ledger)
+        write("tallies.csv", "tally\n")
+        write("scene.yaml", GRID)
+        write("inside.vdb", b"\x20\x42\x44\x56" * 100)
+        run(0, "It cannot be shown: inside:")
 
         # photons
         for content, part in ((b"ply\n", "not a plan.ply"),
