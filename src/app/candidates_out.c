@@ -1,5 +1,7 @@
 #include "app/candidates_out.h"
 
+#include "app/summary.h"
+
 #include <stdio.h>
 
 cJSON *murk_json_candidates(cJSON *root, const murk_candidates *c)
@@ -17,12 +19,13 @@ cJSON *murk_json_candidates(cJSON *root, const murk_candidates *c)
 
 void murk_print_candidates(const murk_candidates *c)
 {
-    printf("candidates  %zu asked, %zu usable: %zu not reached from a light, "
-           "%zu too close, ",
-           c->asked, c->usable, c->unreached, c->too_close);
+    murk_print(
+        "candidates  %zu asked, %zu usable: %zu not reached from a light, "
+        "%zu too close, ",
+        c->asked, c->usable, c->unreached, c->too_close);
     if (c->forbidden + c->duplicates > 0) {
-        printf("%zu forbidden by zones, %zu duplicates, ", c->forbidden,
-               c->duplicates);
+        murk_print("%zu forbidden by zones, %zu duplicates, ", c->forbidden,
+                   c->duplicates);
     }
-    printf("%zu doubtful\n", c->doubtful);
+    murk_print("%zu doubtful\n", c->doubtful);
 }

@@ -5,9 +5,13 @@
 #include <string.h>
 
 #include "app/results.h"
+#include "app/summary.h"
 #include "study/extent.h"
 
 /* What the region fills; of an unbounded one the part in the domain. */
+/* A table whose rows leave out less than this is not worth a word. */
+#define TABLE_SLACK .005
+
 static murk_box region_box(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];
@@ -151,16 +155,22 @@ static void print_phase(const murk_stage *stage, size_t medium, int band)
 {
     const murk_phase *phase = phase_of(stage, medium, band);
     const char *kind = murk_phases_kind(&stage->scene->media[medium], band);
-    printf("%s, mean cosine %.6g", kind, murk_phase_mean_cosine(phase));
+    murk_print("%s, mean cosine %.6g", kind, murk_phase_mean_cosine(phase));
     if (phase->table) {
-        printf(", %.4g backward",
-               murk_phase_table_facts(phase->table)->backward);
+        murk_print(", %.4g backward",
+                   murk_phase_table_facts(phase->table)->backward);
     }
     if (strcmp(kind, "table") == 0) {
         const murk_phase_facts *facts = murk_phase_table_facts(phase->table);
-        printf(" (integral %.6g before it became 1; share before the first "
-               "row %.3g, behind the last %.3g)",
-               facts->integral, facts->before_first, facts->behind_last);
+        const bool is_whole = fabs(facts->integral - 1) < TABLE_SLACK &&
+                              facts->before_first < TABLE_SLACK &&
+                              facts->behind_last < TABLE_SLACK;
+        if (is_whole) {
+            return;
+        }
+        murk_print(" (integral %.6g before it became 1; share before the first "
+                   "row %.3g, behind the last %.3g)",
+                   facts->integral, facts->before_first, facts->behind_last);
     }
 }
 
@@ -179,14 +189,14 @@ static void print_phases(const murk_stage *stage, size_t medium)
         are_equal = are_equal && is_same(phase_of(stage, medium, band),
                                          phase_of(stage, medium, 0));
     }
-    printf("phase       %s: ", scene->media[medium].name);
     for (int band = 0; band < (are_equal ? 1 : scene->bands); ++band) {
+        murk_print("phase       %s: ", scene->media[medium].name);
         if (!are_equal) {
-            printf("%s%.6g nm ", band ? "; " : "", scene->band_nm[band]);
+            murk_print("%.6g nm ", scene->band_nm[band]);
         }
         print_phase(stage, medium, band);
+        murk_print("\n");
     }
-    printf("\n");
 }
 
 static void print_medium(const murk_stage *stage, size_t medium)
@@ -196,28 +206,30 @@ static void print_medium(const murk_stage *stage, size_t medium)
     const murk_grid *grid = fillings->grid[medium];
     const murk_grid *albedo = fillings->albedo[medium];
     if (m->profile_z_m.n > 0) {
-        printf("medium      %s: %zu heights, %.4g to %.4g m, extinction up to "
-               "%.6g /m",
-               m->name, m->profile_z_m.n, m->profile_z_m.value[0],
-               m->profile_z_m.value[m->profile_z_m.n - 1],
-               profile_maximum(m).band[0]);
+        murk_print(
+            "medium      %s: %zu heights, %.4g to %.4g m, extinction up to "
+            "%.6g /m",
+            m->name, m->profile_z_m.n, m->profile_z_m.value[0],
+            m->profile_z_m.value[m->profile_z_m.n - 1],
+            profile_maximum(m).band[0]);
     } else {
-        printf("medium      %s: extinction %.6g /m", m->name,
-               m->extinction_per_m.band[0]);
+        murk_print("medium      %s: extinction %.6g /m", m->name,
+                   m->extinction_per_m.band[0]);
     }
     if (albedo) {
         const murk_grid_facts *facts = murk_grid_describe(albedo);
-        printf(", albedo %.4g..%.4g by grid %s, %.4g elsewhere", facts->minimum,
-               facts->maximum, facts->name, facts->background);
+        murk_print(", albedo %.4g..%.4g by grid %s, %.4g elsewhere",
+                   facts->minimum, facts->maximum, facts->name,
+                   facts->background);
     } else {
-        printf(", albedo %.4g", m->albedo.band[0]);
+        murk_print(", albedo %.4g", m->albedo.band[0]);
     }
     if (grid) {
         const murk_grid_facts *facts = murk_grid_describe(grid);
-        printf("; %sgrid %s: %llu voxels of %.4g m, density %.4g..%.4g",
-               m->is_linear ? "linear " : "", facts->name,
-               (unsigned long long)facts->active, facts->voxel_m[0],
-               facts->minimum, facts->maximum);
+        murk_print("; %sgrid %s: %llu voxels of %.4g m, density %.4g..%.4g",
+                   m->is_linear ? "linear " : "", facts->name,
+                   (unsigned long long)facts->active, facts->voxel_m[0],
+                   facts->minimum, facts->maximum);
     }
 }
 
@@ -226,34 +238,34 @@ void murk_print_media(const murk_stage *stage)
     const murk_scene *scene = stage->scene;
     for (size_t i = 0; i < scene->n_media; ++i) {
         print_medium(stage, i);
-        printf("%s\n", scene->bands > 1 ? " (first band)" : "");
+        murk_print("%s\n", scene->bands > 1 ? " (first band)" : "");
         print_phases(stage, i);
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         const murk_box box = region_box(stage, i);
-        printf("region      %s", scene->media[r->medium].name);
+        murk_print("region      %s", scene->media[r->medium].name);
         if (r->shape == MURK_SCENE_EVERYWHERE) {
-            printf(" everywhere");
+            murk_print(" everywhere");
             if (scene->media[r->medium].profile_z_m.n > 0) {
-                printf(" at %.4g to %.4g m", box.min.z, box.max.z);
+                murk_print(" at %.4g to %.4g m", box.min.z, box.max.z);
             }
         } else if (r->shape == MURK_SCENE_BELOW) {
-            printf(" below z = %.4g m", r->below_z_m);
+            murk_print(" below z = %.4g m", r->below_z_m);
         } else {
-            printf(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
-                   box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
+            murk_print(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
+                       box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
         }
         if (r->shape == MURK_SCENE_IN_MESH) {
-            printf(", a mesh of %zu triangles",
-                   murk_hulls_describe(stage->hulls, (int)i).triangles);
+            murk_print(", a mesh of %zu triangles",
+                       murk_hulls_describe(stage->hulls, (int)i).triangles);
         }
         if (r->ior > 0) {
-            printf(", index %.5g", r->ior);
+            murk_print(", index %.5g", r->ior);
         }
         if (r->wind_m_per_s > 0) {
-            printf(", waves of %.3g m/s wind", r->wind_m_per_s);
+            murk_print(", waves of %.3g m/s wind", r->wind_m_per_s);
         }
-        printf("\n");
+        murk_print("\n");
     }
 }

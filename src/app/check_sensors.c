@@ -1,5 +1,7 @@
 #include "app/check_sensors.h"
 
+#include "app/summary.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -49,16 +51,17 @@ void murk_json_sensor_types(cJSON *root, const murk_scene *scene,
 static void print_view(const murk_scene_sensor_type *type)
 {
     if (type->view == MURK_SCENE_VIEW_SPHERE) {
-        printf("all round");
+        murk_print("all round");
         return;
     }
     if (type->view == MURK_SCENE_VIEW_CONE) {
-        printf("cone of %.4g degrees", type->cone_rad * DEG_PER_RAD);
+        murk_print("cone of %.4g degrees", type->cone_rad * DEG_PER_RAD);
     } else {
-        printf("%.4g x %.4g degrees", type->hfov_rad * DEG_PER_RAD,
-               type->vfov_rad * DEG_PER_RAD);
+        murk_print("%.4g x %.4g degrees", type->hfov_rad * DEG_PER_RAD,
+                   type->vfov_rad * DEG_PER_RAD);
     }
-    printf(", %zu headings, %zu tilts", headings_of(type), type->tilts_deg.n);
+    murk_print(", %zu headings, %zu tilts", headings_of(type),
+               type->tilts_deg.n);
 }
 
 void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses)
@@ -66,25 +69,26 @@ void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses)
     const murk_scene_sensors *wish = &scene->sensors;
     for (size_t k = 0; k < wish->types; ++k) {
         const murk_scene_sensor_type *type = &wish->type[k];
-        printf("sensor      %-12s ", type->name);
+        murk_print("sensor      %-12s ", type->name);
         print_view(type);
-        printf(", %.4g to %.4g m", type->least_range_m, type->range_m);
+        murk_print(", %.4g to %.4g m", type->least_range_m, type->range_m);
         if (type->toward) {
-            printf(", light that travels toward it");
+            murk_print(", light that travels toward it");
         }
         if (type->bands_nm.n) {
-            printf(", %zu of %d bands", type->bands_nm.n, scene->bands);
+            murk_print(", %zu of %d bands", type->bands_nm.n, scene->bands);
         }
-        printf("; cost %.10g", type->cost);
+        murk_print("; cost %.10g", type->cost);
         if (type->least_count > 0) {
-            printf(", at least %llu", (unsigned long long)type->least_count);
+            murk_print(", at least %llu",
+                       (unsigned long long)type->least_count);
         }
         if (type->max_count < NO_MAX_COUNT) {
-            printf(", at most %llu", (unsigned long long)type->max_count);
+            murk_print(", at most %llu", (unsigned long long)type->max_count);
         }
-        printf("; %zu candidates\n", poses_of(poses, k));
+        murk_print("; %zu candidates\n", poses_of(poses, k));
     }
     if (poses->fixed > 0) {
-        printf("fixed       %zu sensors stand already\n", poses->fixed);
+        murk_print("fixed       %zu sensors stand already\n", poses->fixed);
     }
 }

@@ -1,5 +1,7 @@
 #include "app/check_sky.h"
 
+#include "app/summary.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -27,7 +29,7 @@ static void print_time(const murk_stage *stage)
     const murk_scene_site *site = &stage->scene->site;
     if (site->has_time) {
         murk_time_print(text, site->unix_s, site->zone_min);
-        printf("time        %s\n", text);
+        murk_print("time        %s\n", text);
     }
 }
 
@@ -49,9 +51,9 @@ static void print_taken(const murk_stage *stage, size_t light)
 {
     const murk_taken_again taken = murk_taken_again_of(stage, light);
     if (taken.is_known && taken.share > 0) {
-        printf("            the domain's media take %.3g %% of this again, "
-               "before a surface or water\n",
-               100 * taken.share);
+        murk_print("            the domain's media take %.3g %% of this again, "
+                   "before a surface or water\n",
+                   100 * taken.share);
     }
 }
 
@@ -71,13 +73,13 @@ static double power_of(const murk_stage *stage, murk_quantity quantity)
 static void print_power(const murk_stage *stage)
 {
     const murk_quantity quantity = stage->scene->units;
-    printf("lights      %zu, %.6g W", murk_lights_count(stage->lights),
-           murk_lights_power_w(stage->lights));
+    murk_print("lights      %zu, %.6g W", murk_lights_count(stage->lights),
+               murk_lights_power_w(stage->lights));
     if (quantity != MURK_RADIOMETRIC) {
-        printf(" or %.6g %s", power_of(stage, quantity),
-               murk_units_of(quantity).power);
+        murk_print(" or %.6g %s", power_of(stage, quantity),
+                   murk_units_of(quantity).power);
     }
-    printf(" together\n");
+    murk_print(" together\n");
 }
 
 void murk_print_lights(const murk_stage *stage)
@@ -90,18 +92,19 @@ void murk_print_lights(const murk_stage *stage)
         const murk_scene_light *l = &scene->lights[i];
         if (l->type < MURK_SCENE_LIGHT_SUN) {
             if (!facts->is_on) {
-                printf("light       %zu, %s: off\n", i, name_of(l->type));
+                murk_print("light       %zu, %s: off\n", i, name_of(l->type));
             }
             continue;
         }
-        printf("light       %zu, %s: %.4g %s in the bands", i, name_of(l->type),
-               irradiance_of(stage, i), murk_units_of(scene->units).irradiance);
+        murk_print("light       %zu, %s: %.4g %s in the bands", i,
+                   name_of(l->type), irradiance_of(stage, i),
+                   murk_units_of(scene->units).irradiance);
         if (isfinite(facts->elevation_deg)) {
-            printf("; %s at azimuth %.2f, elevation %.2f degrees",
-                   l->type == MURK_SCENE_LIGHT_MOON ? "moon" : "sun",
-                   facts->azimuth_deg, facts->elevation_deg);
+            murk_print("; %s at azimuth %.2f, elevation %.2f degrees",
+                       l->type == MURK_SCENE_LIGHT_MOON ? "moon" : "sun",
+                       facts->azimuth_deg, facts->elevation_deg);
         }
-        printf("\n");
+        murk_print("\n");
         print_taken(stage, i);
     }
 }

@@ -5,6 +5,7 @@
 #include "app/goals_out.h"
 #include "app/over_out.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "app/tallies_out.h"
 #include "study/machine.h"
 
@@ -89,23 +90,29 @@ static void print_findings(const findings *f)
     const murk_stage *stage = f->session->stage;
     const murk_domain *domain = &stage->world.domain;
     const murk_surfaces_facts *s = &f->surfaces;
-    printf("scene       %s: %d band%s, seed %u\n", f->session->scene->path,
-           f->session->scene->bands, f->session->scene->bands > 1 ? "s" : "",
-           f->session->scene->seed);
-    printf("domain      %.6g %.6g %.6g to %.6g %.6g %.6g m, %s sides\n",
-           domain->box.min.x, domain->box.min.y, domain->box.min.z,
-           domain->box.max.x, domain->box.max.y, domain->box.max.z,
-           domain->is_periodic ? "periodic" : "open");
-    printf("surfaces    %zu triangles, %zu spheres, %.4g m2; %zu solids, %zu "
-           "sheets; %zu degenerate triangles left out\n",
-           s->triangles, s->spheres, s->area_m2, s->solids, s->sheets,
-           s->degenerate);
+    murk_print("scene       %s: %d band%s, seed %u\n", f->session->scene->path,
+               f->session->scene->bands,
+               f->session->scene->bands > 1 ? "s" : "",
+               f->session->scene->seed);
+    murk_print("domain      %.6g %.6g %.6g to %.6g %.6g %.6g m, %s sides\n",
+               domain->box.min.x, domain->box.min.y, domain->box.min.z,
+               domain->box.max.x, domain->box.max.y, domain->box.max.z,
+               domain->is_periodic ? "periodic" : "open");
+    murk_print(
+        "surfaces    %zu triangles, %zu spheres, %.4g m2; %zu solids, %zu "
+        "sheets; %zu degenerate triangles left out\n",
+        s->triangles, s->spheres, s->area_m2, s->solids, s->sheets,
+        s->degenerate);
     for (size_t i = 0; i < f->session->scene->n_materials; ++i) {
         const murk_scene_material *m = &f->session->scene->materials[i];
-        printf("material    %-12s %10.4g m2: diffuse %.3g, specular %.3g, "
-               "transmit %.3g\n",
-               m->name, murk_surfaces_material_area(stage->surfaces, i),
-               m->diffuse.band[0], m->specular.band[0], m->transmit.band[0]);
+        const double area_m2 = murk_surfaces_material_area(stage->surfaces, i);
+        if (!(area_m2 > 0)) {
+            continue; /* nothing is of it */
+        }
+        murk_print("material    %-12s %10.4g m2: diffuse %.3g, specular %.3g, "
+                   "transmit %.3g\n",
+                   m->name, area_m2, m->diffuse.band[0], m->specular.band[0],
+                   m->transmit.band[0]);
     }
     murk_print_media(stage);
     murk_print_lights(stage);
@@ -113,21 +120,22 @@ static void print_findings(const findings *f)
         murk_print_candidates(f->candidates);
         murk_print_sensor_types(f->session->scene, f->poses);
     } else {
-        printf("candidates  none: the scene has no sensors\n");
+        murk_print("candidates  none: the scene has no sensors\n");
     }
     murk_print_asked_goals(f->session->scene);
     murk_over_print_asked(f->session->scene);
     murk_print_asked_tallies(f->session);
-    printf("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
-           "volume (from a pilot of %llu photons)\n",
-           f->forecast.emitted, f->forecast.surface, f->forecast.volume,
-           (unsigned long long)f->forecast.pilot_photons);
+    murk_print("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
+               "volume (from a pilot of %llu photons)\n",
+               f->forecast.emitted, f->forecast.surface, f->forecast.volume,
+               (unsigned long long)f->forecast.pilot_photons);
     if (!(f->forecast.memory_bytes + matrix_bytes(f) >= 1e5)) {
         return; /* not worth a word */
     }
-    printf("memory      about %.3g GB a map while tracing; to place in a known "
-           "environment at most %.3g GB more\n",
-           f->forecast.memory_bytes / 1e9, matrix_bytes(f) / 1e9);
+    murk_print(
+        "memory      about %.3g GB a map while tracing; to place in a known "
+        "environment at most %.3g GB more\n",
+        f->forecast.memory_bytes / 1e9, matrix_bytes(f) / 1e9);
 }
 
 murk_status murk_command_check(const murk_options *options, murk_error *err)

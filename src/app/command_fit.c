@@ -1,5 +1,6 @@
 #include "app/fit_out.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "calibrate/covered.h"
 #include "scene/yaml.h"
 #include "study/machine.h"
@@ -257,10 +258,7 @@ static murk_status write_files(const fit *f, murk_session *session,
     }
     if (!status && murk_session_speaks(session)) {
         murk_print_fit(&facts);
-        printf("time        %.2f s: load %.2f, trace %.2f; memory %.2g GB "
-               "(%.2g foretold)\n",
-               session->run.total_s, session->run.load_s, session->run.trace_s,
-               murk_machine_peak_bytes() / 1e9, f->foretold_bytes / 1e9);
+        murk_print_time(&session->run, NULL, 0);
         murk_print_files(session);
     }
     return status;

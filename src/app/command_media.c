@@ -1,6 +1,7 @@
 /* murk media: what presets there are, and what one comes to, band by band. Its
  * numbers are those of a scene with this one medium. */
 #include "app/results.h"
+#include "app/summary.h"
 #include "base/progress.h"
 
 #include "medium/phase.h"
@@ -26,9 +27,9 @@ static void print_list(void)
         murk_preset *preset = NULL;
         murk_presets_name(i, name);
         if (!murk_presets_read(&preset, name, "", NULL)) {
-            printf("%-*s %5g..%-5g nm  %s\n", WIDTH, name,
-                   preset->wavelength_nm[0], preset->wavelength_nm[1],
-                   preset->about);
+            murk_print("%-*s %5g..%-5g nm  %s\n", WIDTH, name,
+                       preset->wavelength_nm[0], preset->wavelength_nm[1],
+                       preset->about);
         }
         murk_preset_destroy(preset);
     }
@@ -148,11 +149,11 @@ static void band_name(const murk_scene *scene, int band, char out[40])
 
 static void print_numbers(const double *value, int n)
 {
-    printf("%s", n > 1 ? "[" : "");
+    murk_print("%s", n > 1 ? "[" : "");
     for (int k = 0; k < n; ++k) {
-        printf("%s%.6g", k ? ", " : "", value[k]);
+        murk_print("%s%.6g", k ? ", " : "", value[k]);
     }
-    printf("%s", n > 1 ? "]" : "");
+    murk_print("%s", n > 1 ? "]" : "");
 }
 
 static void print_words(const resolved *r)
@@ -166,57 +167,58 @@ static void print_words(const resolved *r)
         if (!word.is_known) {
             continue;
         }
-        printf("%s  %s: ", any ? "" : "\nwords\n", murk_word_name(id));
+        murk_print("%s  %s: ", any ? "" : "\nwords\n", murk_word_name(id));
         any = true;
         print_numbers(word.least, n);
-        printf(" to ");
+        murk_print(" to ");
         print_numbers(word.most, n);
-        printf(" %s", murk_word_unit(id));
+        murk_print(" %s", murk_word_unit(id));
         if (word.has_preset) {
-            printf(", default ");
+            murk_print(", default ");
             print_numbers(word.preset, n);
         }
         if (medium->words.given[i]) {
-            printf(", here ");
+            murk_print(", here ");
             print_numbers(medium->words.value[i], n);
         }
-        printf("\n");
+        murk_print("\n");
     }
 }
 
 static void print_sources(const murk_preset *preset)
 {
-    printf("\nsources\n");
+    murk_print("\nsources\n");
     for (size_t i = 0; i < preset->sources; ++i) {
         const murk_preset_source *s = &preset->source[i];
-        printf("  %s: %s%s%s%s\n", s->what, s->from,
-               s->quoted_by ? " (second hand: " : "",
-               s->quoted_by ? s->quoted_by : "", s->quoted_by ? ")" : "");
+        murk_print("  %s: %s%s%s%s\n", s->what, s->from,
+                   s->quoted_by ? " (second hand: " : "",
+                   s->quoted_by ? s->quoted_by : "", s->quoted_by ? ")" : "");
     }
     for (size_t i = 0; i < preset->doubts; ++i) {
-        printf("%s  %s\n", i ? "" : "\ndoubts\n", preset->doubt[i]);
+        murk_print("%s  %s\n", i ? "" : "\ndoubts\n", preset->doubt[i]);
     }
 }
 
 static void print_one(const resolved *r)
 {
     const murk_scene_medium *medium = &r->scene->media[0];
-    printf("%s: %s\nwavelengths %g..%g nm\n", r->preset->name, r->preset->about,
-           r->preset->wavelength_nm[0], r->preset->wavelength_nm[1]);
+    murk_print("%s: %s\nwavelengths %g..%g nm\n", r->preset->name,
+               r->preset->about, r->preset->wavelength_nm[0],
+               r->preset->wavelength_nm[1]);
     print_words(r);
-    printf("\n%14s  %12s  %8s  %12s  %12s  %11s  %s\n", "band nm",
-           "extinction/m", "albedo", "absorption/m", "scattering/m",
-           "mean cosine", "phase");
+    murk_print("\n%14s  %12s  %8s  %12s  %12s  %11s  %s\n", "band nm",
+               "extinction/m", "albedo", "absorption/m", "scattering/m",
+               "mean cosine", "phase");
     for (int band = 0; band < r->scene->bands; ++band) {
         char name[40];
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
         band_name(r->scene, band, name);
-        printf("%14s  %12.6g  %8.6f  %12.6g  %12.6g  %11.4f  %s\n", name,
-               extinction, albedo, extinction * (1 - albedo),
-               extinction * albedo,
-               murk_phase_mean_cosine(&r->phases->medium[0][band]),
-               murk_phases_kind(medium, band));
+        murk_print("%14s  %12.6g  %8.6f  %12.6g  %12.6g  %11.4f  %s\n", name,
+                   extinction, albedo, extinction * (1 - albedo),
+                   extinction * albedo,
+                   murk_phase_mean_cosine(&r->phases->medium[0][band]),
+                   murk_phases_kind(medium, band));
     }
     print_sources(r->preset);
 }

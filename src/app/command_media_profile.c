@@ -1,6 +1,7 @@
 /* murk media --profile: a measured profile as a grid. */
 #include "app/media_profile.h"
 #include "app/results.h"
+#include "app/summary.h"
 #include "scene/number.h"
 
 #include <stdio.h>
@@ -76,11 +77,12 @@ murk_status murk_command_media_profile(const murk_options *options,
     if (!status && options->json) {
         status = print_json(&layers, options->out, err);
     } else if (!status && !options->quiet) {
-        printf("%s: %s of %zu rows, %.6g down to %.6g m, optical depth %.7g\n"
-               "%s: grid density [1/m], %zu voxels of %.6g m, %.6g m wide\n",
-               layers.csv, layers.column, layers.rows, layers.top_m,
-               layers.bottom_m, layers.depth, options->out, layers.n,
-               layers.voxel_m, layers.width_m);
+        murk_print(
+            "%s: %s of %zu rows, %.6g down to %.6g m, optical depth %.7g\n"
+            "%s: grid density [1/m], %zu voxels of %.6g m, %.6g m wide\n",
+            layers.csv, layers.column, layers.rows, layers.top_m,
+            layers.bottom_m, layers.depth, options->out, layers.n,
+            layers.voxel_m, layers.width_m);
     }
     murk_profile_layers_release(&layers);
     return status;

@@ -9,10 +9,10 @@
 #include "app/repeat_out.h"
 #include "app/robust_out.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "app/tallies_out.h"
 
 #include "base/log.h"
-#include "study/machine.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -161,51 +161,47 @@ static murk_status print_plan(const murk_session *session,
         murk_over_print(over);
     }
     murk_print_sensors(session->scene, plan->sensor, place->count,
-                       &plan->in_sample);
+                       &plan->in_sample, session->results.folder);
     if (plan->is_dark) {
-        printf("coverage    none: it is dark, and no sensor is better than "
-               "another\n");
+        murk_print("coverage    none: it is dark, and no sensor is better than "
+                   "another\n");
     } else {
-        printf("coverage    %.4f in sample (", plan->in_sample.total.value);
+        murk_print("coverage    %.4f in sample (", plan->in_sample.total.value);
         murk_print_maps(&plan->in_sample);
-        printf("); all candidates: %.4f\n",
-               murk_share(place->ceiling, place->whole));
+        murk_print("); all candidates: %.4f\n",
+                   murk_share(place->ceiling, place->whole));
     }
     if (plan->has_held_out) {
-        printf("held out    %.4f +- %.4f (one standard error, %s)\n",
-               plan->held_out.value, plan->held_out.standard_error,
-               murk_error_by(session->scene));
+        murk_print("held out    %.4f +- %.4f (one standard error, %s)\n",
+                   plan->held_out.value, plan->held_out.standard_error,
+                   murk_error_by(session->scene));
     }
     if (session->scene->sensors.target > 0 && !plan->is_dark) {
-        printf("target      %.4f takes %zu sensors, and no fewer than %zu",
-               session->scene->sensors.target, place->count, place->fewest);
+        murk_print("target      %.4f takes %zu sensors, and no fewer than %zu",
+                   session->scene->sensors.target, place->count, place->fewest);
         if (isfinite(plan->confirmed.value)) {
-            printf("; on a third map %.4f +- %.4f", plan->confirmed.value,
-                   plan->confirmed.standard_error);
+            murk_print("; on a third map %.4f +- %.4f", plan->confirmed.value,
+                       plan->confirmed.standard_error);
         }
-        printf("\n");
+        murk_print("\n");
     }
     murk_print_regions(session->scene, plan->in_sample.region,
                        plan->held_out_region);
     murk_print_robust(session->scene, &plan->robust);
     if (session->scene->sensors.budget > 0) {
-        printf("budget      %.10g of %.10g spent\n",
-               (double)place->cost * MURK_COST_UNIT,
-               session->scene->sensors.budget);
+        murk_print("budget      %.10g of %.10g spent\n",
+                   (double)place->cost * MURK_COST_UNIT,
+                   session->scene->sensors.budget);
     }
     if (!plan->is_dark) {
         murk_print_bound(place, session->scene->sensors.budget > 0,
                          murk_sample_of(session->scene));
-        murk_print_explore(plan);
+        murk_print_explore(plan, session->results.folder);
     }
     if (repeat->runs > 0) {
         status = murk_print_repeat(repeat, err);
     }
-    const murk_run_facts *run = &session->run;
-    printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense %.2f, "
-           "place %.2f; memory %.3g GB\n",
-           run->total_s, run->load_s, run->trace_s, run->map_s, run->sense_s,
-           run->place_s, murk_machine_peak_bytes() / 1e9);
+    murk_print_time(&session->run, NULL, 0);
     murk_print_files(session);
     return status;
 }

@@ -3,6 +3,7 @@
 #include "app/picture_coverage.h"
 #include "app/render_options.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "app/viewpoint.h"
 #include "base/interrupt.h"
 #include "render/render.h"
@@ -138,31 +139,32 @@ static void print_radiance(const job *j, int b)
     /* Of the records' noise the pixels have their share, which they have in
      * common. */
     const char *rays = j->options->by_path ? "" : " (error of the rays alone)";
-    printf("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over the %s%s\n",
-           j->session.scene->band_nm[b], p->mean[b], p->mean_error[b],
-           is_all_round(j) ? "sphere" : "picture's pixels", rays);
+    murk_print(
+        "radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over the %s%s\n",
+        j->session.scene->band_nm[b], p->mean[b], p->mean_error[b],
+        is_all_round(j) ? "sphere" : "picture's pixels", rays);
     if (is_all_round(j)) {
-        printf("irradiance  %.7g nm: %.4g +- %.2g W/m2, scalar, where the "
-               "camera stands%s\n",
-               j->session.scene->band_nm[b], 4 * MURK_PI * p->mean[b],
-               4 * MURK_PI * p->mean_error[b], rays);
+        murk_print("irradiance  %.7g nm: %.4g +- %.2g W/m2, scalar, where the "
+                   "camera stands%s\n",
+                   j->session.scene->band_nm[b], 4 * MURK_PI * p->mean[b],
+                   4 * MURK_PI * p->mean_error[b], rays);
     }
 }
 
 static void print_images(const job *j)
 {
     const murk_images *images = &j->images;
-    printf("files       %s\n", images->exr);
+    murk_print("files       %s\n", images->exr);
     if (images->png) {
-        printf("            %s: exposure %.2f stops%s\n", images->png,
-               images->stops,
-               j->options->render.has_exposure ? "" : ", by the picture");
+        murk_print("            %s: exposure %.2f stops%s\n", images->png,
+                   images->stops,
+                   j->options->render.has_exposure ? "" : ", by the picture");
     }
     if (images->false_colour) {
         const murk_false_colour *c = &images->colours;
-        printf("            %s: %s, %.5g to %.5g, %s\n", images->false_colour,
-               images->channel, c->low, c->high,
-               c->is_log ? "logarithmic" : "linear");
+        murk_print("            %s: %s, %.5g to %.5g, %s\n",
+                   images->false_colour, images->channel, c->low, c->high,
+                   c->is_log ? "logarithmic" : "linear");
     }
 }
 
@@ -174,32 +176,29 @@ static void print_summary(const job *j)
     if (s->traced) {
         murk_print_light(s);
     }
-    printf("camera      %s: %zu x %zu pixels, %zu samples; ", v->name, p->width,
-           p->height, v->samples);
+    murk_print("camera      %s: %zu x %zu pixels, %zu samples; ", v->name,
+               p->width, p->height, v->samples);
     if (is_all_round(j)) {
-        printf("all round, heading %.1f degrees in the middle\n",
-               v->heading_deg);
+        murk_print("all round, heading %.1f degrees in the middle\n",
+                   v->heading_deg);
     } else {
-        printf("heading %.1f, tilt %.1f degrees\n", v->heading_deg,
-               v->tilt_deg);
+        murk_print("heading %.1f, tilt %.1f degrees\n", v->heading_deg,
+                   v->tilt_deg);
     }
-    printf("method      %s\n", method_of(j));
+    murk_print("method      %s\n", method_of(j));
     for (int b = 0; b < p->bands; ++b) {
         print_radiance(j, b);
     }
     if (p->lost > 0) {
-        printf("lost        %llu of %llu rays, by caps or rounding\n",
-               (unsigned long long)p->lost, (unsigned long long)p->rays);
+        murk_print("lost        %llu of %llu rays, by caps or rounding\n",
+                   (unsigned long long)p->lost, (unsigned long long)p->rays);
     }
     if (v->sensors > 0) {
-        printf("coverage    by %zu sensors, in coverage.count and "
-               "coverage.clarity\n",
-               v->sensors);
+        murk_print("coverage    by %zu sensors, in coverage.count and "
+                   "coverage.clarity\n",
+                   v->sensors);
     }
-    printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, render "
-           "%.2f\n",
-           s->run.total_s, s->run.load_s, s->run.trace_s, s->run.map_s,
-           j->render_s);
+    murk_print_time(&s->run, "render", j->render_s);
     print_images(j);
 }
 

@@ -57,7 +57,7 @@ static void print_event(const replay *r, const murk_event *event)
     char what[96];
     snprintf(what, sizeof what, "%s %s", partner(r, event),
              has_outcome(event) ? outcome_name[event->outcome] : "");
-    printf("%5u  %-9s %-26s %10.4f %10.4f %10.4f  %8.5f %8.5f %8.5f  %10.4f\n",
+    printf("%5u %-9s %-24s %9.3f %9.3f %9.3f %7.4f %7.4f %7.4f %9.3f\n",
            event->number, kind_name[event->kind], what, p.x, p.y, p.z, d.x, d.y,
            d.z, event->path_m);
 }
@@ -123,8 +123,9 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
         cJSON_AddNumberToObject(root, "photon", (double)options->photon);
         r.events = cJSON_AddArrayToObject(root, "events");
     } else if (murk_session_speaks(&session)) {
-        printf("event  kind      what                              x m        "
-               "y m        z m  direction out                    path m\n");
+        printf("event kind      what                           x m       y m   "
+               "    "
+               "z m  direction out            path m\n");
     }
     murk_trace trace = murk_stage_trace(session.stage);
     trace.first = options->photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;

@@ -8,6 +8,7 @@
 #include "app/report.h"
 #include "app/report_pictures.h"
 #include "app/report_scene.h"
+#include "app/summary.h"
 #include "app/version.h"
 #include "app/web_files.h"
 #include "base/file.h"
@@ -190,12 +191,12 @@ static murk_status tell(const murk_options *options, const char *path,
     (void)stat(path, &known);
     if (!options->json) {
         if (!options->quiet) {
-            printf("%s: %.2f MB", path, (double)known.st_size / 1e6);
+            murk_print("%s: %.2f MB", path, (double)known.st_size / 1e6);
             if (scene->points.photons > 0) {
-                printf(", %zu of %llu photons", scene->points.n,
-                       (unsigned long long)scene->points.photons);
+                murk_print(", %zu of %llu photons", scene->points.n,
+                           (unsigned long long)scene->points.photons);
             }
-            putchar('\n');
+            murk_print("\n");
         }
         return MURK_OK;
     }

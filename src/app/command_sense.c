@@ -4,6 +4,7 @@
 #include "app/plan_ply.h"
 #include "app/robust_out.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "app/tallies_out.h"
 #include "study/dark.h"
 #include "study/placement_in.h"
@@ -80,24 +81,22 @@ static void print_coverage(const murk_session *session, const murk_pose *sensor,
     murk_print_light(session);
     murk_print_tallies(session);
     murk_print_targets(&of->targets);
-    murk_print_sensors(session->scene, sensor, n, coverage);
+    murk_print_sensors(session->scene, sensor, n, coverage,
+                       session->results.folder);
     if (!isfinite(coverage->total.value)) {
-        printf("coverage    none: it is dark (");
+        murk_print("coverage    none: it is dark (");
     } else if (isfinite(coverage->total.standard_error)) {
-        printf("coverage    %.4f +- %.4f (one standard error, %s; ",
-               coverage->total.value, coverage->total.standard_error,
-               murk_error_by(session->scene));
+        murk_print("coverage    %.4f +- %.4f (one standard error, %s; ",
+                   coverage->total.value, coverage->total.standard_error,
+                   murk_error_by(session->scene));
     } else {
-        printf("coverage    %.4f (", coverage->total.value);
+        murk_print("coverage    %.4f (", coverage->total.value);
     }
     murk_print_maps(coverage);
-    printf(")\n");
+    murk_print(")\n");
     murk_print_regions(session->scene, coverage->region, NULL);
     murk_print_robust(session->scene, &of->robust);
-    printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f, sense "
-           "%.2f\n",
-           session->run.total_s, session->run.load_s, session->run.trace_s,
-           session->run.map_s, session->run.sense_s);
+    murk_print_time(&session->run, NULL, 0);
     murk_print_files(session);
 }
 

@@ -1,4 +1,6 @@
 #include "app/results.h"
+#include "app/study_print.h"
+#include "app/summary.h"
 #include "app/table_out.h"
 #include "app/told.h"
 #include "app/version.h"
@@ -129,36 +131,6 @@ static murk_status write_files(study_session *s, bool is_interrupted,
     return status;
 }
 
-static void print_value(const murk_study_value *v)
-{
-    if (!isfinite(v->of.value)) {
-        printf("  %s none", v->name);
-    } else if (isfinite(v->of.standard_error)) {
-        printf("  %s %.4g +- %.1g%s%s", v->name, v->of.value,
-               v->of.standard_error, v->unit[0] ? " " : "", v->unit);
-    } else {
-        printf("  %s %.6g%s%s", v->name, v->of.value, v->unit[0] ? " " : "",
-               v->unit);
-    }
-}
-
-static void print_row(const study_session *s, size_t row)
-{
-    const murk_study_row *found = &s->sweep->row[row].found;
-    size_t index[MURK_STUDY_AXES_MAX];
-    murk_study_row_indices(s->study, row, index);
-    printf("row %-8zu", row + 1);
-    for (size_t a = 0; a < s->study->axes; ++a) {
-        printf("%s%s %s", a ? ", " : "", s->study->axis[a].name,
-               s->study->axis[a].text[index[a]]);
-    }
-    printf(":");
-    for (size_t i = 0; i < found->values; ++i) {
-        print_value(&found->value[i]);
-    }
-    printf("%s%s\n", found->failed[0] ? "  failed: " : "", found->failed);
-}
-
 static void print_plan(const study_session *s, int p)
 {
     static const char *const names[] = {
@@ -167,17 +139,17 @@ static void print_plan(const study_session *s, int p)
     if (!plan->is_wanted) {
         return;
     }
-    printf("one plan    for the %s of all rows: ", names[p]);
+    murk_print("one plan    for the %s of all rows: ", names[p]);
     if (plan->found.failed[0]) {
-        printf("none: %s\n", plan->found.failed);
+        murk_print("none: %s\n", plan->found.failed);
     } else if (!isfinite(plan->mean.value)) {
-        printf("none: there is nothing to see in any row\n");
+        murk_print("none: there is nothing to see in any row\n");
     } else {
-        printf("%zu sensors, mean %.4g +- %.1g, least %.4g +- %.1g in row "
-               "%zu\n",
-               plan->found.sensors, plan->mean.value, plan->mean.standard_error,
-               plan->worst.value, plan->worst.standard_error,
-               plan->worst_row + 1);
+        murk_print("%zu sensors, mean %.4g +- %.1g, least %.4g +- %.1g in row "
+                   "%zu\n",
+                   plan->found.sensors, plan->mean.value,
+                   plan->mean.standard_error, plan->worst.value,
+                   plan->worst.standard_error, plan->worst_row + 1);
     }
 }
 
@@ -189,23 +161,26 @@ static void print_study(const study_session *s)
     }
     for (size_t i = 0; i < s->study->rows; ++i) {
         kept += s->sweep->row[i].is_kept;
-        print_row(s, i);
     }
+    murk_print_study_rows(s->sweep, s->options->out);
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         print_plan(s, p);
     }
-    printf("rows        %zu, of which %zu kept from before and %zu failed; "
-           "light traced for %zu groups of rows\n",
-           s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
-    printf("time        %.2f s\n", murk_clock_s() - s->begun_s);
+    murk_print("rows        %zu, of which %zu kept from before and %zu failed; "
+               "light traced for %zu groups of rows\n",
+               s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
+    const murk_run_facts run = {.total_s = murk_clock_s() - s->begun_s};
+    murk_print_time(&run, NULL, 0);
     if (s->options->out) {
-        printf("files       %s: study.json table.csv scene.yaml %srows/\n",
-               s->options->out,
-               s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE] ? "fluence_*.vdb "
-                                                            : "");
+        murk_print("files       %s: study.json table.csv scene.yaml %srows/\n",
+                   s->options->out,
+                   s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
+                       ? "fluence_*.vdb "
+                       : "");
     } else {
-        printf("files       none: -o DIR writes them, and keeps rows that are "
-               "done\n");
+        murk_print(
+            "files       none: -o DIR writes them, and keeps rows that are "
+            "done\n");
     }
 }
 

@@ -1,5 +1,6 @@
 #include "app/exports.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "app/tallies_out.h"
 
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
@@ -29,9 +30,7 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     if (!status && murk_session_speaks(&session)) {
         murk_print_light(&session);
         murk_print_tallies(&session);
-        printf("time        %.2f s: load %.2f, trace %.2f, maps %.2f\n",
-               session.run.total_s, session.run.load_s, session.run.trace_s,
-               session.run.map_s);
+        murk_print_time(&session.run, NULL, 0);
         murk_print_files(&session);
     }
     if (!status && late.status) { /* the light is written, this is not */

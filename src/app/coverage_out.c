@@ -1,11 +1,12 @@
 #include "app/coverage_out.h"
 
+#include "app/summary.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PRINTED_SENSORS_MAX 20
-#define CSV_LINE_MAX        512
+#define CSV_LINE_MAX 512
 
 void murk_json_photons(cJSON *root, const murk_traced *traced)
 {
@@ -199,45 +200,44 @@ static void show_share(char out[16], double share)
 }
 
 void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
-                        size_t n, const murk_coverage *coverage)
+                        size_t n, const murk_coverage *coverage,
+                        const char *folder)
 {
-    printf("sensors     %4s  %-8s %9s %9s %9s %8s %6s  %8s %10s\n", "", "type",
-           "x m", "y m", "z m", "heading", "tilt", "covers", "only it");
-    for (size_t i = 0; i < n && i < PRINTED_SENSORS_MAX; ++i) {
+    murk_print("sensors     %-8s %8s %8s %8s %7s %5s %8s %8s\n", "type", "x m",
+               "y m", "z m", "heading", "tilt", "covers", "only it");
+    for (size_t i = 0; i < n && i < MURK_PRINTED_ROWS; ++i) {
         const murk_vec3 p = sensor[i].position;
         char way[20] = "all round";
         if (!is_all_round(scene, &sensor[i])) {
-            snprintf(way, sizeof way, "%8.1f %6.1f",
+            snprintf(way, sizeof way, "%7.1f %5.1f",
                      degrees(sensor[i].heading_rad),
                      degrees(sensor[i].tilt_rad));
         }
         char covers[16], only[16];
         show_share(covers, coverage->covers[i]);
         show_share(only, coverage->only_it_covers[i]);
-        printf("            %4zu  %-8s %9.3f %9.3f %9.3f %15s  %8s %10s\n",
-               i + 1, scene->sensors.type[sensor[i].type].name, p.x, p.y, p.z,
-               way, covers, only);
+        murk_print("%10zu  %-8s %8.3f %8.3f %8.3f %13s %8s %8s\n", i + 1,
+                   scene->sensors.type[sensor[i].type].name, p.x, p.y, p.z, way,
+                   covers, only);
     }
-    if (n > PRINTED_SENSORS_MAX) {
-        printf("            .. and %zu more\n", n - PRINTED_SENSORS_MAX);
-    }
+    murk_print_more(n, folder, "coverage.csv");
 }
 
 static void print_map(const char *name, murk_estimate fraction)
 {
     if (!isfinite(fraction.value)) {
-        printf("nothing in the %s map", name);
+        murk_print("nothing in the %s map", name);
     } else if (!isfinite(fraction.standard_error)) {
-        printf("%s %.4f", name, fraction.value);
+        murk_print("%s %.4f", name, fraction.value);
     } else {
-        printf("%s %.4f +- %.4f", name, fraction.value,
-               fraction.standard_error);
+        murk_print("%s %.4f +- %.4f", name, fraction.value,
+                   fraction.standard_error);
     }
 }
 
 void murk_print_maps(const murk_coverage *coverage)
 {
     print_map("surface", coverage->surface);
-    printf(", ");
+    murk_print(", ");
     print_map("volume", coverage->volume);
 }

@@ -37,7 +37,8 @@ void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
                      const murk_pose *pose);
 
 void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
-                        size_t n, const murk_coverage *coverage);
+                        size_t n, const murk_coverage *coverage,
+                        const char *folder);
 
 /* "surface 0.91 +- 0.01, no volume photons": each map's own fraction. */
 void murk_print_maps(const murk_coverage *coverage);

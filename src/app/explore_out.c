@@ -3,11 +3,10 @@
 #include "app/coverage_out.h"
 #include "app/path_ply.h"
 #include "app/plan_out.h"
+#include "app/summary.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#define PRINTED_STEPS_MAX 20
 
 const char *const murk_knowledge_names[] = {[MURK_SCENE_KNOWN] = "known",
                                             [MURK_SCENE_UNKNOWN] = "unknown",
@@ -139,26 +138,24 @@ murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                   : murk_add_path_ply(results, &plan->explore, size_m, err);
 }
 
-void murk_print_explore(const murk_plan *plan)
+void murk_print_explore(const murk_plan *plan, const char *folder)
 {
     const murk_explore *explore = &plan->explore;
     if (explore->steps == 0) {
         return;
     }
-    printf("explore     %.4g m gone; %zu of %zu places seen; ended by %s\n",
-           path_of(explore), seen_of(explore), explore->places,
-           END_NAMES[explore->end]);
-    printf("            step  sensor     gain  coverage    path m   places    "
-           "queries\n");
-    for (size_t k = 0; k < explore->steps && k < PRINTED_STEPS_MAX; ++k) {
+    murk_print("explore     %.4g m gone; %zu of %zu places seen; ended by %s\n",
+               path_of(explore), seen_of(explore), explore->places,
+               END_NAMES[explore->end]);
+    murk_print(
+        "            step  sensor     gain  coverage    path m   places    "
+        "queries\n");
+    for (size_t k = 0; k < explore->steps && k < MURK_PRINTED_ROWS; ++k) {
         const murk_explore_step *step = &explore->step[k];
-        printf("            %4zu  %6zu  %7.4f  %8.4f  %8.2f  %7zu  %9llu\n",
-               k + 1, sensor_of(plan, step), coverage_of(plan, step->gain),
-               coverage_of(plan, step->value), step->path_m, step->places_seen,
-               (unsigned long long)step->queries);
+        murk_print("            %4zu  %6zu  %7.4f  %8.4f  %8.2f  %7zu  %9llu\n",
+                   k + 1, sensor_of(plan, step), coverage_of(plan, step->gain),
+                   coverage_of(plan, step->value), step->path_m,
+                   step->places_seen, (unsigned long long)step->queries);
     }
-    if (explore->steps > PRINTED_STEPS_MAX) {
-        printf("            .. and %zu more\n",
-               explore->steps - PRINTED_STEPS_MAX);
-    }
+    murk_print_more(explore->steps, folder, "explore.csv");
 }

@@ -28,6 +28,6 @@ void murk_json_explore(cJSON *root, const murk_scene *scene,
 murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                              const murk_plan *plan, murk_error *err);
 
-void murk_print_explore(const murk_plan *plan);
+void murk_print_explore(const murk_plan *plan, const char *folder);
 
 #endif

@@ -1,6 +1,7 @@
 #include "app/fit_out.h"
 
 #include "app/coverage_out.h"
+#include "app/summary.h"
 
 #include <math.h>
 #include <string.h>
@@ -268,21 +269,21 @@ murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,
 static void print_parameter(const murk_fit_facts *f, size_t k)
 {
     const murk_calibration *c = f->found;
-    printf("%-11s %s = %.6g", k ? "" : "found", f->keys->key[k].name,
-           c->value[k]);
+    murk_print("%-11s %s = %.6g", k ? "" : "found", f->keys->key[k].name,
+               c->value[k]);
     if (c->at_bound[k]) {
-        printf(" (at its bound)");
+        murk_print(" (at its bound)");
     } else if (isfinite(c->standard_error[k])) {
-        printf(" +- %.2g (95 %%: %.5g to %.5g)", c->standard_error[k],
-               c->lower[k], c->upper[k]);
+        murk_print(" +- %.2g (95 %%: %.5g to %.5g)", c->standard_error[k],
+                   c->lower[k], c->upper[k]);
     } else {
-        printf(" (not determined by these data)");
+        murk_print(" (not determined by these data)");
     }
     const double off = murk_model_slope_error(c->model, k);
     if (isfinite(off)) {
-        printf(", its slopes by re-traced light within %.1g", off);
+        murk_print(", its slopes by re-traced light within %.1g", off);
     }
-    printf("\n");
+    murk_print("\n");
 }
 
 /* What of a direction is worth naming. */
@@ -293,13 +294,13 @@ static void print_direction(const murk_fit_facts *f, const double *direction)
         if (fabs(direction[k]) < .1) {
             continue;
         }
-        printf("%s%.2f %s%s%s",
-               is_first           ? ""
-               : direction[k] < 0 ? " - "
-                                  : " + ",
-               is_first ? direction[k] : fabs(direction[k]),
-               f->keys->key[k].is_log ? "ln(" : "", f->keys->key[k].name,
-               f->keys->key[k].is_log ? ")" : "");
+        murk_print("%s%.2f %s%s%s",
+                   is_first           ? ""
+                   : direction[k] < 0 ? " - "
+                                      : " + ",
+                   is_first ? direction[k] : fabs(direction[k]),
+                   f->keys->key[k].is_log ? "ln(" : "", f->keys->key[k].name,
+                   f->keys->key[k].is_log ? ")" : "");
         is_first = false;
     }
 }
@@ -311,27 +312,27 @@ static void print_identifiability(const murk_fit_facts *f)
 {
     const murk_certainty *c = &f->found->certainty;
     for (size_t i = c->determined; i < c->directions; ++i) {
-        printf("undetermined ");
+        murk_print("undetermined ");
         print_direction(f, c->direction + i * c->n);
         if (isfinite(c->direction_error[i])) {
-            printf(" (to +- %.2g only)", c->direction_error[i]);
+            murk_print(" (to +- %.2g only)", c->direction_error[i]);
         }
-        printf("\n");
+        murk_print("\n");
     }
     for (size_t i = 0; i < c->n; ++i) {
         for (size_t j = i + 1; j < c->n; ++j) {
             const double r = c->correlation[i * c->n + j];
             if (fabs(r) > CONFOUNDED) {
-                printf("confounded  %s and %s (correlation %.3f)\n",
-                       f->keys->key[i].name, f->keys->key[j].name, r);
+                murk_print("confounded  %s and %s (correlation %.3f)\n",
+                           f->keys->key[i].name, f->keys->key[j].name, r);
             }
         }
     }
     const bool is_hard = c->determined < c->directions;
     for (size_t i = 0; is_hard && i < c->determined; ++i) {
-        printf("determined  ");
+        murk_print("determined  ");
         print_direction(f, c->direction + i * c->n);
-        printf(", to +- %.2g\n", c->direction_error[i]);
+        murk_print(", to +- %.2g\n", c->direction_error[i]);
     }
 }
 
@@ -340,18 +341,18 @@ static void print_next(const murk_fit_facts *f)
     for (size_t i = 0; f->next && i < f->next->n; ++i) {
         const murk_next_place *p = &f->next->place[i];
         const murk_vec3 d = f->next->direction;
-        printf("%-11s %s at (%.4g, %.4g, %.4g) m", i ? "" : "next",
-               reading_kinds[f->next->kind], p->pose.position.x,
-               p->pose.position.y, p->pose.position.z);
+        murk_print("%-11s %s at (%.4g, %.4g, %.4g) m", i ? "" : "next",
+                   reading_kinds[f->next->kind], p->pose.position.x,
+                   p->pose.position.y, p->pose.position.z);
         if (f->next->kind == MURK_READ_IRRADIANCE) {
-            printf(" on a face to (%.3g, %.3g, %.3g)", d.x, d.y, d.z);
+            murk_print(" on a face to (%.3g, %.3g, %.3g)", d.x, d.y, d.z);
         }
-        printf(", which should read %.4g %s\n", p->predicted,
-               murk_reading_unit_name(f->next->unit));
+        murk_print(", which should read %.4g %s\n", p->predicted,
+                   murk_reading_unit_name(f->next->unit));
     }
     for (size_t k = 0; f->next && k < f->keys->n; ++k) {
-        printf("%-11s %s to +- %.2g\n", k ? "" : "with these",
-               f->keys->key[k].name, f->next->standard_error[k]);
+        murk_print("%-11s %s to +- %.2g\n", k ? "" : "with these",
+                   f->keys->key[k].name, f->next->standard_error[k]);
     }
 }
 
@@ -361,33 +362,35 @@ static void print_next(const murk_fit_facts *f)
 void murk_print_fit(const murk_fit_facts *f)
 {
     const murk_calibration *c = f->found;
-    printf("data        %s: %zu rows, %zu of them held out\n",
-           f->measured->path, f->measured->rows, c->held_out);
+    murk_print("data        %s: %zu rows, %zu of them held out\n",
+               f->measured->path, f->measured->rows, c->held_out);
     if (c->photons) {
-        printf("light       %llu photons, traced %zu times; effective share of "
-               "the last %.2f\n",
-               (unsigned long long)c->photons, c->traces, c->effective_share);
+        murk_print(
+            "light       %llu photons, traced %zu times; effective share of "
+            "the last %.2f\n",
+            (unsigned long long)c->photons, c->traces, c->effective_share);
     }
     if (c->slope_noise > MUCH_NOISE) {
-        printf("            %.0f %% of what they seem to tell of something is "
-               "their noise: --emit more\n",
-               100 * c->slope_noise);
+        murk_print(
+            "            %.0f %% of what they seem to tell of something is "
+            "their noise: --emit more\n",
+            100 * c->slope_noise);
     }
     if (!f->only_predicts) {
         for (size_t k = 0; k < f->keys->n; ++k) {
             print_parameter(f, k);
         }
         print_identifiability(f);
-        printf("fit         chi2 %.4g for %ld degrees of freedom; %s: %s\n",
-               c->chi2, c->degrees_of_freedom,
-               c->converged ? "converged" : "NOT converged", c->why);
+        murk_print("fit         chi2 %.4g for %ld degrees of freedom; %s: %s\n",
+                   c->chi2, c->degrees_of_freedom,
+                   c->converged ? "converged" : "NOT converged", c->why);
     }
     if (c->held_out) {
-        printf("held out    %zu rows, rms %.4g", c->held_out,
-               isfinite(c->held_out_rms) ? c->held_out_rms
-                                         : c->held_out_rms_sigma);
-        printf("%s\n", isfinite(c->held_out_rms) ? " in their unit"
-                                                 : " of their errors");
+        murk_print("held out    %zu rows, rms %.4g", c->held_out,
+                   isfinite(c->held_out_rms) ? c->held_out_rms
+                                             : c->held_out_rms_sigma);
+        murk_print("%s\n", isfinite(c->held_out_rms) ? " in their unit"
+                                                     : " of their errors");
     }
     print_next(f);
 }

@@ -1,5 +1,7 @@
 #include "app/goals_out.h"
 
+#include "app/summary.h"
+
 #include <math.h>
 
 void murk_json_regions(cJSON *root, const murk_scene *scene,
@@ -29,11 +31,11 @@ void murk_json_regions(cJSON *root, const murk_scene *scene,
 static void print_in_view(murk_estimate seen)
 {
     if (!isfinite(seen.value)) {
-        printf("  %-18s", "none there");
+        murk_print("  %-18s", "none there");
     } else if (!isfinite(seen.standard_error)) {
-        printf("  %-18.4f", seen.value);
+        murk_print("  %-18.4f", seen.value);
     } else {
-        printf("  %.4f +- %-8.4f", seen.value, seen.standard_error);
+        murk_print("  %.4f +- %-8.4f", seen.value, seen.standard_error);
     }
 }
 
@@ -45,17 +47,17 @@ void murk_print_regions(const murk_scene *scene,
     if (wish->n_interests == 0) {
         return;
     }
-    printf("regions     %-16s %8s %9s  %18s", "of interest", "weight",
-           "photons", "in view");
-    printf(held_out ? "  %-18s\n" : "\n", "held out");
+    murk_print("regions     %-16s %8s %9s  %18s", "of interest", "weight",
+               "photons", "in view");
+    murk_print(held_out ? "  %-18s\n" : "\n", "held out");
     for (size_t i = 0; i < wish->n_interests; ++i) {
-        printf("            %-16s %8.4g %9zu", wish->interest[i].name,
-               wish->interest[i].weight, in_sample[i].photons);
+        murk_print("            %-16s %8.4g %9zu", wish->interest[i].name,
+                   wish->interest[i].weight, in_sample[i].photons);
         print_in_view(in_sample[i].coverage);
         if (held_out) {
             print_in_view(held_out[i].coverage);
         }
-        printf("\n");
+        murk_print("\n");
     }
 }
 
@@ -85,8 +87,8 @@ void murk_json_targets(cJSON *root, const murk_scene *scene,
 static void print_size(murk_estimate size, const char *unit, const char *what)
 {
     if (isfinite(size.value)) {
-        printf("; %.6g +- %.2g %s of %s in free space", size.value,
-               size.standard_error, unit, what);
+        murk_print("; %.6g +- %.2g %s of %s in free space", size.value,
+                   size.standard_error, unit, what);
     }
 }
 
@@ -95,19 +97,20 @@ void murk_print_targets(const murk_target_facts *facts)
     if (facts->points == 0) {
         return;
     }
-    printf("targets     %llu points: %zu of surfaces, %zu in the volume",
-           (unsigned long long)facts->points, facts->surface, facts->volume);
+    murk_print("targets     %llu points: %zu of surfaces, %zu in the volume",
+               (unsigned long long)facts->points, facts->surface,
+               facts->volume);
     print_size(facts->area_m2, "m2", "surfaces");
     print_size(facts->volume_m3, "m3", "volume");
-    printf("\n");
+    murk_print("\n");
 }
 
 static void print_amount(uint64_t points, double spacing_m)
 {
     if (points > 0) {
-        printf("%llu points", (unsigned long long)points);
+        murk_print("%llu points", (unsigned long long)points);
     } else {
-        printf("points %.6g m apart", spacing_m);
+        murk_print("points %.6g m apart", spacing_m);
     }
 }
 
@@ -116,29 +119,29 @@ void murk_print_asked_goals(const murk_scene *scene)
     const murk_scene_placement *wish = &scene->placement;
     const murk_scene_targets *t = &wish->targets;
     for (size_t i = 0; i < wish->n_interests; ++i) {
-        printf("%-12s%s counts %.6g times\n", i ? "" : "interest",
-               wish->interest[i].name, wish->interest[i].weight);
+        murk_print("%-12s%s counts %.6g times\n", i ? "" : "interest",
+                   wish->interest[i].name, wish->interest[i].weight);
     }
     if (wish->n_interests > 0 && wish->elsewhere != 1) {
-        printf("%-12swhat lies elsewhere counts %.6g times\n", "",
-               wish->elsewhere);
+        murk_print("%-12swhat lies elsewhere counts %.6g times\n", "",
+                   wish->elsewhere);
     }
     if (!t->given) {
         return;
     }
-    printf("targets     ");
+    murk_print("targets     ");
     if (t->points) {
-        printf("listed in %s", t->points);
+        murk_print("listed in %s", t->points);
     }
     if (t->has_surfaces) {
         print_amount(t->surface_points, t->surface_spacing_m);
-        printf(" on surfaces%s", t->has_volume ? ", " : "");
+        murk_print(" on surfaces%s", t->has_volume ? ", " : "");
     }
     if (t->has_volume) {
         print_amount(t->volume_points, t->volume_spacing_m);
-        printf(" in the volume");
+        murk_print(" in the volume");
     }
-    printf("; seen at %.6g nm\n", scene->band_nm[murk_targets_band(scene)]);
+    murk_print("; seen at %.6g nm\n", scene->band_nm[murk_targets_band(scene)]);
 }
 
 const char *murk_error_by(const murk_scene *scene)

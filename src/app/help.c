@@ -31,20 +31,19 @@ static const char codes[] =
  * that is reached already. */
 static void wrap(FILE *to, const char *text, size_t at, size_t indent)
 {
+    const char *between = "";
     while (*text) {
         const size_t word = strcspn(text, " ");
-        if (at + word > WIDTH && at > indent) {
+        if (*between && at + 1 + word > WIDTH) {
             fprintf(to, "\n%*s", (int)indent, "");
             at = indent;
+            between = "";
         }
-        fprintf(to, "%.*s", (int)word, text);
-        at += word;
+        fprintf(to, "%s%.*s", between, (int)word, text);
+        at += strlen(between) + word;
+        between = " ";
         text += word;
-        if (*text == ' ') {
-            fputc(' ', to);
-            ++at;
-            ++text;
-        }
+        text += strspn(text, " ");
     }
     fputc('\n', to);
 }
@@ -57,11 +56,12 @@ static void option_label(char *out, size_t size, const murk_option *option)
              option->argument ? option->argument : "");
 }
 
+/* command NULL: those that all have. */
 static void print_options(FILE *to, const char *command)
 {
     for (size_t i = 0; i < murk_option_table_size; ++i) {
         const murk_option *option = &murk_option_table[i];
-        if (!option->help ||
+        if (!option->help || (!command && option->commands) ||
             (command && !murk_option_belongs(option, command))) {
             continue;
         }
@@ -105,7 +105,8 @@ void murk_help_print(FILE *to, const murk_command *command)
         fprintf(to, "  %-8s %s\n", murk_commands[i].name,
                 murk_commands[i].summary);
     }
-    fputs("\noptions (murk COMMAND --help: those of one command):\n", to);
+    fputs("\noptions of every command (murk COMMAND --help: all of one):\n",
+          to);
     print_options(to, NULL);
     fputs("\nexit codes: ", to);
     wrap(to, codes, 12, 0);

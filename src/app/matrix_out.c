@@ -1,12 +1,10 @@
 #include "app/matrix_plan.h"
 #include "app/plan_out.h"
+#include "app/summary.h"
 
-#include "study/machine.h"
 #include "study/poses.h"
 
 #include <math.h>
-
-#define PRINTED_COLUMNS_MAX 20
 
 static const char *format_name(murk_matrix_format format)
 {
@@ -159,39 +157,37 @@ void murk_matrix_plan_print(const murk_matrix_plan *p)
     const murk_sparse_matrix *m = p->matrix;
     const murk_place_result *place = &p->place;
     const size_t entries = murk_sparse_matrix_entries(m);
-    printf("matrix      %s (%s): %zu rows, %zu columns, %zu entries (%.3g "
-           "%%)\n",
-           p->session.options->matrix, format_name(m->format), m->rows,
-           m->columns, entries,
-           100.0 * (double)entries / (double)m->rows / (double)m->columns);
-    printf("columns     %8s  %8s %10s%s\n", "", "covers", "only it",
-           m->name ? "  name" : "");
-    for (size_t k = 0; k < place->count && k < PRINTED_COLUMNS_MAX; ++k) {
-        printf("            %8zu  %8.4f %10.4f%s%s\n", place->sensor[k] + 1,
-               murk_share(p->covers.alone[k], place->whole),
-               murk_share(p->covers.only[k], place->whole), m->name ? "  " : "",
-               m->name ? m->name[place->sensor[k]] : "");
+    murk_print("matrix      %s (%s): %zu rows, %zu columns, %zu entries (%.3g "
+               "%%)\n",
+               p->session.options->matrix, format_name(m->format), m->rows,
+               m->columns, entries,
+               100.0 * (double)entries / (double)m->rows / (double)m->columns);
+    murk_print("columns     %8s  %8s %10s%s\n", "", "covers", "only it",
+               m->name ? "  name" : "");
+    for (size_t k = 0; k < place->count && k < MURK_PRINTED_ROWS; ++k) {
+        murk_print("            %8zu  %8.4f %10.4f%s%s\n", place->sensor[k] + 1,
+                   murk_share(p->covers.alone[k], place->whole),
+                   murk_share(p->covers.only[k], place->whole),
+                   m->name ? "  " : "",
+                   m->name ? m->name[place->sensor[k]] : "");
     }
-    if (place->count > PRINTED_COLUMNS_MAX) {
-        printf("            .. and %zu more\n",
-               place->count - PRINTED_COLUMNS_MAX);
-    }
-    printf("coverage    %.4f: %.10g of %.10g; all columns: %.10g\n",
-           murk_share(place->value, place->whole), as_given(p, place->value),
-           as_given(p, place->whole), as_given(p, place->ceiling));
+    murk_print_more(place->count, p->session.results.folder, "plan.json");
+    murk_print("coverage    %.4f: %.10g of %.10g; all columns: %.10g\n",
+               murk_share(place->value, place->whole),
+               as_given(p, place->value), as_given(p, place->whole),
+               as_given(p, place->ceiling));
     if (p->target > 0) {
-        printf("target      %.4f takes %zu columns, and no fewer than %zu\n",
-               p->target, place->count, place->fewest);
+        murk_print(
+            "target      %.4f takes %zu columns, and no fewer than %zu\n",
+            p->target, place->count, place->fewest);
     }
     if (p->budget > 0) {
-        printf("budget      %.10g of %.10g spent\n",
-               (double)place->cost * MURK_COST_UNIT, p->budget);
+        murk_print("budget      %.10g of %.10g spent\n",
+                   (double)place->cost * MURK_COST_UNIT, p->budget);
     }
     murk_print_bound(place, p->budget > 0, "matrix");
-    printf("time        %.2f s: load %.2f, matrix %.2f, place %.2f; memory "
-           "%.3g GB\n",
-           p->session.run.total_s, p->session.run.load_s,
-           p->session.run.sense_s, p->session.run.place_s,
-           murk_machine_peak_bytes() / 1e9);
+    murk_run_facts run = p->session.run;
+    run.sense_s = 0;
+    murk_print_time(&run, "matrix", p->session.run.sense_s);
     murk_print_files(&p->session);
 }

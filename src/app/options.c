@@ -4,6 +4,7 @@
 #include "app/option_table.h"
 #include "app/option_values.h"
 #include "app/render_options.h"
+#include "app/unknown.h"
 #include "base/crew.h"
 
 #include <errno.h>
@@ -26,11 +27,7 @@ static murk_status find_command(murk_options *out, const char *name,
             return MURK_OK;
         }
     }
-    return murk_fail(
-        err, MURK_BAD_VALUE, "",
-        "%s: no such command; there are check, trace, place, "
-        "sense, render, study, fit, report, replay and media (murk --help)",
-        name);
+    return murk_unknown_command(name, err);
 }
 
 static murk_status apply(murk_options *out, const murk_option *option,
@@ -187,9 +184,7 @@ static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
         if (option) { /* -j2 */
             return apply(out, option, text + 2, err);
         }
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "%.*s: no such option (murk --help)", (int)length,
-                         text);
+        return murk_unknown_option(text, length, out->command, err);
     }
     if (!option->argument) {
         return equals ? murk_fail(err, MURK_BAD_VALUE, option->name,
@@ -271,6 +266,8 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     for (int i = 1; i < argc && !status; ++i) {
         if (argv[i][0] == '-' && argv[i][1]) {
             status = take_option(out, argc, argv, &i, err);
+        } else if (!out->command && strcmp(argv[i], "help") == 0) {
+            out->wants_help = true; /* murk help place */
         } else if (!out->command) {
             status = find_command(out, argv[i], err);
         } else if (!out->input) {

@@ -1,6 +1,7 @@
 #include "app/over_out.h"
 
 #include "app/plan_ply.h"
+#include "app/summary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -269,73 +270,75 @@ static void print_over(const murk_over *over)
     const murk_over_plan *chosen = &over->plan[over->chosen];
     in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
     if (over->conditions->scene->placement.over == MURK_SCENE_OVER_WORST) {
-        printf("over        the worst of %zu conditions: %s, of which all "
-               "below speaks\n",
-               over->conditions->n,
-               over->conditions->condition[worst].wish->name);
+        murk_print("over        the worst of %zu conditions: %s, of which all "
+                   "below speaks\n",
+                   over->conditions->n,
+                   over->conditions->condition[worst].wish->name);
     } else {
-        printf("over        the mean of %zu conditions, of which all below "
-               "speaks\n",
-               over->conditions->n);
+        murk_print("over        the mean of %zu conditions, of which all below "
+                   "speaks\n",
+                   over->conditions->n);
     }
 }
 
 static void print_conditions(const murk_over *over)
 {
     const murk_over_plan *chosen = &over->plan[over->chosen];
-    printf("conditions  %-16s %8s %9s %9s %9s  %s\n", "", "weight", "emitted",
-           "surface", "volume", "covered in sample, held out");
+    murk_print("conditions  %-16s %8s %9s %9s %9s  %s\n", "", "weight",
+               "emitted", "surface", "volume", "covered in sample, held out");
     const size_t lit = over->conditions->n;
     for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
         const murk_condition *condition = &over->conditions->condition[c];
         const murk_traced *traced = condition->traced;
-        printf("            %-16s %8.4g %9llu %9zu %9zu", condition->wish->name,
-               condition->wish->weight, (unsigned long long)traced->emitted,
-               murk_photon_map_count(traced->surface),
-               murk_photon_map_count(traced->volume));
+        murk_print("            %-16s %8.4g %9llu %9zu %9zu",
+                   condition->wish->name, condition->wish->weight,
+                   (unsigned long long)traced->emitted,
+                   murk_photon_map_count(traced->surface),
+                   murk_photon_map_count(traced->volume));
         if (c >= lit) {
-            printf("  nothing to see: it counts for nothing\n");
+            murk_print("  nothing to see: it counts for nothing\n");
             continue;
         }
-        printf("  %.4f", chosen->in_sample[c].value);
+        murk_print("  %.4f", chosen->in_sample[c].value);
         if (over->has_held_out) {
-            printf("  %.4f +- %.4f", chosen->held_out[c].value,
-                   chosen->held_out[c].standard_error);
+            murk_print("  %.4f +- %.4f", chosen->held_out[c].value,
+                       chosen->held_out[c].standard_error);
         }
-        printf("\n");
+        murk_print("\n");
     }
 }
 
 static void print_regret(const murk_over *over)
 {
     double largest = 0;
-    printf("regret      coverage%s of a plan made for one condition (down) "
-           "and used in each (across),\n"
-           "            and what it loses there to that condition's own "
-           "plan\n"
-           "            %-16s",
-           over->has_held_out ? ", held out," : "", "");
+    murk_print("regret      coverage%s of a plan made for one condition (down) "
+               "and used in each (across),\n"
+               "            and what it loses there to that condition's own "
+               "plan\n"
+               "            %-16s",
+               over->has_held_out ? ", held out," : "", "");
     for (size_t c = 0; c < over->conditions->n; ++c) {
-        printf(" %16.16s", over->conditions->condition[c].wish->name);
+        murk_print(" %16.16s", over->conditions->condition[c].wish->name);
     }
-    printf(" %8s %8s\n", "mean", "worst");
+    murk_print(" %8s %8s\n", "mean", "worst");
     for (size_t p = 0; p < over->plans; ++p) {
         const murk_over_plan *plan = &over->plan[p];
         char name[MURK_SCENE_NAME_SIZE + 2];
         snprintf(name, sizeof name, "%s%s", plan->made_for,
                  p == over->chosen ? " *" : "");
-        printf("            %-16s", name);
+        murk_print("            %-16s", name);
         for (size_t c = 0; c < over->conditions->n; ++c) {
             const murk_estimate seen = seen_in(over, plan, c);
             largest = fmax(largest, seen.standard_error);
-            printf("  %.4f (%+.4f)", seen.value,
-                   murk_over_regret(over, plan, c));
+            murk_print("  %.4f (%+.4f)", seen.value,
+                       murk_over_regret(over, plan, c));
         }
-        printf(" %8.4f %8.4f\n",
-               best_known_of(over, plan, MURK_SCENE_OVER_MEAN).value,
-               best_known_of(over, plan, MURK_SCENE_OVER_WORST).value);
+        murk_print(" %8.4f %8.4f\n",
+                   best_known_of(over, plan, MURK_SCENE_OVER_MEAN).value,
+                   best_known_of(over, plan, MURK_SCENE_OVER_WORST).value);
     }
-    printf("            * this plan; standard errors up to %.4f\n", largest);
+    murk_print("            * this plan; standard errors up to %.4f\n",
+               largest);
 }
 
 void murk_over_print(const murk_over *over)
@@ -354,12 +357,13 @@ void murk_over_print_asked(const murk_scene *scene)
         [MURK_SCENE_OVER_MEAN] = "placement is over their mean",
         [MURK_SCENE_OVER_WORST] = "placement is over the worst of them"};
     for (size_t c = 0; c < scene->n_conditions; ++c) {
-        printf("%s%s", c ? ", " : "conditions  ", scene->conditions[c].name);
+        murk_print("%s%s", c ? ", " : "conditions  ",
+                   scene->conditions[c].name);
         if (scene->conditions[c].weight != 1) {
-            printf(" (weight %.6g)", scene->conditions[c].weight);
+            murk_print(" (weight %.6g)", scene->conditions[c].weight);
         }
     }
     if (scene->n_conditions > 0) {
-        printf("; %s\n", over[scene->placement.over]);
+        murk_print("; %s\n", over[scene->placement.over]);
     }
 }

@@ -1,6 +1,7 @@
 #include "app/plan_out.h"
 
 #include "app/results.h"
+#include "app/summary.h"
 
 #include <math.h>
 
@@ -52,15 +53,15 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
                       const char *sample)
 {
     if (place->proven_optimal) {
-        printf("bound       proven optimal for this %s\n", sample);
+        murk_print("bound       proven optimal for this %s\n", sample);
     } else {
         char what[40] = "no plan within the budget covers";
         if (!has_budget) {
             snprintf(what, sizeof what, "no %zu candidates cover",
                      place->count);
         }
-        printf("bound       %s more than %.4f of this %s; guarantee: %s\n",
-               what, murk_share(place->upper, place->whole), sample,
-               place->guarantee);
+        murk_print("bound       %s more than %.4f of this %s; guarantee: %s\n",
+                   what, murk_share(place->upper, place->whole), sample,
+                   place->guarantee);
     }
 }

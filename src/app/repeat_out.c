@@ -1,6 +1,7 @@
 #include "app/repeat_out.h"
 
 #include "app/coverage_out.h"
+#include "app/summary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -119,8 +120,8 @@ murk_status murk_add_repeat_csv(murk_results *results,
 static void print_spread(const char *name, murk_spread s)
 {
     if (isfinite(s.median)) {
-        printf("            %-12s %8.4f %8.4f %8.4f\n", name, s.median, s.least,
-               s.most);
+        murk_print("            %-12s %8.4f %8.4f %8.4f\n", name, s.median,
+                   s.least, s.most);
     }
 }
 
@@ -131,31 +132,33 @@ murk_status murk_print_repeat(const murk_repeat *repeat, murk_error *err)
     if (status) {
         return status;
     }
-    printf("repeat      %zu of %zu runs, seeds %lu..%lu; the plan is the "
-           "first's\n",
-           repeat->runs, repeat->asked, (unsigned long)repeat->run[0].seed,
-           (unsigned long)repeat->run[repeat->runs - 1].seed);
-    printf("            %-12s %8s %8s %8s\n", "", "median", "least", "most");
+    murk_print("repeat      %zu of %zu runs, seeds %lu..%lu; the plan is the "
+               "first's\n",
+               repeat->runs, repeat->asked, (unsigned long)repeat->run[0].seed,
+               (unsigned long)repeat->run[repeat->runs - 1].seed);
+    murk_print("            %-12s %8s %8s %8s\n", "", "median", "least",
+               "most");
     print_spread("in sample", s.in_sample);
     print_spread("held out", s.held_out);
     print_spread("upper bound", s.upper);
     if (s.sensors.least < s.sensors.most) {
-        printf("            %-12s %8.4g %8.0f %8.0f\n", "sensors",
-               s.sensors.median, s.sensors.least, s.sensors.most);
+        murk_print("            %-12s %8.4g %8.0f %8.0f\n", "sensors",
+                   s.sensors.median, s.sensors.least, s.sensors.most);
     }
     if (repeat->target > 0 && isfinite(s.held_out.median)) {
-        printf("            %zu of %zu meet the target, held out\n", s.met,
-               repeat->runs);
+        murk_print("            %zu of %zu meet the target, held out\n", s.met,
+                   repeat->runs);
     }
     if (isfinite(s.plan.standard_error)) {
-        printf("            the plan covers %.4f +- %.4f, by maps that did not "
-               "choose it\n",
-               s.plan.value, s.plan.standard_error);
+        murk_print(
+            "            the plan covers %.4f +- %.4f, by maps that did not "
+            "choose it\n",
+            s.plan.value, s.plan.standard_error);
     }
     if (isfinite(s.gap.lower)) {
-        printf("            statistical gap to the best plan: %.4f (95 %%: "
-               "%.4f..%.4f)\n",
-               s.gap.value, s.gap.lower, s.gap.upper);
+        murk_print("            statistical gap to the best plan: %.4f (95 %%: "
+                   "%.4f..%.4f)\n",
+                   s.gap.value, s.gap.lower, s.gap.upper);
     }
     return MURK_OK;
 }

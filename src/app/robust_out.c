@@ -1,6 +1,7 @@
 #include "app/robust_out.h"
 
 #include "app/results.h"
+#include "app/summary.h"
 
 #include <math.h>
 
@@ -95,18 +96,19 @@ static void print_jitter(const murk_scene *scene, const murk_jittered *j,
     if (j->draws == 0) {
         return;
     }
-    printf(
+    murk_print(
         "jitter      within %.4g m and %.4g degrees: mean %.4f +- %.4f, 5 %% "
         "quantile %.4f",
         scene->placement.jitter_m, asked_deg(scene), j->mean.value,
         j->mean.standard_error, j->quantile);
     if (isfinite(j->quantile_lower) && isfinite(j->quantile_upper)) {
-        printf(" (95 %%: %.4f..%.4f)", j->quantile_lower, j->quantile_upper);
+        murk_print(" (95 %%: %.4f..%.4f)", j->quantile_lower,
+                   j->quantile_upper);
     }
-    printf(", %s; %.4f as planned\n", j->on_held_out ? "held out" : "in sample",
-           j->as_planned);
+    murk_print(", %s; %.4f as planned\n",
+               j->on_held_out ? "held out" : "in sample", j->as_planned);
     if (j->unmoved > 0) {
-        printf(
+        murk_print(
             "            %zu of %zu places stayed: no free place within reach "
             "was found\n",
             j->unmoved, j->draws * sensors);
@@ -119,24 +121,24 @@ static void print_links(const murk_links *links)
         return;
     }
     if (links->groups == 1) {
-        printf("links       of %.4g m join all sensors by open ways",
-               links->range_m);
+        murk_print("links       of %.4g m join all sensors by open ways",
+                   links->range_m);
     } else {
-        printf("links       of no range join all sensors by open ways: %zu "
-               "groups",
-               links->groups);
+        murk_print("links       of no range join all sensors by open ways: %zu "
+                   "groups",
+                   links->groups);
     }
-    printf("; of %.4g m, were all ways open\n", links->plain_range_m);
+    murk_print("; of %.4g m, were all ways open\n", links->plain_range_m);
 }
 
 void murk_print_robust(const murk_scene *scene, const murk_robust *robust)
 {
     const murk_drop_one drop = murk_robust_drop_one(robust);
     if (isfinite(drop.worst_loss)) {
-        printf("drop one    coverage falls by %.4f at most (without sensor "
-               "%zu), by %.4f in the mean%s\n",
-               drop.worst_loss, drop.worst + 1, drop.mean_loss,
-               robust->without_held_out ? ", held out" : "");
+        murk_print("drop one    coverage falls by %.4f at most (without sensor "
+                   "%zu), by %.4f in the mean%s\n",
+                   drop.worst_loss, drop.worst + 1, drop.mean_loss,
+                   robust->without_held_out ? ", held out" : "");
     }
     print_jitter(scene, &robust->jittered, robust->sensors);
     if (robust->sensors > 1) {

@@ -1,5 +1,7 @@
 #include "app/session.h"
 
+#include "app/summary.h"
+
 #include "base/log.h"
 #include "base/progress.h"
 #include "study/units.h"
@@ -164,33 +166,34 @@ void murk_print_light(const murk_session *session)
     const murk_traced *t = session->traced;
     const double emitted_w = murk_ledger_watts(t, t->ledger->emitted);
     const double percent = emitted_w > 0 ? 100 / emitted_w : 0;
-    printf("photons     %llu emitted; stored: %zu surface, %zu volume\n",
-           (unsigned long long)t->emitted, murk_photon_map_count(t->surface),
-           murk_photon_map_count(t->volume));
-    printf("light       %.4g W: %.1f %% absorbed by surfaces, %.1f %% by "
-           "media, %.1f %% escaped, %.2g %% lost\n",
-           emitted_w,
-           percent * murk_ledger_watts(t, t->ledger->absorbed_surfaces),
-           percent * murk_ledger_watts(t, t->ledger->absorbed_media),
-           percent * murk_ledger_watts(t, t->ledger->escaped),
-           percent * murk_ledger_watts(t, t->ledger->lost));
+    murk_print("photons     %llu emitted; stored: %zu surface, %zu volume\n",
+               (unsigned long long)t->emitted,
+               murk_photon_map_count(t->surface),
+               murk_photon_map_count(t->volume));
+    murk_print("light       %.4g W: %.1f %% absorbed by surfaces, %.1f %% by "
+               "media, %.1f %% escaped, %.2g %% lost\n",
+               emitted_w,
+               percent * murk_ledger_watts(t, t->ledger->absorbed_surfaces),
+               percent * murk_ledger_watts(t, t->ledger->absorbed_media),
+               percent * murk_ledger_watts(t, t->ledger->escaped),
+               percent * murk_ledger_watts(t, t->ledger->lost));
 }
 
 void murk_print_files(const murk_session *session)
 {
     const murk_results *r = &session->results;
     if (!r->folder) {
-        printf("files       none: -o DIR writes them\n");
+        murk_print("files       none: -o DIR writes them\n");
         return;
     }
-    printf("files       %s:", r->folder);
+    murk_print("files       %s:", r->folder);
     for (size_t i = r->n; i > 0; --i) {
         const char *path = r->path[i - 1];
         const char *name = path;
         for (const char *c = path; *c; ++c) {
             name = *c == '/' ? c + 1 : name;
         }
-        printf(" %s", name);
+        murk_print(" %s", name);
     }
-    printf("\n");
+    murk_print("\n");
 }

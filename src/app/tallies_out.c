@@ -1,6 +1,7 @@
 #include "app/tallies_out.h"
 
 #include "app/field_files.h"
+#include "app/summary.h"
 #include "base/log.h"
 #include "medium/grid_write.h"
 #include "study/tallies.h"
@@ -196,18 +197,18 @@ static void print_value(const tally *t, int band, size_t cell, murk_estimate e)
     const murk_tally_desc *d = t->desc;
     const size_t directions = murk_tally_directions(d);
     const size_t bins = murk_tally_cells(d) / directions;
-    printf("tally       %s", d->name);
+    murk_print("tally       %s", d->name);
     if (band < 0) {
-        printf(" all bands");
+        murk_print(" all bands");
     } else if (t->scene->bands > 1) {
-        printf(" %.6g nm", t->scene->band_nm[band]);
+        murk_print(" %.6g nm", t->scene->band_nm[band]);
     }
     if (bins > 1) {
-        printf(" bin %zu", cell % bins);
+        murk_print(" bin %zu", cell % bins);
     }
-    printf("%s%s: %.5g +- %.2g %s\n", directions > 1 ? " " : "",
-           direction_of(d, cell / bins), e.value, e.standard_error,
-           unit_of(d, &t->units));
+    murk_print("%s%s: %.5g +- %.2g %s\n", directions > 1 ? " " : "",
+               direction_of(d, cell / bins), e.value, e.standard_error,
+               unit_of(d, &t->units));
 }
 
 static void print_values(const tally *t)
@@ -253,13 +254,13 @@ static void print_errors(const tally *t)
     }
     if (share) {
         qsort(share, lit, sizeof *share, by_size);
-        printf("tally       %s: %zu values, %zu of them lit", t->desc->name,
-               values, lit);
+        murk_print("tally       %s: %zu values, %zu of them lit", t->desc->name,
+                   values, lit);
         if (lit > 0) {
-            printf(", half of these known to %.2g %% or better",
-                   100 * share[(lit - 1) / 2]);
+            murk_print(", half of these known to %.2g %% or better",
+                       100 * share[(lit - 1) / 2]);
         }
-        printf("\n");
+        murk_print("\n");
     }
     free(share);
 }
@@ -308,29 +309,31 @@ void murk_print_asked_tallies(const murk_session *session)
     const murk_units units = murk_units_of(session->scene->units);
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
-        printf("tally       %s: ", d->name);
+        murk_print("tally       %s: ", d->name);
         if (d->type == MURK_TALLY_PLANE) {
             int axes[2];
             murk_tally_axes(d, axes);
-            printf("plane, %zu x %zu bins along %c and %c, %zu by angle, "
-                   "forward and backward, %s\n",
-                   d->bins[0], d->bins[1], "xyz"[axes[0]], "xyz"[axes[1]],
-                   d -> angle_bins, units.power);
+            murk_print("plane, %zu x %zu bins along %c and %c, %zu by angle, "
+                       "forward and backward, %s\n",
+                       d->bins[0], d->bins[1], "xyz"[axes[0]], "xyz"[axes[1]],
+                       d -> angle_bins, units.power);
         } else if (d->type == MURK_TALLY_GRID) {
             const murk_affine a = cells_to_world(d);
-            printf("grid, %zu x %zu x %zu cells of %.4g x %.4g x %.4g m, "
-                   "%s\n",
-                   d->size[0], d->size[1], d->size[2], a.matrix[0][0],
-                   a.matrix[1][1], a.matrix[2][2], units.irradiance);
+            murk_print("grid, %zu x %zu x %zu cells of %.4g x %.4g x %.4g m, "
+                       "%s\n",
+                       d->size[0], d->size[1], d->size[2], a.matrix[0][0],
+                       a.matrix[1][1], a.matrix[2][2], units.irradiance);
         } else {
-            printf("sphere of %.4g m%s, %s\n", d->radius_m,
-                   d->hemispheres ? ", upward and downward light apart" : "",
-                   units.irradiance);
+            murk_print("sphere of %.4g m%s, %s\n", d->radius_m,
+                       d->hemispheres ? ", upward and downward light apart"
+                                      : "",
+                       units.irradiance);
         }
     }
     if (session->scene->n_tallies > 0) {
-        printf("            %.3g MB for them and for writing them\n",
-               murk_tallies_bytes(session->stage, session->options->threads) /
-                   1e6);
+        murk_print(
+            "            %.3g MB for them and for writing them\n",
+            murk_tallies_bytes(session->stage, session->options->threads) /
+                1e6);
     }
 }

@@ -1,0 +1,136 @@
+#include "app/summary.h"
+
+#include "study/machine.h"
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define COLUMNS 80
+#define LABEL   12
+
+/* What has been printed of a line that has not ended. */
+static struct {
+    char *text;
+    size_t size, room;
+} open_line;
+
+static bool is_table(const char *line)
+{
+    const size_t length = strlen(line);
+    size_t begin = length < LABEL ? length : LABEL;
+    begin += strspn(line + begin, " ");
+    return strstr(line + begin, "  ") != NULL;
+}
+
+/* Where text goes on: under its own beginning. */
+static size_t indent_of(const char *line)
+{
+    const size_t lead = strspn(line, " ");
+    const bool has_label = lead == 0 && strlen(line) > LABEL &&
+                           line[LABEL - 1] == ' ' && line[LABEL] != ' ';
+    return has_label ? LABEL : lead > 0 ? lead : 2;
+}
+
+static void show(const char *line)
+{
+    const size_t indent = indent_of(line);
+    size_t begin = 0; /* of the columns, those of the indent */
+    while (!is_table(line) && strlen(line) + begin > COLUMNS) {
+        size_t cut = COLUMNS - begin;
+        while (cut > indent && line[cut] != ' ') {
+            --cut;
+        }
+        if (line[cut] != ' ' || cut <= (begin ? 0 : indent)) {
+            cut = strcspn(line + indent, " ") + indent; /* a word too long */
+            if (!line[cut]) {
+                break;
+            }
+        }
+        printf("%*s%.*s\n", (int)begin, "", (int)cut, line);
+        line += cut + strspn(line + cut, " ");
+        begin = indent;
+    }
+    printf("%*s%s\n", (int)begin, "", line);
+}
+
+static bool make_room(size_t more)
+{
+    if (open_line.size + more < open_line.room) {
+        return true;
+    }
+    const size_t room = 2 * (open_line.size + more) + 256;
+    char *grown = realloc(open_line.text, room);
+    if (grown) {
+        open_line.text = grown;
+        open_line.room = room;
+    }
+    return grown != NULL;
+}
+
+void murk_print(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    va_list again;
+    va_copy(again, args);
+    const int n = vsnprintf(NULL, 0, format, args);
+    va_end(args);
+    if (n > 0 && make_room((size_t)n + 1)) {
+        vsnprintf(open_line.text + open_line.size, (size_t)n + 1, format,
+                  again);
+        open_line.size += (size_t)n;
+    }
+    va_end(again);
+    char *line = open_line.text, *end;
+    while (line && (end = strchr(line, '\n'))) {
+        *end = '\0';
+        show(line);
+        line = end + 1;
+    }
+    if (line != open_line.text) {
+        open_line.size = strlen(line);
+        memmove(open_line.text, line, open_line.size + 1);
+    }
+    if (open_line.size == 0) {
+        free(open_line.text);
+        open_line.text = NULL;
+        open_line.room = 0;
+    }
+}
+
+void murk_print_time(const murk_run_facts *run, const char *other,
+                     double other_s)
+{
+    const struct {
+        const char *name;
+        double seconds;
+    } part[] = {{"load", run->load_s},   {"trace", run->trace_s},
+                {"maps", run->map_s},    {"sense", run->sense_s},
+                {"place", run->place_s}, {other ? other : "", other_s}};
+    murk_print("time        %.2f s", run->total_s);
+    const char *between = ": ";
+    for (size_t i = 0; i < sizeof part / sizeof *part; ++i) {
+        if (part[i].seconds >= .005) {
+            murk_print("%s%s %.2f", between, part[i].name, part[i].seconds);
+            between = ", ";
+        }
+    }
+    murk_print("; memory %.2g GB\n", murk_machine_peak_bytes() / 1e9);
+}
+
+void murk_print_more(size_t n, const char *folder, const char *file)
+{
+    if (n <= MURK_PRINTED_ROWS) {
+        return;
+    }
+    if (folder) {
+        murk_print("            ... and %zu more in %s/%s\n",
+                   n - MURK_PRINTED_ROWS, folder, file);
+    } else {
+        murk_print("            ... and %zu more; -o DIR writes all to %s\n",
+                   n - MURK_PRINTED_ROWS, file);
+    }
+}

@@ -1,0 +1,30 @@
+/* The summary on standard output: a label of up to 11 letters, then text from
+ * column 12 on.
+ *
+ *   coverage    0.8253 in sample (surface 0.7839 +- 0.0016, volume 0.8667 +-
+ *               0.0022); all candidates: 0.9540
+ *
+ * Lines wider than 80 columns are broken between words and go on under their
+ * text, but for rows of tables: those with two spaces between words beyond the
+ * label. Bytes count as columns. From the main thread only. */
+#ifndef MURK_APP_SUMMARY_H
+#define MURK_APP_SUMMARY_H
+
+#include "app/results.h"
+
+#include <stddef.h>
+
+/* As printf(); a line is shown when it ends. */
+void murk_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* "time  4.70 s: load 0.07, trace 0.01; memory 0.05 GB", without what took no
+ * time; other: a part of the command's own, or NULL. */
+void murk_print_time(const murk_run_facts *run, const char *other,
+                     double other_s);
+
+/* Rows of a table that are shown, of n: what is more stands in `file` of the
+ * folder (NULL: none is written), which murk_print_more() says. */
+#define MURK_PRINTED_ROWS 12
+void murk_print_more(size_t n, const char *folder, const char *file);
+
+#endif
