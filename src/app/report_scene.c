@@ -83,43 +83,6 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
 
 /* ---- the world ---- */
 
-/* Files are imported before anything is built, that makes a ray device. */
-static void build_stages(murk_report_scene *out)
-{
-    static const char lost[] = "What the scene names cannot be read again, so "
-                               "surfaces and media are not shown";
-    murk_error why = {0};
-    murk_status status = murk_stage_import(&out->stage, out->scene, &why);
-    const size_t conditions =
-        out->states > 1 && out->scene->n_conditions > 0 ? out->states : 0;
-    for (size_t i = 0; i < conditions && !status; ++i) {
-        for (size_t c = 0; c < out->scene->n_conditions && !status; ++c) {
-            const murk_scene_condition *one = &out->scene->conditions[c];
-            if (strcmp(one->name, out->state[i].name) == 0) {
-                status =
-                    murk_stage_import(&out->state[i].stage, one->scene, &why);
-            }
-        }
-    }
-    if (!status) {
-        status = murk_stage_build(out->stage, &why);
-    }
-    for (size_t i = 0; i < out->states && !status; ++i) {
-        status = out->state[i].stage
-                     ? murk_stage_build(out->state[i].stage, &why)
-                     : MURK_OK;
-    }
-    if (status) {
-        murk_report_scene_note(out, lost, &why);
-        murk_stage_destroy(out->stage);
-        out->stage = NULL;
-        for (size_t i = 0; i < out->states; ++i) {
-            murk_stage_destroy(out->state[i].stage);
-            out->state[i].stage = NULL;
-        }
-    }
-}
-
 static void read_scene(murk_report_scene *out, const char *folder)
 {
     murk_error why = {0};
@@ -241,7 +204,7 @@ static murk_status read_all(murk_report_scene *out,
         status = murk_report_read_path(out, results->folder, err);
     }
     if (out->scene) {
-        build_stages(out);
+        murk_report_build(out);
     }
     read_photons(out, results->folder, results);
     return status;
@@ -264,7 +227,9 @@ murk_status murk_report_scene_read(murk_report_scene *out,
 void murk_report_scene_release(murk_report_scene *scene)
 {
     for (size_t i = 0; i < MURK_SHOWN_STATES_MAX; ++i) {
-        murk_stage_destroy(scene->state[i].stage);
+        murk_media_destroy(scene->state[i].media);
+        murk_phases_destroy(scene->state[i].phases);
+        murk_fillings_destroy(scene->state[i].fillings);
         murk_plan_points_release(&scene->state[i].points);
         free(scene->state[i].sensor);
     }

@@ -23,7 +23,9 @@ typedef struct murk_shown_sensor {
 typedef struct murk_shown_state {
     char name[160]; /* empty: there is no other */
     murk_plan_points points;
-    murk_stage *stage;         /* with its media; NULL: they are the scene's */
+    murk_media *media;         /* NULL: the scene's */
+    murk_fillings *fillings;   /* of media */
+    murk_phases *phases;       /* likewise */
     murk_shown_sensor *sensor; /* [sensors] */
     size_t sensors;
 } murk_shown_state;
@@ -70,6 +72,10 @@ void murk_report_scene_release(murk_report_scene *scene);
 /* One more line of the note: what, and why. */
 void murk_report_scene_note(murk_report_scene *scene, const char *what,
                             const murk_error *why);
+
+/* Builds the scene's world, and the media of those states that are conditions.
+ * Says in the note what cannot be built. */
+void murk_report_build(murk_report_scene *scene);
 
 /* Parts of reading: the states of a study, the readings of a fit, a path. */
 murk_status murk_report_read_study(murk_report_scene *out,

@@ -97,14 +97,10 @@ static murk_status fill_media(murk_view_data *out, murk_error *err)
     const murk_report_scene *s = out->scene;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < s->states && !status; ++i) {
-        const murk_stage *stage =
-            s->state[i].stage ? s->state[i].stage : s->stage;
+        const murk_media *base = s->stage ? s->stage->media : NULL;
+        const murk_media *own = s->stage ? s->state[i].media : NULL;
         murk_view_media *now = &out->media[out->medias];
-        if (i > 0 && !s->state[i].stage) {
-            out->media_of[i] = out->media_of[i - 1];
-            continue;
-        }
-        status = murk_view_media_make(now, stage, &out->box,
+        status = murk_view_media_make(now, own ? own : base, &out->box,
                                       CELLS_MAX / (s->states + 1), err);
         size_t k = 0;
         while (k < out->medias && !same_media(&out->media[k], now)) {

@@ -41,11 +41,10 @@ static size_t divide(murk_view_media *m, size_t most)
     return n;
 }
 
-murk_status murk_view_media_make(murk_view_media *out, const murk_stage *stage,
+murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
                                  const murk_box *box, size_t most,
                                  murk_error *err)
 {
-    const murk_media *media = stage ? stage->media : NULL;
     *out = (murk_view_media){.box = *box, .least_per_m = INFINITY};
     if (!media || !murk_media_any(media)) {
         return MURK_OK;

@@ -2,7 +2,8 @@
 #ifndef MURK_APP_VIEW_MEDIA_H
 #define MURK_APP_VIEW_MEDIA_H
 
-#include "study/stage.h"
+#include "base/status.h"
+#include "medium/media.h"
 
 typedef struct murk_view_media {
     murk_box box;
@@ -15,9 +16,9 @@ typedef struct murk_view_media {
     bool is_even; /* the same everywhere, to a hundredth */
 } murk_view_media;
 
-/* At most `most` cells, cubes as far as the box allows. NULL for no world: no
- * media. Fails with MURK_NO_MEMORY. Release *out in any case. */
-murk_status murk_view_media_make(murk_view_media *out, const murk_stage *stage,
+/* At most `most` cells, cubes as far as the box allows. NULL: no media. Fails
+ * with MURK_NO_MEMORY. Release *out in any case. */
+murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
                                  const murk_box *box, size_t most,
                                  murk_error *err);
 void murk_view_media_release(murk_view_media *media);

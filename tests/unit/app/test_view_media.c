@@ -28,7 +28,7 @@ static void test_layers(void)
     const size_t most[] = {300, 5000, 100000};
     for (size_t m = 0; m < 3; ++m) {
         murk_view_media media;
-        CHECK(murk_view_media_make(&media, made, &box, most[m], NULL) ==
+        CHECK(murk_view_media_make(&media, made->media, &box, most[m], NULL) ==
               MURK_OK);
         const size_t n = media.size[0] * media.size[1] * media.size[2];
         CHECK(n <= most[m] && n > most[m] / 4 && !media.is_even);
@@ -49,7 +49,8 @@ static void test_even_fog_is_told(void)
 {
     murk_stage *made = stage_text_create(EVEN, NULL);
     murk_view_media media;
-    CHECK(murk_view_media_make(&media, made, &box, 1000, NULL) == MURK_OK);
+    CHECK(murk_view_media_make(&media, made->media, &box, 1000, NULL) ==
+          MURK_OK);
     CHECK(media.is_even && fabs(media.most_per_m - 0.3) < 1e-12);
     CHECK(media.cell && media.cell[0] == 255);
     murk_view_media_release(&media);
@@ -61,14 +62,16 @@ static void test_nothing(void)
 {
     murk_stage *clear = stage_text_create(SCENE, NULL);
     murk_view_media media;
-    CHECK(murk_view_media_make(&media, clear, &box, 1000, NULL) == MURK_OK);
+    CHECK(murk_view_media_make(&media, clear->media, &box, 1000, NULL) ==
+          MURK_OK);
     CHECK(!media.cell);
     CHECK(murk_view_media_make(&media, NULL, &box, 1000, NULL) == MURK_OK);
     CHECK(!media.cell);
     stage_text_destroy(clear);
     murk_stage *made = stage_text_create(LAYERS, NULL);
     const murk_box flat = {{1, 1, 1}, {1, 1, 1}};
-    CHECK(murk_view_media_make(&media, made, &flat, 1000, NULL) == MURK_OK);
+    CHECK(murk_view_media_make(&media, made->media, &flat, 1000, NULL) ==
+          MURK_OK);
     CHECK(media.size[0] * media.size[1] * media.size[2] == 1);
     murk_view_media_release(&media);
     stage_text_destroy(made);
