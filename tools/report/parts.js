@@ -39,7 +39,9 @@ export function surfaces(data) {
 // Arrows that meet the box, the way the light of sun and moon travels.
 export function distant(data) {
   const half = data.high.map((v, k) => Math.max(v - data.low[k], 0) / 2), t = data.size_m / 70;
-  return data.lamps.filter((lamp) => lamp.distant).map((lamp) => {
+  // beside the sun the moon is nothing
+  const isDay = data.lamps.some((lamp) => lamp.type === "sun");
+  return data.lamps.filter((lamp) => lamp.distant && !(isDay && lamp.type === "moon")).map((lamp) => {
     const way = new Vector3(...lamp.direction).normalize();
     const out = Math.min(...way.toArray().map((v, k) => Math.abs(v) > 0 ? half[k] / Math.abs(v) : Infinity));
     const at = (far) => way.clone().multiplyScalar(-out - far * t), tip = at(1);

@@ -2,7 +2,7 @@
 import { Color } from "three";
 import { count, number, percent } from "./data.js";
 import { cloudShare } from "./media.js";
-import { residualColor } from "./parts.js";
+import { distant, residualColor } from "./parts.js";
 import { COLORS } from "./photons.js";
 
 function entry(color, text) {
@@ -35,7 +35,8 @@ export function sayKey(box, data, state, photons, picked, medium, hidden) {
   const out = photonEntries(photons, picked);
   if (state.sensors.length > 0) out.push(entry(0xffd400, "sensor, and how far and where it sees"));
   if (!hidden.has("lamps")) {
-    for (const kind of new Set(data.lamps.map((lamp) => lamp.distant ? lamp.type : "lamp"))) out.push(entry(0xfff3c4, kind));
+    const kinds = [...data.lamps.filter((lamp) => !lamp.distant).map(() => "lamp"), ...distant(data).map(({ lamp }) => lamp.type)];
+    for (const kind of new Set(kinds)) out.push(entry(0xfff3c4, kind));
   }
   if (data.path.length > 0) out.push(entry(0xff8ad8, "the path"));
   if (data.readings.length > 0) {
