@@ -110,7 +110,7 @@ const murk_option murk_option_table[] = {
      "media: height of the grid's voxels in m; default: a hundredth of the "
      "profile. With --export: edge in m, at most, of the voxels of fields and "
      "of the pieces of surfaces; default: some 100,000 voxels, and pieces of "
-     "ten photons or so"},
+     "five photons or so"},
     {MURK_OPTION_WIDTH, "--width", NULL, "M", "media",
      "width of the grid in x and y in m; default: 1000"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense render",

@@ -114,9 +114,11 @@ murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,
         longest_m[i] = longest_edge_m(out, i);
     }
     if (!status) {
-        status = cut_all(out, longest_m,
-                         edge_m > 0 ? edge_m : edge_for(out, longest_m, usual),
-                         where, err);
+        status = cut_all(
+            out, longest_m,
+            edge_m > 0 ? edge_m
+                       : edge_for(out, longest_m, (double)out->wholes + usual),
+            where, err);
     }
     free(longest_m);
     return status;

@@ -22,8 +22,8 @@ typedef struct murk_pieces {
     size_t n;
 } murk_pieces;
 
-/* edge_m: the longest edge of a piece; 0: such that there are `usual` of them
- * at most, or whole triangles where there are more of these. Fails with
+/* edge_m: the longest edge of a piece; 0: such that cutting makes `usual` more
+ * of them than there are triangles, at most. Fails with
  * MURK_BAD_VALUE at `where` (more than MURK_PIECES_MOST pieces, and more than
  * there are triangles) or MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,

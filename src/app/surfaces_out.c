@@ -10,8 +10,8 @@
 
 /* Where no size is asked for: so many stored photons to a piece in the mean,
  * and so many pieces. */
-#define PHOTONS_USUAL 10
-#define PIECES_LEAST  2000
+#define PHOTONS_USUAL 5
+#define PIECES_LEAST  5000
 #define PIECES_USUAL  100000
 
 /* Colours end at this multiple of the mean irradiance, by area. */
