@@ -12,8 +12,8 @@ import tempfile
 
 import light_file
 import result_kinds as kinds
-import results
-from results import EXTINCTION_PER_M, RANGE_M, ROOM, check, near
+import from_outside
+from from_outside import EXTINCTION_PER_M, RANGE_M, ROOM, check, near
 
 PHOTONS = 3000  # of ROOM
 THICK = [0.9, 1.4]
@@ -48,7 +48,7 @@ def mean_of(values):
 
 def check_regret(murk, folder, plan):
     table = plan["regret"]
-    results.fits(table, {"held_out": kinds.flag, "plans": [ROW] * 5}, "regret")
+    from_outside.fits(table, {"held_out": kinds.flag, "plans": [ROW] * 5}, "regret")
     own = {row["made_for"]: row["coverage"][i] for i, row in enumerate(table["plans"][:3])}
     check(list(own) == NAMES, "plans made for", list(own))
     for row in table["plans"]:
@@ -71,7 +71,7 @@ def check_conditions(murk, folder, scene, plan):
     check([c["name"] for c in plan["conditions"]] == NAMES, "conditions' names")
     for condition in plan["conditions"]:
         name = condition["name"]
-        results.fits(condition, CONDITION, name)
+        from_outside.fits(condition, CONDITION, name)
         check(condition["weight"] == WEIGHT[name], name, "weighs", condition["weight"])
         light = murk.path(folder, f"light-{name}.murk")
         again = light_file.coverage(light_file.sections(light), PHOTONS, where, RANGE_M,
@@ -79,9 +79,9 @@ def check_conditions(murk, folder, scene, plan):
         near(condition["in_sample"], again["in_sample"], 1e-5, name, "in sample")
         near(condition["in_sample_standard_error"] / again["standard_error"], 1, 1e-4, name,
              "error")
-        off = results.sigmas(condition["held_out"], condition["held_out_standard_error"],
+        off = from_outside.sigmas(condition["held_out"], condition["held_out_standard_error"],
                              condition["in_sample"], condition["in_sample_standard_error"])
-        check(off <= results.SIGMA_LIMIT, name, "held out is", off, "sigma off")
+        check(off <= from_outside.SIGMA_LIMIT, name, "held out is", off, "sigma off")
         # its own scene file is a scene, with just that light
         sensed = murk.run("sense", murk.path(folder, f"scene-{name}.yaml"), "--light", light,
                           "--sensors", murk.path(folder, "sensors.csv"))
@@ -122,15 +122,15 @@ def check_sums(plan, over):
 
 def main(program):
     with tempfile.TemporaryDirectory() as folder:
-        murk = results.Murk(program, folder)
+        murk = from_outside.Murk(program, folder)
         scene = murk.write("room.yaml", SCENE)
         plans, tables = {}, {}
         for over in ("mean", "worst"):
             plan = murk.run("place", scene, "--set", f"placement.over={over}", "-o",
                             murk.path(over))
-            results.fits(plan, kinds.PLAN, over)
+            from_outside.fits(plan, kinds.PLAN, over)
             if over == "mean":  # of one condition, a map may be empty
-                results.check_sensors(plan, over)
+                from_outside.check_sensors(plan, over)
             check_conditions(murk, over, scene, plan)
             check_sums(plan, over)
             tables[over] = check_regret(murk, over, plan)
@@ -145,9 +145,9 @@ def main(program):
         # the scene's own resolved file leads to the same plan
         again = murk.run("place", murk.path("worst", "scene.yaml"))
         check(again["sensors"] == plans["worst"]["sensors"], "scene.yaml leads elsewhere")
-    print("all conditions are as described" if not results.failures
-          else f"{results.failures} failed")
-    return results.failures != 0
+    print("all conditions are as described" if not from_outside.failures
+          else f"{from_outside.failures} failed")
+    return from_outside.failures != 0
 
 
 if __name__ == "__main__":

@@ -10,8 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-import results
-from results import ROOM, check
+import from_outside
+from from_outside import ROOM, check
 
 DARK = ROOM.replace("power_w: [10, 3]", "power_w: 0") + """\
   fixed: [{type: node, position_m: [1, 1, 1]}]
@@ -35,7 +35,7 @@ lights:
 NOTE = "it is dark"
 
 
-class Quiet(results.Murk):
+class Quiet(from_outside.Murk):
     """Also keeps what was said on standard error."""
 
     def run(self, *words):
@@ -44,7 +44,7 @@ class Quiet(results.Murk):
         self.said = done.stderr
         if done.returncode != 0:
             sys.exit(f"murk {' '.join(words)}: exit {done.returncode}\n{done.stderr}")
-        return results.parse(done.stdout)
+        return from_outside.parse(done.stdout)
 
 
 def check_ledger(ledger):
@@ -195,9 +195,9 @@ def main():
         test_check(murk, scene)
         test_night(murk)
         test_conditions(murk)
-    print("all that is dark is as described" if not results.failures
-          else f"{results.failures} failed")
-    return results.failures != 0
+    print("all that is dark is as described" if not from_outside.failures
+          else f"{from_outside.failures} failed")
+    return from_outside.failures != 0
 
 
 if __name__ == "__main__":

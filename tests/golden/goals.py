@@ -11,8 +11,8 @@ import sys
 import tempfile
 
 import light_file
-import results
-from results import EXTINCTION_PER_M, RANGE_M, ROOM, check, near
+import from_outside
+from from_outside import EXTINCTION_PER_M, RANGE_M, ROOM, check, near
 
 PHOTONS = 3000  # of ROOM
 
@@ -73,9 +73,9 @@ def test_regions(murk):
              region["name"], "error")
         check(told["coverage"] == region["coverage"] and told["held_out"] is None,
               "sense tells else:", told)
-        off = results.sigmas(region["held_out"], region["held_out_standard_error"],
+        off = from_outside.sigmas(region["held_out"], region["held_out_standard_error"],
                              region["coverage"], region["standard_error"])
-        check(off <= results.SIGMA_LIMIT, region["name"], "held out is", off, "sigma off")
+        check(off <= from_outside.SIGMA_LIMIT, region["name"], "held out is", off, "sigma off")
     check(abs(regions[0]["coverage"] - regions[1]["coverage"]) > 0.01, "regions alike")
 
 
@@ -114,7 +114,7 @@ def test_drawn_targets(murk):
     check(told["surface"] == 0 and told["area_m2"] is None and not told["listed"] and
           told["band_nm"] == 650, "targets", told)
     off = abs(told["volume_m3"] - 3.8 * 3.8 * 2.8) / told["volume_m3_standard_error"]
-    check(off <= results.SIGMA_LIMIT, "the room's volume is", off, "sigma off")
+    check(off <= from_outside.SIGMA_LIMIT, "the room's volume is", off, "sigma off")
     check(abs(told["volume_m3"] - 48) > 20 * told["volume_m3_standard_error"],
           "the domain's volume would do as well")
     views = [clearest(p[0], where, EXTINCTION_PER_M[1]) for p in points]
@@ -123,9 +123,9 @@ def test_drawn_targets(murk):
     error = math.sqrt(sum((v - mean) ** 2 for v in views) / (5000 * 4999))
     near(plan["coverage"]["in_sample_standard_error"] / error, 1, 1e-4, "error by target")
     check(plan["coverage"]["surface"] is None, "no surface was drawn")
-    off = results.sigmas(plan["coverage"]["held_out"],
+    off = from_outside.sigmas(plan["coverage"]["held_out"],
                          plan["coverage"]["held_out_standard_error"], mean, error)
-    check(0 < off <= results.SIGMA_LIMIT, "held out is", off, "sigma off")
+    check(0 < off <= from_outside.SIGMA_LIMIT, "held out is", off, "sigma off")
     other = sum(clearest(p[0], where, EXTINCTION_PER_M[0]) for p in points) / 5000
     check(abs(other - mean) > 100 * 1e-5, "the other band would go unnoticed")
 
@@ -197,15 +197,15 @@ def test_targets_by_power(murk):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        murk = results.Murk(os.path.abspath(sys.argv[1]), folder)
+        murk = from_outside.Murk(os.path.abspath(sys.argv[1]), folder)
         test_regions(murk)
         test_drawn_targets(murk)
         test_listed_targets(murk)
         test_over_conditions(murk)
         test_targets_by_power(murk)
-    print("all goals are as described" if not results.failures
-          else f"{results.failures} failed")
-    return results.failures != 0
+    print("all goals are as described" if not from_outside.failures
+          else f"{from_outside.failures} failed")
+    return from_outside.failures != 0
 
 
 if __name__ == "__main__":
