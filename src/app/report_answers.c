@@ -61,11 +61,8 @@ static bool find_extremes(extreme out[2], const murk_yaml *rows, size_t n,
     return out[0].row > 0;
 }
 
-/* The value, and in which row that is: by what the axes are there. */
-static void write_extreme(FILE *to, const extreme *e, const murk_yaml *rows,
-                          const char *output)
+static void write_value(FILE *to, const extreme *e, const char *output)
 {
-    const murk_yaml *axes = murk_result_at(rows->child[e->row - 1], "axes");
     if (strncmp(output, "coverage", 8) == 0) {
         strong_share(to, e->value, e->error);
     } else {
@@ -73,9 +70,20 @@ static void write_extreme(FILE *to, const extreme *e, const murk_yaml *rows,
         murk_page_estimate(to, e->value, e->error);
         fputs("</strong>", to);
     }
+}
+
+/* The value, and in which row that is: by what the axes are there. */
+static void write_extreme(FILE *to, const extreme *e, const murk_yaml *rows,
+                          const char *output)
+{
+    const murk_yaml *axes = murk_result_at(rows->child[e->row - 1], "axes");
+    write_value(to, e, output);
     const size_t n = axes && axes->kind == MURK_YAML_MAP ? axes->n : 0;
     for (size_t i = 0; i < n && i < SHOWN_MAX; ++i) {
+        const char *dot = strrchr(axes->key[i], '.');
         fputs(i == 0 ? " (" : ", ", to);
+        murk_page_text(to, dot && dot[1] ? dot + 1 : axes->key[i]);
+        fputc(' ', to);
         murk_page_text(to, murk_result_text(axes->child[i], ""));
     }
     fputs(n > 0 ? ")" : "", to);
@@ -102,10 +110,15 @@ static void answer_study(FILE *to, const murk_yaml *study)
         murk_page_text(to, output);
         fputs(unit && *unit && strcmp(unit, "1") != 0 ? ", " : "", to);
         murk_page_text(to, unit && *unit && strcmp(unit, "1") != 0 ? unit : "");
-        fputs(": from ", to);
-        write_extreme(to, &found[0], rows, output);
-        fputs(" to ", to);
-        write_extreme(to, &found[1], rows, output);
+        if (found[0].value < found[1].value) {
+            fputs(": from ", to);
+            write_extreme(to, &found[0], rows, output);
+            fputs(" to ", to);
+            write_extreme(to, &found[1], rows, output);
+        } else {
+            fputs(": everywhere ", to);
+            write_value(to, &found[0], output);
+        }
         fputs("</li>", to);
     }
     fputs("</ul>", to);

@@ -10,7 +10,8 @@
 #define MARGIN    24.0
 #define SCALE_BAR 26.0 /* under the picture */
 #define DOTS_MAX  4000
-#define NUMBERED  99 /* more sensors are discs alone */
+#define LEAST_M   1.0 /* that a picture shows */
+#define NUMBERED  99  /* more sensors are discs alone */
 
 typedef struct projection {
     const char *name;
@@ -33,10 +34,14 @@ static double place_y(const projection *p, double value)
     return p->height - MARGIN - (value - p->low[1]) * p->scale;
 }
 
-/* Of all photons and sensors, with a little room. */
+/* Of all photons, sensors and the domain, where it is known; false where
+ * there is nothing to draw. */
 static bool fit(projection *p, const murk_report_scene *s)
 {
     const int axis[2] = {p->across, p->up};
+    if (s->points.n + s->sensors == 0) {
+        return false;
+    }
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int k = 0; k < 2; ++k) {
         for (size_t i = 0; i < s->points.n; ++i) {
@@ -49,14 +54,20 @@ static bool fit(projection *p, const murk_report_scene *s)
             low[k] = fmin(low[k], v);
             high[k] = fmax(high[k], v);
         }
+        if (s->stage) {
+            const murk_box *box = &s->stage->world.domain.box;
+            low[k] = fmin(low[k], along(box->min, axis[k]));
+            high[k] = fmax(high[k], along(box->max, axis[k]));
+        }
     }
     const double wide = high[0] - low[0], tall = high[1] - low[1];
     if (!(wide >= 0 && wide < INFINITY && tall < INFINITY)) {
         return false;
     }
-    const double room = fmax(fmax(wide, tall), 1e-6);
+    const double room = fmax(fmax(wide, tall), LEAST_M);
     p->scale = fmin((WIDTH - 2 * MARGIN) / fmax(wide, 1e-3 * room),
                     (TALLEST - 2 * MARGIN) / fmax(tall, 1e-3 * room));
+    p->scale = fmin(p->scale, WIDTH / room);
     p->low[0] = low[0] - ((WIDTH - 2 * MARGIN) / p->scale - wide) / 2;
     p->low[1] = low[1];
     p->height = 2 * MARGIN + tall * p->scale;
@@ -83,6 +94,22 @@ static void draw_photons(FILE *to, const projection *p,
         fputs("\"/>\n", to);
     }
     fputs("</g>\n", to);
+}
+
+static void draw_domain(FILE *to, const projection *p,
+                        const murk_report_scene *s)
+{
+    if (!s->stage) {
+        return;
+    }
+    const murk_box *box = &s->stage->world.domain.box;
+    const double left = place_x(p, along(box->min, p->across));
+    const double top = place_y(p, along(box->max, p->up));
+    fprintf(to,
+            "<rect class=\"domain\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" "
+            "height=\"%.1f\"/>\n",
+            left, top, place_x(p, along(box->max, p->across)) - left,
+            place_y(p, along(box->min, p->up)) - top);
 }
 
 static void draw_sensors(FILE *to, const projection *p,
@@ -140,6 +167,7 @@ static void draw(FILE *to, projection *p, const murk_report_scene *s)
             "<figure>\n<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
             "aria-label=\"%s\">\n",
             WIDTH, p->height + SCALE_BAR, p->name);
+    draw_domain(to, p, s);
     draw_photons(to, p, s);
     draw_sensors(to, p, s);
     draw_scale(to, p);

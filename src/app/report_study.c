@@ -92,7 +92,7 @@ static bool read_clock(const char *text, double *hours)
 /* Numbers as they are, hours as hours, else the words one after the other. */
 static void find_places(frame *f)
 {
-    double least = INFINITY, most = -INFINITY;
+    double least = INFINITY, least_above_0 = INFINITY, most = -INFINITY;
     bool is_number = true, is_clock = true;
     for (size_t i = 0; i < f->table->rows; ++i) {
         const char *text = f->axes > 0 ? cell(f, i, f->along) : "1";
@@ -108,7 +108,13 @@ static void find_places(frame *f)
         is_number = is_number && murk_number_parse(text, &value);
         is_clock = is_clock && read_clock(text, &hours);
         least = fmin(least, value);
+        least_above_0 = value > 0 ? fmin(least_above_0, value) : least_above_0;
         most = fmax(most, value);
+    }
+    /* 0, 0.1, 1, 10: neither as they are nor by logarithms */
+    const double ratio = least == 0 ? most / least_above_0 : 0;
+    if (ratio > LOG_RATIO && (double)f->values < ratio / 4) {
+        return;
     }
     f->is_number = is_number || is_clock;
     f->scale = is_number && least > 0 && most > LOG_RATIO * least
@@ -193,6 +199,12 @@ static const char *unit_of(const murk_yaml *study, const char *output)
     return "";
 }
 
+/* Coverages are shares, which are shown in per cent. */
+static bool is_share(const char *output)
+{
+    return strncmp(output, "coverage", 8) == 0;
+}
+
 static bool spans_decades(const frame *f, size_t column)
 {
     double least = INFINITY, most = -INFINITY;
@@ -261,9 +273,9 @@ static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
         .x_name = f->is_number ? NULL : f->value,
         .x_names = f->is_number ? 0 : f->values,
         .x = f->scale,
-        .y = strncmp(output, "coverage", 8) == 0 ? MURK_SCALE_SHARE
-             : spans_decades(f, column)          ? MURK_SCALE_LOG
-                                                 : MURK_SCALE_EVEN};
+        .y = is_share(output)           ? MURK_SCALE_SHARE
+             : spans_decades(f, column) ? MURK_SCALE_LOG
+                                        : MURK_SCALE_EVEN};
     murk_chart_draw(to, &chart, series, lines);
     free(room);
     return true;
@@ -299,7 +311,10 @@ static void write_rows(FILE *to, const frame *f)
         snprintf(name, sizeof name, "%zu", i + 1);
         murk_page_row_begin(to, name);
         for (size_t c = 0; c < t->columns; ++c) {
-            if (is_output(t, c)) {
+            if (is_output(t, c) && is_share(t->name[c])) {
+                murk_page_cell_share(to, number(f, i, c), number(f, i, c + 1));
+                ++c;
+            } else if (is_output(t, c)) {
                 murk_page_cell_estimate(to, number(f, i, c),
                                         number(f, i, c + 1));
                 ++c;

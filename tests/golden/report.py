@@ -8,6 +8,7 @@ usage: report.py MURK
 import array
 import base64
 import csv
+import csv
 import hashlib
 import html
 import html.parser
@@ -47,6 +48,15 @@ sensors:
   candidates: {grid: {min_m: [0.5, 0.5, 0.5], max_m: [3.5, 3.5, 2.5], size: [3, 3, 2]}}
   count: 3
 """.replace("EVIL", EVIL.replace('"', '\\"'))
+
+
+TALLIES = """\
+tallies:
+  - {name: ball, type: sphere, center_m: [1, 3, 1], radius_m: 0.4, hemispheres: true}
+  - {name: strip, type: plane, point_m: [0, 0, 2], normal: [0, 0, 1], bins: [5, 1]}
+  - {name: floor, type: plane, point_m: [0, 0, 1], normal: [0, 0, 1], bins: [4, 3]}
+  - {name: grid, type: grid, min_m: [0, 0, 0], max_m: [4, 4, 3], size: [5, 5, 5]}
+"""
 
 
 def check(holds, *what):
@@ -174,6 +184,56 @@ def read(path, pictures=()):
     return page
 
 
+def number(text):
+    """What a tick says: 3, -0.2, 40 %, 2·10⁻⁵, 06:30."""
+    power = re.fullmatch("(?:(.+)·)?10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)", text)
+    if power:
+        exponent = power[2].translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"))
+        return float(power[1] or 1) * 10 ** float(exponent)
+    if ":" in text:
+        return int(text[:2]) + int(text[3:]) / 60
+    return float(text.replace(" %", "e-2"))
+
+
+class Plot:
+    """A plot read back from its marks and the ticks of its axes."""
+
+    def __init__(self, page, title):
+        self.svg = next((s for s in re.findall(r"<svg.*?</svg>", page, re.S)
+                         if f'aria-label="{title}' in html.unescape(s)), "")
+        check(self.svg, "no plot", title)
+        self.x = re.findall(r'class="axis" d="M([\d.]+) 308.0v5"/><text[^>]*>([^<]*)', self.svg)
+        self.y = re.findall(r'class="grid" d="M80.0 ([\d.]+)H[\d.]+"/><text[^>]*>([^<]*)', self.svg)
+
+    def marks(self, series):
+        return [(float(x), float(y)) for x, y in
+                re.findall(rf'class="point s{series}" d="M([\d.]+) ([\d.]+)m[^"]*"><title>', self.svg)]
+
+    def whiskers(self, series):
+        return [tuple(map(float, w)) for w in re.findall(
+            rf'class="whisker s{series}" d="M[\d.]+ ([\d.]+)V([\d.]+)', self.svg)]
+
+    @staticmethod
+    def value(ticks, at, is_log=False):
+        """By the two ticks that are farthest from each other."""
+        (a, a_text), (b, b_text) = ticks[0], ticks[-1]
+        part = (at - float(a)) / (float(b) - float(a))
+        low, high = number(a_text), number(b_text)
+        return low * (high / low) ** part if is_log else low + part * (high - low)
+
+    def is_at(self, mark, x, y, what, logs=(False, False)):
+        """Within a tenth of a unit, to which places are written, and the ticks' own."""
+        for ticks, at, want, is_log in ((self.x, mark[0], x, logs[0]), (self.y, mark[1], y, logs[1])):
+            if want is not None:
+                near, off = self.value(ticks, at, is_log), self.value(ticks, at + 0.2, is_log)
+                check(abs(near - want) <= abs(off - near), what, "is drawn at", near, "and is", want)
+
+
+def table(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
 def main(murk):
     with tempfile.TemporaryDirectory() as folder:
         def at(name):
@@ -278,6 +338,25 @@ def main(murk):
         check(data["lamps"][0]["place"] == [2, 2, 2.5] and data["north"] == [0, 1, 0], "lamps")
         check(len(cells) == math.prod(data["media"][0]["size"]) and set(cells) == {255}, "even fog")
 
+        # plots, read back: the curve, and both samples with their intervals
+        with open(at("plan/report.html"), encoding="utf-8") as file:
+            text = file.read()
+        plot = Plot(text, "Coverage by number of sensors")
+        for mark, bound, step in zip(plot.marks(0), plot.marks(1), plan["curve"]):
+            plot.is_at(mark, step["count"], step["coverage"], "the curve")
+            plot.is_at(bound, step["count"], step["upper"], "its bound")
+        check(len(plot.marks(0)) == len(plan["curve"]) > 2, "points of the curve")
+        plot = Plot(text, "In sample against held out")
+        for series, key in enumerate(("in_sample", "held_out")):
+            value, error = coverage[key], coverage[key + "_standard_error"]
+            plot.is_at(plot.marks(series)[0], None, value, key)
+            for end, sign in zip(plot.whiskers(series)[0], (-1, 1)):
+                plot.is_at((0, end), None, value + sign * 1.96 * error, key + "'s interval")
+        for losses in plan["robustness"]["drop_one"]["without"]:
+            check(f"{100 * (coverage['held_out'] - losses['held_out']):.2f} %" in page.text, losses)
+        for share in plan["seen_by_at_least"]:
+            check(f"{100 * share:.2f} %" in page.text, "seen by at least")
+
         # pictures that lie beside it, but what is none or too large
         small = picture(40, 30)
         for name, content in (("a.png", small), ("b.png", b"GIF89a" * 9), ("c.exr", b"x"),
@@ -340,6 +419,15 @@ def main(murk):
         with open(at("study/report.html"), encoding="utf-8") as file:
             text = file.read()
         check(text.count('class="band') == 4, "bands: two lines in two plots")
+        rows = table(at("study/table.csv"))
+        for output in ("density", "coverage_best"):
+            plot = Plot(text, output + ", with 95 % intervals")
+            for series, emitted in enumerate(("500", "1000")):
+                line = [r for r in rows if r["photons.emit"] == emitted]
+                check(len(plot.marks(series)) == len(line) == 3, "points of a line")
+                for mark, row in zip(plot.marks(series), line):
+                    plot.is_at(mark, float(row["lights.0.power_w"]), float(row[output]),
+                               f"{output} of {row}")
 
         data = view_data(at("study/report.html"))[0]
         check([s["name"] for s in data["states"]] == ["the plan of every row"], data["states"])
@@ -382,9 +470,106 @@ def main(murk):
         check(all(abs(r["residual"] - want) < 1e-12 for r, want in zip(readings, residuals)),
               "residuals in the view")
 
+        fit_of = json.loads(open(at("fit/fit.json"), encoding="utf-8").read())
+        value = fit_of["parameters"][0]
+        with open(at("fit/report.html"), encoding="utf-8") as file:
+            text = file.read()
+        plot = Plot(text, "How well each value is known")
+        for end, bound in zip(plot.whiskers(0)[0], ("lower", "upper")):
+            plot.is_at((0, end), None, value[bound] / value["value"] - 1, bound)
+        plot = Plot(text, "Residuals (measured less predicted)")
+        rows = table(at("fit/fit.csv"))
+        for series, use in enumerate(("fit", "hold_out")):
+            of_use = [(k + 1, r) for k, r in enumerate(rows) if r["use"] == use]
+            check(len(of_use) == len(plot.marks(series)) > 0, "residuals of", use)
+            for mark, (k, row) in zip(plot.marks(series), of_use):
+                plot.is_at(mark, k, float(row["residual_in_standard_errors"]), row)
+        plot = Plot(text, "Measured against predicted")
+        for mark, row in zip(plot.marks(0), rows):
+            plot.is_at(mark, float(row["predicted"]), float(row["value"]), row)
+
+        # tallies: a line, a map, single values, slices through a grid; light by band
+        write("tallies.yaml", SCENE.replace("[550]", "[450, 550]") + TALLIES)
+        run("trace", "tallies.yaml", "-o", "tallies", "--quiet")
+        run("report", "tallies")
+        page = read(at("tallies/report.html"))
+        with open(at("tallies/report.html"), encoding="utf-8") as file:
+            text = file.read()
+        rows = table(at("tallies/tallies.csv"))
+        for row in (r for r in rows if r["tally"] == "ball"):
+            check(re.search(rf"ball{row['direction']}{row['band_nm']} nm[\d.(]*", page.text), row)
+        plot = Plot(text, "Tally strip")
+        for series, (way, band) in enumerate((w, b) for w in ("forward", "backward")
+                                             for b in ("450", "550")):
+            line = [r for r in rows if (r["tally"], r["direction"], r["band_nm"]) ==
+                    ("strip", way, band)]
+            check(len(plot.marks(series)) == len(line) == 5, "bins of the strip")
+            for mark, row in zip(plot.marks(series), line):
+                plot.is_at(mark, (int(row["bin_i"]) + 0.5) * 0.8, float(row["value"]), row)
+        for way in ("forward", "backward"):
+            bins = {}
+            for row in rows:
+                if row["tally"] == "floor" and row["direction"] == way:
+                    bins.setdefault((row["bin_i"], row["bin_j"]), []).append(float(row["value"]))
+            most = max(bins, key=lambda k: sum(bins[k]))
+            at_most = [(int(i) + 0.5) * 4 / n for i, n in zip(most, (4, 3))]
+            said = re.search(rf"Tally floor, {way}, all bands and angles: 4 x 3 cells; from "
+                             r"([\d.·⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+) to ([\d.·⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+) W a bin, which is at "
+                             r"([\d.]+), ([\d.]+)\.", page.text)
+            check(said, "no map of", way)
+            if said:
+                for text_of, want in zip(said.groups(), (min(map(sum, bins.values())),
+                                                         max(map(sum, bins.values())), *at_most)):
+                    check(abs(number(text_of) - want) <= 1e-4 * want, way, said[0], want)
+        for axis in ("z = 1.5 m", "y = 2 m", "x = 2 m"):
+            check(f"Fluence rate grid at 450 nm at {axis}: " in page.text, "no slice", axis)
+        with open(at("tallies/ledger.json"), encoding="utf-8") as file:
+            ledger = json.load(file)
+        for key in ("absorbed_surfaces_w", "absorbed_media_w", "escaped_w"):
+            check(f"{ledger[key]['total']:.5g}" in page.text, key)
+            for watts in ledger[key]["bands"]:
+                check(f"{watts:.5g}" in page.text, key, "by band")
+
+        # over conditions, with other seeds, exploring
+        run("place", scene, "-o", "over", "--quiet", "--set", "placement.over=worst", "--set",
+            "conditions={bright: {}, dim: {lights.0.power_w: 1}}", "--repeat", "1")
+        run("report", "over")
+        page = read(at("over/report.html"))
+        with open(at("over/plan.json"), encoding="utf-8") as file:
+            plan = json.load(file)
+        for made in plan["regret"]["plans"]:
+            for value, error in zip(made["coverage"], made["standard_error"]):
+                check(f"{100 * value:.2f} ± {100 * error:.2f} %" in page.text, "regret", made["made_for"])
+        run("place", scene, "-o", "explore", "--quiet", "--set", "placement.knowledge=explore",
+            "--set", "placement.start_m=[0.5, 0.5, 0.5]", "--set", "placement.jitter_m=0.2")
+        run("report", "explore")
+        page = read(at("explore/report.html"))
+        with open(at("explore/plan.json"), encoding="utf-8") as file:
+            plan = json.load(file)
+        with open(at("explore/report.html"), encoding="utf-8") as file:
+            plot = Plot(file.read(), "Coverage along the way that was gone")
+        steps = plan["explore"]["steps"]
+        check(len(plot.marks(0)) == len(steps) + 1, "steps")
+        for mark, step in zip(plot.marks(0)[1:], steps):
+            plot.is_at(mark, step["path_m"], step["coverage"], step)
+        jitter = plan["robustness"]["jitter"]
+        for key in ("as_planned", "mean", "quantile_5"):
+            check(f"{100 * jitter[key]:.2f}" in page.text, "jitter", key)
+
         # what is printed, pasted, makes the same: options of each kind
         run("place", scene, "-o", "two", "-j2", "--quiet", "--set", "placement.restarts=7",
             "--count", "2", "--seed=5", "--repeat", "2", "--progress=never")
+        with open(at("two/plan.json"), encoding="utf-8") as file:
+            repeat = json.load(file)["repeat"]
+        run("report", "two")
+        with open(at("two/report.html"), encoding="utf-8") as file:
+            plot = Plot(file.read(), "The whole job with other seeds")
+        for k, row in enumerate(table(at("two/repeat.csv"))):
+            for series, key in enumerate(("held_out", "in_sample", "plan", "upper")):
+                plot.is_at(plot.marks(series)[k], int(row["seed"]) + 0.08 * (series - 1.5),
+                           float(row[key]), f"{key} of seed {row['seed']}")
+        check(f"{100 * repeat['gap']['upper']:.2f} %" in
+              read(at("two/report.html")).text, "no gap of the seeds")
         make_again("two", "plan.json", 2)
         run("sense", scene, "--sensors", "two/plan.json", "--emit", "900", "-o", "sensed", "--quiet")
         make_again("sensed", "coverage.json", 2)
