@@ -1,4 +1,5 @@
 #include "app/candidates_out.h"
+#include "app/check_cameras.h"
 #include "app/check_media.h"
 #include "app/check_sensors.h"
 #include "app/check_sky.h"
@@ -74,6 +75,7 @@ static cJSON *check_json(const findings *f)
     }
     murk_json_sensor_types(root, f->session->scene, f->poses);
     murk_json_tallies(root, f->session);
+    murk_json_cameras(root, f->session->scene, &f->forecast);
     cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
     cJSON_AddNumberToObject(forecast, "pilot_photons",
                             (double)f->forecast.pilot_photons);
@@ -125,6 +127,7 @@ static void print_findings(const findings *f)
     murk_print_asked_goals(f->session->scene);
     murk_over_print_asked(f->session->scene);
     murk_print_asked_tallies(f->session);
+    murk_print_cameras(f->session->scene, &f->forecast);
     murk_print("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
                "volume (from a pilot of %llu photons)\n",
                f->forecast.emitted, f->forecast.surface, f->forecast.volume,
@@ -147,6 +150,9 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         f.surfaces = murk_surfaces_describe(session.stage->surfaces);
         status = murk_light_forecast(&f.forecast, session.stage, 0,
                                      options->threads, err);
+    }
+    if (!status) {
+        murk_warn_of_cameras(session.scene, &f.forecast);
     }
     if (!status && session.scene->placement.targets.given) {
         status = murk_targets_check(session.stage, options->threads, err);

@@ -33,6 +33,13 @@ refused() {
     case $said in *"$text"*) ;; *) fail "murk $*: $said" ;; esac
     [ "$(ls "$dir")" = room.yaml ] || fail "murk $*: has written a file"
 }
+# what pictures take goes by their pixels, but for the maps
+foretold() {
+    "$murk" check "$dir/room.yaml" --quiet --format json --set cameras.0.pixels="$1" |
+        sed -n '/"name": *"gate"/,/memory_bytes/s/.*"memory_bytes": *\([0-9.e+]*\).*/\1/p'
+}
+awk -v a="$(foretold '[1000, 100]')" -v b="$(foretold '[1000, 1000]')" -v c="$(foretold '[2000, 1000]')" \
+    'BEGIN { exit !(a > 0 && (c - b) * 9 == (b - a) * 10) }' || fail "check foretells pictures wrongly"
 refused 2 "gete is no camera of the scene, did you mean gate?" \
     render "$dir/room.yaml" --camera gete
 refused 2 "must be within the domain, [0, 0, 0]..[4, 4, 3] m" \

@@ -1,0 +1,63 @@
+#include "app/check_cameras.h"
+
+#include "app/summary.h"
+#include "base/log.h"
+#include "render/render.h"
+#include "study/machine.h"
+
+/* A render holds its own copies of the maps beside those that were traced. */
+static double bytes_of(const murk_scene *scene, const murk_forecast *forecast,
+                       size_t camera)
+{
+    const murk_scene_camera *c = &scene->cameras[camera];
+    return murk_picture_bytes(c->pixels[0], c->pixels[1], scene->bands) +
+           2 * (murk_photon_map_memory_for(forecast->surface) +
+                murk_photon_map_memory_for(forecast->volume));
+}
+
+void murk_json_cameras(cJSON *root, const murk_scene *scene,
+                       const murk_forecast *forecast)
+{
+    cJSON *list = cJSON_AddArrayToObject(root, "cameras");
+    for (size_t i = 0; i < scene->n_cameras; ++i) {
+        const murk_scene_camera *c = &scene->cameras[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", c->name);
+        cJSON *pixels = cJSON_AddArrayToObject(item, "pixels");
+        for (int k = 0; k < 2; ++k) {
+            cJSON_AddItemToArray(pixels,
+                                 cJSON_CreateNumber((double)c->pixels[k]));
+        }
+        cJSON_AddNumberToObject(item, "samples", (double)c->samples);
+        cJSON_AddNumberToObject(item, "memory_bytes",
+                                bytes_of(scene, forecast, i));
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
+void murk_print_cameras(const murk_scene *scene, const murk_forecast *forecast)
+{
+    for (size_t i = 0; i < scene->n_cameras; ++i) {
+        const murk_scene_camera *c = &scene->cameras[i];
+        murk_print("camera      %-12s %zu x %zu pixels, %zu samples; by maps "
+                   "about %.2g GB\n",
+                   c->name, c->pixels[0], c->pixels[1], c->samples,
+                   bytes_of(scene, forecast, i) / 1e9);
+    }
+}
+
+void murk_warn_of_cameras(const murk_scene *scene,
+                          const murk_forecast *forecast)
+{
+    const double have = murk_machine_memory_bytes();
+    for (size_t i = 0; i < scene->n_cameras; ++i) {
+        const murk_scene_camera *c = &scene->cameras[i];
+        const double bytes = bytes_of(scene, forecast, i);
+        if (!(bytes <= have)) {
+            murk_warn(c->where,
+                      "a picture of %zu x %zu pixels by maps takes about %.3g "
+                      "GB, and %.3g GB are free: fewer pixels or photons",
+                      c->pixels[0], c->pixels[1], bytes / 1e9, have / 1e9);
+        }
+    }
+}
