@@ -44,8 +44,8 @@ static murk_status check_domain(murk_walk *walk, const murk_yaml *map,
 }
 
 static const murk_word SIDES_WORDS[] = {
-    {"open", 0, false},
-    {"periodic", 1, false},
+    {"open", 0},
+    {"periodic", 1},
     WORDS_END,
 };
 
@@ -65,16 +65,16 @@ static const murk_keys DOMAIN_KEYS = {.noun = "domain",
 /* What others need comes first: bands before spectra, names before their
  * users. */
 static const murk_word FLIGHT_WORDS[] = {
-    {"march", 0, false},
-    {"delta", 1, false},
+    {"march", 0},
+    {"delta", 1},
     WORDS_END,
 };
 
 static const murk_word UNITS_WORDS[] = {
-    {"radiometric", MURK_RADIOMETRIC, false},
-    {"photometric", MURK_PHOTOMETRIC, false},
-    {"photons", MURK_PHOTONS, false},
-    {"par", MURK_PAR, false},
+    {"radiometric", MURK_RADIOMETRIC},
+    {"photometric", MURK_PHOTOMETRIC},
+    {"photons", MURK_PHOTONS},
+    {"par", MURK_PAR},
     WORDS_END,
 };
 

@@ -7,7 +7,6 @@
 #include "scene/yaml.h"
 
 typedef enum murk_key_kind {
-    MURK_KEY_LATER,       /* of the contract, not supported yet */
     MURK_KEY_NUMBER,      /* double, times `factor` */
     MURK_KEY_COUNT,       /* uint32_t, uint64_t or size_t */
     MURK_KEY_BOOL,        /* bool */
@@ -31,8 +30,7 @@ typedef enum murk_key_kind {
     MURK_KEY_MAP,      /* keys into the same struct; or one of `words` */
     MURK_KEY_PER_BAND, /* maps or words, one or a list, one a band: an array
                           of structs in the same struct */
-    MURK_KEY_LIST,     /* maps: an array of structs, or (item_size 0) at most
-                          one map into the same struct */
+    MURK_KEY_LIST,     /* maps: an array of structs */
     MURK_KEY_NAMED,    /* maps by name: an array of structs */
     MURK_KEY_OWN       /* what its own `read` reads */
 } murk_key_kind;
@@ -40,7 +38,6 @@ typedef enum murk_key_kind {
 typedef struct murk_word {
     const char *text; /* NULL ends the list */
     int value;
-    bool is_later; /* of the contract, not supported yet */
 } murk_word;
 
 typedef struct murk_keys murk_keys;

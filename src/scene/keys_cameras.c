@@ -14,8 +14,8 @@ static const char *const CAMERA_VARIANTS[] = {"perspective", "equirectangular"};
 #define ALL_ROUND   .variants = BIT(MURK_SCENE_EQUIRECTANGULAR)
 
 static const murk_word PROJECTION_WORDS[] = {
-    {"perspective", MURK_SCENE_PERSPECTIVE, false},
-    {"equirectangular", MURK_SCENE_EQUIRECTANGULAR, false},
+    {"perspective", MURK_SCENE_PERSPECTIVE},
+    {"equirectangular", MURK_SCENE_EQUIRECTANGULAR},
     WORDS_END,
 };
 

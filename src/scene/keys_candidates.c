@@ -143,7 +143,7 @@ static murk_status read_points(murk_walk *walk, const murk_key *key,
 /* ---- mounts ---- */
 
 static const murk_word SURFACES_WORDS[] = {
-    {"all", 0, false},
+    {"all", 0},
     WORDS_END,
 };
 
@@ -154,10 +154,10 @@ static const murk_key BAND_ITEMS[] = {
 };
 
 static const murk_word FACING_WORDS[] = {
-    {"any", MURK_SCENE_FACING_ANY, false},
-    {"up", MURK_SCENE_FACING_UP, false},
-    {"down", MURK_SCENE_FACING_DOWN, false},
-    {"side", MURK_SCENE_FACING_SIDE, false},
+    {"any", MURK_SCENE_FACING_ANY},
+    {"up", MURK_SCENE_FACING_UP},
+    {"down", MURK_SCENE_FACING_DOWN},
+    {"side", MURK_SCENE_FACING_SIDE},
     WORDS_END,
 };
 

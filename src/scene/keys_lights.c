@@ -46,22 +46,22 @@ static const char *const LIGHT_VARIANTS[] = {
 #define LAMPS       (SPHERE | RECT | POINT | BEAM)
 
 static const murk_word TYPE_WORDS[] = {
-    {"sphere", MURK_SCENE_LIGHT_SPHERE, false},
-    {"rect", MURK_SCENE_LIGHT_RECT, false},
-    {"point", MURK_SCENE_LIGHT_POINT, false},
-    {"beam", MURK_SCENE_LIGHT_BEAM, false},
-    {"directional", MURK_SCENE_LIGHT_DIRECTIONAL, false},
-    {"sun", MURK_SCENE_LIGHT_SUN, false},
-    {"moon", MURK_SCENE_LIGHT_MOON, false},
-    {"sky", MURK_SCENE_LIGHT_SKY, false},
-    {"night_sky", MURK_SCENE_LIGHT_NIGHT_SKY, false},
+    {"sphere", MURK_SCENE_LIGHT_SPHERE},
+    {"rect", MURK_SCENE_LIGHT_RECT},
+    {"point", MURK_SCENE_LIGHT_POINT},
+    {"beam", MURK_SCENE_LIGHT_BEAM},
+    {"directional", MURK_SCENE_LIGHT_DIRECTIONAL},
+    {"sun", MURK_SCENE_LIGHT_SUN},
+    {"moon", MURK_SCENE_LIGHT_MOON},
+    {"sky", MURK_SCENE_LIGHT_SKY},
+    {"night_sky", MURK_SCENE_LIGHT_NIGHT_SKY},
     WORDS_END,
 };
 
 static const murk_word COVER_WORDS[] = {
-    {"clear", MURK_SCENE_CLEAR, false},
-    {"intermediate", MURK_SCENE_INTERMEDIATE, false},
-    {"overcast", MURK_SCENE_OVERCAST, false},
+    {"clear", MURK_SCENE_CLEAR},
+    {"intermediate", MURK_SCENE_INTERMEDIATE},
+    {"overcast", MURK_SCENE_OVERCAST},
     WORDS_END,
 };
 
@@ -171,16 +171,16 @@ static murk_status check_photons(murk_walk *walk, const murk_yaml *map,
 }
 
 static const murk_word STORE_WHEN_WORDS[] = {
-    {"reflected", 0, false},
-    {"hit", 1, false},
+    {"reflected", 0},
+    {"hit", 1},
     WORDS_END,
 };
 
 static const murk_word MAPS_WORDS[] = {
-    {"both", MURK_SCENE_MAPS_BOTH, false},
-    {"surface", MURK_SCENE_MAPS_SURFACE, false},
-    {"volume", MURK_SCENE_MAPS_VOLUME, false},
-    {"none", MURK_SCENE_MAPS_NONE, false},
+    {"both", MURK_SCENE_MAPS_BOTH},
+    {"surface", MURK_SCENE_MAPS_SURFACE},
+    {"volume", MURK_SCENE_MAPS_VOLUME},
+    {"none", MURK_SCENE_MAPS_NONE},
     WORDS_END,
 };
 

@@ -188,14 +188,14 @@ static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid", "profile",
                                               "preset", "preset in a grid"};
 
 static const murk_word INTERPOLATION_WORDS[] = {
-    {"nearest", 0, false},
-    {"linear", 1, false},
+    {"nearest", 0},
+    {"linear", 1},
     WORDS_END,
 };
 
 static const murk_word PHASE_WORDS[] = {
-    {"isotropic", MURK_SCENE_PHASE_HG, false},
-    {"rayleigh", MURK_SCENE_PHASE_RAYLEIGH, false},
+    {"isotropic", MURK_SCENE_PHASE_HG},
+    {"rayleigh", MURK_SCENE_PHASE_RAYLEIGH},
     WORDS_END,
 };
 

@@ -28,55 +28,55 @@ static const murk_keys WEIGHTS = {
 };
 
 static const murk_word METHOD_WORDS[] = {
-    {"best", MURK_SCENE_BEST, false},
-    {"spoq", MURK_SCENE_SPOQ, false},
-    {"greedy", MURK_SCENE_GREEDY, false},
-    {"exact", MURK_SCENE_EXACT, false},
+    {"best", MURK_SCENE_BEST},
+    {"spoq", MURK_SCENE_SPOQ},
+    {"greedy", MURK_SCENE_GREEDY},
+    {"exact", MURK_SCENE_EXACT},
     WORDS_END,
 };
 
 static const murk_word DETECTION_WORDS[] = {
-    {"weighted", MURK_SCENE_WEIGHTED, false},
-    {"independent", MURK_SCENE_INDEPENDENT, false},
-    {"threshold", MURK_SCENE_THRESHOLD, false},
-    {"power", MURK_SCENE_POWER, false},
+    {"weighted", MURK_SCENE_WEIGHTED},
+    {"independent", MURK_SCENE_INDEPENDENT},
+    {"threshold", MURK_SCENE_THRESHOLD},
+    {"power", MURK_SCENE_POWER},
     WORDS_END,
 };
 
 static const murk_word VISIBILITY_WORDS[] = {
-    {"ray", 0, false},
-    {"normal", 1, false},
+    {"ray", 0},
+    {"normal", 1},
     WORDS_END,
 };
 
 static const murk_word THROUGH_WORDS[] = {
-    {"thin", MURK_SCENE_THIN, false},
-    {"block", MURK_SCENE_BLOCK, false},
-    {"refract", MURK_SCENE_REFRACT, false},
+    {"thin", MURK_SCENE_THIN},
+    {"block", MURK_SCENE_BLOCK},
+    {"refract", MURK_SCENE_REFRACT},
     WORDS_END,
 };
 
 static const murk_word KNOWLEDGE_WORDS[] = {
-    {"known", MURK_SCENE_KNOWN, false},
-    {"unknown", MURK_SCENE_UNKNOWN, false},
-    {"explore", MURK_SCENE_EXPLORE, false},
+    {"known", MURK_SCENE_KNOWN},
+    {"unknown", MURK_SCENE_UNKNOWN},
+    {"explore", MURK_SCENE_EXPLORE},
     WORDS_END,
 };
 
 static const murk_word WEIGHTS_WORDS[] = {
-    {"balanced", 1, false},
+    {"balanced", 1},
     WORDS_END,
 };
 
 static const murk_word OVER_WORDS[] = {
-    {"null", MURK_SCENE_OVER_NONE, false},
-    {"mean", MURK_SCENE_OVER_MEAN, false},
-    {"worst", MURK_SCENE_OVER_WORST, false},
+    {"null", MURK_SCENE_OVER_NONE},
+    {"mean", MURK_SCENE_OVER_MEAN},
+    {"worst", MURK_SCENE_OVER_WORST},
     WORDS_END,
 };
 
 static const murk_word TARGETS_WORDS[] = {
-    {"photons", 0, false},
+    {"photons", 0},
     WORDS_END,
 };
 

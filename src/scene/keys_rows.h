@@ -12,17 +12,13 @@
     {                                                        \
         .name = name_, .kind = MURK_KEY_##kind_, __VA_ARGS__ \
     }
-#define LATER(name_)                          \
-    {                                         \
-        .name = name_, .kind = MURK_KEY_LATER \
-    }
 #define END          \
     {                \
         .name = NULL \
     }
-#define WORDS_END      \
-    {                  \
-        NULL, 0, false \
+#define WORDS_END \
+    {             \
+        NULL, 0   \
     }
 
 #define NEEDED .required = true

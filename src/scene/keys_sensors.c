@@ -16,7 +16,7 @@ static const char *const VIEW_VARIANTS[] = {"sphere", "cone", "frustum"};
             .factor = MURK_PI / 180, FRUSTUM
 
 static const murk_word VIEW_WORDS[] = {
-    {"sphere", MURK_SCENE_VIEW_SPHERE, false},
+    {"sphere", MURK_SCENE_VIEW_SPHERE},
     WORDS_END,
 };
 
@@ -120,13 +120,13 @@ static murk_status check_type(murk_walk *walk, const murk_yaml *map, void *item)
 }
 
 static const murk_word ARRIVAL_WORDS[] = {
-    {"any", 0, false},
-    {"toward", 1, false},
+    {"any", 0},
+    {"toward", 1},
     WORDS_END,
 };
 
 static const murk_word BANDS_WORDS[] = {
-    {"all", 0, false},
+    {"all", 0},
     WORDS_END,
 };
 

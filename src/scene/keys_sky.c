@@ -145,9 +145,9 @@ const murk_keys murk_site_keys = {
 /* ---- schedules ---- */
 
 static const murk_word SCHEDULE_WORDS[] = {
-    {"always", MURK_SCENE_ALWAYS, false},
-    {"night", MURK_SCENE_NIGHT, false},
-    {"never", MURK_SCENE_NEVER, false},
+    {"always", MURK_SCENE_ALWAYS},
+    {"night", MURK_SCENE_NIGHT},
+    {"never", MURK_SCENE_NEVER},
     WORDS_END,
 };
 

@@ -69,9 +69,9 @@ static const char *const GEOMETRY_VARIANTS[] = {"file", "box", "rect",
                                                 "sphere"};
 
 const murk_word murk_up_words[] = {
-    {"x", 'x', false},
-    {"y", 'y', false},
-    {"z", 'z', false},
+    {"x", 'x'},
+    {"y", 'y'},
+    {"z", 'z'},
     WORDS_END,
 };
 

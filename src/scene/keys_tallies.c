@@ -24,9 +24,9 @@ static const char *const TALLY_VARIANTS[] = {"plane", "grid", "sphere"};
 #define SPHERE .variants = BIT(MURK_SCENE_TALLY_SPHERE)
 
 static const murk_word TALLY_WORDS[] = {
-    {"plane", MURK_SCENE_TALLY_PLANE, false},
-    {"grid", MURK_SCENE_TALLY_GRID, false},
-    {"sphere", MURK_SCENE_TALLY_SPHERE, false},
+    {"plane", MURK_SCENE_TALLY_PLANE},
+    {"grid", MURK_SCENE_TALLY_GRID},
+    {"sphere", MURK_SCENE_TALLY_SPHERE},
     WORDS_END,
 };
 

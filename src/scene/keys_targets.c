@@ -8,7 +8,7 @@
     .least = 1, .most = 1e8, .unit = "points", .group = 1, .preset = "10000"
 
 static const murk_word MATERIALS_WORDS[] = {
-    {"all", 0, false},
+    {"all", 0},
     WORDS_END,
 };
 

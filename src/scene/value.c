@@ -339,13 +339,6 @@ murk_status murk_value_word(murk_walk *walk, const murk_key *key,
         if (strcmp(word->text, text) != 0) {
             continue;
         }
-        if (word->is_later) {
-            char allowed[MURK_ALLOWED_SIZE];
-            murk_value_allowed(key, allowed);
-            return murk_walk_fail(walk, MURK_UNSUPPORTED, node, false,
-                                  "%s is not supported yet, must be %s", text,
-                                  allowed);
-        }
         node->is_quoted = false; /* all our words read back plain */
         if (value) {
             *value = word->value;
@@ -440,7 +433,6 @@ murk_status murk_value_read(murk_walk *walk, const murk_key *key,
         return read_spectrum(walk, key, node, member);
     case MURK_KEY_OWN:
         return key->read(walk, key, node, item);
-    case MURK_KEY_LATER:
     case MURK_KEY_MAP:
     case MURK_KEY_PER_BAND:
     case MURK_KEY_LIST:

@@ -64,7 +64,7 @@ static void show_words(const murk_word *words, char *out, size_t size)
     size_t length = 0;
     out[0] = '\0';
     for (const murk_word *word = words; word->text; ++word) {
-        if (!word->is_later && length < size) {
+        if (length < size) {
             const int n = snprintf(out + length, size - length, "%s%s",
                                    length ? ", " : "", word->text);
             length += (size_t)n;
@@ -196,9 +196,6 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
         break;
     case MURK_KEY_OWN:
         snprintf(out, size, "%s", key->allowed);
-        break;
-    case MURK_KEY_LATER:
-        snprintf(out, size, "%s", key->preset ? key->preset : "left out");
         break;
     }
 }

@@ -149,7 +149,7 @@ static murk_status put_presets(murk_walk *walk, const murk_keys *keys,
             if (status) {
                 return status;
             }
-        } else if (key->required && key->kind != MURK_KEY_LATER) {
+        } else if (key->required) {
             char allowed[MURK_ALLOWED_SIZE];
             murk_value_allowed(key, allowed);
             return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
@@ -247,12 +247,9 @@ static murk_status check_number_of_items(murk_walk *walk, const murk_key *key,
                               keys->noun);
     }
     if (node->n > keys->most_items) {
-        const bool is_later = keys->item_size == 0;
-        return murk_walk_fail(
-            walk, is_later ? MURK_UNSUPPORTED : MURK_BAD_VALUE, node, false,
-            is_later ? "%zu %ss are not supported yet, must be %zu"
-                     : "%zu items (%s), must be at most %zu",
-            node->n, keys->noun, keys->most_items);
+        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+                              "%zu items (%s), must be at most %zu", node->n,
+                              keys->noun, keys->most_items);
     }
     return MURK_OK;
 }
@@ -338,7 +335,7 @@ static murk_status walk_array(murk_walk *walk, const murk_key *key,
         (status = check_item_names(walk, node))) {
         return status;
     }
-    if (keys->item_size == 0 || node->n == 0) {
+    if (node->n == 0) {
         return walk_items(walk, keys, node, owner);
     }
     char *items = calloc(node->n, keys->item_size);

@@ -23,15 +23,13 @@ const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
     return NULL;
 }
 
-/* The names that may stand in a map, each once; those of later only where a
- * word is compared. */
-static size_t list_names(const murk_keys *keys, int variant, bool with_later,
+/* The names that may stand in a map, each once. */
+static size_t list_names(const murk_keys *keys, int variant,
                          const char *names[MOST_KEYS])
 {
     size_t n = 0;
     for (const murk_key *key = keys->key; key->name; ++key) {
         bool is_new = variant < 0 || murk_walk_fits(key, variant);
-        is_new = is_new && (with_later || key->kind != MURK_KEY_LATER);
         for (size_t i = 0; i < n; ++i) {
             is_new = is_new && strcmp(names[i], key->name) != 0;
         }
@@ -60,22 +58,18 @@ static murk_status check_name(murk_walk *walk, const murk_keys *keys,
                               const char *name, const murk_yaml *child)
 {
     const murk_key *key = murk_keys_find(keys, name);
-    if (key && key->kind == MURK_KEY_LATER) {
-        return murk_walk_fail(walk, MURK_UNSUPPORTED, child, true,
-                              "not supported yet");
-    }
     if (key) {
         return MURK_OK;
     }
     const char *names[MOST_KEYS];
     const char *meant =
-        murk_words_meant(name, names, list_names(keys, -1, true, names));
+        murk_words_meant(name, names, list_names(keys, -1, names));
     if (meant) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, child, true,
                               "unknown key, did you mean %s?", meant);
     }
     return fail_with_names(walk, child, "unknown key", names,
-                           list_names(keys, -1, false, names));
+                           list_names(keys, -1, names));
 }
 
 murk_status murk_walk_check_names(murk_walk *walk, const murk_keys *keys,
@@ -139,7 +133,7 @@ murk_status murk_walk_check_variant(murk_walk *walk, const murk_keys *keys,
         }
         char what[120];
         const char *names[MOST_KEYS];
-        const size_t n = list_names(keys, variant, false, names);
+        const size_t n = list_names(keys, variant, names);
         snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
                  keys->variant_names[variant]);
         const size_t back = murk_walk_enter(walk, map->key[i]);

@@ -8,7 +8,6 @@
 #define LAMP  "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n"
 #define ROOM  "sensors: {types: [{name: a, range_m: 1}], "
 #define VALUE MURK_BAD_VALUE
-#define LATER MURK_UNSUPPORTED
 
 typedef struct refusal {
     const char *scene; /* from line 2 on, without lights */

@@ -1,6 +1,6 @@
 /* scenes/README.md and the table of keys say the same: every key with what is
- * allowed and its default, every key that is not supported yet by name, and an
- * example that is a scene. Nothing here is random. */
+ * allowed and its default, and an example that is a scene. Nothing here is
+ * random. */
 #define _DEFAULT_SOURCE /* P_tmpdir */
 #include "base/file.h"
 #include "scene/keys.h"
@@ -26,17 +26,11 @@ static void check_keys(const murk_keys *keys)
 {
     for (const murk_key *key = keys->key; key->name; ++key) {
         char begin[400], part[64], allowed[MURK_ALLOWED_SIZE];
-        bool is_said;
-        if (key->kind == MURK_KEY_LATER) {
-            snprintf(part, sizeof part, "`%s`", key->name);
-            is_said = has_line("Not supported yet: ", part);
-        } else {
-            murk_value_allowed(key, allowed);
-            snprintf(begin, sizeof begin, "| `%s` | %s | ", key->name, allowed);
-            snprintf(part, sizeof part, key->preset ? " | `%s` | " : "%s",
-                     key->preset ? key->preset : "");
-            is_said = has_line(begin, part);
-        }
+        murk_value_allowed(key, allowed);
+        snprintf(begin, sizeof begin, "| `%s` | %s | ", key->name, allowed);
+        snprintf(part, sizeof part, key->preset ? " | `%s` | " : "%s",
+                 key->preset ? key->preset : "");
+        const bool is_said = has_line(begin, part);
         if (!is_said) {
             printf("%s of a %s is not in the README as it is\n", key->name,
                    keys->noun);
