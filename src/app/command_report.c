@@ -93,7 +93,8 @@ static void write_contents(FILE *to, const content *c)
     } parts[] = {
         {"summary", "In short", true},
         {"placement", "Placement", has_plan},
-        {"where", "Where they are", murk_report_has_view(&c->scene)},
+        {"where", "Where they are",
+         murk_report_has_view(&c->scene) || c->scene.note[0]},
         {"pictures", "Pictures", c->pictures.n + c->pictures.n_exr > 0},
         {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
         {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},

@@ -181,7 +181,7 @@ murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
         .name = "From above: x to the right, y up", .across = 0, .up = 1};
     projection side = {
         .name = "From the side: x to the right, z up", .across = 0, .up = 2};
-    if (!murk_report_has_view(scene)) {
+    if (!murk_report_has_view(scene) && !scene->note[0]) {
         return MURK_OK;
     }
     murk_page_section_begin(to, "where", "Where they are");

@@ -24,6 +24,10 @@ PLY = ("ply\nformat binary_little_endian 1.0\ncomment x\nelement vertex %d\n"
 GRID = ("murk: 1\ndomain: {min_m: [0, 0, 0], max_m: [1, 1, 1]}\nlights: [{type: point, "
         "position_m: [0.5, 0.5, 0.5], power_w: 1}]\ntallies: [{name: inside, type: grid, min_m: "
         "[0, 0, 0], max_m: [1, 1, 1], size: [2, 2, 2]}]\n")
+PATH = (b"ply\nformat binary_little_endian 1.0\ncomment murk path: x\nelement vertex %d\n"
+        b"property float x\nproperty float y\nproperty float z\n"
+        b"property uchar red\nproperty uchar green\nproperty uchar blue\n"
+        b"property uchar kind\nproperty ushort step\nend_header\n")
 MEMORY = 1 << 30
 failures = 0
 
@@ -179,6 +183,30 @@ def main(murk, is_sanitized):
         write("plan.ply", (PLY % 250000).encode() +
               b"".join(photon(k * 1e-3, 1 + k % 2, k % 3) for k in range(250000)))
         run(0, "Of 250000 stored photons 100000 are here")
+        # far places, light.murk, path.ply, fit.csv
+        plan()
+        write("plan.ply", (PLY % 2).encode() + photon(1e30) + photon(-3))
+        run(0, "1 of the 1 stored photons")
+        for content in (b"", b"murk", b"\x00" * 100000):
+            write("ledger.json", json.dumps({"murk": {"version": "0.1.0"}}))
+            write("light.murk", content)
+            run(0, "light.murk cannot be read, so photons are not shown")
+        for content in (b"", (PLY % 3).encode(), PATH % 10**15, PATH % 5 + b"\x00" * 17,
+                        PATH % 2 + struct.pack("<3f3BBH", *[float("nan")] * 3, 0, 0, 0, 0, 1)):
+            plan()
+            write("path.ply", content)
+            run(0, "The path is not shown")
+        for content in ("", "a,b\n1\n", "x_m,y_m,z_m\n1,2\n"):
+            write("fit.json", json.dumps({"murk": {"version": "0.1.0"}}))
+            write("fit.csv", content)
+            run(2, "fit.csv")
+        write("fit.json", json.dumps({"murk": {"version": "0.1.0"}}))
+        write("fit.csv", "x_m,y_m,z_m,kind,unit,residual_in_standard_errors,value\n"
+              "1,2,3,<b>,&,x,1e999\n,,,a,b,1,2\n1e300,0,0,a,b,1,2\n")
+        text = run(0, "\"kind\":\"\\u003cb>\"")
+        check(text.count('"residual"') == 1, "readings without a place")
+        plan(conditions=[{"name": "../" * 50}, {"name": "x"}, {"name": "<i>"}, {}])
+        run(0, "&lt;i&gt;")
         plan()
         write("scene.yaml", "murk: 1\nnonsense: 3\n")
         run(0, "scene.yaml cannot be read again")

@@ -15,7 +15,7 @@ import tempfile
 from exchange import Failed, Murk, check
 
 SIZES = {"float": "f", "uchar": "B", "ushort": "H", "int": "i", "uint": "I"}
-TYPES = ("[{name: node, range_m: 2}, "
+TYPES = ("[{name: node, range_m: 3}, "
          "{name: cam, range_m: 3, view: {hfov_deg: 70, vfov_deg: 40}, headings: 6, "
          "tilts_deg: [-20], least_count: 1}, "
          "{name: spot, range_m: 4, view: {cone_deg: 50}, headings: 4, least_count: 1}, "
@@ -116,6 +116,20 @@ def check_mark(sensor, at, corners, octahedron_m):
 SHAPES = {"node": (6, 8), "cam": (5, 6), "spot": (17, 30), "wide": (17, 30)}
 
 
+RANGE_M = {"node": 3, "cam": 3, "spot": 4, "wide": 2}
+BITS = 32
+
+
+def check_who(photon, sensors):
+    """A bit a sensor, of the first 32: none that is out of range."""
+    who = [k for k in range(BITS) if photon["sensors"] >> k & 1]
+    beyond = max(0, len(sensors) - BITS)
+    check(len(who) <= photon["seen_by"] <= len(who) + beyond, photon)
+    for k in who:
+        far = math.dist(place_of(photon), sensors[k]["position_m"])
+        check(far < RANGE_M[sensors[k]["type"]] + 1e-3, "sensor", k, "sees", far, "m far")
+
+
 def check_plan(murk, name):
     with open(murk.path(name, "plan.json")) as file:
         plan = json.load(file)
@@ -142,6 +156,7 @@ def check_plan(murk, name):
     photons = vertices[n + marks:]
     for photon in photons:
         check((photon["seen_by"] > 0) == (photon["quality"] > 0), photon)
+        check_who(photon, sensors)
     by_map = [[p for p in photons if p["kind"] == kind] for kind in (1, 2)]
     for have, key in zip(by_map, ("surface", "volume")):
         if not have:
@@ -176,6 +191,14 @@ def test_marks_show_where_sensors_look(murk):
     plan, faces = check_plan(murk, "views")
     check({"cam", "spot", "wide"} <= {s["type"] for s in plan["sensors"]}, plan["sensors"])
     check_triangles(murk, "views/plan.ply", faces)
+
+
+def test_who_sees_a_photon_of_many(murk):
+    """More sensors than bits, and than are looked at in one go."""
+    murk.place("many", murk.scene(0.4), "--count", "36", "--set", "sensors.types=" + TYPES,
+               "--set", "placement.method=greedy")
+    plan, _ = check_plan(murk, "many")
+    check(len(plan["sensors"]) == 36, len(plan["sensors"]))
 
 
 def check_path(murk, name):
@@ -230,7 +253,7 @@ def test_the_path_of_an_explorer(murk):
 def main():
     program = sys.argv[1]
     for test in (test_the_plan_as_points, test_marks_show_where_sensors_look,
-                 test_the_path_of_an_explorer):
+                 test_who_sees_a_photon_of_many, test_the_path_of_an_explorer):
         with tempfile.TemporaryDirectory() as folder:
             try:
                 test(Murk(program, folder))

@@ -7,6 +7,7 @@ is no Chromium.
 usage: report_page.py MURK [PICTURE.png]
 """
 
+import csv
 import json
 import os
 import re
@@ -33,6 +34,19 @@ FLIP = """(() => { const box = document.querySelector('#view input[value="%s"]')
   box.click(); return box.checked; })()"""
 SET = """(() => { const e = document.getElementById("%s"); e.value = "%s";
   e.dispatchEvent(new Event("%s")); })()"""
+# The middle of a disc whose colour is such.
+DISC = """(() => {
+  const canvas = document.getElementById("view-canvas"), box = canvas.getBoundingClientRect();
+  const gl = canvas.getContext("webgl2"), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
+  const p = new Uint8Array(4 * w * h);
+  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+  const is = (x, y) => { const k = 4 * (y * w + x); return %s; };
+  // well inside: its neighbours are alike. Upward, so that it is met before its label
+  for (let y = 4; y < h - 4; ++y) for (let x = 4; x < w - 4; ++x) {
+    if (is(x, y) && is(x - 3, y) && is(x + 3, y) && is(x, y + 3) && is(x, y - 3))
+      return [box.left + x * box.width / w, box.top + (h - y) * box.height / h];
+  }
+  return null; })()"""
 SAID = "document.getElementById('view-picked').textContent"
 KEY = "document.getElementById('view-key').textContent"
 IS_ON = "document.querySelector('#view input[value=\"%s\"]').checked"
@@ -56,6 +70,12 @@ sensors:
   candidates: {grid: {min_m: [0.5, 0.5, 0.5], max_m: [5.5, 3.5, 2.5], size: [4, 3, 2]}}
   count: 3
 placement: {method: greedy, weights: {surface: 1, volume: 1}, hold_out: false}
+"""
+READINGS = """\
+kind,x_m,y_m,z_m,radius_m,unit,value,standard_error,use
+fluence,1.2,1.2,2.2,0.3,W/m2,0.05,0.005,fit
+fluence,4.5,1,1.5,0.3,W/m2,0.01,0.004,fit
+fluence,1,3,1,0.3,W/m2,0.03,0.003,hold_out
 """
 CONDITIONS = """\
 conditions: {clear: {}, misty: {media.fog.extinction_per_m: 0.5}}
@@ -118,19 +138,7 @@ def check_picking(page):
     for part in ("surfaces", "surface-photons", "volume-photons", "ranges", "lamps", "axes",
                  "cloud"):
         page.value(FLIP % part)
-    spot = page.value("""(() => {
-      const canvas = document.getElementById("view-canvas"), box = canvas.getBoundingClientRect();
-      const gl = canvas.getContext("webgl2"), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
-      const p = new Uint8Array(4 * w * h);
-      gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
-      // well inside a disc: its neighbours are as bright. Upward, so that it is
-      // met before its label
-      for (let y = 4; y < h - 4; ++y) for (let x = 4; x < w - 4; ++x) {
-        const bright = (a, b) => p[4 * (b * w + a)] > 200 && p[4 * (b * w + a) + 2] < 60;
-        if (bright(x, y) && bright(x - 3, y) && bright(x + 3, y) && bright(x, y + 3) && bright(x, y - 3))
-          return [box.left + x * box.width / w, box.top + (h - y) * box.height / h];
-      }
-      return null; })()""")
+    spot = page.value(DISC % "p[k] > 200 && p[k + 2] < 60")
     check(spot is not None, "no sensor is drawn")
     if spot:
         page.click(*spot)
@@ -226,6 +234,26 @@ def check_conditions(page, folder):
     check(page.said == [], "said:", page.said)
 
 
+def check_readings(page, folder):
+    """A fit's readings, by their residuals; a click tells one's numbers."""
+    page.open(os.path.join(folder, "report.html"))
+    page.value("document.getElementById('view-canvas').scrollIntoView()")
+    for part in ("surfaces", "lamps", "axes"):
+        page.value(FLIP % part)
+    spot = page.value(DISC % "p[k] + p[k + 1] + p[k + 2] > 300")
+    check(spot is not None, "no reading is drawn")
+    if spot:
+        page.click(*spot)
+    text = page.value(SAID)
+    with open(os.path.join(folder, "fit.csv"), encoding="utf-8") as file:
+        rows = {int(row["line"]): row for row in csv.DictReader(file)}
+    row = rows.get(number(r"Reading of line (\d+) ", text), {})
+    off = float(row.get("residual_in_standard_errors", "nan"))
+    check(f"measured {float(row.get('value', 'nan')):.5g} " in text, text)
+    check(f"{abs(off):.5g} standard errors {'above' if off > 0 else 'below'}" in text, text, off)
+    check(page.said == [], "said:", page.said)
+
+
 def check_lost(page, folder):
     """Without WebGL, and when it is taken away, the page says so."""
     page.open(os.path.join(folder, "report.html"))
@@ -266,8 +294,10 @@ def main(murk, picture):
         return 77
     with tempfile.TemporaryDirectory() as folder:
         folder = os.path.realpath(folder)
-        hall, room, over = (os.path.join(folder, name) for name in ("hall", "room", "over"))
-        for name, text in (("room.yaml", ROOM), ("over.yaml", ROOM + CONDITIONS)):
+        hall, room, over, fit = (os.path.join(folder, name)
+                                 for name in ("hall", "room", "over", "fit"))
+        for name, text in (("room.yaml", ROOM), ("over.yaml", ROOM + CONDITIONS),
+                           ("data.csv", READINGS)):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
         for command in (["place", os.path.abspath("scenes/smoke-hall.yaml"), "-o", hall, "--emit",
@@ -275,7 +305,10 @@ def main(murk, picture):
                         ["place", os.path.join(folder, "room.yaml"), "-o", room],
                         ["place", os.path.join(folder, "over.yaml"), "-o", over,
                          "--set", "placement.over=mean"],
-                        *(["report", made] for made in (hall, room, over))):
+                        ["fit", os.path.join(folder, "room.yaml"), "-o", fit, "--free",
+                         "lights.0.power_w", "--data", os.path.join(folder, "data.csv"),
+                         "--traces", "1"],
+                        *(["report", made] for made in (hall, room, over, fit))):
             subprocess.run([murk, *command, "--quiet"], check=True)
         path = os.path.join(hall, "report.html")
         page = browser.Browser(*((1200, 900) if picture else (640, 480)))
@@ -283,6 +316,7 @@ def main(murk, picture):
             check_view(page, path, picture)
             check_sights(page, room)
             check_conditions(page, over)
+            check_readings(page, fit)
             check_policy(page)
             check_lost(page, room)
         finally:
