@@ -9,8 +9,8 @@
 #include "base/stats.h"
 #include "calibrate/reweigh.h"
 #include "check.h"
+#include "followed_text.h"
 #include "optics_text.h"
-#include "stage_text.h"
 
 #include <stdlib.h>
 
@@ -55,40 +55,15 @@ static const murk_receiver receivers[RECEIVERS] = {
     {{0.4, 0.5, 1.5}, 0.2, {0, 0, -1}, 0, -1},
 };
 
-typedef struct lit {
-    murk_stage *stage;
-    murk_optics *optics;
-    murk_followed *followed;
-} lit;
-
-static lit lit_at(const char *const *overrides)
+static followed_text lit_at(const char *const *overrides)
 {
-    lit l = {.stage = stage_text_create(scene_text, overrides)};
-    murk_error err = {0};
-    if (!l.stage) {
-        exit(1);
-    }
-    l.optics = optics_text_create(scene_text, overrides);
-    const murk_followed_desc desc = {.stage = l.stage,
-                                     .threads = 2,
-                                     .medium = kept_media,
-                                     .media = 1,
-                                     .keeps_cosines = true,
-                                     .receiver = receivers,
-                                     .receivers = RECEIVERS,
-                                     .keeps_records = true};
-    if (murk_followed_trace(&l.followed, &desc, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return l;
-}
-
-static void put_out(lit *l)
-{
-    murk_followed_destroy(l->followed);
-    murk_optics_destroy(l->optics);
-    stage_text_destroy(l->stage);
+    return followed_text_trace(scene_text, overrides,
+                               (murk_followed_desc){.medium = kept_media,
+                                                    .media = 1,
+                                                    .keeps_cosines = true,
+                                                    .receiver = receivers,
+                                                    .receivers = RECEIVERS,
+                                                    .keeps_records = true});
 }
 
 /* ---- estimates by batches ---- */
@@ -122,7 +97,7 @@ static bool *find_floor(const murk_followed *f)
 }
 
 /* Sums of `factor` times what the contributions were worth. */
-static sums sums_of(const lit *l, const double *factor)
+static sums sums_of(const followed_text *l, const double *factor)
 {
     const murk_followed *f = l->followed;
     static sums s;
@@ -151,7 +126,7 @@ typedef struct reweighed {
 } reweighed;
 
 /* Values at other optics; slopes where there are sides of one key. */
-static reweighed reweigh(const lit *l, const murk_optics *at,
+static reweighed reweigh(const followed_text *l, const murk_optics *at,
                          const murk_optics_sides *sides)
 {
     reweighed out = {0};
@@ -177,7 +152,7 @@ static reweighed reweigh(const lit *l, const murk_optics *at,
     return out;
 }
 
-static reweighed as_traced(const lit *l)
+static reweighed as_traced(const followed_text *l)
 {
     return reweigh(l, l->optics, NULL);
 }
@@ -205,9 +180,9 @@ static void check(const char *what, size_t i, murk_estimate got,
 #define ALBEDO     "media.fog.albedo="
 #define HG         "media.fog.phase.hg="
 
-static void check_value(const lit *l, const char *const *overrides)
+static void check_value(const followed_text *l, const char *const *overrides)
 {
-    lit other = lit_at(overrides);
+    followed_text other = lit_at(overrides);
     const reweighed got = reweigh(l, other.optics, NULL);
     const reweighed want = as_traced(&other);
     char what[96];
@@ -217,10 +192,10 @@ static void check_value(const lit *l, const char *const *overrides)
     for (size_t i = 0; i < SUMS; ++i) {
         check(what, i, got.value[i], want.value[i]);
     }
-    put_out(&other);
+    followed_text_release(&other);
 }
 
-static void test_values_are_those_of_new_light(const lit *l)
+static void test_values_are_those_of_new_light(const followed_text *l)
 {
     const char *const places[6][4] = {
         {"seed=2", EXTINCTION "2.4"}, {"seed=3", EXTINCTION "1.6"},
@@ -232,13 +207,13 @@ static void test_values_are_those_of_new_light(const lit *l)
 }
 
 /* Teeth: light of slightly other fog is told from what is asked for. */
-static void test_would_notice_a_wrong_weight(const lit *l)
+static void test_would_notice_a_wrong_weight(const followed_text *l)
 {
     const char *const right[] = {"seed=2", EXTINCTION "2.4", NULL};
     const char *const wrong[][2] = {{EXTINCTION "2.5"},
                                     {EXTINCTION "2.4", ALBEDO "0.92"},
                                     {EXTINCTION "2.4", HG "0.65"}};
-    lit other = lit_at(right);
+    followed_text other = lit_at(right);
     const reweighed want = as_traced(&other);
     for (int i = 0; i < 3; ++i) {
         const char *const overrides[] = {wrong[i][0], wrong[i][1], NULL};
@@ -251,7 +226,7 @@ static void test_would_notice_a_wrong_weight(const lit *l)
         CHECK(most > murk_sidak_limit(BUDGET, CHECKS));
         murk_optics_destroy(at);
     }
-    put_out(&other);
+    followed_text_release(&other);
 }
 
 /* ---- slopes: differences of light traced at both sides ---- */
@@ -271,7 +246,7 @@ static murk_optics_sides sides_at(const char *key, double value,
 
 /* Differences over +-5 %; by Simpson's rule the mean slope between is that of
  * the ends and the middle, off by the fifth derivative. */
-static void check_slope(const lit *l, const char *key, double value,
+static void check_slope(const followed_text *l, const char *key, double value,
                         const char *seed)
 {
     murk_estimate traced[2][SUMS];
@@ -281,10 +256,10 @@ static void check_slope(const lit *l, const char *key, double value,
         snprintf(text, sizeof text, "%s%.17g", key, value * (s ? 1.05 : 0.95));
         snprintf(own_seed, sizeof own_seed, "%s%d", seed, s);
         const char *const overrides[] = {own_seed, text, NULL};
-        lit side = lit_at(overrides);
+        followed_text side = lit_at(overrides);
         const reweighed r = as_traced(&side);
         memcpy(traced[s], r.value, sizeof traced[s]);
-        put_out(&side);
+        followed_text_release(&side);
     }
     for (int s = 0; s < 3; ++s) {
         const double at_value = value * (1 + .05 * (s - 1));
@@ -316,7 +291,7 @@ static void check_slope(const lit *l, const char *key, double value,
     }
 }
 
-static void test_slopes_are_differences_of_new_light(const lit *l)
+static void test_slopes_are_differences_of_new_light(const followed_text *l)
 {
     check_slope(l, EXTINCTION, 2, "seed=1");
     check_slope(l, ALBEDO, 0.9, "seed=2");
@@ -331,7 +306,7 @@ static void test_slopes_are_differences_of_new_light(const lit *l)
 static void test_all_comes_out(void)
 {
     const char *const white[] = {"seed=9", ALBEDO "1", NULL};
-    lit l = lit_at(white);
+    followed_text l = lit_at(white);
     const char *const places[3][3] = {{ALBEDO "1", EXTINCTION "2.4"},
                                       {ALBEDO "1", EXTINCTION "1.6"},
                                       {ALBEDO "1", HG "0.5"}};
@@ -364,7 +339,7 @@ static void test_all_comes_out(void)
         murk_optics_destroy(sides[0]);
         murk_optics_destroy(sides[1]);
     }
-    put_out(&l);
+    followed_text_release(&l);
 }
 
 /* ---- slopes against a table ---- */
@@ -391,7 +366,7 @@ static void check_rows(const char *key, double low, double high,
         snprintf(seed, sizeof seed, "seed=%d", 50 + p);
         const char *const overrides[] = {
             text, fixed_1, fixed_2, seed, "photons.emit=250000", NULL};
-        lit l = lit_at(overrides);
+        followed_text l = lit_at(overrides);
         murk_optics *sides[2];
         const double step = 1e-5 * value;
         for (int s = 0; s < 2; ++s) {
@@ -410,7 +385,7 @@ static void check_rows(const char *key, double low, double high,
         }
         murk_optics_destroy(sides[0]);
         murk_optics_destroy(sides[1]);
-        put_out(&l);
+        followed_text_release(&l);
     }
     for (size_t i = 0; i < 2; ++i) {
         const murk_estimate got = {sum[i], sqrt(variance[i])};
@@ -436,11 +411,11 @@ static void test_slopes_are_those_of_adding_doubling(void)
 
 int main(void)
 {
-    lit l = lit_at(NULL);
+    followed_text l = lit_at(NULL);
     test_values_are_those_of_new_light(&l);
     test_would_notice_a_wrong_weight(&l);
     test_slopes_are_differences_of_new_light(&l);
-    put_out(&l);
+    followed_text_release(&l);
     test_all_comes_out();
     test_slopes_are_those_of_adding_doubling();
     return check_done();

@@ -4,9 +4,9 @@
 #define _DEFAULT_SOURCE /* P_tmpdir */
 #include "calibrate/reweigh.h"
 #include "check.h"
+#include "followed_text.h"
 #include "medium/grid_write.h"
 #include "optics_text.h"
-#include "stage_text.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -53,41 +53,15 @@ static const murk_receiver receivers[RECEIVERS] = {
     {{1, 2, 2.2}, 0.4, {0, 0, 0}, 0, 1},
 };
 
-/* Light that was traced, and with what. */
-typedef struct lit {
-    murk_stage *stage;
-    murk_optics *optics;
-    murk_followed *followed;
-} lit;
-
-static lit lit_of(const char *const *overrides)
+static followed_text lit_of(const char *const *overrides)
 {
-    lit l = {.stage = stage_text_create(scene_text, overrides)};
-    murk_error err = {0};
-    if (!l.stage) {
-        exit(1);
-    }
-    l.optics = optics_text_create(scene_text, overrides);
-    const murk_followed_desc desc = {.stage = l.stage,
-                                     .threads = 2,
-                                     .medium = kept_media,
-                                     .media = MEDIA,
-                                     .keeps_cosines = true,
-                                     .receiver = receivers,
-                                     .receivers = RECEIVERS,
-                                     .keeps_records = true};
-    if (murk_followed_trace(&l.followed, &desc, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return l;
-}
-
-static void put_out(lit *l)
-{
-    murk_followed_destroy(l->followed);
-    murk_optics_destroy(l->optics);
-    stage_text_destroy(l->stage);
+    return followed_text_trace(scene_text, overrides,
+                               (murk_followed_desc){.medium = kept_media,
+                                                    .media = MEDIA,
+                                                    .keeps_cosines = true,
+                                                    .receiver = receivers,
+                                                    .receivers = RECEIVERS,
+                                                    .keeps_records = true});
 }
 
 static murk_optics *varied_at(const char *key, double value)
@@ -100,7 +74,7 @@ static murk_optics *varied_at(const char *key, double value)
 
 /* Sums over receivers and maps, and their slopes by one key where there are
  * sides. */
-static void read_sums(const lit *l, const murk_optics *at,
+static void read_sums(const followed_text *l, const murk_optics *at,
                       const murk_optics_sides *sides, size_t keys,
                       double sum[SUMS], double slope[SUMS])
 {
@@ -138,7 +112,7 @@ static void read_sums(const lit *l, const murk_optics *at,
             h^4 / 30 times the fifth power of 50 scatterings: 4e-8 */
 
 /* At a value other than that traced, so that ratios are not 1. */
-static void check_slope(const lit *l, const char *key, double value)
+static void check_slope(const followed_text *l, const char *key, double value)
 {
     murk_optics *at = varied_at(key, value);
     murk_optics *low = varied_at(key, value * (1 - SIDE));
@@ -165,7 +139,7 @@ static void check_slope(const lit *l, const char *key, double value)
     murk_optics_destroy(high);
 }
 
-static void test_slopes_are_the_values(const lit *l)
+static void test_slopes_are_the_values(const followed_text *l)
 {
     check_slope(l, "media.haze.extinction_per_m", 0.5);
     check_slope(l, "media.haze.albedo", 0.95);
@@ -179,7 +153,7 @@ static void test_slopes_are_the_values(const lit *l)
 
 /* ---- several keys at once, threads, batches ---- */
 
-static void test_threads_and_batches_do_not_matter(const lit *l)
+static void test_threads_and_batches_do_not_matter(const followed_text *l)
 {
     const char *const keys[] = {"media.haze.extinction_per_m",
                                 "media.haze.phase.hg", "lights.0.power_w.1"};
@@ -241,7 +215,7 @@ static void test_threads_and_batches_do_not_matter(const lit *l)
 
 /* ---- nothing changed, and too much ---- */
 
-static void test_the_same_is_the_same(const lit *l)
+static void test_the_same_is_the_same(const followed_text *l)
 {
     murk_reweighed r;
     murk_error err = {0};
@@ -258,7 +232,7 @@ static void test_the_same_is_the_same(const lit *l)
 }
 
 /* Powers are factors: the lamp's own share counts twice as much. */
-static void test_power_scales(const lit *l)
+static void test_power_scales(const followed_text *l)
 {
     murk_reweighed r;
     murk_error err = {0};
@@ -275,7 +249,7 @@ static void test_power_scales(const lit *l)
 
 /* Black haze: what it scattered is gone, and what it scattered once is what
  * grows first. */
-static void test_zero_is_a_value_like_others(const lit *l)
+static void test_zero_is_a_value_like_others(const followed_text *l)
 {
     const double step = 1e-7;
     murk_optics *black = varied_at("media.haze.albedo", 0);
@@ -293,7 +267,7 @@ static void test_zero_is_a_value_like_others(const lit *l)
     murk_optics_destroy(grey);
 }
 
-static void test_too_far_is_cut_off(const lit *l)
+static void test_too_far_is_cut_off(const followed_text *l)
 {
     murk_reweighed r;
     murk_error err = {0};
@@ -315,7 +289,7 @@ static void check_refused(const char *traced_key, const char *key, double value,
                           const char *where, const char *part)
 {
     const char *const overrides[] = {traced_key, NULL};
-    lit l = lit_of(overrides);
+    followed_text l = lit_of(overrides);
     murk_optics *at = varied_at(key, value);
     murk_reweighed r;
     murk_error err = {0};
@@ -324,7 +298,7 @@ static void check_refused(const char *traced_key, const char *key, double value,
     CHECK_TEXT(err.where, where);
     CHECK_MENTIONS(err.text, part);
     murk_optics_destroy(at);
-    put_out(&l);
+    followed_text_release(&l);
 }
 
 static void test_nothing_comes_of_nothing(void)
@@ -359,7 +333,7 @@ int main(void)
     }
     write_smoke();
     snprintf(scene_text, sizeof scene_text, scene_format, folder);
-    lit l = lit_of(NULL);
+    followed_text l = lit_of(NULL);
     test_slopes_are_the_values(&l);
     test_threads_and_batches_do_not_matter(&l);
     test_the_same_is_the_same(&l);
@@ -367,7 +341,7 @@ int main(void)
     test_zero_is_a_value_like_others(&l);
     test_too_far_is_cut_off(&l);
     test_nothing_comes_of_nothing();
-    put_out(&l);
+    followed_text_release(&l);
     char path[96];
     snprintf(path, sizeof path, "%s/smoke.vdb", folder);
     unlink(path);
