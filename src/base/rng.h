@@ -28,6 +28,7 @@ typedef enum murk_purpose {
     MURK_LENS = 26,       /* photon: a camera's ray; event 0 */
     MURK_SHINE = 27,      /* photon: a camera's ray; event: its event */
     MURK_FREE_SPACE = 28, /* photon: place; event: which box or ball */
+    MURK_KERNEL = 29,     /* photon: record; event: its kind; slot: band */
     MURK_FIT_START = 30,  /* photon: start; event: parameter */
     MURK_TEST = 31        /* for tests */
 } murk_purpose;

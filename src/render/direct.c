@@ -100,9 +100,12 @@ static double light_from(const murk_scenery *scenery, const murk_place *place,
         return 0;
     }
     const double answers = answer(place, shine.direction);
-    const double counts = balance.goes_on && may_be_met(scenery, l)
-                              ? share_of_rays(answers, rays * shine.per_sr)
-                              : 1;
+    const bool is_met =
+        balance.goes_on && may_be_met(scenery, l) &&
+        (!place->phase ||
+         -murk_dot(shine.direction, place->sight) > place->cone);
+    const double counts =
+        is_met ? share_of_rays(answers, rays * shine.per_sr) : 1;
     const double radiance =
         counts * answers * shine.irradiance_w_per_m2 / (chance * rays);
     if (!(radiance > 0)) {

@@ -18,6 +18,8 @@ typedef struct murk_place {
     /* a medium, where phase is not NULL: */
     const murk_phase *phase;
     double albedo;
+    double cone; /* cosine: light that turns by less is looked for by going on,
+                    not asked of the maps; -1 all, 1 none */
 } murk_place;
 
 /* Light that the looking ray may also meet by going on from the place: of both
@@ -25,7 +27,8 @@ typedef struct murk_place {
  * heuristic: Veach and Guibas, SIGGRAPH 1995, doi:10.1145/218380.218498), so
  * that neither has to find what the other finds by far better. */
 typedef struct murk_balance {
-    bool goes_on; /* the ray goes on, with the density of its own law */
+    bool goes_on; /* the ray goes on, with the density of its own law; in a
+                     medium within the place's cone */
     bool sheets;  /* thin sheets let light through straight on, by their
                      transmittances; else they block */
 } murk_balance;

@@ -2,33 +2,49 @@
 
 #include <stdlib.h>
 
+#include "base/crew.h"
 #include "light/shine.h"
+#include "render/balls.h"
+#include "render/kernel.h"
 
-/* Cosine between two normals of one surface, which may be curved. */
-#define ALIKE 0.5
+#define RECORDS_AT_ONCE 1024
+
+/* Of the domain's diagonal: records that lie on one spot, as those of a beam
+ * without width do, are spread at least so far. */
+#define LEAST_RADIUS 1e-4
+
+/* One map's records of a band, and their kernels. */
+typedef struct layer {
+    murk_photon_map *map;
+    murk_kernel *kernel; /* [records], in the map's order */
+    murk_balls *balls;
+} layer;
 
 struct murk_gather {
-    const murk_world *world;
-    size_t k;
-    murk_photon_map *surface[MURK_BANDS_MAX], *volume[MURK_BANDS_MAX];
+    const murk_scenery *scenery;
+    double per_photon; /* groups */
+    layer surface[MURK_BANDS_MAX], volume[MURK_BANDS_MAX];
 };
 
-static bool counts(const murk_world *world, const murk_photon *p, int band)
+/* ---- making ---- */
+
+static bool counts(const murk_gathering_desc *desc, const murk_photon *p,
+                   int band)
 {
-    return p->band == band && (murk_photon_class(p) != 0 ||
-                               !murk_lights_can_shine(world->lights, p->light));
+    return p->band == band &&
+           (desc->takes_first || murk_photon_class(p) != 0 ||
+            !murk_lights_can_shine(desc->scenery->world->lights, p->light));
 }
 
 /* Those that count, of one map. */
-static murk_status pick(murk_photon_map **out, const murk_world *world,
-                        const murk_photon_map *map, int band, unsigned threads,
-                        murk_error *err)
+static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
+                        const murk_photon_map *map, int band, murk_error *err)
 {
     const murk_photon *all = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
     size_t kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        kept += counts(world, &all[i], band);
+        kept += counts(desc, &all[i], band);
     }
     murk_photon *photons = malloc((kept + 1) * sizeof *photons);
     if (!photons) {
@@ -37,29 +53,118 @@ static murk_status pick(murk_photon_map **out, const murk_world *world,
     }
     kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (counts(world, &all[i], band)) {
+        if (counts(desc, &all[i], band)) {
             photons[kept++] = all[i];
         }
     }
-    return murk_photon_map_create(out, photons, kept, threads, err);
+    return murk_photon_map_create(out, photons, kept, desc->threads, err);
 }
 
-murk_status murk_gather_create(murk_gather **out, const murk_world *world,
-                               const murk_photon_map *surface,
-                               const murk_photon_map *volume, size_t k,
-                               unsigned threads, murk_error *err)
+typedef struct laying {
+    const murk_gathering_desc *desc;
+    murk_probing probing;
+    const layer *layer;
+    murk_ball_extent *extent;
+    double least_m;
+} laying;
+
+static murk_ball_extent extent_of(const murk_scenery *scenery,
+                                  const murk_photon *p,
+                                  const murk_kernel *kernel)
+{
+    const double r = kernel->radius_m;
+    murk_ball_extent e = {.radius = (float)r};
+    const murk_vec3 n = murk_direction_unpack(p->normal);
+    const double along[3] = {n.x, n.y, n.z};
+    /* A disc on a plane is flat, to rounding of places and normals. */
+    const bool is_flat = !murk_photon_is_volume(p) && !kernel->is_cut;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double flat = r * sqrt(fmax(0, 1 - along[axis] * along[axis])) +
+                            1e-3 * r + scenery->margin_m;
+        e.center[axis] = p->position_m[axis];
+        e.reach[axis] = (float)(is_flat ? fmin(flat, r) : r);
+    }
+    return e;
+}
+
+static void lay(void *context, uint64_t batch)
+{
+    const laying *l = context;
+    const murk_photon_map *map = l->layer->map;
+    const murk_photon *photons = murk_photon_map_photons(map);
+    const size_t n = murk_photon_map_count(map);
+    const size_t k = l->desc->nearest + 1; /* itself is one of them */
+    uint32_t found[MURK_GATHER_MAX + 1];
+    double square_m2[MURK_GATHER_MAX + 1];
+    const size_t first = (size_t)batch * RECORDS_AT_ONCE;
+    for (size_t i = first; i < first + RECORDS_AT_ONCE && i < n; ++i) {
+        const murk_photon *p = &photons[i];
+        const murk_vec3 place =
+            murk_vec((double)p->position_m[0], (double)p->position_m[1],
+                     (double)p->position_m[2]);
+        const size_t there =
+            murk_photon_map_nearest(map, place, k, found, square_m2);
+        const double radius =
+            fmax(l->least_m, there > 0 ? sqrt(square_m2[there - 1]) : 0);
+        murk_kernel *kernel = &l->layer->kernel[i];
+        *kernel = murk_kernel_of(&l->probing, p, radius, i);
+        l->extent[i] = extent_of(l->desc->scenery, p, kernel);
+    }
+}
+
+static murk_status make(layer *out, const murk_gathering_desc *desc,
+                        const murk_photon_map *map, int band, murk_error *err)
+{
+    murk_status status = pick(&out->map, desc, map, band, err);
+    if (status) {
+        return status;
+    }
+    const size_t n = murk_photon_map_count(out->map);
+    const murk_box *box = &desc->scenery->world->domain.box;
+    laying l = {.desc = desc,
+                .probing = murk_probing_of(desc->scenery, desc->seed),
+                .layer = out,
+                .extent = calloc(n + 1, sizeof *l.extent),
+                .least_m =
+                    LEAST_RADIUS * murk_length(murk_sub(box->max, box->min))};
+    out->kernel = calloc(n + 1, sizeof *out->kernel);
+    if (!l.extent || !out->kernel) {
+        status = murk_fail(err, MURK_NO_MEMORY, "render",
+                           "no memory for the kernels of %zu photons", n);
+    } else {
+        murk_crew_run(desc->threads, n / RECORDS_AT_ONCE + 1, lay, &l);
+        status = murk_balls_create(&out->balls, l.extent, n, err);
+    }
+    free(l.extent);
+    return status;
+}
+
+static uint32_t last_emitted(const murk_photon_map *map)
+{
+    const murk_photon *photons = murk_photon_map_photons(map);
+    uint32_t last = 0;
+    for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
+        last = photons[i].emitted > last ? photons[i].emitted : last;
+    }
+    return last;
+}
+
+murk_status murk_gather_create(murk_gather **out,
+                               const murk_gathering_desc *desc, murk_error *err)
 {
     murk_gather *g = calloc(1, sizeof *g);
     if (!g) {
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for maps");
     }
-    g->world = world;
-    g->k = k;
+    g->scenery = desc->scenery;
+    const double last =
+        fmax(last_emitted(desc->surface), last_emitted(desc->volume));
+    g->per_photon = MURK_GATHER_GROUPS / (last + 1);
     murk_status status = MURK_OK;
-    for (int band = 0; band < world->bands && !status; ++band) {
-        status = pick(&g->surface[band], world, surface, band, threads, err);
+    for (int band = 0; band < desc->scenery->world->bands && !status; ++band) {
+        status = make(&g->surface[band], desc, desc->surface, band, err);
         if (!status) {
-            status = pick(&g->volume[band], world, volume, band, threads, err);
+            status = make(&g->volume[band], desc, desc->volume, band, err);
         }
     }
     if (status) {
@@ -70,58 +175,88 @@ murk_status murk_gather_create(murk_gather **out, const murk_world *world,
     return MURK_OK;
 }
 
+static void unmake(layer *l)
+{
+    murk_photon_map_destroy(l->map);
+    free(l->kernel);
+    murk_balls_destroy(l->balls);
+}
+
 void murk_gather_destroy(murk_gather *gather)
 {
     if (gather) {
         for (int band = 0; band < MURK_BANDS_MAX; ++band) {
-            murk_photon_map_destroy(gather->surface[band]);
-            murk_photon_map_destroy(gather->volume[band]);
+            unmake(&gather->surface[band]);
+            unmake(&gather->volume[band]);
         }
         free(gather);
     }
 }
 
-/* Power that one record sends towards who looks, for each steradian. */
-static double sent(const murk_world *world, const murk_place *place,
-                   const murk_photon *p)
+/* ---- asking ---- */
+
+typedef struct asking {
+    const murk_gather *gather;
+    const layer *layer;
+    const murk_place *place;
+    double scale;
+    double *group;
+    double sum;
+} asking;
+
+/* Power that one record sends towards who looks, for each steradian: what comes
+ * in is the record's, what turns it is the place's own. */
+static double sent(const murk_place *place, const murk_photon *p)
 {
     if (!place->phase) {
-        const murk_vec3 normal = murk_direction_unpack(p->normal);
-        return murk_dot(normal, place->normal) > ALIKE ? p->power_w / MURK_PI
-                                                       : 0;
+        return (double)p->power_w / MURK_PI;
     }
-    const murk_phase *phase =
-        murk_media_phase(world->media, p->material, place->band);
     const double mu =
         -murk_dot(murk_direction_unpack(p->direction), place->sight);
-    return p->power_w * murk_phase_density(phase, fmax(-1, fmin(1, mu)));
+    if (mu > place->cone && murk_photon_class(p) == MURK_CLASS_LATER) {
+        return 0;
+    }
+    return (double)p->power_w *
+           murk_phase_density(place->phase, fmax(-1, fmin(1, mu)));
 }
 
-murk_gathered murk_gather_light(const murk_gather *g, const murk_place *place)
+static void take(void *context, size_t record, double square)
 {
-    const murk_photon_map *map =
-        place->phase ? g->volume[place->band] : g->surface[place->band];
-    uint32_t found[MURK_GATHER_MAX];
-    double square_m2[MURK_GATHER_MAX];
-    const size_t n =
-        murk_photon_map_nearest(map, place->position, g->k, found, square_m2);
-    murk_gathered gathered = {0, 0};
-    if (n < 2 || !(square_m2[n - 1] > 0)) {
-        return gathered;
+    asking *a = context;
+    const murk_kernel *kernel = &a->layer->kernel[record];
+    const murk_photon *p = murk_photon_map_photons(a->layer->map) + record;
+    if (kernel->mass > 0 &&
+        murk_kernel_holds(a->gather->scenery, p, kernel, a->place->position,
+                          a->place->normal, a->place->index)) {
+        const size_t group = (size_t)(p->emitted * a->gather->per_photon);
+        const double light =
+            a->scale * (1 - square) / kernel->mass * sent(a->place, p);
+        a->group[group] += light;
+        a->sum += light;
     }
-    const murk_photon *photons = murk_photon_map_photons(map);
+}
+
+double murk_gather_light(const murk_gather *gather, const murk_place *place,
+                         double scale, double group[MURK_GATHER_GROUPS])
+{
+    const layer *l = place->phase ? &gather->volume[place->band]
+                                  : &gather->surface[place->band];
+    asking a = {.gather = gather,
+                .layer = l,
+                .place = place,
+                .scale = scale / (place->index * place->index),
+                .group = group};
+    murk_balls_at(l->balls, place->position, take, &a);
+    return a.sum;
+}
+
+double murk_gather_variance(const double group[MURK_GATHER_GROUPS])
+{
+    const double n = MURK_GATHER_GROUPS;
     double sum = 0, squares = 0;
-    for (size_t i = 0; i + 1 < n; ++i) {
-        const double one = sent(g->world, place, &photons[found[i]]);
-        sum += one;
-        squares += one * one;
+    for (int i = 0; i < MURK_GATHER_GROUPS; ++i) {
+        sum += group[i];
+        squares += group[i] * group[i];
     }
-    const double square = square_m2[n - 1];
-    const double kernel =
-        (place->phase ? 4 * MURK_PI / 3 * square * sqrt(square)
-                      : MURK_PI * square) *
-        place->index * place->index;
-    gathered.radiance = sum / kernel;
-    gathered.variance = squares / (kernel * kernel);
-    return gathered;
+    return fmax(0, squares - sum * sum / n) * n / (n - 1);
 }

@@ -1,44 +1,56 @@
-/* Light that has been reflected or scattered before, from the photon maps: the
- * records that are not first events, by density estimate.
+/* Light from the photon maps: what records near a place send towards who looks,
+ * by density estimate.
  *
- * The kernel is even: on a surface the disc, in a medium the ball that reaches
- * to the k-th nearest record, which itself does not count. Records are of the
- * same band; on surfaces those count whose normal is within 60 degrees of the
- * place's. A record's power is what leaves its event, so no reflectance and no
- * albedo is applied again.
+ * Each record has a kernel of its own (render/kernel.h), as wide as the k-th
+ * nearest other record of its band is far; what a place gets is the sum over
+ * the kernels that hold it. On surfaces those count whose normal is within 60
+ * degrees of the place's. A record's power is what leaves its event, so no
+ * reflectance and no albedo is applied again.
  *
- * First events are direct light, which shadow rays find; those of lights that
- * no shadow ray finds (light/shine.h) stay with the maps.
+ * Whether first events count is the caller's choice: where shadow rays find
+ * direct light they must not, but for those of lights that no shadow ray finds
+ * (light/shine.h).
  *
- * Source: Jensen, Realistic Image Synthesis Using Photon Mapping, 2001, ch. 7
- * and 10; k - 1 of k: Loftsgaarden and Quesenberry, Ann. Math. Statist. 36
- * (1965) 1049, doi:10.1214/aoms/1177700079. */
+ * Photons are independent, records of one photon are not: contributions are
+ * told by groups of photons that were emitted one after the other (so that
+ * each has its share of every light), whose spread is the honest error. */
 #ifndef MURK_RENDER_GATHER_H
 #define MURK_RENDER_GATHER_H
 
 #include "photonmap/map.h"
 #include "render/direct.h"
 
-#define MURK_GATHER_MAX 1000
+#define MURK_GATHER_MAX    1000
+#define MURK_GATHER_GROUPS 64
 
 typedef struct murk_gather murk_gather;
 
-/* Both maps are copied as far as they are used. k: 2..MURK_GATHER_MAX. *out is
- * the caller's. Fails with MURK_NO_MEMORY. */
-murk_status murk_gather_create(murk_gather **out, const murk_world *world,
-                               const murk_photon_map *surface,
-                               const murk_photon_map *volume, size_t k,
-                               unsigned threads, murk_error *err);
+typedef struct murk_gathering_desc {
+    const murk_scenery *scenery; /* borrowed as long as the gather lives */
+    const murk_photon_map *surface, *volume; /* copied as far as used */
+    size_t nearest;                          /* k: 2..MURK_GATHER_MAX */
+    bool takes_first; /* first events count, of all lights */
+    uint32_t seed;
+    unsigned threads;
+} murk_gathering_desc;
+
+/* *out is the caller's. Fails with MURK_NO_MEMORY; ends early, with whatever
+ * there is, when interrupted. */
+murk_status murk_gather_create(murk_gather **out,
+                               const murk_gathering_desc *desc,
+                               murk_error *err);
 void murk_gather_destroy(murk_gather *gather); /* NULL is fine */
 
-typedef struct murk_gathered {
-    double radiance; /* [W/m2/sr] towards who looks, over the index squared; of
-                        a medium: for each metre of the way, [W/m3/sr] */
-    double variance; /* of it, by the records' number */
-} murk_gathered;
+/* Radiance [W/m2/sr] towards who looks, over the index squared, at a place of a
+ * surface or, where it has a phase function, of a medium: there for each
+ * optical depth that scatters, [W/m3/sr] over the scattering coefficient, and
+ * without what later events bring within the place's cone.
+ * Times `scale` it is returned, and added to
+ * group[]. */
+double murk_gather_light(const murk_gather *gather, const murk_place *place,
+                         double scale, double group[MURK_GATHER_GROUPS]);
 
-/* At a place of a surface or, where it has a phase function, of a medium. */
-murk_gathered murk_gather_light(const murk_gather *gather,
-                                const murk_place *place);
+/* Variance of the sum over all groups, by their spread. */
+double murk_gather_variance(const double group[MURK_GATHER_GROUPS]);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/crew.h"
 #include "base/interrupt.h"
@@ -18,6 +19,12 @@ typedef struct sums {
     double sum, squares;
 } sums;
 
+/* Of a tile's pixels, in one band: radiances, the variances of their samples,
+ * and what the maps brought. */
+typedef struct tile_sums {
+    double radiance, variance, group[MURK_GATHER_GROUPS];
+} tile_sums;
+
 typedef struct run {
     const murk_render *render;
     murk_picture *picture;
@@ -26,8 +33,7 @@ typedef struct run {
     murk_sampler **sampler; /* [threads] */
     size_t tiles_across;
     double colour[3][MURK_BANDS_MAX];
-    double (*tile)[MURK_BANDS_MAX][2]; /* [tiles] sums of a tile's radiances and
-                                          of their errors' squares */
+    tile_sums *tile; /* [tiles * bands] */
 } run;
 
 /* ---- a pixel ---- */
@@ -74,7 +80,7 @@ static double share_of_mean(const murk_camera *c, size_t x, size_t y)
 }
 
 static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
-                 double tile[MURK_BANDS_MAX][2])
+                 tile_sums *tile)
 {
     const murk_render *render = r->render;
     const murk_trace *trace = render->trace;
@@ -83,7 +89,8 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
     const double n = (double)render->samples;
     sums band[MURK_BANDS_MAX] = {{0, 0}}, colour[3] = {{0, 0}};
     double part[MURK_BANDS_MAX][2] = {{0, 0}};
-    double deviation[MURK_BANDS_MAX] = {0}; /* of the records */
+    double group[MURK_BANDS_MAX][MURK_GATHER_GROUPS]; /* from the maps */
+    memset(group, 0, (size_t)p->bands * sizeof *group);
     for (size_t i = 0; i < render->samples; ++i) {
         const uint64_t number = (uint64_t)at * render->samples + i;
         const murk_random4 u = murk_random(
@@ -93,12 +100,11 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         double rgb[3] = {0, 0, 0};
         for (int b = 0; b < p->bands; ++b) {
             const murk_found found = murk_sampler_look(
-                sampler, number, b, render->camera.from, sight);
+                sampler, number, b, render->camera.from, sight, group[b]);
             const double radiance = found.surface + found.volume;
             take(&band[b], radiance);
             part[b][0] += found.surface / n;
             part[b][1] += found.volume / n;
-            deviation[b] += sqrt(found.variance) / n;
             for (int k = 0; k < 3; ++k) {
                 rgb[k] += r->colour[k][b] * radiance;
             }
@@ -108,24 +114,28 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         }
     }
     const double share = share_of_mean(&render->camera, x, y);
-    double records[3] = {0, 0, 0};
+    double records[3][MURK_GATHER_GROUPS] = {{0}};
     for (int b = 0; b < p->bands; ++b) {
-        const double square = deviation[b] * deviation[b];
         const double variance = mean_variance(&band[b], n);
+        for (int g = 0; g < MURK_GATHER_GROUPS; ++g) {
+            group[b][g] /= n;
+            tile[b].group[g] += share * group[b][g];
+            for (int k = 0; k < 3; ++k) {
+                records[k][g] += r->colour[k][b] * group[b][g];
+            }
+        }
         p->radiance[b][at] = (float)(band[b].sum / n);
         p->surface[b][at] = (float)part[b][0];
         p->volume[b][at] = (float)part[b][1];
-        p->error[b][at] = (float)sqrt(variance + square);
-        tile[b][0] += share * (band[b].sum / n);
-        tile[b][1] += share * share * variance;
-        for (int k = 0; k < 3; ++k) { /* bands have records of their own */
-            records[k] += r->colour[k][b] * r->colour[k][b] * square;
-        }
+        p->error[b][at] =
+            (float)sqrt(variance + murk_gather_variance(group[b]));
+        tile[b].radiance += share * (band[b].sum / n);
+        tile[b].variance += share * share * variance;
     }
     for (int k = 0; k < 3; ++k) {
         p->rgb[k][at] = (float)(colour[k].sum / n);
-        p->rgb_error[k][at] =
-            (float)sqrt(mean_variance(&colour[k], n) + records[k]);
+        p->rgb_error[k][at] = (float)sqrt(mean_variance(&colour[k], n) +
+                                          murk_gather_variance(records[k]));
     }
     look_straight(r, x, y, at);
 }
@@ -141,7 +151,8 @@ static void look_at_tile(void *context, unsigned worker, uint64_t batch)
             if (murk_interrupted()) {
                 return;
             }
-            look(r, r->sampler[worker], x, y, r->tile[batch]);
+            look(r, r->sampler[worker], x, y,
+                 r->tile + batch * (size_t)p->bands);
             murk_progress_add(r->render->samples);
         }
     }
@@ -220,7 +231,7 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
     const murk_world *world = render->trace->world;
     const unsigned threads = render->threads;
     r->sampler = calloc(threads, sizeof *r->sampler);
-    r->tile = calloc(tiles, sizeof *r->tile);
+    r->tile = calloc(tiles * (size_t)world->bands, sizeof *r->tile);
     r->picture = picture_create(render->camera.width, render->camera.height,
                                 world->bands);
     if (!r->sampler || !r->tile || !r->picture) {
@@ -231,16 +242,22 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
                          world->bands);
     }
     murk_status status = murk_scenery_prepare(&r->scenery, world, err);
-    if (!status && render->method == MURK_BY_MAPS) {
-        status =
-            murk_gather_create(&r->gather, world, render->surface,
-                               render->volume, render->nearest, threads, err);
+    if (!status && render->method != MURK_BY_PATHS) {
+        const murk_gathering_desc desc = {.scenery = &r->scenery,
+                                          .surface = render->surface,
+                                          .volume = render->volume,
+                                          .nearest = render->nearest,
+                                          .takes_first = render->method ==
+                                                         MURK_BY_MAPS_ONLY,
+                                          .seed = render->trace->seed,
+                                          .threads = threads};
+        status = murk_gather_create(&r->gather, &desc, err);
     }
     murk_trace trace = *render->trace;
     trace.stream = RENDER_STREAM;
     for (unsigned i = 0; i < threads && !status; ++i) {
-        status = murk_sampler_create(&r->sampler[i], &r->scenery, r->gather,
-                                     &trace, err);
+        status = murk_sampler_create(&r->sampler[i], &r->scenery,
+                                     render->method, r->gather, &trace, err);
     }
     murk_colour_weights(world->bands, render->from_nm, render->to_nm,
                         r->colour);
@@ -252,13 +269,18 @@ static void add_up(run *r, size_t tiles)
     murk_picture *p = r->picture;
     const double n = (double)(p->width * p->height);
     for (int b = 0; b < p->bands; ++b) {
-        double sum = 0, variance = 0;
+        tile_sums all = {0};
         for (size_t t = 0; t < tiles; ++t) {
-            sum += r->tile[t][b][0];
-            variance += r->tile[t][b][1];
+            const tile_sums *tile = &r->tile[t * (size_t)p->bands + (size_t)b];
+            all.radiance += tile->radiance;
+            all.variance += tile->variance;
+            for (int g = 0; g < MURK_GATHER_GROUPS; ++g) {
+                all.group[g] += tile->group[g];
+            }
         }
-        p->mean[b] = sum / n;
-        p->mean_error[b] = sqrt(variance) / n;
+        p->mean[b] = all.radiance / n;
+        p->mean_error[b] =
+            sqrt(all.variance + murk_gather_variance(all.group)) / n;
     }
     p->rays = (uint64_t)n * r->render->samples * (uint64_t)p->bands;
     for (unsigned i = 0; i < r->render->threads; ++i) {

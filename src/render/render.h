@@ -4,9 +4,9 @@
  * Each pixel's samples are rays through places drawn evenly in it, a ray in
  * each band with the same random numbers. A sample's numbers are those of its
  * pixel and index, so the picture does not depend on threads. Standard errors
- * are the samples' own, and by maps also the records', which a pixel's samples
- * share: both are added in squares. They are infinite where there is one
- * sample. */
+ * are the samples' own, and by maps also the records' (render/gather.h), which
+ * samples share: both are added in squares. They are infinite where there is
+ * one sample. */
 #ifndef MURK_RENDER_RENDER_H
 #define MURK_RENDER_RENDER_H
 
@@ -50,8 +50,8 @@ typedef struct murk_picture {
      * clearest of them; NAN where there is none. NULL before
      * murk_picture_add_coverage(). */
     float *seen_by, *clarity;
-    /* Of the picture, samples' errors alone: over its pixels, or all round over
-     * the solid angle, so that 4 pi times it is the scalar irradiance. */
+    /* Of the picture: over its pixels, or all round over the solid angle, so
+     * that 4 pi times it is the scalar irradiance. */
     double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX];
     uint64_t rays, lost;
 } murk_picture;

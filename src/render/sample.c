@@ -8,14 +8,24 @@
  * counts this many times at most. */
 #define GRAZING 1e-3
 
+/* A phase function's forward peak begins where it is above this [1/sr]: some
+ * six times isotropic. Lower, rays go on for longer and are noise by
+ * themselves; higher, few records are most of the light. */
+#define PEAK_PER_SR 0.5
+
+/* Angles at which it is looked for. */
+#define PEAK_STEPS 360
+
 typedef enum part { SURFACE, VOLUME, PARTS } part;
 
 struct murk_sampler {
     const murk_scenery *scenery;
+    murk_render_method method;
     const murk_gather *gather;
     murk_follower *follower;
     uint32_t seed, purpose;
     uint64_t lost;
+    double *cone; /* [media * bands] */
     /* of the present ray: */
     uint64_t number;
     int band;
@@ -25,8 +35,9 @@ struct murk_sampler {
     bool is_settled;   /* what all later light comes from last is known: */
     part settled;
     bool is_stopped;
-    murk_trace_leg leg;               /* the last one told */
-    double radiance[PARTS], variance; /* over the index squared */
+    murk_trace_leg leg;     /* the last one told */
+    double radiance[PARTS]; /* over the index squared */
+    double *group;          /* what the maps bring */
 };
 
 static void add(murk_sampler *s, part of, double radiance)
@@ -51,7 +62,8 @@ static double slack_at(const murk_scenery *scenery, const murk_light *light,
 static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
 {
     if (!s->is_connected) {
-        return 1;
+        /* by maps all the rest has been counted where the ray went on */
+        return s->is_settled && s->method != MURK_BY_PATHS ? 0 : 1;
     }
     const murk_glare glare = murk_lights_glare(
         s->scenery->world->lights, light, s->band, s->last.position, sight);
@@ -119,41 +131,41 @@ static void add_light(murk_sampler *s, const murk_event *event,
                       const murk_place *place)
 {
     const part of = place->phase ? VOLUME : SURFACE;
-    if (!s->leg.is_in_solid) {
+    const bool by_paths = s->method == MURK_BY_PATHS;
+    if (!s->leg.is_in_solid && s->method != MURK_BY_MAPS_ONLY) {
         const murk_address address = {s->seed, s->purpose, s->number,
                                       event->number};
         add(s, of,
             event->weight *
-                murk_direct_light(s->scenery, place, &address,
-                                  (murk_balance){.goes_on = !s->gather,
-                                                 .sheets = !s->gather}));
+                murk_direct_light(
+                    s->scenery, place, &address,
+                    (murk_balance){.goes_on = by_paths || place->phase != NULL,
+                                   .sheets = by_paths}));
     }
-    if (!s->gather) {
-        return;
+    if (!by_paths) {
+        const double square = s->own_index * s->own_index;
+        const double scale =
+            event->weight * (place->phase ? place->albedo : 1) * square;
+        add(s, of,
+            murk_gather_light(s->gather, place, scale, s->group) / square);
     }
-    const murk_gathered gathered = murk_gather_light(s->gather, place);
-    double scale = event->weight;
-    if (place->phase) {
-        const double extinction = murk_media_extinction(
-            s->scenery->world->media, s->band, s->leg.inside, place->position);
-        scale = extinction > 0 ? scale / extinction : 0;
-    }
-    add(s, of, scale * gathered.radiance);
-    s->variance += scale * scale * gathered.variance;
 }
 
 /* The ray has been scattered or reflected diffusely: what it finds from here on
- * came from there last; by maps all of that has been added. */
+ * came from there last. */
 static void settle(murk_sampler *s, part of, const murk_place *place)
 {
     s->last = *place;
     s->settled = s->is_settled ? s->settled : of;
     s->is_settled = true;
-    s->is_connected = !s->leg.is_in_solid;
-    if (s->gather) {
-        s->is_stopped = true;
-        murk_follower_stop(s->follower);
-    }
+    s->is_connected = !s->leg.is_in_solid && s->method != MURK_BY_MAPS_ONLY;
+}
+
+/* The maps have all that is left. */
+static void stop(murk_sampler *s)
+{
+    s->is_stopped = true;
+    murk_follower_stop(s->follower);
 }
 
 static void meet_surface(murk_sampler *s, const murk_event *event)
@@ -169,13 +181,16 @@ static void meet_surface(murk_sampler *s, const murk_event *event)
     }
     if (event->outcome == MURK_DIFFUSE) {
         settle(s, SURFACE, &place);
+        if (s->method != MURK_BY_PATHS) {
+            stop(s);
+        }
     } else if (event->outcome == MURK_MIRRORED) {
         s->is_connected = false;
     } else if (event->outcome == MURK_TRANSMITTED) {
-        /* A thin sheet, which shadow rays pass as well, does not bend. */
+        /* A thin sheet, which shadow rays pass by paths, does not bend. */
         const murk_vec3 a = event->direction_in, b = event->direction_out;
-        s->is_connected =
-            s->is_connected && a.x == b.x && a.y == b.y && a.z == b.z;
+        s->is_connected = s->is_connected && s->method == MURK_BY_PATHS &&
+                          a.x == b.x && a.y == b.y && a.z == b.z;
     }
 }
 
@@ -188,9 +203,18 @@ static void meet_medium(murk_sampler *s, const murk_event *event)
         .index = s->leg.index,
         .phase = murk_media_phase(s->scenery->world->media,
                                   event->material_or_medium, s->band),
-        .albedo = event->reflectance};
+        .albedo = event->reflectance,
+        .cone =
+            s->method == MURK_BY_PATHS
+                ? -1
+                : s->cone[event->material_or_medium * s->scenery->world->bands +
+                          s->band]};
     add_light(s, event, &place);
     settle(s, VOLUME, &place);
+    if (s->method != MURK_BY_PATHS &&
+        !(murk_dot(event->direction_in, event->direction_out) > place.cone)) {
+        stop(s);
+    }
 }
 
 static void hear_event(void *context, uint64_t batch, const murk_event *event)
@@ -221,15 +245,47 @@ static void hear_event(void *context, uint64_t batch, const murk_event *event)
 
 /* ---- rays ---- */
 
+/* Where the forward peak begins: 1 where there is none. */
+static double cone_of(const murk_phase *phase)
+{
+    double cone = 1;
+    for (int i = 0; i <= PEAK_STEPS; ++i) {
+        const double mu = cos(MURK_PI * i / PEAK_STEPS);
+        if (murk_phase_density(phase, mu) <= PEAK_PER_SR) {
+            break;
+        }
+        cone = mu;
+    }
+    return cone;
+}
+
+static double *cones_of(const murk_world *world)
+{
+    const size_t bands = (size_t)world->bands;
+    const size_t n = murk_media_count(world->media);
+    double *cone = malloc((n * bands + 1) * sizeof *cone);
+    for (size_t i = 0; cone && i < n * bands; ++i) {
+        cone[i] = cone_of(
+            murk_media_phase(world->media, i / bands, (int)(i % bands)));
+    }
+    return cone;
+}
+
 murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
+                                murk_render_method method,
                                 const murk_gather *gather,
                                 const murk_trace *trace, murk_error *err)
 {
     murk_sampler *s = calloc(1, sizeof *s);
-    if (!s) {
+    double *cone = cones_of(scenery->world);
+    if (!s || !cone) {
+        free(s);
+        free(cone);
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a ray");
     }
+    s->cone = cone;
     s->scenery = scenery;
+    s->method = method;
     s->gather = gather;
     s->seed = trace->seed;
     s->purpose = MURK_SHINE + MURK_STREAM * trace->stream;
@@ -240,6 +296,7 @@ murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
     own.context = s;
     const murk_status status = murk_follower_create(&s->follower, &own, err);
     if (status) {
+        free(cone);
         free(s);
         return status;
     }
@@ -251,23 +308,25 @@ void murk_sampler_destroy(murk_sampler *sampler)
 {
     if (sampler) {
         murk_follower_destroy(sampler->follower);
+        free(sampler->cone);
         free(sampler);
     }
 }
 
 murk_found murk_sampler_look(murk_sampler *s, uint64_t number, int band,
-                             murk_vec3 from, murk_vec3 sight)
+                             murk_vec3 from, murk_vec3 sight,
+                             double group[MURK_GATHER_GROUPS])
 {
     s->number = number;
+    s->group = group;
     s->band = band;
     s->own_index = 0;
     s->is_connected = s->is_settled = s->is_stopped = false;
-    s->radiance[SURFACE] = s->radiance[VOLUME] = s->variance = 0;
+    s->radiance[SURFACE] = s->radiance[VOLUME] = 0;
     murk_follow(s->follower, number, band, from, sight);
     const double square = s->own_index * s->own_index;
     return (murk_found){.surface = square * s->radiance[SURFACE],
-                        .volume = square * s->radiance[VOLUME],
-                        .variance = square * square * s->variance};
+                        .volume = square * s->radiance[VOLUME]};
 }
 
 uint64_t murk_sampler_lost(const murk_sampler *sampler)

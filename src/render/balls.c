@@ -1,0 +1,181 @@
+#include "render/balls.h"
+
+#include "photonmap/scan.h"
+
+#include <stdlib.h>
+
+/* 16^8 = 2^32 balls. */
+#define LEVELS_MAX 8
+
+/* Of boxes in memory: what the widest scan loads at once. */
+#define ALIGNMENT 64
+
+/* Sixteen balls side by side; an unused one has radius 0. */
+typedef struct sixteen {
+    float center[3][MURK_WIDE], per_square[MURK_WIDE];
+} sixteen;
+
+struct murk_balls {
+    const murk_scan *scan;
+    size_t n;
+    sixteen *ball;   /* [groups of 16 balls] */
+    unsigned levels; /* of boxes; the last is one group */
+    murk_boxes *boxes[LEVELS_MAX];
+};
+
+static size_t groups_of(size_t n)
+{
+    return (n + MURK_WIDE - 1) / MURK_WIDE;
+}
+
+static void empty_boxes(murk_boxes *boxes, size_t groups)
+{
+    for (size_t g = 0; g < groups; ++g) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int i = 0; i < MURK_WIDE; ++i) {
+                boxes[g].min[axis][i] = INFINITY;
+                boxes[g].max[axis][i] = -INFINITY;
+            }
+        }
+    }
+}
+
+static void widen(murk_boxes *boxes, size_t box, int axis, float min, float max)
+{
+    murk_boxes *b = &boxes[box / MURK_WIDE];
+    const size_t i = box % MURK_WIDE;
+    b->min[axis][i] = fminf(b->min[axis][i], min);
+    b->max[axis][i] = fmaxf(b->max[axis][i], max);
+}
+
+static void fill(murk_balls *b, const murk_ball_extent *ball)
+{
+    for (size_t i = 0; i < groups_of(b->n) * MURK_WIDE; ++i) {
+        sixteen *s = &b->ball[i / MURK_WIDE];
+        const size_t k = i % MURK_WIDE;
+        s->per_square[k] = INFINITY; /* holds nothing */
+        for (int axis = 0; axis < 3 && i < b->n; ++axis) {
+            const float c = ball[i].center[axis], r = ball[i].reach[axis];
+            s->center[axis][k] = c;
+            s->per_square[k] = 1 / (ball[i].radius * ball[i].radius);
+            widen(b->boxes[0], i / MURK_WIDE, axis,
+                  nextafterf(c - r, -INFINITY), nextafterf(c + r, INFINITY));
+        }
+    }
+    size_t n = groups_of(b->n);
+    for (unsigned level = 1; level < b->levels; ++level) {
+        for (size_t i = 0; i < n; ++i) {
+            const murk_boxes *from = &b->boxes[level - 1][i / MURK_WIDE];
+            for (int axis = 0; axis < 3; ++axis) {
+                widen(b->boxes[level], i / MURK_WIDE, axis,
+                      from->min[axis][i % MURK_WIDE],
+                      from->max[axis][i % MURK_WIDE]);
+            }
+        }
+        n = groups_of(n);
+    }
+}
+
+murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
+                              size_t n, murk_error *err)
+{
+    unsigned n_scans;
+    const murk_scan *const *scans = murk_scans(&n_scans);
+    murk_balls *b = calloc(1, sizeof *b);
+    bool is_there = b != NULL;
+    if (is_there && n > 0) {
+        b->scan = scans[n_scans - 1];
+        b->n = n;
+        b->ball = calloc(groups_of(n), sizeof *b->ball);
+        is_there = b->ball != NULL;
+        for (size_t boxes = groups_of(n); is_there; boxes = groups_of(boxes)) {
+            const size_t groups = groups_of(boxes);
+            murk_boxes *level =
+                aligned_alloc(ALIGNMENT, groups * sizeof *level);
+            is_there = level != NULL;
+            if (is_there) {
+                empty_boxes(level, groups);
+                b->boxes[b->levels++] = level;
+            }
+            if (groups == 1) {
+                break;
+            }
+        }
+    }
+    if (!is_there) {
+        murk_balls_destroy(b);
+        return murk_fail(err, MURK_NO_MEMORY, "render",
+                         "no memory for the kernels of %zu photons", n);
+    }
+    if (n > 0) {
+        fill(b, ball);
+    }
+    *out = b;
+    return MURK_OK;
+}
+
+void murk_balls_destroy(murk_balls *balls)
+{
+    if (balls) {
+        for (unsigned level = 0; level < balls->levels; ++level) {
+            free(balls->boxes[level]);
+        }
+        free(balls->ball);
+        free(balls);
+    }
+}
+
+typedef struct asking {
+    const murk_balls *balls;
+    murk_ball point; /* a ball without size */
+    murk_balls_told told;
+    void *context;
+} asking;
+
+static void look_at_sixteen(const asking *a, size_t group)
+{
+    const sixteen *s = &a->balls->ball[group];
+    const float x = a->point.center[0], y = a->point.center[1],
+                z = a->point.center[2];
+    float square[MURK_WIDE];
+    for (int i = 0; i < MURK_WIDE; ++i) {
+        const float dx = s->center[0][i] - x, dy = s->center[1][i] - y,
+                    dz = s->center[2][i] - z;
+        square[i] = ((dx * dx + dy * dy) + dz * dz) * s->per_square[i];
+    }
+    for (size_t i = 0; i < MURK_WIDE; ++i) {
+        if (square[i] < 1) {
+            a->told(a->context, group * MURK_WIDE + i, (double)square[i]);
+        }
+    }
+}
+
+static void look_in_group(const asking *a, unsigned level, size_t group)
+{
+    uint32_t whole;
+    uint32_t met = a->balls->scan->boxes(a->balls->boxes[level] + group,
+                                         &a->point, &whole);
+    for (; met; met &= met - 1) {
+        const size_t box = group * MURK_WIDE + (unsigned)__builtin_ctz(met);
+        if (level > 0) {
+            look_in_group(a, level - 1, box);
+        } else {
+            look_at_sixteen(a, box);
+        }
+    }
+}
+
+void murk_balls_at(const murk_balls *balls, murk_vec3 point,
+                   murk_balls_told told, void *context)
+{
+    const asking a = {
+        .balls = balls,
+        .point = {{(float)point.x, (float)point.y, (float)point.z}, 0},
+        .told = told,
+        .context = context};
+    const float *c = a.point.center;
+    if (balls->levels > 0 && isfinite(c[0]) && isfinite(c[1]) &&
+        isfinite(c[2])) {
+        look_in_group(&a, balls->levels - 1, 0);
+    }
+}

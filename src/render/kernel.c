@@ -1,0 +1,299 @@
+#include "render/kernel.h"
+
+#include "base/rng.h"
+#include "geometry/disc.h"
+#include "medium/interfaces.h"
+
+/* Less than this share of a kernel in sight is too little to be measured so: a
+ * corner between three walls leaves a quarter of a disc, an eighth of a
+ * ball. */
+#define LEAST_SHARE 0.1
+
+#define HALVINGS 10
+
+/* Cosine between two normals of one surface, which may be curved. */
+#define ALIKE 0.5
+
+/* What looks along a surface does so this high above it, as a share of the
+ * radius: over what is curved and over small steps. */
+#define EYE 0.25
+
+#define GOLDEN 0.6180339887498949
+
+/* From one probe of a ball to the next, so many shells: without a factor in
+ * common with how many there are, so that each has one. */
+#define SHELLS 29
+
+static murk_vec3 place_of(const murk_photon *photon)
+{
+    return murk_vec((double)photon->position_m[0],
+                    (double)photon->position_m[1],
+                    (double)photon->position_m[2]);
+}
+
+static murk_inside meshes_at(const murk_world *world, murk_vec3 place)
+{
+    return world->hulls ? murk_hulls_at(world->hulls, place) : 0;
+}
+
+static double index_at(const murk_scenery *scenery, murk_vec3 place)
+{
+    const murk_world *world = scenery->world;
+    return scenery->bends
+               ? murk_media_index(world->media,
+                                  meshes_at(world, place) |
+                                      murk_media_inside(world->media, place))
+               : 1;
+}
+
+static double scattering_at(const murk_world *world, int band, murk_vec3 place)
+{
+    return murk_media_scattering(world->media, band, meshes_at(world, place),
+                                 place);
+}
+
+murk_probing murk_probing_of(const murk_scenery *scenery, uint32_t seed)
+{
+    murk_probing p = {.scenery = scenery, .seed = seed};
+    for (int i = 0; i < MURK_PROBES; ++i) {
+        const double angle = 2 * MURK_PI * i * GOLDEN;
+        const double off = sqrt((i + 0.5) / MURK_PROBES);
+        p.disc[i][0] = off * cos(angle);
+        p.disc[i][1] = off * sin(angle);
+        const double mu = 1 - 2 * (i + 0.5) / MURK_PROBES;
+        const int shell = i * SHELLS % MURK_PROBES;
+        const double r = cbrt((shell + 0.5) / MURK_PROBES);
+        p.ball[i][0] = r * sqrt(1 - mu * mu) * cos(angle);
+        p.ball[i][1] = r * sqrt(1 - mu * mu) * sin(angle);
+        p.ball[i][2] = r * mu;
+    }
+    return p;
+}
+
+/* ---- on surfaces ---- */
+
+/* From a record's eye to above the place, and down to it. */
+static bool sees_surface(const murk_scenery *scenery, murk_vec3 from,
+                         murk_vec3 up, double eye_m, murk_vec3 place)
+{
+    const murk_surfaces *surfaces = scenery->world->surfaces;
+    const murk_vec3 way = murk_sub(place, from);
+    const double height = murk_dot(way, up);
+    const murk_vec3 eye = murk_along(from, eye_m, up);
+    const murk_vec3 above = murk_along(place, eye_m - height, up);
+    return height < eye_m &&
+           !murk_surfaces_blocked(surfaces, eye, above, false) &&
+           !murk_surfaces_blocked(surfaces, above, place, false);
+}
+
+/* Share of the kernel's mass in sight, for a flat disc's. */
+static double share_on_surface(const murk_probing *probing, murk_vec3 from,
+                               murk_vec3 up, const murk_kernel *kernel,
+                               double turn)
+{
+    const murk_scenery *scenery = probing->scenery;
+    const murk_world *world = scenery->world;
+    const double r = kernel->radius_m, eye_m = EYE * r;
+    const murk_vec3 eye = murk_along(from, eye_m, up);
+    const murk_vec3 down = murk_scale(-1, up);
+    murk_vec3 t, b, above[MURK_PROBES];
+    murk_frame(up, &t, &b);
+    const double c = r * cos(2 * MURK_PI * turn),
+                 s = r * sin(2 * MURK_PI * turn);
+    for (int i = 0; i < MURK_PROBES; ++i) {
+        const double *at = probing->disc[i];
+        above[i] = murk_along(murk_along(eye, c * at[0] - s * at[1], t),
+                              s * at[0] + c * at[1], b);
+    }
+    bool hidden[MURK_PROBES] = {false};
+    if (kernel->is_cut) {
+        if (murk_surfaces_blocked(world->surfaces, from, eye, false)) {
+            return 0;
+        }
+        murk_surfaces_blocked_many(world->surfaces, above, MURK_PROBES, eye,
+                                   false, hidden);
+    }
+    double sum = 0, whole = 0;
+    for (int i = 0; i < MURK_PROBES; ++i) {
+        const double *at = probing->disc[i];
+        const double square = at[0] * at[0] + at[1] * at[1];
+        whole += 1 - square;
+        murk_hit hit = {.distance_m = eye_m, .normal = up};
+        if (hidden[i] ||
+            (kernel->is_cut && !murk_surfaces_hit(world->surfaces, above[i],
+                                                  down, eye_m + r, &hit))) {
+            continue;
+        }
+        const double height = eye_m - hit.distance_m;
+        const double far = square + height * height / (r * r);
+        const double cosine = murk_dot(hit.normal, up);
+        const murk_vec3 place = murk_along(above[i], hit.distance_m, down);
+        if (far < 1 && cosine > ALIKE &&
+            murk_box_contains(&world->domain.box, place) &&
+            index_at(scenery, murk_along(place, scenery->margin_m,
+                                         hit.normal)) == kernel->index) {
+            sum += (1 - far) / cosine;
+        }
+    }
+    return sum / whole;
+}
+
+static bool is_within(const murk_box *box, murk_vec3 p, murk_vec3 reach)
+{
+    return murk_box_contains(box, murk_sub(p, reach)) &&
+           murk_box_contains(box, murk_add(p, reach));
+}
+
+/* As far as a disc reaches along the axes. */
+static murk_vec3 reach_of(murk_vec3 up, double radius)
+{
+    return murk_vec(radius * sqrt(fmax(0, 1 - up.x * up.x)),
+                    radius * sqrt(fmax(0, 1 - up.y * up.y)),
+                    radius * sqrt(fmax(0, 1 - up.z * up.z)));
+}
+
+static murk_kernel on_surface(const murk_probing *probing,
+                              const murk_photon *photon, double radius_m,
+                              double turn)
+{
+    const murk_scenery *scenery = probing->scenery;
+    const murk_world *world = scenery->world;
+    const murk_vec3 from = place_of(photon);
+    const murk_vec3 up = murk_direction_unpack(photon->normal);
+    murk_kernel kernel = {
+        .radius_m = radius_m,
+        .index = index_at(scenery, murk_along(from, scenery->margin_m, up))};
+    double share = 1;
+    kernel.is_cut =
+        !is_within(&world->domain.box, from, reach_of(up, radius_m)) ||
+        !murk_surfaces_fill_disc(world->surfaces, from, up, radius_m);
+    for (int i = 0; (kernel.is_cut || scenery->bends) && i < HALVINGS; ++i) {
+        share = share_on_surface(probing, from, up, &kernel, turn);
+        if (share >= LEAST_SHARE) {
+            break;
+        }
+        kernel.radius_m /= 2;
+        share = 1;
+    }
+    kernel.mass = share * MURK_PI / 2 * kernel.radius_m * kernel.radius_m;
+    return kernel;
+}
+
+/* ---- in media ---- */
+
+/* A frame turned by chance (by Shoemake's even rotations: Graphics Gems III,
+ * 1992, p. 124). */
+static void turned_frame(const double u[3], murk_vec3 axis[3])
+{
+    const double a = sqrt(1 - u[0]), b = sqrt(u[0]);
+    const double x = a * sin(2 * MURK_PI * u[1]),
+                 y = a * cos(2 * MURK_PI * u[1]);
+    const double z = b * sin(2 * MURK_PI * u[2]),
+                 w = b * cos(2 * MURK_PI * u[2]);
+    axis[0] = murk_vec(1 - 2 * (y * y + z * z), 2 * (x * y + w * z),
+                       2 * (x * z - w * y));
+    axis[1] = murk_vec(2 * (x * y - w * z), 1 - 2 * (x * x + z * z),
+                       2 * (y * z + w * x));
+    axis[2] = murk_vec(2 * (x * z + w * y), 2 * (y * z - w * x),
+                       1 - 2 * (x * x + y * y));
+}
+
+/* Mean of the scattering coefficient over the kernel where it is in sight;
+ * *share: how much of the kernel that is and where it scatters at all. */
+static double mean_scattering(const murk_probing *probing, int band,
+                              murk_vec3 from, const murk_kernel *kernel,
+                              const murk_vec3 axis[3], double *share)
+{
+    const murk_scenery *scenery = probing->scenery;
+    const murk_world *world = scenery->world;
+    const double r = kernel->radius_m;
+    murk_vec3 place[MURK_PROBES];
+    for (int i = 0; i < MURK_PROBES; ++i) {
+        const double *at = probing->ball[i];
+        place[i] = murk_along(murk_along(murk_along(from, r * at[0], axis[0]),
+                                         r * at[1], axis[1]),
+                              r * at[2], axis[2]);
+    }
+    bool hidden[MURK_PROBES] = {false};
+    if (kernel->is_cut) {
+        murk_surfaces_blocked_many(world->surfaces, place, MURK_PROBES, from,
+                                   false, hidden);
+    }
+    double sum = 0, whole = 0, there = 0;
+    for (int i = 0; i < MURK_PROBES; ++i) {
+        const double *at = probing->ball[i];
+        const double weight =
+            1 - (at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+        whole += weight;
+        if (hidden[i] || !murk_box_contains(&world->domain.box, place[i]) ||
+            index_at(scenery, place[i]) != kernel->index) {
+            continue;
+        }
+        const double scattering = scattering_at(world, band, place[i]);
+        sum += weight * scattering;
+        there += scattering > 0 ? weight : 0;
+    }
+    *share = there / whole;
+    return sum / whole;
+}
+
+static murk_kernel in_medium(const murk_probing *probing,
+                             const murk_photon *photon, double radius_m,
+                             const double u[3])
+{
+    const murk_scenery *scenery = probing->scenery;
+    murk_vec3 axis[3];
+    turned_frame(u, axis);
+    const murk_vec3 from = place_of(photon);
+    murk_kernel kernel = {.radius_m = radius_m,
+                          .index = index_at(scenery, from)};
+    kernel.is_cut =
+        scenery->any_surfaces &&
+        murk_surfaces_near(scenery->world->surfaces, from, radius_m);
+    double mean = 0, share = 0;
+    for (int i = 0; i < HALVINGS; ++i) {
+        mean =
+            mean_scattering(probing, photon->band, from, &kernel, axis, &share);
+        if (share >= LEAST_SHARE) {
+            break;
+        }
+        kernel.radius_m /= 2;
+    }
+    if (!(share >= LEAST_SHARE)) {
+        mean = scattering_at(scenery->world, photon->band, from);
+    }
+    const double r = kernel.radius_m;
+    kernel.mass = mean * 8 * MURK_PI / 15 * r * r * r;
+    return kernel;
+}
+
+murk_kernel murk_kernel_of(const murk_probing *probing,
+                           const murk_photon *photon, double radius_m,
+                           uint64_t number)
+{
+    const murk_random4 turn = murk_random(probing->seed, MURK_KERNEL, number,
+                                          photon->kind, photon->band);
+    return murk_photon_is_volume(photon)
+               ? in_medium(probing, photon, radius_m, turn.u)
+               : on_surface(probing, photon, radius_m, turn.u[0]);
+}
+
+bool murk_kernel_holds(const murk_scenery *scenery, const murk_photon *photon,
+                       const murk_kernel *kernel, murk_vec3 place,
+                       murk_vec3 normal, double index)
+{
+    const bool is_volume = murk_photon_is_volume(photon);
+    const murk_vec3 up = murk_direction_unpack(photon->normal);
+    if ((!is_volume && murk_dot(up, normal) <= ALIKE) ||
+        (scenery->bends && index != kernel->index)) {
+        return false;
+    }
+    if (!kernel->is_cut) {
+        return true;
+    }
+    const murk_vec3 from = place_of(photon);
+    return is_volume
+               ? !murk_surfaces_blocked(scenery->world->surfaces, from, place,
+                                        false)
+               : sees_surface(scenery, from, up, EYE * kernel->radius_m, place);
+}

@@ -1,0 +1,296 @@
+/* Pictures by maps, by maps alone and by paths: one radiance, three ways.
+ *
+ * In four scenes, a hall in smoke, a foggy room, a tank of water with a ball of
+ * glass above it, and fog under sun and sky, the mean over the picture of maps
+ * less paths is less than 2 % of the mean, in excess of what both say of their
+ * errors. In the room, errors fall with the number of photons, and are no more
+ * than they say. Paths agree with paths of another seed, pixel by pixel.
+ *
+ * Quick: 100,000 photons, and the means by paths are told: those of the nightly
+ * form, which takes 1,000,000 photons and finds the means again.
+ *
+ * The z-tests share a 1e-6 chance of a false alarm (Sidak). */
+#include "base/stats.h"
+#include "check.h"
+#include "render/render.h"
+#include "stage_text.h"
+#include "study/light.h"
+
+#include <stdlib.h>
+
+#define WIDTH  32
+#define HEIGHT 24
+#define PIXELS (WIDTH * HEIGHT)
+#define ZTESTS (2 * PIXELS + 40)
+
+/* Most that maps may be off, as a share of the mean. */
+#define BIAS 0.02
+
+static double limit;
+static bool is_nightly;
+
+static const char ROOM[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
+    "geometry:\n"
+    "  - {box: {min_m: [0, 0, 0], max_m: [4, 4, 3]}, material: wall}\n"
+    "  - {box: {min_m: [2, 1, 0], max_m: [3, 2, 1]}, material: crate}\n"
+    "materials:\n"
+    "  wall: {diffuse: 0.6}\n"
+    "  crate: {diffuse: 0.3}\n"
+    "media: {fog: {extinction_per_m: 0.2, albedo: 0.9, phase: {hg: 0.3}}}\n"
+    "regions: [{medium: fog}]\n"
+    "lights:\n"
+    "  - {type: sphere, center_m: [1, 3, 2.5], radius_m: 0.2, power_w: 50}\n";
+
+static const char TANK[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
+    "geometry:\n"
+    "  - {box: {min_m: [0, 0, 0], max_m: [4, 4, 3]}, material: wall}\n"
+    "  - {box: {min_m: [2.2, 1, 0], max_m: [3.2, 2, 0.8]}, material: crate}\n"
+    "  - {sphere: {center_m: [1.4, 2.4, 1.9], radius_m: 0.35},\n"
+    "     material: glass}\n"
+    "materials:\n"
+    "  wall: {diffuse: 0.5}\n"
+    "  crate: {diffuse: 0.3, specular: 0.2}\n"
+    "  glass: {transmit: 1, ior: 1.5}\n"
+    "media: {water: {extinction_per_m: 0.4, albedo: 0.8, phase: {hg: 0.8}}}\n"
+    "regions:\n"
+    "  - {medium: water, box: {min_m: [0, 0, 0], max_m: [4, 4, 1.2]},\n"
+    "     ior: 1.34}\n"
+    "lights:\n"
+    "  - {type: rect, corner_m: [0.2, 0.2, 2.99], edge1_m: [0, 3.6, 0],\n"
+    "     edge2_m: [3.6, 0, 0], power_w: 50}\n";
+
+static const char FOG[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, -0.1], max_m: [20, 20, 10], sides: periodic}\n"
+    "geometry:\n"
+    "  - {rect: {corner_m: [0, 0, 0], edge1_m: [20, 0, 0],\n"
+    "            edge2_m: [0, 20, 0]}, material: wall}\n"
+    "  - {box: {min_m: [8, 8, -0.01], max_m: [11, 11, 3]}, material: wall}\n"
+    "materials: {wall: {diffuse: 0.4}}\n"
+    "media: {fog: {extinction_per_m: 0.1, albedo: 1, phase: {hg: 0.8}}}\n"
+    "regions: [{medium: fog}]\n"
+    "site: {latitude_deg: 52, longitude_deg: 5, time_zone: \"+02:00\",\n"
+    "       date: 2026-06-21, clock: \"11:00\"}\n"
+    "lights:\n"
+    "  - {type: sun, irradiance_w_per_m2: 600}\n"
+    "  - {type: sky, irradiance_w_per_m2: 150}\n";
+
+typedef struct view {
+    const char *name;
+    const char *yaml, *path; /* of the scene: one of them */
+    double mean, error;      /* radiance by paths, of the nightly form */
+    murk_vec3 from, to;
+    size_t samples; /* by maps, of a pixel */
+} view;
+
+static const view subjects[] = {
+    {"hall",
+     NULL,
+     "scenes/smoke-hall.yaml",
+     1,
+     1,
+     {27.5, 2.5, 4},
+     {19, 8, 0.5},
+     96},
+    {"room", ROOM, NULL, 1, 1, {0.5, 3.5, 1.6}, {3, 1, 0.5}, 96},
+    {"tank", TANK, NULL, 1, 1, {0.3, 0.4, 2.3}, {3, 2.4, 0.8}, 192},
+    {"fog", FOG, NULL, 1, 1, {1, 3, 2}, {10, 10, 2.5}, 96},
+};
+
+static murk_stage *made(const view *v)
+{
+    murk_stage *stage = NULL;
+    if (v->yaml) {
+        stage = stage_text_create(v->yaml, NULL);
+    } else {
+        murk_error err = {0};
+        murk_scene *scene = NULL;
+        if (murk_scene_read(&scene, v->path, NULL, 0, &err) ||
+            murk_stage_create(&stage, scene, &err)) {
+            printf("%s: %s\n", err.where, err.text);
+        }
+    }
+    if (!stage) {
+        exit(1);
+    }
+    return stage;
+}
+
+static murk_traced *lit(const murk_stage *stage, uint64_t photons)
+{
+    /* the stage is the test's own */
+    murk_scene *scene = (murk_scene *)(uintptr_t)stage->scene;
+    scene->photons.emit = photons;
+    murk_error err = {0};
+    murk_traced *traced = NULL;
+    if (murk_light_trace(&traced, stage, 0, 2, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        exit(1);
+    }
+    return traced;
+}
+
+static murk_picture *taken(const view *v, const murk_stage *stage,
+                           const murk_traced *traced, murk_render_method method,
+                           size_t samples, uint32_t seed)
+{
+    murk_trace trace = murk_stage_trace(stage);
+    trace.seed = seed;
+    const murk_render render = {.trace = &trace,
+                                .camera = murk_camera_look(v->from, v->to,
+                                                           murk_vec(0, 0, 1), 1,
+                                                           WIDTH, HEIGHT),
+                                .samples = samples,
+                                .method = method,
+                                .surface = traced ? traced->surface : NULL,
+                                .volume = traced ? traced->volume : NULL,
+                                .nearest = MURK_RENDER_NEAREST,
+                                .from_nm = {550},
+                                .to_nm = {550},
+                                .threads = 2};
+    murk_error err = {0};
+    murk_picture *picture = NULL;
+    if (murk_render_run(&picture, &render, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        exit(1);
+    }
+    return picture;
+}
+
+/* What a picture's mean is off by, beyond its error and that of the truth, as
+ * a share. */
+static double off_by(const murk_picture *picture, double mean, double error)
+{
+    const double all = hypot(picture->mean_error[0], error);
+    return fmax(0, fabs(picture->mean[0] - mean) - limit * all) / mean;
+}
+
+/* Teeth: a truth that is an eighth off is not met. */
+static void check_maps(const view *v, const char *name, const murk_picture *map)
+{
+    printf("%s, %s: %+.4f +- %.4f\n", v->name, name, map->mean[0] / v->mean - 1,
+           hypot(map->mean_error[0], v->error) / v->mean);
+    CHECK(off_by(map, v->mean, v->error) < BIAS);
+    CHECK(off_by(map, v->mean * 1.125, v->error) >= BIAS);
+    CHECK(off_by(map, v->mean * 0.875, v->error) >= BIAS);
+    CHECK(map->lost == 0);
+}
+
+static void test_three_ways_agree(const view *v)
+{
+    murk_stage *stage = made(v);
+    murk_picture *path =
+        taken(v, stage, NULL, MURK_BY_PATHS, is_nightly ? 6000 : 16, 1);
+    printf("%s, paths: %.6g +- %.2g, told %.6g +- %.2g\n", v->name,
+           path->mean[0], path->mean_error[0], v->mean, v->error);
+    CHECK_WITHIN(limit, path->mean[0], v->mean,
+                 hypot(path->mean_error[0], v->error));
+    CHECK(path->lost == 0);
+    murk_picture_destroy(path);
+    murk_traced *traced = lit(stage, is_nightly ? 1000000 : 100000);
+    murk_picture *maps = taken(v, stage, traced, MURK_BY_MAPS,
+                               v->samples * (is_nightly ? 8 : 1), 2);
+    check_maps(v, "maps", maps);
+    murk_picture *alone = taken(v, stage, traced, MURK_BY_MAPS_ONLY,
+                                v->samples * (is_nightly ? 8 : 1), 2);
+    check_maps(v, "maps alone", alone);
+    murk_picture_destroy(maps);
+    murk_picture_destroy(alone);
+    murk_traced_destroy(traced);
+    stage_text_destroy(stage);
+}
+
+/* Of two pictures' pixels. */
+typedef struct compared {
+    double worst;   /* largest |z| */
+    double mean;    /* of z, in its own standard error */
+    double squares; /* mean of z squared */
+    double off;     /* mean square of what they differ by */
+} compared;
+
+static compared compare(const murk_picture *a, const murk_picture *b,
+                        double brighter, double surer)
+{
+    compared c = {0};
+    for (size_t i = 0; i < PIXELS; ++i) {
+        const double off =
+            brighter * (double)a->radiance[0][i] - (double)b->radiance[0][i];
+        const double z =
+            off / hypot((double)a->error[0][i], (double)b->error[0][i]) * surer;
+        c.worst = fmax(c.worst, fabs(z));
+        c.mean += z / sqrt(PIXELS);
+        c.squares += z * z / PIXELS;
+        c.off += off * off / PIXELS;
+    }
+    return c;
+}
+
+/* z of the mean of PIXELS squares of normal numbers. */
+static double z_of_squares(double squares)
+{
+    return (squares - 1) * sqrt(PIXELS / 2.0);
+}
+
+static bool is_like(compared c)
+{
+    return c.worst < limit && fabs(c.mean) < limit &&
+           fabs(z_of_squares(c.squares)) < limit;
+}
+
+static void test_paths_agree_with_other_seeds(void)
+{
+    const view *room = &subjects[1];
+    murk_stage *stage = made(room);
+    murk_picture *a = taken(room, stage, NULL, MURK_BY_PATHS, 400, 3);
+    murk_picture *b = taken(room, stage, NULL, MURK_BY_PATHS, 400, 4);
+    const compared c = compare(a, b, 1, 1);
+    printf("paths, seed by seed: worst %.2f, mean %.2f, squares %.3f\n",
+           c.worst, c.mean, c.squares);
+    CHECK(is_like(c));
+    CHECK(!is_like(compare(a, b, 1.01, 1))); /* 1 % brighter */
+    CHECK(!is_like(compare(a, b, 1, 2)));    /* errors halved */
+    murk_picture_destroy(a);
+    murk_picture_destroy(b);
+    stage_text_destroy(stage);
+}
+
+/* Four times the photons have half the error, to what rays leave of it: by less
+ * than a factor 1.4 no error has halved. What pixels say of their errors is not
+ * too little. */
+static void test_errors_fall_with_photons(void)
+{
+    const view *room = &subjects[1];
+    murk_stage *stage = made(room);
+    murk_picture *path = taken(room, stage, NULL, MURK_BY_PATHS, 800, 1);
+    double before = INFINITY;
+    for (uint64_t photons = 2500; photons <= 160000; photons *= 8) {
+        murk_traced *traced = lit(stage, photons);
+        murk_picture *map =
+            taken(room, stage, traced, MURK_BY_MAPS_ONLY, 16, 2);
+        const compared c = compare(map, path, 1, 1);
+        printf("%6.0f photons: off by %.4f of the mean, z squared %.3f\n",
+               (double)photons, sqrt(c.off) / path->mean[0], c.squares);
+        CHECK(sqrt(c.off) < before / 1.4);
+        before = sqrt(c.off);
+        murk_picture_destroy(map);
+        murk_traced_destroy(traced);
+    }
+    murk_picture_destroy(path);
+    stage_text_destroy(stage);
+}
+
+int main(int argc, char **argv)
+{
+    limit = murk_sidak_limit(1e-6, ZTESTS);
+    is_nightly = argc > 1 && strcmp(argv[1], "nightly") == 0;
+    for (size_t i = 0; i < sizeof subjects / sizeof *subjects; ++i) {
+        test_three_ways_agree(&subjects[i]);
+    }
+    test_paths_agree_with_other_seeds();
+    test_errors_fall_with_photons();
+    return check_done();
+}
