@@ -80,8 +80,9 @@ static murk_status take_picture(job *j, murk_error *err)
     murk_render render = {.trace = &trace,
                           .camera = j->viewpoint.camera,
                           .samples = j->viewpoint.samples,
-                          .method = j->options->by_path ? MURK_BY_PATHS
-                                                        : MURK_BY_MAPS,
+                          .method = j->options->by_path     ? MURK_BY_PATHS
+                                    : j->options->maps_only ? MURK_BY_MAPS_ONLY
+                                                            : MURK_BY_MAPS,
                           .surface = s->traced ? s->traced->surface : NULL,
                           .volume = s->traced ? s->traced->volume : NULL,
                           .nearest = MURK_RENDER_NEAREST,
@@ -107,10 +108,12 @@ static murk_status take_picture(job *j, murk_error *err)
 
 static const char *method_of(const job *j)
 {
-    return j->options->by_path
-               ? "path: path tracing with shadow rays"
-               : "maps: shadow rays, and density estimate over the nearest "
-                 "records";
+    return j->options->by_path ? "path: path tracing with shadow rays"
+           : j->options->maps_only
+               ? "maps-only: density estimate over records of all events"
+               : "maps: shadow rays, and density estimate over records of "
+                 "later "
+                 "events";
 }
 
 static murk_status write_images(job *j, murk_error *err)
@@ -136,18 +139,14 @@ static bool is_all_round(const job *j)
 static void print_radiance(const job *j, int b)
 {
     const murk_picture *p = j->picture;
-    /* Of the records' noise the pixels have their share, which they have in
-     * common. */
-    const char *rays = j->options->by_path ? "" : " (error of the rays alone)";
-    murk_print(
-        "radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over the %s%s\n",
-        j->session.scene->band_nm[b], p->mean[b], p->mean_error[b],
-        is_all_round(j) ? "sphere" : "picture's pixels", rays);
+    murk_print("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over the %s\n",
+               j->session.scene->band_nm[b], p->mean[b], p->mean_error[b],
+               is_all_round(j) ? "sphere" : "picture's pixels");
     if (is_all_round(j)) {
         murk_print("irradiance  %.7g nm: %.4g +- %.2g W/m2, scalar, where the "
-                   "camera stands%s\n",
+                   "camera stands\n",
                    j->session.scene->band_nm[b], 4 * MURK_PI * p->mean[b],
-                   4 * MURK_PI * p->mean_error[b], rays);
+                   4 * MURK_PI * p->mean_error[b]);
     }
 }
 
@@ -235,7 +234,9 @@ static cJSON *facts_json(const job *j)
     murk_json_number(root, "heading_deg", v->heading_deg);
     murk_json_number(root, "tilt_deg", v->tilt_deg);
     cJSON_AddStringToObject(root, "method",
-                            j->options->by_path ? "path" : "maps");
+                            j->options->by_path     ? "path"
+                            : j->options->maps_only ? "maps-only"
+                                                    : "maps");
     cJSON *pixels = cJSON_AddArrayToObject(root, "pixels");
     cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->width));
     cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->height));

@@ -74,9 +74,10 @@ const murk_option murk_option_table[] = {
      "fit nothing: predict the data at the values of a finished fit"},
     {MURK_OPTION_CAMERA, "--camera", NULL, "NAME", "render",
      "which of the scene's cameras; default: the first"},
-    {MURK_OPTION_METHOD, "--method", NULL, "maps|path", "render",
+    {MURK_OPTION_METHOD, "--method", NULL, "maps|path|maps-only", "render",
      "maps (default): direct light by shadow rays, all other from the photon "
-     "maps; path: path tracing, which needs no photons and has no bias"},
+     "maps; maps-only: direct light, too; path: path tracing, which needs no "
+     "photons"},
     {MURK_OPTION_FROM_SENSOR, "--from-sensor", NULL, "N", "render",
      "stand where sensor N of --sensors does, from 1: a hfov x vfov view as it "
      "is, all others all round with the way they look in the middle; pixels "

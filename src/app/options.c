@@ -34,7 +34,7 @@ static murk_status apply(murk_options *out, const murk_option *option,
                          const char *value, murk_error *err)
 {
     static const char *const formats[] = {"text", "json", NULL};
-    static const char *const methods[] = {"maps", "path", NULL};
+    static const char *const methods[] = {"maps", "path", "maps-only", NULL};
     static const char *const progresses[] = {"never", "auto", "always", NULL};
     const char *name = option->name;
     murk_status status = MURK_OK;
@@ -112,6 +112,7 @@ static murk_status apply(murk_options *out, const murk_option *option,
     case MURK_OPTION_METHOD:
         status = murk_option_choice(name, value, methods, &which, err);
         out->by_path = which == 1;
+        out->maps_only = which == 2;
         break;
     case MURK_OPTION_FROM_SENSOR:
     case MURK_OPTION_PIXELS:

@@ -74,6 +74,7 @@ struct murk_options {
     const char *matrix;  /* --matrix */
     const char *camera;  /* --camera */
     bool by_path;        /* --method path */
+    bool maps_only;      /* --method maps-only */
     const char *profile; /* --profile; with it: */
     const char *column, *rows, *width;
     const char *voxel; /* --voxel, of a profile's grid and of --export */

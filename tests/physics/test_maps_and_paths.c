@@ -21,7 +21,7 @@
 #define WIDTH  32
 #define HEIGHT 24
 #define PIXELS (WIDTH * HEIGHT)
-#define ZTESTS (2 * PIXELS + 40)
+#define ZTESTS (PIXELS + 40)
 
 /* Most that maps may be off, as a share of the mean. */
 #define BIAS 0.02
@@ -79,6 +79,24 @@ static const char FOG[] =
     "  - {type: sun, irradiance_w_per_m2: 600}\n"
     "  - {type: sky, irradiance_w_per_m2: 150}\n";
 
+/* All walls shine, so that paths have little noise. */
+static const char LANTERN[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [4, 4, 4]}\n"
+    "geometry:\n"
+    "  - {box: {min_m: [0, 0, 0], max_m: [4, 4, 4]}, material: wall}\n"
+    "  - {box: {min_m: [2, 1, 0], max_m: [3, 2, 1]}, material: wall}\n"
+    "materials: {wall: {diffuse: 0.3}}\n"
+    "lights:\n"
+    "  - {type: rect, corner_m: [0, 0, 0], edge1_m: [4, 0, 0],\n"
+    "     edge2_m: [0, 4, 0], power_w: 16}\n"
+    "  - {type: rect, corner_m: [0, 0, 4], edge1_m: [0, 4, 0],\n"
+    "     edge2_m: [4, 0, 0], power_w: 16}\n"
+    "  - {type: rect, corner_m: [0, 0, 0], edge1_m: [0, 4, 0],\n"
+    "     edge2_m: [0, 0, 4], power_w: 16}\n"
+    "  - {type: rect, corner_m: [4, 0, 0], edge1_m: [0, 0, 4],\n"
+    "     edge2_m: [0, 4, 0], power_w: 16}\n";
+
 typedef struct view {
     const char *name;
     const char *yaml, *path; /* of the scene: one of them */
@@ -87,18 +105,35 @@ typedef struct view {
     size_t samples; /* by maps, of a pixel */
 } view;
 
-static const view subjects[] = {
-    {"hall",
-     NULL,
-     "scenes/smoke-hall.yaml",
-     1,
-     1,
-     {27.5, 2.5, 4},
-     {19, 8, 0.5},
-     96},
-    {"room", ROOM, NULL, 1, 1, {0.5, 3.5, 1.6}, {3, 1, 0.5}, 96},
-    {"tank", TANK, NULL, 1, 1, {0.3, 0.4, 2.3}, {3, 2.4, 0.8}, 192},
-    {"fog", FOG, NULL, 1, 1, {1, 3, 2}, {10, 10, 2.5}, 96},
+static const view views[] = {
+    {.name = "hall",
+     .path = "scenes/smoke-hall.yaml",
+     .mean = 0.108844,
+     .error = 0.00044,
+     .from = {27.5, 2.5, 4},
+     .to = {19, 8, 0.5},
+     .samples = 96},
+    {.name = "room",
+     .yaml = ROOM,
+     .mean = 0.258573,
+     .error = 0.00026,
+     .from = {0.5, 3.5, 1.6},
+     .to = {3, 1, 0.5},
+     .samples = 16},
+    {.name = "tank",
+     .yaml = TANK,
+     .mean = 0.171086,
+     .error = 0.00016,
+     .from = {0.3, 0.4, 2.3},
+     .to = {3, 2.4, 0.8},
+     .samples = 32},
+    {.name = "fog",
+     .yaml = FOG,
+     .mean = 99.9396,
+     .error = 0.083,
+     .from = {1, 3, 2},
+     .to = {10, 10, 2.5},
+     .samples = 32},
 };
 
 static murk_stage *made(const view *v)
@@ -169,14 +204,15 @@ static double off_by(const murk_picture *picture, double mean, double error)
     return fmax(0, fabs(picture->mean[0] - mean) - limit * all) / mean;
 }
 
-/* Teeth: a truth that is an eighth off is not met. */
+/* Teeth: another truth is not met. */
 static void check_maps(const view *v, const char *name, const murk_picture *map)
 {
     printf("%s, %s: %+.4f +- %.4f\n", v->name, name, map->mean[0] / v->mean - 1,
            hypot(map->mean_error[0], v->error) / v->mean);
     CHECK(off_by(map, v->mean, v->error) < BIAS);
-    CHECK(off_by(map, v->mean * 1.125, v->error) >= BIAS);
-    CHECK(off_by(map, v->mean * 0.875, v->error) >= BIAS);
+    const double other = is_nightly ? 1.1 : 1.4;
+    CHECK(off_by(map, v->mean * other, v->error) >= BIAS);
+    CHECK(off_by(map, v->mean / other, v->error) >= BIAS);
     CHECK(map->lost == 0);
 }
 
@@ -209,7 +245,6 @@ typedef struct compared {
     double worst;   /* largest |z| */
     double mean;    /* of z, in its own standard error */
     double squares; /* mean of z squared */
-    double off;     /* mean square of what they differ by */
 } compared;
 
 static compared compare(const murk_picture *a, const murk_picture *b,
@@ -224,7 +259,6 @@ static compared compare(const murk_picture *a, const murk_picture *b,
         c.worst = fmax(c.worst, fabs(z));
         c.mean += z / sqrt(PIXELS);
         c.squares += z * z / PIXELS;
-        c.off += off * off / PIXELS;
     }
     return c;
 }
@@ -243,13 +277,15 @@ static bool is_like(compared c)
 
 static void test_paths_agree_with_other_seeds(void)
 {
-    const view *room = &subjects[1];
-    murk_stage *stage = made(room);
-    murk_picture *a = taken(room, stage, NULL, MURK_BY_PATHS, 400, 3);
-    murk_picture *b = taken(room, stage, NULL, MURK_BY_PATHS, 400, 4);
+    const view lantern = {
+        .yaml = LANTERN, .from = {0.5, 3.5, 1.6}, .to = {3, 1, 0.5}};
+    murk_stage *stage = made(&lantern);
+    murk_picture *a = taken(&lantern, stage, NULL, MURK_BY_PATHS, 250, 3);
+    murk_picture *b = taken(&lantern, stage, NULL, MURK_BY_PATHS, 250, 4);
     const compared c = compare(a, b, 1, 1);
-    printf("paths, seed by seed: worst %.2f, mean %.2f, squares %.3f\n",
-           c.worst, c.mean, c.squares);
+    printf("paths, seed by seed: worst %.2f, mean %.2f (1 %% brighter: %.2f), "
+           "squares %.3f\n",
+           c.worst, c.mean, compare(a, b, 1.01, 1).mean, c.squares);
     CHECK(is_like(c));
     CHECK(!is_like(compare(a, b, 1.01, 1))); /* 1 % brighter */
     CHECK(!is_like(compare(a, b, 1, 2)));    /* errors halved */
@@ -258,28 +294,26 @@ static void test_paths_agree_with_other_seeds(void)
     stage_text_destroy(stage);
 }
 
-/* Four times the photons have half the error, to what rays leave of it: by less
- * than a factor 1.4 no error has halved. What pixels say of their errors is not
- * too little. */
+/* Sixteen times the photons leave a quarter of the mean's error, what rays add
+ * to it, and what chance does to so few groups of photons: two thirds at most.
+ * What a mean is off by is within what it says. */
 static void test_errors_fall_with_photons(void)
 {
-    const view *room = &subjects[1];
+    const view *room = &views[1];
     murk_stage *stage = made(room);
-    murk_picture *path = taken(room, stage, NULL, MURK_BY_PATHS, 800, 1);
     double before = INFINITY;
-    for (uint64_t photons = 2500; photons <= 160000; photons *= 8) {
+    for (uint64_t photons = 500; photons <= 128000; photons *= 16) {
         murk_traced *traced = lit(stage, photons);
         murk_picture *map =
-            taken(room, stage, traced, MURK_BY_MAPS_ONLY, 16, 2);
-        const compared c = compare(map, path, 1, 1);
-        printf("%6.0f photons: off by %.4f of the mean, z squared %.3f\n",
-               (double)photons, sqrt(c.off) / path->mean[0], c.squares);
-        CHECK(sqrt(c.off) < before / 1.4);
-        before = sqrt(c.off);
+            taken(room, stage, traced, MURK_BY_MAPS_ONLY, 24, 2);
+        printf("%6.0f photons: %+.4f +- %.4f\n", (double)photons,
+               map->mean[0] / room->mean - 1, map->mean_error[0] / room->mean);
+        CHECK_WITHIN(limit, map->mean[0], room->mean, map->mean_error[0]);
+        CHECK(map->mean_error[0] < before / 1.5);
+        before = map->mean_error[0];
         murk_picture_destroy(map);
         murk_traced_destroy(traced);
     }
-    murk_picture_destroy(path);
     stage_text_destroy(stage);
 }
 
@@ -287,8 +321,8 @@ int main(int argc, char **argv)
 {
     limit = murk_sidak_limit(1e-6, ZTESTS);
     is_nightly = argc > 1 && strcmp(argv[1], "nightly") == 0;
-    for (size_t i = 0; i < sizeof subjects / sizeof *subjects; ++i) {
-        test_three_ways_agree(&subjects[i]);
+    for (size_t i = 0; i < sizeof views / sizeof *views; ++i) {
+        test_three_ways_agree(&views[i]);
     }
     test_paths_agree_with_other_seeds();
     test_errors_fall_with_photons();
