@@ -169,6 +169,11 @@ static void write_notes(FILE *to, const murk_view_data *data)
                 data->mesh.asked, data->mesh.triangles);
     }
     note_media(to, data);
+    if (data->scene->stage && data->scene->stage->world.domain.is_periodic) {
+        fputs("The scene repeats at its sides in x and y: what a sensor sees "
+              "across a side is drawn where it lies in here. ",
+              to);
+    }
     if (data->scene->is_study) {
         fputs("Surfaces, lamps and media are those of the study's base scene. ",
               to);

@@ -12,9 +12,9 @@ import {
 } from "three";
 import { bytes } from "./data.js";
 
-// Of lines of sight through the cloud, level ones at half of which are deeper:
-// what is deeper in truth is thinned to it.
-const DEPTH = 0.35;
+// What level lines of sight through the cloud dim, in the mean; clouds that
+// would dim more are thinned to it.
+const DIMMED = 0.32;
 const STEPS = 72;
 
 export class Medium {
@@ -64,8 +64,8 @@ void main() {
   if (color.a < 0.004) discard;
 }`;
 
-// Optical depth of level lines of sight, from side to side: half are deeper.
-function usualDepth(medium, extent) {
+// Optical depths of level lines of sight, from side to side.
+function depths(medium, extent) {
   const [nx, ny, nz] = medium.size, n = [nx, ny, nz], stride = [1, nx, nx * ny], all = [];
   for (const k of [0, 1]) {
     const u = 1 - k;
@@ -77,13 +77,22 @@ function usualDepth(medium, extent) {
       }
     }
   }
-  all.sort((a, b) => a - b);
-  return all[all.length >> 1];
+  return all;
 }
 
-// What the cloud's depth is of the true one.
+// What the cloud's depth is of the true one, at most 1: by halving.
 export function cloudShare(medium) {
-  medium.share ??= Math.min(1, DEPTH / usualDepth(medium, medium.extent()));
+  if (medium.share === undefined) {
+    const all = depths(medium, medium.extent());
+    const dims = (share) => all.reduce((sum, depth) => sum - Math.expm1(-share * depth), 0) / all.length > DIMMED;
+    let low = 0, high = 1;
+    for (let i = 0; i < 30 && dims(1); ++i) {
+      const middle = (low + high) / 2;
+      if (dims(middle)) high = middle;
+      else low = middle;
+    }
+    medium.share = high;
+  }
   return medium.share;
 }
 
