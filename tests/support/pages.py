@@ -1,0 +1,157 @@
+"""The report page from outside, for tests in plain Python: tags that close and
+load nothing, its policy, the commands that it prints, its plots read back from
+marks and ticks. Standard library only."""
+
+import base64
+import csv
+import hashlib
+import html
+import html.parser
+import re
+
+MOST_BYTES = 3_000_000
+VOID = {"meta", "link", "br", "hr", "img", "input", "wbr"}
+failed = []
+
+
+def check(holds, *what):
+    if not holds:
+        failed.append(what)
+        print("not so:", *what)
+
+
+class Page(html.parser.HTMLParser):
+    """Tags that close, attributes that load or run nothing."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.text, self.inside = [], "", {}
+        self.tags, self.ids, self.links, self.policy = [], set(), [], ""
+        self.pictures = []
+        self.feed(text)
+        self.close()
+        check(not self.open, "left open:", self.open)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        values = dict(attrs)
+        check(len(values) == len(attrs), "an attribute twice:", attrs)
+        for name, value in attrs:
+            check(not name.startswith("on"), "a handler:", tag, name)
+            if tag == "img" and name == "src":
+                self.pictures.append(value)
+                continue
+            check(name not in ("src", "srcset", "action", "data", "style", "poster",
+                               "xlink:href", "background"), "an attribute:", tag, name)
+            if name == "href":
+                check(value.startswith("#"), "a link away:", value)
+                self.links.append(value[1:])
+            if name == "id":
+                check(value not in self.ids, "an id twice:", value)
+                self.ids.add(value)
+        if values.get("http-equiv") == "Content-Security-Policy":
+            self.policy = values["content"]
+        if tag not in VOID and not self.get_starttag_text().endswith("/>"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag in VOID or self.get_starttag_text().endswith("/>") and \
+                (not self.open or self.open[-1] != tag):
+            return
+        check(self.open and self.open[-1] == tag, "closes", tag, "in", self.open[-3:])
+        if self.open:
+            self.open.pop()
+
+    def handle_data(self, data):
+        inside = self.open[-1] if self.open else ""
+        if inside in ("style", "script"):
+            self.inside.setdefault(inside, []).append(data)
+        else:
+            self.text += data
+
+
+def commands(path):
+    """The page's blocks of commands, as text to paste."""
+    with open(path, encoding="utf-8") as file:
+        blocks = re.findall(r'<pre tabindex="0">([^<]*)</pre>', file.read())
+    return [html.unescape(block) for block in blocks]
+
+
+def hash_of(text):
+    digest = hashlib.sha256(text.encode()).digest()
+    return "'sha256-" + base64.b64encode(digest).decode() + "'"
+
+
+def read(path, pictures=()):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    check(len(text.encode()) <= MOST_BYTES, path, "has", len(text.encode()), "bytes")
+    check(not re.search("[�\x80-\x9f]", text), path, "has characters that are none")
+    page = Page(text)
+    check("default-src 'none'" in page.policy, "policy", page.policy)
+    check("unsafe" not in page.policy and "http" not in page.policy, page.policy)
+    for style in page.inside.get("style", []):
+        check(hash_of(style) in page.policy, "the style's hash is not in", page.policy)
+    scripts = [s for s in page.inside.get("script", []) if len(s) > 100000 and " " in s]
+    check(all(hash_of(s) in page.policy for s in scripts), "the script's hash")
+    check(page.policy.count("sha256-") == 2, page.policy)
+    for link in page.links:
+        check(link in page.ids, "no such place:", link)
+    check(page.pictures == ["data:image/png;base64," + base64.b64encode(p).decode()
+                            for p in pictures], "pictures:", len(page.pictures))
+    check(page.tags.count("img") == len(pictures), "a name became a tag")
+    check(("img-src data:" in page.policy) == (len(pictures) > 0), page.policy)
+    check("nan" not in re.sub(r"[a-z]*nan[a-z]+|[a-z]+nan", "", page.text.lower()),
+          "NaN is shown")
+    check(not re.search(r'd="[^"]*(nan|inf)', text), "NaN in a plot")
+    return page
+
+
+def number(text):
+    """What a tick says: 3, -0.2, 40 %, 2·10⁻⁵, 06:30."""
+    power = re.fullmatch("(?:(.+)·)?10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)", text)
+    if power:
+        exponent = power[2].translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"))
+        return float(power[1] or 1) * 10 ** float(exponent)
+    if ":" in text:
+        return int(text[:2]) + int(text[3:]) / 60
+    return float(text.replace(" %", "e-2"))
+
+
+class Plot:
+    """A plot read back from its marks and the ticks of its axes."""
+
+    def __init__(self, page, title):
+        self.svg = next((s for s in re.findall(r"<svg.*?</svg>", page, re.S)
+                         if f'aria-label="{title}' in html.unescape(s)), "")
+        check(self.svg, "no plot", title)
+        self.x = re.findall(r'class="axis" d="M([\d.]+) 308.0v5"/><text[^>]*>([^<]*)', self.svg)
+        self.y = re.findall(r'class="grid" d="M80.0 ([\d.]+)H[\d.]+"/><text[^>]*>([^<]*)', self.svg)
+
+    def marks(self, series):
+        return [(float(x), float(y)) for x, y in
+                re.findall(rf'class="point s{series}" d="M([\d.]+) ([\d.]+)m[^"]*"><title>', self.svg)]
+
+    def whiskers(self, series):
+        return [tuple(map(float, w)) for w in re.findall(
+            rf'class="whisker s{series}" d="M[\d.]+ ([\d.]+)V([\d.]+)', self.svg)]
+
+    @staticmethod
+    def value(ticks, at, is_log=False):
+        """By the two ticks that are farthest from each other."""
+        (a, a_text), (b, b_text) = ticks[0], ticks[-1]
+        part = (at - float(a)) / (float(b) - float(a))
+        low, high = number(a_text), number(b_text)
+        return low * (high / low) ** part if is_log else low + part * (high - low)
+
+    def is_at(self, mark, x, y, what, logs=(False, False)):
+        """Within a tenth of a unit, to which places are written, and the ticks' own."""
+        for ticks, at, want, is_log in ((self.x, mark[0], x, logs[0]), (self.y, mark[1], y, logs[1])):
+            if want is not None:
+                near, off = self.value(ticks, at, is_log), self.value(ticks, at + 0.2, is_log)
+                check(abs(near - want) <= abs(off - near), what, "is drawn at", near, "and is", want)
+
+
+def table(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
