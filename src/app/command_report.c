@@ -98,7 +98,10 @@ static void write_contents(FILE *to, const content *c)
         {"pictures", "Pictures", c->pictures.n + c->pictures.n_exr > 0},
         {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
         {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
-        {"light", "Light", results->json[MURK_RESULT_LEDGER] != NULL},
+        {"light", "Light",
+         results->json[MURK_RESULT_LEDGER] ||
+             murk_result_count(results->json[MURK_RESULT_PLAN], "conditions") >
+                 0},
         {"tallies", "Tallies",
          murk_results_has(results->folder, "tallies.csv")},
         {"made", "How it was made", true}};

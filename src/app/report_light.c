@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define CELL 160
 
@@ -165,12 +166,90 @@ static void write_counts(FILE *to, const murk_yaml *ledger)
     murk_page_table_end(to);
 }
 
+/* ---- over conditions ---- */
+
+/* ledger-NAME.json, NULL where there is none that can be read. */
+static murk_yaml *read_ledger(const char *folder, const char *name)
+{
+    char file[CELL + 16];
+    murk_yaml *ledger = NULL;
+    murk_error why = {0}; /* a page without this bar is a page */
+    snprintf(file, sizeof file, "ledger-%.*s.json", CELL, name);
+    if (strchr(name, '/') || !murk_results_has(folder, file)) {
+        return NULL;
+    }
+    char *path = murk_results_path(folder, file);
+    if (path) {
+        (void)murk_yaml_read(&ledger, path, &why);
+    }
+    free(path);
+    return ledger;
+}
+
+/* A bar for each condition; the ledger of each is a file of its own. */
+static bool draw_conditions(FILE *to, const murk_results_in *results,
+                            const murk_yaml *list, size_t n)
+{
+    const char *part[WAYS];
+    double *share = malloc((n * WAYS + 1) * sizeof *share);
+    const char **name = malloc((n + 1) * sizeof *name);
+    const bool is_whole = share && name;
+    for (size_t i = 0; is_whole && i < n; ++i) {
+        const char *text = murk_result_text(list->child[i], "name");
+        name[i] = text ? text : "";
+        murk_yaml *ledger = read_ledger(results->folder, name[i]);
+        const double emitted = watts_of(ledger, "emitted_w", -1);
+        for (size_t k = 0; k < WAYS; ++k) {
+            const double watts = watts_of(ledger, ways[k].key, -1);
+            share[i * WAYS + k] = emitted > 0 ? watts / emitted : NAN;
+        }
+        murk_yaml_destroy(ledger);
+    }
+    for (size_t k = 0; k < WAYS; ++k) {
+        part[k] = ways[k].name;
+    }
+    const murk_bars bars = {.title = "Where the light went, by condition",
+                            .axis_title = "share of what was emitted",
+                            .rows = n,
+                            .parts = WAYS,
+                            .name = name,
+                            .part = part,
+                            .value = share,
+                            .scale = MURK_SCALE_SHARE};
+    if (is_whole) {
+        murk_bars_draw(to, &bars);
+    }
+    free(share);
+    free(name);
+    return is_whole;
+}
+
+static murk_status report_conditions(FILE *to, const murk_results_in *results,
+                                     murk_error *err)
+{
+    const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
+    const size_t n = murk_result_count(plan, "conditions");
+    if (n == 0) {
+        return MURK_OK;
+    }
+    murk_page_section_begin(to, "light", "Where the light went");
+    const bool is_whole =
+        draw_conditions(to, results, murk_result_at(plan, "conditions"),
+                        n < MURK_BARS_MAX ? n : MURK_BARS_MAX);
+    murk_page_paragraph(to, "In watts, and by what absorbed it, it is in the "
+                            "file ledger-NAME.json of each condition.");
+    murk_page_section_end(to);
+    return is_whole
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
+}
+
 murk_status murk_report_light(FILE *to, const murk_results_in *results,
                               const murk_scene *scene, murk_error *err)
 {
     const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];
     if (!ledger) {
-        return MURK_OK;
+        return report_conditions(to, results, err);
     }
     const size_t bands = murk_result_count(ledger, "emitted_w.bands");
     murk_page_section_begin(to, "light", "Where the light went");
