@@ -49,8 +49,7 @@ static cJSON *coverage_json(const murk_session *session,
 
 static murk_status write_coverage(murk_session *session,
                                   const murk_pose *sensor, size_t n,
-                                  const measured *of, murk_error *late,
-                                  murk_error *err)
+                                  const measured *of, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -62,9 +61,6 @@ static murk_status write_coverage(murk_session *session,
     if (!status) {
         status = murk_add_coverage_csv(&session->results, session->scene,
                                        sensor, n, &of->coverage, err);
-    }
-    if (!status) {
-        status = murk_exports_add_sensed(session, sensor, n, late, err);
     }
     if (!status) {
         status =
@@ -100,11 +96,13 @@ static void print_coverage(const murk_session *session, const murk_pose *sensor,
     murk_print_files(session);
 }
 
-static murk_status measure_dark(measured *of, const murk_stage *stage,
+static murk_status measure_dark(measured *of, murk_session *session,
                                 const murk_pose *sensor, size_t n,
-                                murk_error *err)
+                                murk_error *late, murk_error *err)
 {
+    const murk_stage *stage = session->stage;
     const murk_status status = murk_dark_coverage(&of->coverage, stage, n, err);
+    murk_exports_add_scene(session, NULL, NULL, 0, late);
     return status ? status
                   : murk_robust_begin(&of->robust, stage, sensor, n,
                                       &of->coverage, err);
@@ -124,7 +122,8 @@ static murk_status add_points(murk_session *session, murk_sight *sight,
 }
 
 static murk_status measure(measured *of, murk_session *session,
-                           const murk_pose *sensor, size_t n, murk_error *err)
+                           const murk_pose *sensor, size_t n, murk_error *late,
+                           murk_error *err)
 {
     const murk_stage *stage = session->stage;
     murk_sight *sight = NULL;
@@ -148,6 +147,9 @@ static murk_status measure(measured *of, murk_session *session,
     }
     if (!status) {
         status = add_points(session, sight, sensor, n, err);
+    }
+    if (!status) {
+        murk_exports_add_scene(session, sight, sensor, n, late);
     }
     murk_sight_destroy(sight);
     return status;
@@ -189,12 +191,12 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     }
     const double begun_s = murk_clock_s();
     if (!status) {
-        status = is_dark ? measure_dark(&of, session.stage, sensor, n, err)
-                         : measure(&of, &session, sensor, n, err);
+        status = is_dark ? measure_dark(&of, &session, sensor, n, &late, err)
+                         : measure(&of, &session, sensor, n, &late, err);
     }
     session.run.sense_s = murk_clock_s() - begun_s;
     if (!status) {
-        status = write_coverage(&session, sensor, n, &of, &late, err);
+        status = write_coverage(&session, sensor, n, &of, err);
     }
     if (!status && murk_session_speaks(&session)) {
         print_coverage(&session, sensor, n, &of);

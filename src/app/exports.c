@@ -7,7 +7,6 @@
 #include "app/surfaces_out.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "study/dark.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -191,23 +190,6 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
         murk_surfaces_add(session, sight, sensor, n, late);
     }
     murk_progress_end();
-}
-
-murk_status murk_exports_add_sensed(murk_session *session,
-                                    const murk_pose *sensor, size_t n,
-                                    murk_error *late, murk_error *err)
-{
-    murk_sight *sight = NULL;
-    murk_status status = MURK_OK;
-    if (session->options->exports && !murk_plan_is_dark(session->stage)) {
-        status = murk_plan_sight(&sight, session->stage, session->traced,
-                                 session->options->threads, err);
-    }
-    if (!status) {
-        murk_exports_add_scene(session, sight, sensor, n, late);
-    }
-    murk_sight_destroy(sight);
-    return status;
 }
 
 murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,

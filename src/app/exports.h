@@ -30,11 +30,6 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
                             const murk_pose *sensor, size_t n,
                             murk_error *late);
 
-/* The same of the sensors that `murk sense` measures. */
-murk_status murk_exports_add_sensed(murk_session *session,
-                                    const murk_pose *sensor, size_t n,
-                                    murk_error *late, murk_error *err);
-
 /* Adds plan.ply, and what --export asks for, of a scene's plan. Looks again
  * from its sensors, and for its problem from all candidates. In the dark there
  * is only light to add. */

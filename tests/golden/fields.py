@@ -8,6 +8,7 @@ import json
 import math
 import os
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -282,11 +283,28 @@ def test_what_cannot_be_written_costs_no_plan(murk):
     check("fields.vti" not in names and not [n for n in names if "staged" in n], names)
 
 
+def test_an_interrupt_costs_no_plan(murk):
+    """While fields are worked on, which --progress tells."""
+    out = murk.path("stopped")
+    run = subprocess.Popen([murk.program, "place", write_scene(murk), "-o", out, "--export",
+                            "fields", "--voxel", "0.04", "--progress", "always"],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    for line in run.stderr:
+        if "fields" in line:
+            run.send_signal(signal.SIGINT)
+            break
+    said = run.stderr.read()
+    check(run.wait() == 130 and "interrupted" in said, run.returncode, said)
+    names = os.listdir(out)
+    check("plan.json" in names and "coverage.vdb" not in names and
+          not [n for n in names if "staged" in n], names)
+
+
 def main():
     program = sys.argv[1]
     for test in (test_coverage_and_depth, test_views_that_add_up, test_photon_density,
                  test_the_usual_size, test_bad_wishes,
-                 test_what_cannot_be_written_costs_no_plan):
+                 test_what_cannot_be_written_costs_no_plan, test_an_interrupt_costs_no_plan):
         with tempfile.TemporaryDirectory() as folder:
             try:
                 test(Murk(program, folder))
