@@ -3,7 +3,6 @@
 #include "app/summary.h"
 #include "calibrate/covered.h"
 #include "scene/yaml.h"
-#include "study/machine.h"
 
 #include "base/progress.h"
 
@@ -21,7 +20,6 @@ typedef struct fit {
     char **asked; /* [n_asked] of --predict, else the options' */
     size_t n_asked;
     bool owns_asked;
-    double foretold_bytes; /* of memory, by the program */
 } fit;
 
 /* The files of all conditions first, then the scene's own world. */
@@ -166,11 +164,9 @@ static void tell_step(void *context, size_t start, size_t traces, int iteration,
                        traces, iteration, chi2);
 }
 
-/* All that the program will take, with what it has by now. */
 static void tell_memory(void *context, double bytes, double have_bytes)
 {
-    fit *f = context;
-    f->foretold_bytes = murk_machine_peak_bytes() + bytes;
+    (void)context;
     murk_progress_text("takes about %.2g GB of %.3g GB free", bytes / 1e9,
                        have_bytes / 1e9);
 }

@@ -15,7 +15,9 @@
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                murk_error *err)
 {
-    *results = (murk_results){.folder = folder};
+    struct stat known;
+    *results = (murk_results){.folder = folder,
+                              .is_new = folder && stat(folder, &known) != 0};
     return folder ? murk_folder_make(folder, err) : MURK_OK;
 }
 
@@ -160,6 +162,9 @@ void murk_results_end(murk_results *results)
         }
         free(results->staged[i]);
         free(results->path[i]);
+    }
+    if (results->is_new) {
+        (void)rmdir(results->folder); /* if it is empty: made for nothing */
     }
     *results = (murk_results){0};
 }

@@ -22,9 +22,11 @@ typedef struct murk_results {
     size_t n;
     char *path[MURK_RESULTS_MAX];
     char *staged[MURK_RESULTS_MAX]; /* NULL once it is in its place */
+    bool is_new; /* the folder: made by murk_results_begin() */
 } murk_results;
 
-/* Makes the folder and sees that it can be written, before any long work.
+/* Makes the folder and sees that it can be written, before any long work;
+ * murk_results_end() takes a new one away again where nothing came into it.
  * folder NULL: all calls below do nothing. */
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                murk_error *err);

@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "calibrate/recorder.h"
+#include "study/light.h"
 
 #include <math.h>
 
@@ -36,19 +37,19 @@ static light_size size_of(const murk_lit *pilot, double grow, size_t keys)
         .weights = n * (double)(keys + 1) * sizeof(double)};
 }
 
-/* The pilot's share of all photons, upside down. */
-static double growth(const murk_lit *pilot)
+/* How many times the pilot's photons all are. */
+static murk_status find_growth(double *grow, const murk_lit *pilot,
+                               murk_error *err)
 {
-    const murk_followed *f = pilot->followed;
     const murk_scene_photons *wish = &pilot->scene->photons;
-    if (wish->emit) {
-        return (double)wish->emit / (double)f->emitted;
+    murk_forecast forecast = {.emitted = (double)wish->emit};
+    murk_status status = MURK_OK;
+    if (!wish->emit) { /* until so many are stored */
+        status = murk_light_forecast(&forecast, pilot->stage, 0,
+                                     pilot->desc->threads, err);
     }
-    size_t stored = 0;
-    for (size_t i = 0; i < f->n; ++i) {
-        stored += murk_contribution_is_record(&f->contribution[i]);
-    }
-    return stored ? (double)wish->store / (double)stored : 1;
+    *grow = forecast.emitted / (double)pilot->followed->emitted;
+    return status;
 }
 
 static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
@@ -65,10 +66,14 @@ static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
     murk_error own = {0};
     *out = (light_size){0};
     const murk_warn_sink sink = murk_warn_to(NULL);
-    const murk_status status = murk_lit_light(&pilot, photons, &own);
+    murk_status status = murk_lit_light(&pilot, photons, &own);
+    double grow = 1;
+    if (!status) {
+        status = find_growth(&grow, &pilot, &own);
+    }
     (void)murk_warn_to(sink);
     if (!status) {
-        *out = size_of(&pilot, growth(&pilot), keys);
+        *out = size_of(&pilot, grow, keys);
     }
     murk_lit_darken(&pilot);
     return status == MURK_INTERRUPTED

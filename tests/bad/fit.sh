@@ -83,6 +83,12 @@ fluence,,3,1,1,.4,,W/m2,.3,.01,
 fluence,dim,1,3,2,.4,,W/m2,.3,.01,"
 fog=media.fog.extinction_per_m
 
+# memory: foretold before light is traced, however many photons are asked for
+wide="$light
+$(for i in 1 2 3 4 5 6 7 8 9 10 11 12; do echo "fluence,,2,2,1.5,1.2,,W/m2,.$i,.01,"; done)"
+refused 'the fit would keep about' "$wide" --free $fog --emit 4294967295
+refused 'the fit would keep about' "$wide" --free $fog --set photons.max_stored=4294967295 --store 4294967295
+
 # keys: unknown ones, and what is no single number
 refused "--free nope: a key of nope, must be of media, regions, lights or site" "$beams" --free nope
 refused 'no meda in the scene, did you mean media?' "$beams" --free meda.fog.albedo
