@@ -1,6 +1,7 @@
 /* What was asked of a study, a fit or light alone, and the answer. */
 #include "app/report_answers.h"
 #include "app/page.h"
+#include "app/report_study.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,7 +9,8 @@
 /* Half a 95 % interval, in standard errors. */
 #define HALF_INTERVAL 1.96
 
-#define SHOWN_MAX 8 /* keys, outputs */
+#define SHOWN_MAX   8 /* keys */
+#define OUTPUTS_MAX 12
 
 static void strong_share(FILE *to, double share, double standard_error)
 {
@@ -63,7 +65,7 @@ static bool find_extremes(extreme out[2], const murk_yaml *rows, size_t n,
 
 static void write_value(FILE *to, const extreme *e, const char *output)
 {
-    if (strncmp(output, "coverage", 8) == 0) {
+    if (murk_study_is_share(output)) {
         strong_share(to, e->value, e->error);
     } else {
         fputs("<strong>", to);
@@ -99,13 +101,16 @@ static void answer_study(FILE *to, const murk_yaml *study)
         values && values->kind == MURK_YAML_MAP ? values->n : 0;
     murk_page_line_begin(to, "Answer");
     fputs("<ul>", to);
-    for (size_t k = 0; k < outputs && k < SHOWN_MAX; ++k) {
+    size_t shown = 0;
+    for (size_t k = 0; k < outputs && shown < OUTPUTS_MAX; ++k) {
         extreme found[2];
         const char *output = values->key[k];
         const char *unit = murk_result_text(values->child[k], "unit");
-        if (!find_extremes(found, rows, n, output)) {
+        if (murk_study_is_of_band(output) ||
+            !find_extremes(found, rows, n, output)) {
             continue;
         }
+        ++shown;
         fputs("<li>", to);
         murk_page_text(to, output);
         fputs(unit && *unit && strcmp(unit, "1") != 0 ? ", " : "", to);

@@ -1,5 +1,6 @@
 /* A study, as a section of the report: of each output a plot against the axis
  * with the most values, a line for each combination of the others. */
+#include "app/report_study.h"
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report.h"
@@ -12,7 +13,6 @@
 
 #define PLOTS_MAX 24
 #define NAME_SIZE 160
-#define ERRORS    "_standard_error"
 
 /* From this ratio on, an axis of positive numbers is drawn by logarithms. */
 #define LOG_RATIO   20
@@ -199,12 +199,6 @@ static const char *unit_of(const murk_yaml *study, const char *output)
     return "";
 }
 
-/* Coverages are shares, which are shown in per cent. */
-static bool is_share(const char *output)
-{
-    return strncmp(output, "coverage", 8) == 0;
-}
-
 static bool spans_decades(const frame *f, size_t column)
 {
     double least = INFINITY, most = -INFINITY;
@@ -273,117 +267,48 @@ static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
         .x_name = f->is_number ? NULL : f->value,
         .x_names = f->is_number ? 0 : f->values,
         .x = f->scale,
-        .y = is_share(output)           ? MURK_SCALE_SHARE
-             : spans_decades(f, column) ? MURK_SCALE_LOG
-                                        : MURK_SCALE_EVEN};
+        .y = murk_study_is_share(output) ? MURK_SCALE_SHARE
+             : spans_decades(f, column)  ? MURK_SCALE_LOG
+                                         : MURK_SCALE_EVEN};
     murk_chart_draw(to, &chart, series, lines);
     free(room);
     return true;
 }
 
-/* Whether an output's column, with its errors behind it, begins here. */
-static bool is_output(const murk_table *t, size_t column)
-{
-    const size_t length = strlen(t->name[column]);
-    return column + 1 < t->columns &&
-           strncmp(t->name[column + 1], t->name[column], length) == 0 &&
-           strcmp(t->name[column + 1] + length, ERRORS) == 0;
-}
-
-/* ---- the table ---- */
-
-static void write_rows(FILE *to, const frame *f)
+/* Plots and rows of all light's outputs, or of the bands'. */
+static bool write_outputs(FILE *to, const frame *f, const murk_yaml *study,
+                          bool is_paired, bool of_bands)
 {
     const murk_table *t = f->table;
-    const char **heads = calloc(t->columns + 1, sizeof *heads);
-    size_t n = 0;
-    if (!heads) {
-        return; /* table.csv has it */
-    }
-    heads[n++] = "row";
-    for (size_t c = 0; c < t->columns; ++c) {
-        heads[n++] = t->name[c];
-        c += is_output(t, c);
-    }
-    murk_page_table_begin(to, "The rows of the study", heads, n);
-    for (size_t i = 0; i < t->rows && i < MURK_PAGE_ROWS_MAX; ++i) {
-        char name[32];
-        snprintf(name, sizeof name, "%zu", i + 1);
-        murk_page_row_begin(to, name);
-        for (size_t c = 0; c < t->columns; ++c) {
-            if (is_output(t, c) && is_share(t->name[c])) {
-                murk_page_cell_share(to, number(f, i, c), number(f, i, c + 1));
-                ++c;
-            } else if (is_output(t, c)) {
-                murk_page_cell_estimate(to, number(f, i, c),
-                                        number(f, i, c + 1));
-                ++c;
-            } else {
-                fputs("<td>", to);
-                murk_page_text(to, cell(f, i, c));
-                fputs("</td>", to);
+    bool is_whole = true;
+    size_t plots = 0;
+    fputs("<div class=\"plans\">\n", to);
+    for (size_t c = f->axes; is_whole && c < t->columns; ++c) {
+        if (murk_study_is_output(t, c)) {
+            if (murk_study_is_of_band(t->name[c]) == of_bands &&
+                plots++ < PLOTS_MAX) {
+                is_whole = draw_output(to, f, study, c, is_paired);
             }
+            ++c;
         }
-        murk_page_row_end(to);
     }
-    murk_page_table_end(to);
-    murk_page_more(to, t->rows, "table.csv");
-    free(heads);
+    fputs("</div>\n", to);
+    if (plots > PLOTS_MAX) {
+        fprintf(to, "<p class=\"note\">%d of %zu outputs are drawn.</p>\n",
+                PLOTS_MAX, plots);
+    }
+    return is_whole && murk_report_study_rows(to, t, f->axes, of_bands);
 }
 
-/* The rows that failed, and why. */
-static void write_failed(FILE *to, const murk_yaml *study)
+static bool has_bands(const frame *f)
 {
-    static const char *const heads[] = {"row", "<why"};
-    const size_t n = murk_result_count(study, "rows");
-    const murk_yaml *list = murk_result_at(study, "rows");
-    size_t failed = 0;
-    for (size_t i = 0; i < n; ++i) {
-        const char *why = murk_result_text(list->child[i], "failed");
-        if (!why || failed == MURK_PAGE_ROWS_MAX) {
-            continue;
+    for (size_t c = f->axes; c < f->table->columns; ++c) {
+        if (murk_study_is_output(f->table, c) &&
+            murk_study_is_of_band(f->table->name[c])) {
+            return true;
         }
-        if (failed++ == 0) {
-            murk_page_table_begin(to, "Rows that failed", heads, 2);
-        }
-        char name[32];
-        snprintf(name, sizeof name, "%zu", i + 1);
-        murk_page_row_begin(to, name);
-        murk_page_cell_text(to, why);
-        murk_page_row_end(to);
     }
-    if (failed > 0) {
-        murk_page_table_end(to);
-    }
-}
-
-static void write_plan_for_all(FILE *to, const murk_yaml *study)
-{
-    static const char *const heads[] = {
-        "one plan for", "sensors", "mean", "least", "in row", "upper bound"};
-    static const char *const which[] = {"mean", "worst"};
-    if (!murk_result_at(study, "plans.mean") &&
-        !murk_result_at(study, "plans.worst")) {
-        return;
-    }
-    murk_page_table_begin(to, "One plan for all rows", heads, 6);
-    for (size_t k = 0; k < 2; ++k) {
-        const murk_yaml *plans = murk_result_at(study, "plans");
-        const murk_yaml *plan = murk_result_at(plans, which[k]);
-        if (!plan) {
-            continue;
-        }
-        murk_page_row_begin(to, k == 0 ? "the mean" : "the worst row");
-        murk_page_cell_number(to, (double)murk_result_count(plan, "sensors"));
-        murk_page_cell_share(to, murk_result_number(plan, "mean.value"),
-                             murk_result_number(plan, "mean.standard_error"));
-        murk_page_cell_share(to, murk_result_number(plan, "worst.value"),
-                             murk_result_number(plan, "worst.standard_error"));
-        murk_page_cell_number(to, murk_result_number(plan, "worst_row"));
-        murk_page_cell_share(to, murk_result_number(plan, "upper_bound"), NAN);
-        murk_page_row_end(to);
-    }
-    murk_page_table_end(to);
+    return false;
 }
 
 static bool write_table(FILE *to, const murk_table *table,
@@ -394,24 +319,12 @@ static bool write_table(FILE *to, const murk_table *table,
     const size_t axes = murk_result_count(study, "axes");
     frame f = {.table = table,
                .axes = axes < table->columns ? axes : table->columns};
-    bool is_whole = make_frame(&f, is_paired);
-    size_t plots = 0;
-    fputs("<div class=\"plans\">\n", to);
-    for (size_t c = f.axes; is_whole && c < table->columns; ++c) {
-        if (is_output(table, c)) {
-            if (plots++ < PLOTS_MAX) {
-                is_whole = draw_output(to, &f, study, c, is_paired);
-            }
-            ++c;
-        }
-    }
-    fputs("</div>\n", to);
-    if (is_whole && plots > PLOTS_MAX) {
-        fprintf(to, "<p class=\"note\">%d of %zu outputs are drawn.</p>\n",
-                PLOTS_MAX, plots);
-    }
-    if (is_whole) {
-        write_rows(to, &f);
+    bool is_whole = make_frame(&f, is_paired) &&
+                    write_outputs(to, &f, study, is_paired, false);
+    if (is_whole && has_bands(&f)) {
+        fputs("<details><summary>The same band by band</summary>\n", to);
+        is_whole = write_outputs(to, &f, study, is_paired, true);
+        fputs("</details>\n", to);
     }
     release_frame(&f);
     return is_whole;
@@ -436,8 +349,8 @@ murk_status murk_report_study(FILE *to, const murk_results_in *results,
     } else if (!table) {
         murk_page_paragraph(to, "There is no table.csv beside study.json.");
     }
-    write_failed(to, study);
-    write_plan_for_all(to, study);
+    murk_report_study_failed(to, study);
+    murk_report_study_plans(to, study);
     murk_page_section_end(to);
     murk_table_destroy(table);
     return status;
