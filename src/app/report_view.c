@@ -36,6 +36,14 @@ static bool any_sensors(const murk_report_scene *s)
     return false;
 }
 
+static bool any_surfaces(const murk_report_scene *s)
+{
+    const murk_surfaces_facts facts =
+        s->stage ? murk_surfaces_describe(s->stage->surfaces)
+                 : (murk_surfaces_facts){0};
+    return facts.triangles + facts.spheres > 0;
+}
+
 /* Sky and air have no place. */
 static bool any_lamps(const murk_scene *scene)
 {
@@ -56,7 +64,11 @@ static void write_media_switches(FILE *to, const murk_view_data *data)
         is_uneven = is_uneven || (m->cell && !m->is_even);
     }
     if (is_there) {
-        write_switch(to, "cloud", "media as a cloud", is_uneven);
+        /* an even one says little beside what else there is */
+        const bool is_all = !any_surfaces(data->scene) &&
+                            !any_photons(data->scene, false) &&
+                            !any_photons(data->scene, true);
+        write_switch(to, "cloud", "media as a cloud", is_uneven || is_all);
         write_switch(to, "level", "media where their extinction is", false);
         fputs("<label><input type=\"range\" aria-label=\"extinction\" "
               "id=\"view-level\" min=\"2\" "
@@ -71,7 +83,7 @@ static void write_switches(FILE *to, const murk_view_data *data)
 {
     const murk_report_scene *s = data->scene;
     fputs("<fieldset class=\"switches\"><legend>Shown</legend>\n", to);
-    if (s->stage) {
+    if (any_surfaces(s)) {
         write_switch(to, "surfaces", "surfaces", true);
     }
     if (any_photons(s, false)) {
@@ -169,7 +181,9 @@ static void write_notes(FILE *to, const murk_view_data *data)
                 data->mesh.asked, data->mesh.triangles);
     }
     note_media(to, data);
-    if (data->scene->stage && data->scene->stage->world.domain.is_periodic) {
+    const murk_stage *stage = data->scene->stage;
+    const bool has_sensors = any_sensors(data->scene);
+    if (has_sensors && stage && stage->world.domain.is_periodic) {
         fputs("The scene repeats at its sides in x and y: what a sensor sees "
               "across a side is drawn where it lies in here. ",
               to);
@@ -178,12 +192,14 @@ static void write_notes(FILE *to, const murk_view_data *data)
         fputs("Surfaces, lamps and media are those of the study's base scene. ",
               to);
     }
-    fputs("<span class=\"interactive\">Drag to turn, scroll to go nearer, with "
-          "two fingers or the right button to move. With the picture in "
-          "focus: arrow keys turn, + and \xe2\x88\x92 go nearer and away, N "
-          "and P pick the next and previous sensor, Escape none."
-          "</span></p>\n",
-          to);
+    fprintf(to,
+            "<span class=\"interactive\">Drag to turn, scroll to go nearer, "
+            "with two fingers or the right button to move. With the picture in "
+            "focus: arrow keys turn, + and \xe2\x88\x92 go nearer and away%s."
+            "</span></p>\n",
+            has_sensors ? ", N and P pick the next and previous sensor, Escape "
+                          "none"
+                        : "");
 }
 
 /* ---- the section ---- */

@@ -45,7 +45,7 @@ export function distant(data) {
     const way = new Vector3(...lamp.direction).normalize();
     const out = Math.min(...way.toArray().map((v, k) => Math.abs(v) > 0 ? half[k] / Math.abs(v) : Infinity));
     const at = (far) => way.clone().multiplyScalar(-out - far * t), tip = at(1);
-    const side = new Vector3(-way.y, way.x, 0).normalize();
+    const side = way.x || way.y ? new Vector3(-way.y, way.x, 0).normalize() : new Vector3(1, 0, 0);
     const barbs = [-1, 1].map((s) => at(2.5).addScaledVector(side, s * t));
     return { lamp, tip, tail: at(7), barbs, word: at(8.5) };
   });
