@@ -191,14 +191,18 @@ static murk_status write_file(const char *path, const content *c,
 static murk_status tell(const murk_options *options, const char *path,
                         const murk_report_scene *scene, murk_error *err)
 {
+    unsigned long long stored = 0, shown = 0; /* of all conditions */
+    for (size_t i = 0; i < scene->states; ++i) {
+        stored += scene->state[i].points.photons;
+        shown += scene->state[i].points.n;
+    }
     struct stat known = {0};
     (void)stat(path, &known);
     if (!options->json) {
         if (!options->quiet) {
             murk_print("%s: %.2f MB", path, (double)known.st_size / 1e6);
-            if (scene->points.photons > 0) {
-                murk_print(", %zu of %llu photons", scene->points.n,
-                           (unsigned long long)scene->points.photons);
+            if (stored > 0) {
+                murk_print(", %llu of %llu photons", shown, stored);
             }
             murk_print("\n");
         }
@@ -207,8 +211,8 @@ static murk_status tell(const murk_options *options, const char *path,
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "report", path);
     cJSON_AddNumberToObject(root, "bytes", (double)known.st_size);
-    cJSON_AddNumberToObject(root, "photons", (double)scene->points.photons);
-    cJSON_AddNumberToObject(root, "photons_shown", (double)scene->points.n);
+    cJSON_AddNumberToObject(root, "photons", (double)stored);
+    cJSON_AddNumberToObject(root, "photons_shown", (double)shown);
     cJSON_AddNumberToObject(root, "sensors_shown", (double)scene->sensors);
     char *text = cJSON_Print(root);
     cJSON_Delete(root);
