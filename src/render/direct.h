@@ -10,8 +10,9 @@
 typedef struct murk_place {
     int band;
     murk_vec3 position;
-    murk_vec3 sight; /* unit, of who looks, arriving at the place */
-    double index;    /* of refraction, there */
+    murk_vec3 sight;  /* unit, of who looks, arriving at the place */
+    double index;     /* of refraction, there */
+    bool is_in_solid; /* where no shadow ray goes */
     /* a surface: */
     murk_vec3 normal; /* unit, faces who looks */
     double diffuse;   /* reflected by cosine law */

@@ -28,12 +28,26 @@ struct murk_gather {
 
 /* ---- making ---- */
 
+/* On what a solid holds: there no shadow ray goes. */
+static bool is_in_solid(const murk_scenery *scenery, const murk_photon *p)
+{
+    const murk_surfaces *surfaces = scenery->world->surfaces;
+    const murk_vec3 place =
+        murk_vec((double)p->position_m[0], (double)p->position_m[1],
+                 (double)p->position_m[2]);
+    return !murk_photon_is_volume(p) &&
+           murk_surfaces_solid_at(
+               surfaces, murk_along(place, scenery->margin_m,
+                                    murk_direction_unpack(p->normal))) > 0;
+}
+
 static bool counts(const murk_gathering_desc *desc, const murk_photon *p,
                    int band)
 {
     return p->band == band &&
            (desc->takes_first || murk_photon_class(p) != 0 ||
-            !murk_lights_can_shine(desc->scenery->world->lights, p->light));
+            !murk_lights_can_shine(desc->scenery->world->lights, p->light) ||
+            is_in_solid(desc->scenery, p));
 }
 
 /* Those that count, of one map. */
@@ -42,22 +56,23 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
 {
     const murk_photon *all = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
-    size_t kept = 0;
+    size_t most = 0, kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        kept += counts(desc, &all[i], band);
+        most += all[i].band == band;
     }
-    murk_photon *photons = malloc((kept + 1) * sizeof *photons);
+    murk_photon *photons = malloc((most + 1) * sizeof *photons);
     if (!photons) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for %zu photons", kept);
+                         "no memory for %zu photons", most);
     }
-    kept = 0;
     for (size_t i = 0; i < n; ++i) {
         if (counts(desc, &all[i], band)) {
             photons[kept++] = all[i];
         }
     }
-    return murk_photon_map_create(out, photons, kept, desc->threads, err);
+    murk_photon *fitting = realloc(photons, (kept + 1) * sizeof *photons);
+    return murk_photon_map_create(out, fitting ? fitting : photons, kept,
+                                  desc->threads, err);
 }
 
 typedef struct laying {
@@ -225,9 +240,12 @@ static void take(void *context, size_t record, double square)
     asking *a = context;
     const murk_kernel *kernel = &a->layer->kernel[record];
     const murk_photon *p = murk_photon_map_photons(a->layer->map) + record;
+    /* kernels know the regions' index, and solids by their surfaces */
+    const double index =
+        a->place->is_in_solid ? kernel->index : a->place->index;
     if (kernel->mass > 0 &&
         murk_kernel_holds(a->gather->scenery, p, kernel, a->place->position,
-                          a->place->normal, a->place->index)) {
+                          a->place->normal, index)) {
         const size_t group = (size_t)(p->emitted * a->gather->per_photon);
         const double light =
             a->scale * (1 - square) / kernel->mass * sent(a->place, p);

@@ -132,7 +132,7 @@ static void add_light(murk_sampler *s, const murk_event *event,
 {
     const part of = place->phase ? VOLUME : SURFACE;
     const bool by_paths = s->method == MURK_BY_PATHS;
-    if (!s->leg.is_in_solid && s->method != MURK_BY_MAPS_ONLY) {
+    if (!place->is_in_solid && s->method != MURK_BY_MAPS_ONLY) {
         const murk_address address = {s->seed, s->purpose, s->number,
                                       event->number};
         add(s, of,
@@ -158,7 +158,7 @@ static void settle(murk_sampler *s, part of, const murk_place *place)
     s->last = *place;
     s->settled = s->is_settled ? s->settled : of;
     s->is_settled = true;
-    s->is_connected = !s->leg.is_in_solid && s->method != MURK_BY_MAPS_ONLY;
+    s->is_connected = !place->is_in_solid && s->method != MURK_BY_MAPS_ONLY;
 }
 
 /* The maps have all that is left. */
@@ -174,6 +174,7 @@ static void meet_surface(murk_sampler *s, const murk_event *event)
                               .position = event->position,
                               .sight = event->direction_in,
                               .index = s->leg.index,
+                              .is_in_solid = s->leg.is_in_solid,
                               .normal = event->normal,
                               .diffuse = event->reflectance};
     if (event->reflectance > 0) {
