@@ -5,14 +5,15 @@
 #include "render/render.h"
 #include "study/machine.h"
 
-/* A render holds its own copies of the maps beside those that were traced. */
+/* A render holds the maps that were traced, and what it makes of them. */
 static double bytes_of(const murk_scene *scene, const murk_forecast *forecast,
                        size_t camera)
 {
     const murk_scene_camera *c = &scene->cameras[camera];
     return murk_picture_bytes(c->pixels[0], c->pixels[1], scene->bands) +
-           2 * (murk_photon_map_memory_for(forecast->surface) +
-                murk_photon_map_memory_for(forecast->volume));
+           murk_photon_map_memory_for(forecast->surface) +
+           murk_photon_map_memory_for(forecast->volume) +
+           murk_gather_memory_for(forecast->surface, forecast->volume);
 }
 
 void murk_json_cameras(cJSON *root, const murk_scene *scene,

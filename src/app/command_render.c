@@ -23,7 +23,7 @@ typedef struct job {
 
 /* ---- what is asked for ---- */
 
-/* What the picture takes, and once there is light also what is copied of it. */
+/* What the picture takes, and once there is light also what is made of it. */
 static murk_status check_memory(const job *j, murk_error *err)
 {
     const murk_camera *c = &j->viewpoint.camera;
@@ -39,10 +39,9 @@ static murk_status check_memory(const job *j, murk_error *err)
     }
     double maps = 0;
     if (traced) {
-        maps = murk_photon_map_memory_for(
-                   (double)murk_photon_map_count(traced->surface)) +
-               murk_photon_map_memory_for(
-                   (double)murk_photon_map_count(traced->volume));
+        maps = murk_gather_memory_for(
+            (double)murk_photon_map_count(traced->surface),
+            (double)murk_photon_map_count(traced->volume));
     }
     const double spare = murk_machine_memory_bytes();
     if (wanted + maps <= spare) {
@@ -50,7 +49,7 @@ static murk_status check_memory(const job *j, murk_error *err)
     }
     char also[64] = "";
     if (maps > 0) {
-        snprintf(also, sizeof also, ", copies of the photon maps %.3g GB",
+        snprintf(also, sizeof also, ", the photons' kernels %.3g GB",
                  maps * 1e-9);
     }
     return murk_fail(err, MURK_NO_MEMORY, j->viewpoint.where,

@@ -125,6 +125,17 @@ void murk_balls_destroy(murk_balls *balls)
     }
 }
 
+double murk_balls_memory_for(double n)
+{
+    double bytes = sizeof(murk_balls) + ceil(n / MURK_WIDE) * sizeof(sixteen);
+    for (double boxes = ceil(n / MURK_WIDE); boxes > 0;) {
+        const double groups = ceil(boxes / MURK_WIDE);
+        bytes += groups * sizeof(murk_boxes);
+        boxes = groups > 1 ? groups : 0;
+    }
+    return bytes;
+}
+
 typedef struct asking {
     const murk_balls *balls;
     murk_ball point; /* a ball without size */

@@ -26,6 +26,9 @@ murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
                               size_t n, murk_error *err);
 void murk_balls_destroy(murk_balls *balls); /* NULL is fine */
 
+/* Bytes that n balls take. */
+double murk_balls_memory_for(double n);
+
 /* A ball that holds the point: which, and the squared distance from its center
  * as a share of the squared radius, below 1. */
 typedef void (*murk_balls_told)(void *context, size_t ball, double square);

@@ -208,6 +208,18 @@ void murk_gather_destroy(murk_gather *gather)
     }
 }
 
+static double layer_bytes(double n)
+{
+    return murk_photon_map_memory_for(n) + n * sizeof(murk_kernel) +
+           murk_balls_memory_for(n);
+}
+
+double murk_gather_memory_for(double surface, double volume)
+{
+    return sizeof(murk_gather) + layer_bytes(surface) + layer_bytes(volume) +
+           fmax(surface, volume) * sizeof(murk_ball_extent);
+}
+
 /* ---- asking ---- */
 
 typedef struct asking {

@@ -41,6 +41,10 @@ murk_status murk_gather_create(murk_gather **out,
                                murk_error *err);
 void murk_gather_destroy(murk_gather *gather); /* NULL is fine */
 
+/* Bytes that it takes of maps with so many records, at most: their copies,
+ * their kernels, and what is needed to lay them. */
+double murk_gather_memory_for(double surface, double volume);
+
 /* Radiance [W/m2/sr] towards who looks, over the index squared, at a place of a
  * surface or, where it has a phase function, of a medium: there for each
  * optical depth that scatters, [W/m3/sr] over the scattering coefficient, and

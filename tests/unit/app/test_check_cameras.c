@@ -40,7 +40,12 @@ static void test_pictures_and_maps_are_foretold(void)
                         murk_photon_map_memory_for(1e5) -
                         2 * murk_photon_map_memory_for(0);
     CHECK(foretold(&scene, &dark, 0) >= murk_picture_bytes(64, 48, 16));
-    CHECK(foretold(&scene, &lit, 0) - foretold(&scene, &dark, 0) == 2 * maps);
+    const double kernels =
+        murk_gather_memory_for(1e6, 1e5) - murk_gather_memory_for(0, 0);
+    CHECK(foretold(&scene, &lit, 0) - foretold(&scene, &dark, 0) ==
+          maps + kernels);
+    /* copies of 32 bytes, kernels of at least 24, balls of 16 */
+    CHECK(kernels > 1.1e6 * (32 + 24 + 16));
     const murk_warn_sink before = murk_warn_to(keep_note);
     murk_warn_of_cameras(&scene, &dark);
     (void)murk_warn_to(before);
