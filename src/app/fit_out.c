@@ -274,7 +274,7 @@ static void print_parameter(const murk_fit_facts *f, size_t k)
     if (c->at_bound[k]) {
         murk_print(" (at its bound)");
     } else if (isfinite(c->standard_error[k])) {
-        murk_print(" +- %.2g (95 %%: %.5g to %.5g)", c->standard_error[k],
+        murk_print(" +- %.2g (95 %%: %.4g to %.4g)", c->standard_error[k],
                    c->lower[k], c->upper[k]);
     } else {
         murk_print(" (not determined by these data)");
