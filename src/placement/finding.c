@@ -1,6 +1,7 @@
 #include "placement/finding.h"
 
 #include "base/interrupt.h"
+#include "base/progress.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -96,6 +97,7 @@ static uint64_t tighten(murk_finding *p, size_t n, uint64_t value,
         plan = NULL;
     }
     p->has_thresholds = p->has_thresholds || plan;
+    murk_progress_text("bounds %zu sensors", n);
     const uint64_t upper =
         murk_bound_tighten(&p->bound, n, value, plan, p->size, rounds);
     return !p->book && p->reach[n - 1] < upper ? p->reach[n - 1] : upper;
@@ -108,6 +110,7 @@ static murk_curve_point find_best(murk_finding *p, size_t n,
                                   size_t most, size_t rounds, size_t *made)
 {
     uint32_t *plan = p->plan;
+    murk_progress_text("plans %zu sensors", n);
     uint64_t value = plan_greedily(p, n);
     /* of one that is free, greedy finds the best */
     const bool is_open = n > fixed_count(p) + 1 || has_budget(p) ||

@@ -165,7 +165,10 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     if (status) {
         goto done;
     }
-    murk_progress_begin("place", desc->restarts, "starts");
+    const bool starts =
+        desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
+    murk_progress_begin("place", starts ? desc->restarts : 0,
+                        starts ? "starts at most" : "");
     status = find_all(&p, err);
     murk_progress_end();
     if (!status && murk_interrupted()) {

@@ -188,7 +188,10 @@ murk_status murk_place_worst(murk_place_result *out,
     if (status) {
         goto done;
     }
-    murk_progress_begin("place", desc->restarts, "starts");
+    const bool starts =
+        desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
+    murk_progress_begin("place", starts ? desc->restarts : 0,
+                        starts ? "starts at most" : "");
     status = find_all(&w, err);
     murk_progress_end();
     if (!status && murk_interrupted()) {
