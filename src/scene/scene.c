@@ -238,6 +238,10 @@ static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_yaml *given = NULL; /* with conditions: the tree before the walk */
+    if (murk_yaml_get(r->root, "murk_study")) {
+        return murk_fail(err, MURK_BAD_FILE, scene->path,
+                         "is a study, must be a scene; murk study runs it");
+    }
     if (murk_yaml_get(r->root, "conditions")) {
         given = murk_yaml_copy(r->root);
         if (!given) {

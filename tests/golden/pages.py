@@ -59,6 +59,14 @@ commands = re.findall(r'^    \{"([a-z]+)",', text_of("src/app/commands.c"), re.M
 check(len(commands) >= 10, "no commands found")
 
 
+def check_installed():
+    listed = text_of(os.path.join(FOLDER, "..", "cmake_install.cmake"))
+    for path in sorted(glob.glob(FOLDER + "/man?/*")):
+        check(f'"{path}"' in listed, path + " is not installed")
+    check(len(pages) == len(commands) + 1 + len(glob.glob("doc/man/*.5.md")),
+          f"{len(pages)} pages")
+
+
 def check_warnings():
     for path in sorted(glob.glob(FOLDER + "/man?/*")):
         name = os.path.basename(path)
@@ -156,6 +164,7 @@ def check_examples():
     check(n >= 15, f"{n} examples found")
 
 
+check_installed()
 check_warnings()
 check_commands_and_options()
 check_keys()

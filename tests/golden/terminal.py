@@ -158,6 +158,7 @@ def check_newcomer(scene, folder):
             (2, "No such file", ["trace", os.path.join(folder, "none.yaml")]),
             (2, "a folder, must be a regular file", ["trace", empty]),
             (1, "not a folder", ["trace", scene, "-o", scene]),
+            (2, "is a study, must be a scene", ["trace", "scenes/studies/fog-yard.yaml"]),
             (2, "no results here", ["report", empty]),
             (2, "needs --sensors FILE", ["sense", scene]),
             (2, "needs --data FILE", ["fit", scene]),
