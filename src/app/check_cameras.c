@@ -24,6 +24,10 @@ void murk_json_cameras(cJSON *root, const murk_scene *scene,
         const murk_scene_camera *c = &scene->cameras[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", c->name);
+        cJSON_AddStringToObject(item, "type",
+                                c->projection == MURK_SCENE_EQUIRECTANGULAR
+                                    ? "equirectangular"
+                                    : "perspective");
         cJSON *pixels = cJSON_AddArrayToObject(item, "pixels");
         for (int k = 0; k < 2; ++k) {
             cJSON_AddItemToArray(pixels,
@@ -40,10 +44,12 @@ void murk_print_cameras(const murk_scene *scene, const murk_forecast *forecast)
 {
     for (size_t i = 0; i < scene->n_cameras; ++i) {
         const murk_scene_camera *c = &scene->cameras[i];
-        murk_print("camera      %-12s %zu x %zu pixels, %zu samples; by maps "
+        murk_print("camera      %-12s %zu x %zu pixels%s, %zu samples; by maps "
                    "about %.2g GB\n",
-                   c->name, c->pixels[0], c->pixels[1], c->samples,
-                   bytes_of(scene, forecast, i) / 1e9);
+                   c->name, c->pixels[0], c->pixels[1],
+                   c->projection == MURK_SCENE_EQUIRECTANGULAR ? " all round"
+                                                               : "",
+                   c->samples, bytes_of(scene, forecast, i) / 1e9);
     }
 }
 

@@ -135,17 +135,27 @@ static bool is_all_round(const job *j)
     return j->viewpoint.camera.projection == MURK_EQUIRECTANGULAR;
 }
 
-static void print_radiance(const job *j, int b)
+/* A row a band. */
+static void print_radiance(const job *j)
 {
     const murk_picture *p = j->picture;
-    murk_print("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over the %s\n",
-               j->session.scene->band_nm[b], p->mean[b], p->mean_error[b],
-               is_all_round(j) ? "sphere" : "picture's pixels");
+    const double *nm = j->session.scene->band_nm;
     if (is_all_round(j)) {
-        murk_print("irradiance  %.7g nm: %.4g +- %.2g W/m2, scalar, where the "
-                   "camera stands\n",
-                   j->session.scene->band_nm[b], 4 * MURK_PI * p->mean[b],
-                   4 * MURK_PI * p->mean_error[b]);
+        murk_print("radiance    mean over the sphere, and with it the scalar "
+                   "irradiance:\n");
+    }
+    for (int b = 0; b < p->bands; ++b) {
+        if (is_all_round(j)) {
+            murk_print(
+                "            %.7g nm  %.4g +- %.2g W/m2/sr  %.4g +- %.2g "
+                "W/m2\n",
+                nm[b], p->mean[b], p->mean_error[b], 4 * MURK_PI * p->mean[b],
+                4 * MURK_PI * p->mean_error[b]);
+        } else {
+            murk_print("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over "
+                       "the picture's pixels\n",
+                       nm[b], p->mean[b], p->mean_error[b]);
+        }
     }
 }
 
@@ -184,9 +194,7 @@ static void print_summary(const job *j)
                    v->tilt_deg);
     }
     murk_print("method      %s\n", method_of(j));
-    for (int b = 0; b < p->bands; ++b) {
-        print_radiance(j, b);
-    }
+    print_radiance(j);
     if (p->lost > 0) {
         murk_print("lost        %llu of %llu rays, by caps or rounding\n",
                    (unsigned long long)p->lost, (unsigned long long)p->rays);
