@@ -27,7 +27,8 @@ const murk_command murk_commands[] = {
      murk_command_place},
     {"sense", "SCENE --sensors FILE [-o DIR]", "measure a given placement",
      "Traces and measures what the given sensors see. With -o writes "
-     "DIR/coverage.json (last), coverage.csv and all that trace writes.",
+     "DIR/coverage.json (last), coverage.csv, coverage.ply and all that trace "
+     "writes.",
      murk_command_sense},
     {"render", "SCENE [-o IMAGE.exr]",
      "a picture, as one of its cameras sees it",
