@@ -19,10 +19,16 @@ typedef struct sums {
     double sum, squares;
 } sums;
 
+/* What the maps bring to a pixel's samples, group by group. */
+typedef struct group_sums {
+    double sum[MURK_GATHER_GROUPS], squares[MURK_GATHER_GROUPS];
+    sums all;
+} group_sums;
+
 /* Of a tile's pixels, in one band: radiances, the variances of their samples,
  * and what the maps brought. */
 typedef struct tile_sums {
-    double radiance, variance, group[MURK_GATHER_GROUPS];
+    double radiance, variance, group[MURK_GATHER_GROUPS], noise;
 } tile_sums;
 
 typedef struct run {
@@ -48,6 +54,32 @@ static double mean_variance(const sums *s, double n)
 {
     const double mean = s->sum / n;
     return n > 1 ? fmax(0, s->squares / n - mean * mean) / (n - 1) : INFINITY;
+}
+
+static void take_groups(group_sums *s, const double one[MURK_GATHER_GROUPS])
+{
+    double all = 0;
+    for (int g = 0; g < MURK_GATHER_GROUPS; ++g) {
+        s->sum[g] += one[g];
+        s->squares[g] += one[g] * one[g];
+        all += one[g];
+    }
+    take(&s->all, all);
+}
+
+/* Leaves means over the samples in s->sum. Answers how much of their variance
+ * (murk_gather_variance()) is the samples' own, which is counted without. */
+static double take_means(group_sums *s, double n)
+{
+    const double groups = MURK_GATHER_GROUPS;
+    double noise = 0;
+    for (int g = 0; g < MURK_GATHER_GROUPS; ++g) {
+        s->sum[g] /= n;
+        noise += fmax(0, s->squares[g] / n - s->sum[g] * s->sum[g]);
+    }
+    return n > 1 ? (noise / (n - 1) - mean_variance(&s->all, n) / groups) *
+                       groups / (groups - 1)
+                 : 0;
 }
 
 /* What lies straight ahead of the pixel's middle. */
@@ -89,7 +121,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
     const double n = (double)render->samples;
     sums band[MURK_BANDS_MAX] = {{0, 0}}, colour[3] = {{0, 0}};
     double part[MURK_BANDS_MAX][2] = {{0, 0}};
-    double group[MURK_BANDS_MAX][MURK_GATHER_GROUPS]; /* from the maps */
+    group_sums group[MURK_BANDS_MAX], records[3] = {{.all = {0, 0}}};
     memset(group, 0, (size_t)p->bands * sizeof *group);
     for (size_t i = 0; i < render->samples; ++i) {
         const uint64_t number = (uint64_t)at * render->samples + i;
@@ -98,44 +130,54 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         const murk_vec3 sight =
             murk_camera_draw(&render->camera, x, y, u.u[0], u.u[1]);
         double rgb[3] = {0, 0, 0};
+        double own[3][MURK_GATHER_GROUPS] = {{0}}; /* of colours */
         for (int b = 0; b < p->bands; ++b) {
+            double one[MURK_GATHER_GROUPS] = {0}; /* from the maps */
             const murk_found found = murk_sampler_look(
-                sampler, number, b, render->camera.from, sight, group[b]);
+                sampler, number, b, render->camera.from, sight, one);
             const double radiance = found.surface + found.volume;
             take(&band[b], radiance);
             part[b][0] += found.surface / n;
             part[b][1] += found.volume / n;
             for (int k = 0; k < 3; ++k) {
                 rgb[k] += r->colour[k][b] * radiance;
+                for (int g = 0; r->gather && g < MURK_GATHER_GROUPS; ++g) {
+                    own[k][g] += r->colour[k][b] * one[g];
+                }
+            }
+            if (r->gather) {
+                take_groups(&group[b], one);
             }
         }
         for (int k = 0; k < 3; ++k) {
             take(&colour[k], rgb[k]);
+            if (r->gather) {
+                take_groups(&records[k], own[k]);
+            }
         }
     }
     const double share = share_of_mean(&render->camera, x, y);
-    double records[3][MURK_GATHER_GROUPS] = {{0}};
     for (int b = 0; b < p->bands; ++b) {
         const double variance = mean_variance(&band[b], n);
+        const double noise = take_means(&group[b], n);
         for (int g = 0; g < MURK_GATHER_GROUPS; ++g) {
-            group[b][g] /= n;
-            tile[b].group[g] += share * group[b][g];
-            for (int k = 0; k < 3; ++k) {
-                records[k][g] += r->colour[k][b] * group[b][g];
-            }
+            tile[b].group[g] += share * group[b].sum[g];
         }
+        tile[b].noise += share * share * noise;
         p->radiance[b][at] = (float)(band[b].sum / n);
         p->surface[b][at] = (float)part[b][0];
         p->volume[b][at] = (float)part[b][1];
-        p->error[b][at] =
-            (float)sqrt(variance + murk_gather_variance(group[b]));
+        p->error[b][at] = (float)sqrt(
+            variance + fmax(0, murk_gather_variance(group[b].sum) - noise));
         tile[b].radiance += share * (band[b].sum / n);
         tile[b].variance += share * share * variance;
     }
     for (int k = 0; k < 3; ++k) {
+        const double noise = take_means(&records[k], n);
         p->rgb[k][at] = (float)(colour[k].sum / n);
-        p->rgb_error[k][at] = (float)sqrt(mean_variance(&colour[k], n) +
-                                          murk_gather_variance(records[k]));
+        p->rgb_error[k][at] =
+            (float)sqrt(mean_variance(&colour[k], n) +
+                        fmax(0, murk_gather_variance(records[k].sum) - noise));
     }
     look_straight(r, x, y, at);
 }
@@ -274,13 +316,16 @@ static void add_up(run *r, size_t tiles)
             const tile_sums *tile = &r->tile[t * (size_t)p->bands + (size_t)b];
             all.radiance += tile->radiance;
             all.variance += tile->variance;
+            all.noise += tile->noise;
             for (int g = 0; g < MURK_GATHER_GROUPS; ++g) {
                 all.group[g] += tile->group[g];
             }
         }
         p->mean[b] = all.radiance / n;
         p->mean_error[b] =
-            sqrt(all.variance + murk_gather_variance(all.group)) / n;
+            sqrt(all.variance +
+                 fmax(0, murk_gather_variance(all.group) - all.noise)) /
+            n;
     }
     p->rays = (uint64_t)n * r->render->samples * (uint64_t)p->bands;
     for (unsigned i = 0; i < r->render->threads; ++i) {
