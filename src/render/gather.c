@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/crew.h"
+#include "base/progress.h"
 #include "light/shine.h"
 #include "render/balls.h"
 #include "render/kernel.h"
@@ -70,6 +71,7 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
             photons[kept++] = all[i];
         }
     }
+    murk_progress_add(most - kept);
     murk_photon *fitting = realloc(photons, (kept + 1) * sizeof *photons);
     return murk_photon_map_create(out, fitting ? fitting : photons, kept,
                                   desc->threads, err);
@@ -112,7 +114,9 @@ static void lay(void *context, uint64_t batch)
     uint32_t found[MURK_GATHER_MAX + 1];
     double square_m2[MURK_GATHER_MAX + 1];
     const size_t first = (size_t)batch * RECORDS_AT_ONCE;
-    for (size_t i = first; i < first + RECORDS_AT_ONCE && i < n; ++i) {
+    const size_t end =
+        n < first + RECORDS_AT_ONCE ? n : first + RECORDS_AT_ONCE;
+    for (size_t i = first; i < end; ++i) {
         const murk_photon *p = &photons[i];
         const murk_vec3 place =
             murk_vec((double)p->position_m[0], (double)p->position_m[1],
@@ -125,6 +129,7 @@ static void lay(void *context, uint64_t batch)
         *kernel = murk_kernel_of(&l->probing, p, radius, i);
         l->extent[i] = extent_of(l->desc->scenery, p, kernel);
     }
+    murk_progress_add(end - first);
 }
 
 static murk_status make(layer *out, const murk_gathering_desc *desc,
@@ -176,12 +181,17 @@ murk_status murk_gather_create(murk_gather **out,
         fmax(last_emitted(desc->surface), last_emitted(desc->volume));
     g->per_photon = MURK_GATHER_GROUPS / (last + 1);
     murk_status status = MURK_OK;
+    murk_progress_begin("kernels",
+                        murk_photon_map_count(desc->surface) +
+                            murk_photon_map_count(desc->volume),
+                        "photons");
     for (int band = 0; band < desc->scenery->world->bands && !status; ++band) {
         status = make(&g->surface[band], desc, desc->surface, band, err);
         if (!status) {
             status = make(&g->volume[band], desc, desc->volume, band, err);
         }
     }
+    murk_progress_end();
     if (status) {
         murk_gather_destroy(g);
         return status;

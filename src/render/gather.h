@@ -35,7 +35,7 @@ typedef struct murk_gathering_desc {
 } murk_gathering_desc;
 
 /* *out is the caller's. Fails with MURK_NO_MEMORY; ends early, with whatever
- * there is, when interrupted. */
+ * there is, when interrupted. Progress by photons. */
 murk_status murk_gather_create(murk_gather **out,
                                const murk_gathering_desc *desc,
                                murk_error *err);
