@@ -12,6 +12,7 @@
 #include "app/version.h"
 #include "app/web_files.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/progress.h"
 
 #include <cjson/cJSON.h>
@@ -180,6 +181,10 @@ static murk_status write_file(const char *path, const content *c,
     murk_status status = murk_file_create(&file, path, err);
     if (!status) {
         status = write_page(murk_file_stream(file), c, err);
+    }
+    if (!status && murk_interrupted()) {
+        /* what was not read because of it is missing in the page */
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status) {
         status = murk_file_commit(&file, err);

@@ -7,10 +7,12 @@ usage: report.py MURK [SANITIZE]
 import json
 import os
 import resource
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 PLAN = {"murk": {"version": "0.1.0"}, "scene": "a.yaml", "seed": 1,
         "sensors": [{"type": "node", "position_m": [1, 2, 3]}],
@@ -41,6 +43,36 @@ def check(holds, *what):
 
 def photon(x, kind=1, seen=0):
     return struct.pack("<3f3BBHfI", x, 0, 0, 0, 0, 0, kind, seen, 1, 2**32 - 1)
+
+
+def check_interrupt(murk, folder):
+    """Ctrl-C leaves a whole page or none, whenever it comes."""
+    with open(os.path.join(folder, "plan.json"), "w") as file:
+        json.dump(PLAN, file)
+    with open(os.path.join(folder, "scene.yaml"), "w") as file:
+        file.write(GRID + "media: {fog: {extinction_per_m: 1}}\nregions: [{medium: fog}]\n")
+    page, codes, whole = os.path.join(folder, "report.html"), [], None
+    begun = time.monotonic()
+    subprocess.run([murk, "report", "-q", folder], check=True, timeout=60)
+    took = time.monotonic() - begun
+    with open(page, "rb") as file:
+        whole = file.read()
+    for k in range(60):
+        os.unlink(page) if os.path.exists(page) else None
+        started = subprocess.Popen([murk, "report", "-q", folder], stderr=subprocess.DEVNULL)
+        time.sleep(took * k / 40)
+        started.send_signal(signal.SIGINT)
+        codes.append(started.wait(timeout=60))
+        if os.path.exists(page):
+            with open(page, "rb") as file:
+                check(codes[-1] == 0 and file.read() == whole, "a part of a page", codes[-1])
+        else:  # before there is a handler, the signal ends it
+            check(codes[-1] in (130, -signal.SIGINT), "no page, and exit", codes[-1])
+        if codes.count(130) >= 3 and codes[-1] == 0:
+            break
+    check(130 in codes, "never interrupted:", codes)
+    for name in os.listdir(folder):
+        os.unlink(os.path.join(folder, name))
 
 
 def main(murk, is_sanitized):
@@ -207,6 +239,7 @@ def main(murk, is_sanitized):
         check(text.count('"residual"') == 1, "readings without a place")
         plan(conditions=[{"name": "../" * 50}, {"name": "x"}, {"name": "<i>"}, {}])
         run(0, "&lt;i&gt;")
+        check_interrupt(murk, folder)
         plan()
         write("scene.yaml", "murk: 1\nnonsense: 3\n")
         run(0, "scene.yaml cannot be read again")
