@@ -34,6 +34,14 @@ static void write_file_of(FILE *to, const murk_results_in *results,
     free(path);
 }
 
+/* Of several runs, the light's is told, too. */
+static bool is_told(const murk_results_in *results, int which)
+{
+    return results->json[which] &&
+           (murk_results_is_main(results, (murk_result_file)which) ||
+            !murk_results_are_one_run(results));
+}
+
 /* What was typed, from the folder where that was. */
 static bool write_typed(FILE *to, const murk_results_in *results)
 {
@@ -43,7 +51,7 @@ static bool write_typed(FILE *to, const murk_results_in *results)
         const murk_yaml *root = results->json[i];
         const char *command = murk_result_text(root, "run.command");
         const char *folder = murk_result_text(root, "run.folder");
-        if (!murk_results_is_main(results, (murk_result_file)i) || !command) {
+        if (!is_told(results, i) || !command) {
             continue;
         }
         if (!has_any) {
@@ -94,6 +102,7 @@ static void write_commands(FILE *to, const murk_results_in *results)
     const bool has_typed = write_typed(to, results);
     const bool has_scene = !results->json[MURK_RESULT_STUDY] &&
                            !results->json[MURK_RESULT_FIT] &&
+                           murk_results_are_one_run(results) &&
                            murk_results_has(results->folder, "scene.yaml");
     if (has_scene) {
         write_resolved(to, results);
@@ -196,7 +205,7 @@ void murk_report_made(FILE *to, const murk_results_in *results)
     murk_page_section_begin(to, "made", "How it was made");
     write_commands(to, results);
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        if (murk_results_is_main(results, (murk_result_file)i)) {
+        if (is_told(results, i)) {
             write_run(to, names[i], results->json[i]);
         }
     }

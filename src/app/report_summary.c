@@ -157,6 +157,13 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
         n += murk_results_is_main(results, (murk_result_file)i);
     }
     murk_page_section_begin(to, "summary", "In short");
+    if (!murk_results_are_one_run(results)) {
+        murk_page_paragraph(
+            to, "This folder holds files of several runs. The scene, the light "
+                "and the tallies are those of the last that wrote them, and "
+                "need not be those of the answers here: see how each file was "
+                "made.");
+    }
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         const murk_yaml *root = results->json[i];
         if (!murk_results_is_main(results, (murk_result_file)i)) {

@@ -189,6 +189,32 @@ bool murk_results_is_main(const murk_results_in *results,
     return results->json[which] && !(which == MURK_RESULT_LEDGER && has_other);
 }
 
+static bool can_be_one_run(const murk_yaml *a, const murk_yaml *b)
+{
+    static const char *const keys[] = {"run.command", "run.folder",
+                                       "scene_sha256", "seed"};
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; ++k) {
+        const char *x = murk_result_text(a, keys[k]);
+        const char *y = murk_result_text(b, keys[k]);
+        if (x && y && strcmp(x, y) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool murk_results_are_one_run(const murk_results_in *results)
+{
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        for (int k = 0; k < i; ++k) {
+            if (!can_be_one_run(results->json[i], results->json[k])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 void murk_results_release(murk_results_in *results)
 {
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {

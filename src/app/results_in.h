@@ -36,6 +36,10 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
  * other. */
 bool murk_results_is_main(const murk_results_in *results,
                           murk_result_file which);
+
+/* Whether the JSONs of the folder can be of one run: files of another that was
+ * written over them, or beside them, have another command, scene or seed. */
+bool murk_results_are_one_run(const murk_results_in *results);
 void murk_results_release(murk_results_in *results);
 
 /* DIR/name for free(), NULL when out of memory. */

@@ -239,6 +239,19 @@ def main(murk, is_sanitized):
         check(text.count('"residual"') == 1, "readings without a place")
         plan(conditions=[{"name": "../" * 50}, {"name": "x"}, {"name": "<i>"}, {}])
         run(0, "&lt;i&gt;")
+        # files of one run, and of two
+        ledger = {"murk": {"version": "0.1.0"}, "seed": 1, "run": {"command": "murk place a"}}
+        for change, is_one in (({}, True), ({"seed": 2}, False), ({"scene_sha256": "b"}, False),
+                               ({"run": {"command": "murk trace a"}}, False)):
+            plan(scene_sha256="a", run={"command": "murk place a"})
+            write("scene.yaml", GRID)
+            write("ledger.json", json.dumps({**ledger, **change}))
+            text = run(0, "How plan.json was made")
+            for part, is_there in (("files of several runs", not is_one),
+                                   ("How ledger.json was made", not is_one),
+                                   ("scene.yaml -o again", is_one)):
+                check((part in text) == is_there, change, part)
+
         check_interrupt(murk, folder)
         plan()
         write("scene.yaml", "murk: 1\nnonsense: 3\n")
