@@ -67,8 +67,11 @@ static void print_options(FILE *to, const char *command)
         }
         char label[64];
         option_label(label, sizeof label, option);
-        const int n = fprintf(to, "  %-*s", INDENT - 2, label);
-        if (n > INDENT) {
+        const size_t end = strlen(label) + 2;
+        fprintf(to, "  %s", label);
+        if (end < INDENT) {
+            fprintf(to, "%*s", (int)(INDENT - end), "");
+        } else {
             fprintf(to, "\n%*s", INDENT, "");
         }
         wrap(to, option->help, INDENT, INDENT);

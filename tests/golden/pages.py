@@ -88,9 +88,11 @@ def check_commands_and_options():
         check(name in pages, "no page " + name)
         page, help_text = said.get(name, ""), run(MURK, command, "--help").stdout
         words = " ".join(page.split())
-        options = re.findall(r"^  ((?:-\w, )?--[a-z]+(?: \S+)?)\s+(.*(?:\n {24}.*)*)",
+        options = re.findall(r"^  ((?:-\w, )?--[a-z-]+(?: \S+)?)\s+(.*(?:\n {24}.*)*)",
                              help_text, re.M)
-        check(len(options) >= 8, command + ": no options found in --help")
+        begun = len(re.findall(r"^  (?:-\w, )?--", help_text, re.M))
+        check(len(options) == begun >= 8,
+              f"{command}: {len(options)} of {begun} options in --help can be read")
         for option, meaning in options:
             check(option + " " + " ".join(meaning.split()) in words,
                   f"{name}: {option} is not as --help has it")
