@@ -31,11 +31,11 @@ void murk_json_regions(cJSON *root, const murk_scene *scene,
 static void print_in_view(murk_estimate seen)
 {
     if (!isfinite(seen.value)) {
-        murk_print("  %-18s", "none there");
+        murk_print("  %16s", "none there");
     } else if (!isfinite(seen.standard_error)) {
-        murk_print("  %-18.4f", seen.value);
+        murk_print("  %16.4f", seen.value);
     } else {
-        murk_print("  %.4f +- %-8.4f", seen.value, seen.standard_error);
+        murk_print("  %.4f +- %.4f", seen.value, seen.standard_error);
     }
 }
 
@@ -47,11 +47,11 @@ void murk_print_regions(const murk_scene *scene,
     if (wish->n_interests == 0) {
         return;
     }
-    murk_print("regions     %-16s %8s %9s  %18s", "of interest", "weight",
+    murk_print("regions     %-16s %6s %8s  %16s", "of interest", "weight",
                "photons", "in view");
-    murk_print(held_out ? "  %-18s\n" : "\n", "held out");
+    murk_print(held_out ? "  %16s\n" : "\n", "held out");
     for (size_t i = 0; i < wish->n_interests; ++i) {
-        murk_print("            %-16s %8.4g %9zu", wish->interest[i].name,
+        murk_print("            %-16s %6.4g %8zu", wish->interest[i].name,
                    wish->interest[i].weight, in_sample[i].photons);
         print_in_view(in_sample[i].coverage);
         if (held_out) {

@@ -34,7 +34,9 @@ sensors:
   types: [{name: node, range_m: 2}]
   candidates: {grid: {min_m: [.2, .2, .2], max_m: [3.8, 3.8, 2.8], spacing_m: .7}}
   count: 30
-placement: {method: greedy}
+placement:
+  method: greedy
+  interest: [{name: middle of it, box: {min_m: [1, 1, 1], max_m: [3, 3, 2]}, weight: 2}]
 """
 
 
@@ -76,13 +78,16 @@ def on_terminal(words, columns, terminal="xterm", **environment):
 def photons_for(seconds, scene):
     """So many that tracing takes a processor here about that long, and the clock
     no less, whatever runs beside it."""
-    before = os.times().children_user
-    run("trace", scene, "-j1", "--emit", "20000")
-    return str(int(20000 * seconds / max(os.times().children_user - before, 1e-2)))
+    least = 1e9  # beside other work a processor's second is worth less
+    for _ in range(3):
+        before = os.times().children_user
+        run("trace", scene, "-j1", "--emit", "20000")
+        least = min(least, max(os.times().children_user - before, 1e-2))
+    return str(int(20000 * seconds / least))
 
 
 def check_progress(scene):
-    words = ["trace", scene, "-j1", "--emit", photons_for(1.4, scene)]
+    words = ["trace", scene, "-j1", "--emit", photons_for(2, scene)]
     sent = on_terminal(words, 46)
     lines = [l for l in re.findall(r"\r([^\r\n\033]+)\033\[K", sent)]
     check(len(lines) >= 3, len(lines), "progress lines in a second or more")
@@ -100,7 +105,7 @@ def check_progress(scene):
 
 
 def check_plain(scene):
-    words = ["trace", scene, "-j1", "--emit", photons_for(2.6, scene)]
+    words = ["trace", scene, "-j1", "--emit", photons_for(4, scene)]
     always = run(*words, "--progress", "always")
     lines = always.stderr.splitlines()
     check(2 <= len(lines) <= 12, "whole lines:", lines)
