@@ -84,7 +84,6 @@ static murk_status take_picture(job *j, murk_error *err)
                                                             : MURK_BY_MAPS,
                           .surface = s->traced ? s->traced->surface : NULL,
                           .volume = s->traced ? s->traced->volume : NULL,
-                          .nearest = MURK_RENDER_NEAREST,
                           .threads = s->options->threads};
     for (int b = 0; b < scene->bands; ++b) {
         const bool edges = scene->has_edges;
@@ -109,21 +108,17 @@ static const char *method_of(const job *j)
 {
     return j->options->by_path ? "path: path tracing with shadow rays"
            : j->options->maps_only
-               ? "maps-only: density estimate over records of all events"
-               : "maps: shadow rays, and density estimate over records of "
-                 "later "
-                 "events";
+               ? "maps-only: density estimate over all records"
+               : "maps: shadow rays, and density estimate over later records";
 }
 
 static murk_status write_images(job *j, murk_error *err)
 {
     const murk_traced *traced = j->session.traced;
-    const murk_image_facts facts = {
-        .scene = j->session.scene,
-        .viewpoint = &j->viewpoint,
-        .method = method_of(j),
-        .photons = traced ? traced->emitted : 0,
-        .nearest = j->options->by_path ? 0 : MURK_RENDER_NEAREST};
+    const murk_image_facts facts = {.scene = j->session.scene,
+                                    .viewpoint = &j->viewpoint,
+                                    .method = method_of(j),
+                                    .photons = traced ? traced->emitted : 0};
     return murk_images_write(&j->images, j->picture, &facts,
                              &j->options->render, err);
 }

@@ -172,7 +172,6 @@ static void say_all(texts *t, const murk_image_facts *facts)
     say_made(t, "murkTilt", "%.6g degrees", v->tilt_deg);
     say(t, "murkMethod", facts->method);
     say_made(t, "murkSamples", "%zu", v->samples);
-    say_made(t, "murkNearest", "%llu", (unsigned long long)facts->nearest);
     say_made(t, "murkPhotons", "%llu", (unsigned long long)facts->photons);
     if (v->sensors > 0) {
         say_made(t, "murkSensors", "%zu", v->sensors);

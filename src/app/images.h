@@ -18,7 +18,7 @@ typedef struct murk_image_facts {
     const murk_scene *scene;
     const murk_viewpoint *viewpoint;
     const char *method; /* "path: path tracing with shadow rays" */
-    uint64_t photons, nearest;
+    uint64_t photons;
 } murk_image_facts;
 
 /* Names them: beside the scene, under its name and the mark, or by -o; and

@@ -27,6 +27,14 @@ struct murk_gather {
     layer surface[MURK_BANDS_MAX], volume[MURK_BANDS_MAX];
 };
 
+size_t murk_gather_nearest(size_t records)
+{
+    const size_t k = (size_t)lround(sqrt((double)records) / 8);
+    return k < MURK_GATHER_MIN   ? MURK_GATHER_MIN
+           : k > MURK_GATHER_MAX ? MURK_GATHER_MAX
+                                 : k;
+}
+
 /* ---- making ---- */
 
 /* On what a solid holds: there no shadow ray goes. */
@@ -110,7 +118,7 @@ static void lay(void *context, uint64_t batch)
     const murk_photon_map *map = l->layer->map;
     const murk_photon *photons = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
-    const size_t k = l->desc->nearest + 1; /* itself is one of them */
+    const size_t k = murk_gather_nearest(n) + 1; /* itself is one of them */
     uint32_t found[MURK_GATHER_MAX + 1];
     double square_m2[MURK_GATHER_MAX + 1];
     const size_t first = (size_t)batch * RECORDS_AT_ONCE;

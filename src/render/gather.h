@@ -3,9 +3,11 @@
  *
  * Each record has a kernel of its own (render/kernel.h), as wide as the k-th
  * nearest other record of its band is far; what a place gets is the sum over
- * the kernels that hold it. On surfaces those count whose normal is within 60
- * degrees of the place's. A record's power is what leaves its event, so no
- * reflectance and no albedo is applied again.
+ * the kernels that hold it. k grows with the number of records, and more slowly
+ * than it: with more photons pictures are both less noisy and less blurred. On
+ * surfaces those count whose normal is within 60 degrees of the place's. A
+ * record's power is what leaves its event, so no reflectance and no albedo is
+ * applied again.
  *
  * Whether first events count is the caller's choice: where shadow rays find
  * direct light they must not, but for those of lights that no shadow ray finds
@@ -20,15 +22,19 @@
 #include "photonmap/map.h"
 #include "render/direct.h"
 
-#define MURK_GATHER_MAX    1000
+#define MURK_GATHER_MIN    12
+#define MURK_GATHER_MAX    256
 #define MURK_GATHER_GROUPS 64
+
+/* k for so many records of one map and band: sqrt(n) / 8, within
+ * MURK_GATHER_MIN..MURK_GATHER_MAX. */
+size_t murk_gather_nearest(size_t records);
 
 typedef struct murk_gather murk_gather;
 
 typedef struct murk_gathering_desc {
     const murk_scenery *scenery; /* borrowed as long as the gather lives */
     const murk_photon_map *surface, *volume; /* copied as far as used */
-    size_t nearest;                          /* k: 2..MURK_GATHER_MAX */
     bool takes_first; /* first events count, of all lights */
     uint32_t seed;
     unsigned threads;

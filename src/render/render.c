@@ -288,7 +288,6 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
         const murk_gathering_desc desc = {.scenery = &r->scenery,
                                           .surface = render->surface,
                                           .volume = render->volume,
-                                          .nearest = render->nearest,
                                           .takes_first = render->method ==
                                                          MURK_BY_MAPS_ONLY,
                                           .seed = render->trace->seed,
@@ -338,8 +337,6 @@ murk_status murk_render_run(murk_picture **out, const murk_render *render,
 {
     const murk_camera *c = &render->camera;
     assert(c->width > 0 && c->height > 0 && render->samples > 0);
-    assert(render->method == MURK_BY_PATHS ||
-           (render->nearest >= 2 && render->nearest <= MURK_GATHER_MAX));
     const size_t across = (c->width + TILE - 1) / TILE;
     const size_t tiles = across * ((c->height + TILE - 1) / TILE);
     run r = {.render = render, .tiles_across = across};

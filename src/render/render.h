@@ -16,16 +16,12 @@
 #define MURK_PIXELS_MAX  (UINT64_C(1) << 26) /* of a picture */
 #define MURK_SAMPLES_MAX 65536               /* of a pixel */
 
-/* Records that a density estimate reaches to. */
-#define MURK_RENDER_NEAREST 24
-
 typedef struct murk_render {
     const murk_trace *trace; /* world, seed, caps, flight; as for photons */
     murk_camera camera;
     size_t samples;
     murk_render_method method;
     const murk_photon_map *surface, *volume;               /* by maps */
-    size_t nearest;                                        /* by maps */
     double from_nm[MURK_BANDS_MAX], to_nm[MURK_BANDS_MAX]; /* of each band */
     unsigned threads;
 } murk_render;

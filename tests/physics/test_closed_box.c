@@ -88,7 +88,6 @@ static murk_picture *taken(uint32_t seed, murk_render_method method)
         .method = method,
         .surface = traced->surface,
         .volume = traced->volume,
-        .nearest = MURK_RENDER_NEAREST,
         .from_nm = {550},
         .to_nm = {550},
         .threads = 2};

@@ -47,7 +47,6 @@ static murk_picture *taken(const murk_stage *stage, const murk_traced *traced,
         .method = method,
         .surface = traced->surface,
         .volume = traced->volume,
-        .nearest = MURK_RENDER_NEAREST,
         .from_nm = {550},
         .to_nm = {550},
         .threads = 2};

@@ -103,7 +103,6 @@ static radiances seen(murk_render_method method, const char *override,
                                     .method = method,
                                     .surface = traced ? traced->surface : NULL,
                                     .volume = traced ? traced->volume : NULL,
-                                    .nearest = MURK_RENDER_NEAREST,
                                     .from_nm = {550},
                                     .to_nm = {550},
                                     .threads = 2};
