@@ -9,29 +9,23 @@
 #include "base/file.h"
 #include "render/channels.h"
 
-typedef struct writer {
-    murk_file *file;
-    char message[256]; /* of the library */
-} writer;
-
 /* ---- what the library asks for ---- */
 
-static void hear(exr_const_context_t context, exr_result_t code,
-                 const char *message)
+/* What went wrong is in the results. The library calls this with the file
+ * locked, so that asking it for anything here would wait forever. */
+static void ignore(exr_const_context_t context, exr_result_t code,
+                   const char *message)
 {
-    void *data = NULL;
-    if (exr_get_user_data(context, &data) == EXR_ERR_SUCCESS && data) {
-        writer *w = data;
-        snprintf(w->message, sizeof w->message, "%s",
-                 message ? message : exr_get_default_error_message(code));
-    }
+    (void)context;
+    (void)code;
+    (void)message;
 }
 
 static int64_t put(exr_const_context_t context, void *data, const void *bytes,
                    uint64_t size, uint64_t offset,
                    exr_stream_error_func_ptr_t fail)
 {
-    FILE *stream = murk_file_stream(((writer *)data)->file);
+    FILE *stream = murk_file_stream(data);
     (void)context;
     (void)fail;
     if (fseeko(stream, (off_t)offset, SEEK_SET) != 0 ||
@@ -138,15 +132,15 @@ murk_status murk_exr_write(const murk_exr *exr, const char *path,
     const murk_picture *p = exr->picture;
     const size_t n =
         murk_channels_list(p, p->bands, exr->band_nm, p->seen_by != NULL, list);
-    writer w = {0};
-    murk_status status = murk_file_create(&w.file, path, err);
+    murk_file *out = NULL;
+    murk_status status = murk_file_create(&out, path, err);
     if (status) {
         free(list);
         return status;
     }
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    setup.error_handler_fn = hear;
-    setup.user_data = &w;
+    setup.error_handler_fn = ignore;
+    setup.user_data = out;
     setup.write_fn = put;
     exr_context_t file = NULL;
     exr_result_t result =
@@ -158,12 +152,11 @@ murk_status murk_exr_write(const murk_exr *exr, const char *path,
     }
     free(list);
     if (result) {
-        murk_file_discard(w.file);
-        return murk_fail(err, MURK_BAD_FILE, path, "cannot be written: %s",
-                         *w.message ? w.message
-                                    : exr_get_default_error_message(result));
+        murk_file_discard(out);
+        return murk_fail(err, MURK_RUN_FAILED, path, "cannot be written: %s",
+                         exr_get_default_error_message(result));
     }
-    status = murk_file_commit(&w.file, err);
-    murk_file_discard(w.file);
+    status = murk_file_commit(&out, err);
+    murk_file_discard(out);
     return status;
 }

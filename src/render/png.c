@@ -110,7 +110,7 @@ murk_status murk_png_write(const murk_raster *raster,
     }
     if (!status &&
         !write_all(&w, raster, text, n_text, murk_file_stream(file))) {
-        status = murk_fail(err, MURK_BAD_FILE, path, "cannot be written: %s",
+        status = murk_fail(err, MURK_RUN_FAILED, path, "cannot be written: %s",
                            w.message);
     }
     if (!status) {

@@ -143,6 +143,10 @@ def main(murk, is_sanitized):
             done, made = run("--pixels", "8192x8192")
             check(done.returncode == 1 and "the picture takes 5.37 GB" in done.stderr, done.stderr)
             check(not made, "made", made)
+        # what the image's format does not take: two channels of one name
+        done, made = run("--method", "path", "--set", "bands_nm=[550.00001, 550.00002]")
+        check(done.returncode == 1 and "cannot be written" in done.stderr, done.stderr)
+        check(done.stderr.count("\n") == 1 and not made, done.stderr, made)
         # a folder that cannot be written, a PNG whose place is taken by a folder
         done, made = run("--method", "path", "-o", "none/x.exr")
         check(done.returncode == 1 and done.stderr.count("\n") == 1, done.returncode, done.stderr)
