@@ -10,7 +10,7 @@
 #include <string.h>
 
 #define CELL_SIZE   40
-#define TABLE_WIDTH 98
+#define TABLE_WIDTH 80
 #define NUMBER      5 /* columns of a row's number */
 #define ROWS_MOST   24
 

@@ -17,12 +17,18 @@ static struct {
     size_t size, room;
 } open_line;
 
+/* A name and a gap begin a sentence, more gaps are columns. */
 static bool is_table(const char *line)
 {
     const size_t length = strlen(line);
-    size_t begin = length < LABEL ? length : LABEL;
-    begin += strspn(line + begin, " ");
-    return strstr(line + begin, "  ") != NULL;
+    const char *at = line + (length < LABEL ? length : LABEL);
+    at += strspn(at, " ");
+    size_t gaps = 0;
+    while ((at = strstr(at, "  ")) != NULL) {
+        at += strspn(at, " ");
+        ++gaps;
+    }
+    return gaps > 1;
 }
 
 /* Where text goes on: under its own beginning. */

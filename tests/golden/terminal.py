@@ -6,6 +6,7 @@ usage: terminal.py MURK
 """
 
 import fcntl
+import glob
 import json
 import os
 import pty
@@ -149,6 +150,16 @@ def check_summary(scene, folder):
         check(run(*words, "--quiet").stdout == "", words[0], "--quiet speaks")
 
 
+def check_width():
+    """Tables and long lines of the examples."""
+    for words in (*(["check", scene] for scene in sorted(glob.glob("scenes/*.yaml"))),
+                  ["study", "scenes/studies/fog-yard.yaml", "--emit", "50",
+                   "--set", "placement.method=greedy"]):
+        done = run(*words)
+        wide = [l for l in done.stdout.splitlines() if len(l) > COLUMNS or l.endswith(" ")]
+        check(done.returncode == 0 and not wide, words, wide[:2], done.stderr[:200])
+
+
 def check_newcomer(scene, folder):
     empty = os.path.join(folder, "empty")
     os.mkdir(empty)
@@ -188,6 +199,7 @@ with tempfile.TemporaryDirectory() as temporary:
     check_progress(path)
     check_plain(path)
     check_summary(path, temporary)
+    check_width()
     check_newcomer(path, temporary)
 print("fits" if failures == 0 else f"{failures} failures")
 sys.exit(failures != 0)
