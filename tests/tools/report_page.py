@@ -11,6 +11,7 @@ import csv
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -199,6 +200,7 @@ def check_sights(page, folder):
         plan = json.load(file)
     photons = plan["photons"]["surface"] + plan["photons"]["volume"]
     check(plan["photons"]["volume"] == 0 and photons > 1000, plan["photons"])
+    check("<b>node" in [sensor["type"] for sensor in plan["sensors"]], "no name with a tag in it")
     before = drawn(page)
     for k, sensor in enumerate(plan["sensors"]):
         page.value(SET % ("view-sensor", k, "change"))
@@ -206,10 +208,10 @@ def check_sights(page, folder):
         seen, alone = number(r"it sees ([\d,]+)", text), number(r"([\d,]+) of them alone", text)
         check(abs(seen / photons - sensor["covers"]) < 0.5 / photons, text, sensor["covers"])
         check(abs(alone / photons - sensor["only_it_covers"]) < 0.5 / photons, text, sensor)
+        check(f"Sensor {k + 1} ({sensor['type']}) at " in text, text, sensor["type"])
         check(number(r"alone sees: ([\d,]+)", page.value(KEY)) == alone, page.value(KEY))
         check(drawn(page) != before, "picking changes no pixel")
         before = drawn(page)
-    check("(<b>node)" in text or any("<b>" not in s["type"] for s in plan["sensors"]), text)
     page.value(SET % ("view-sensor", -1, "change"))
     none = number(r"no sensor sees: ([\d,]+)", page.value(KEY))
     check(abs(1 - none / photons - plan["coverage"]["in_sample"]) < 0.5 / photons, none)
@@ -268,8 +270,9 @@ def check_lost(page, folder):
     check(page.value("document.getElementById('view-canvas').hidden"), "an empty view")
 
 
-def check_policy(page):
-    """What a script that is not the page's own would meet."""
+def check_policy(page, folder):
+    """What a script that is not the page's own would meet. The image is there."""
+    shutil.copy("doc/report.png", os.path.join(folder, "other.png"))
     ran = page.value("""(() => { const s = document.createElement("script");
       s.textContent = "window.intruder = 1"; document.body.append(s);
       return window.intruder === 1; })()""")
@@ -317,7 +320,7 @@ def main(murk, picture):
             check_sights(page, room)
             check_conditions(page, over)
             check_readings(page, fit)
-            check_policy(page)
+            check_policy(page, fit)
             check_lost(page, room)
         finally:
             page.end()
