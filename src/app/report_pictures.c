@@ -216,6 +216,8 @@ static void write_picture(FILE *to, const murk_report_picture *p)
     write_said(to, p, "samples a pixel:", "murkSamples");
     write_said(to, p, "photons:", "murkPhotons");
     write_said(to, p, "exposure", "murkExposure");
+    write_said(to, p, "channel", "murkChannel");
+    write_said(to, p, "colours", "murkColours");
     fputs(".</figcaption>\n</figure>\n", to);
 }
 
