@@ -86,7 +86,9 @@ static bool read_file(murk_report_picture *p, FILE *file, size_t most)
 {
     unsigned char head[HEAD_SIZE];
     struct stat known;
+    /* it may be written meanwhile: its size need not be that of what is read */
     if (fstat(fileno(file), &known) != 0 || !S_ISREG(known.st_mode) ||
+        known.st_size < HEAD_SIZE ||
         fread(head, 1, HEAD_SIZE, file) != HEAD_SIZE || !read_head(p, head)) {
         return false;
     }
