@@ -42,6 +42,13 @@ static const murk_web_file *find_file(const char *name)
 
 /* ---- head ---- */
 
+/* The folder's own name, also where it was given as ".". */
+static const char *folder_name(const murk_results_in *results)
+{
+    const char *slash = strrchr(results->whole, '/');
+    return slash && slash[1] ? slash + 1 : results->whole;
+}
+
 /* The scene's or study's name without folder and ending; else the folder's. */
 static void name_of(char out[NAME_SIZE], const murk_results_in *results)
 {
@@ -50,7 +57,7 @@ static void name_of(char out[NAME_SIZE], const murk_results_in *results)
     for (int i = 0; !path && i < MURK_RESULT_FILES; ++i) {
         path = murk_result_text(results->json[i], "scene");
     }
-    path = path ? path : results->folder;
+    path = path ? path : folder_name(results);
     const char *slash = strrchr(path, '/');
     path = slash && slash[1] ? slash + 1 : path;
     const char *dot = strrchr(path, '.');
@@ -155,7 +162,7 @@ static murk_status write_page(FILE *to, const content *c, murk_error *err)
     fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
           "murk " MURK_VERSION ". Results of the folder ",
           to);
-    murk_page_text(to, c->results.folder);
+    murk_page_text(to, folder_name(&c->results));
     fputs(".</p>\n", to);
     write_contents(to, c);
     fputs("</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);

@@ -29,7 +29,7 @@ static void write_word(FILE *to, const char *word)
 static void write_file_of(FILE *to, const murk_results_in *results,
                           const char *name)
 {
-    char *path = murk_results_path(results->folder, name);
+    char *path = murk_results_path(results->whole, name);
     write_word(to, path ? path : name);
     free(path);
 }

@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "app/results_in.h"
 
 #include "app/version.h"
@@ -163,6 +164,11 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
         return murk_fail(err, MURK_BAD_FILE, folder,
                          "no such folder, must be one of results (-o DIR)");
     }
+    out->whole = realpath(folder, NULL);
+    out->whole = out->whole ? out->whole : strdup(folder);
+    if (!out->whole) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the folder");
+    }
     bool has_any = false;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         const murk_status status = read_json(out, (murk_result_file)i, err);
@@ -221,5 +227,6 @@ void murk_results_release(murk_results_in *results)
         free(results->path[i]);
         murk_yaml_destroy(results->json[i]);
     }
+    free(results->whole);
     *results = (murk_results_in){0};
 }

@@ -22,7 +22,8 @@ typedef enum murk_result_file {
 } murk_result_file;
 
 typedef struct murk_results_in {
-    const char *folder;                 /* borrowed */
+    const char *folder; /* borrowed */
+    char *whole;        /* its whole path; as named, where there is none */
     char *path[MURK_RESULT_FILES];      /* of each, there or not */
     murk_yaml *json[MURK_RESULT_FILES]; /* NULL: not there */
 } murk_results_in;

@@ -94,6 +94,9 @@ def main(murk):
         def at(name):
             return os.path.join(folder, name)
 
+        def whole(name):
+            return os.path.join(os.path.realpath(folder), name)
+
         def write(name, text):
             with open(at(name), "w", encoding="utf-8") as file:
                 file.write(text)
@@ -152,7 +155,8 @@ def main(murk):
         check(f"of that by {EVIL} fog" in page.text, "the medium's name")
         check(plan["scene_sha256"] in page.text and plan["murk"]["commit"] in page.text,
               "no provenance")
-        check("murk place plan/scene.yaml -o again" in page.text, "no command")
+        resolved = commands(at("plan/report.html"))[1]
+        check(f"murk place {whole('plan')}/scene.yaml -o again" in page.text, "no command")
         check("murk place 'it'\\''s <b>.yaml' -o again" in page.text, "not as typed")
         # curve, samples, shares, seen by, losses, two drawings, light
         check(page.tags.count("svg") == 8, page.tags.count("svg"), "plots, want 8")
@@ -232,7 +236,7 @@ def main(murk):
         os.unlink(at("plan/c.exr"))
 
         # from the scene beside it: the same plan
-        paste(f"cd {folder}\n" + commands(at("plan/report.html"))[1])
+        paste(f"cd {folder}\n" + resolved)
         with open(at("again/plan.json"), encoding="utf-8") as file:
             again = json.load(file)
         check(again["coverage"] == coverage and again["sensors"] == plan["sensors"],
@@ -242,12 +246,21 @@ def main(murk):
         # the same bytes again, and in the file that is named
         run("report", "plan", "-o", "named.html", "--quiet")
         with open(at("named.html"), "rb") as a, open(at("plan/report.html"), "rb") as b:
-            check(a.read() == b.read(), "two reports of one folder differ")
+            want = a.read()
+            check(want == b.read(), "two reports of one folder differ")
+        check(b"Results of the folder plan." in want, "the folder's name")
+        os.unlink(at("plan/report.html"))
+
+        # and from inside of it
+        subprocess.run([murk, "report", ".", "-q"], cwd=at("plan"), check=True)
+        with open(at("plan/report.html"), "rb") as file:
+            check(file.read() == want, "the page of . differs")
 
         run("sense", scene, "--sensors", "plan/plan.json", "-o", "seen", "--quiet")
         run("report", "seen")
         page = read(at("seen/report.html"))
-        check("murk sense seen/scene.yaml --sensors seen/coverage.json" in page.text,
+        check(f"murk sense {whole('seen')}/scene.yaml --sensors {whole('seen')}/coverage.json"
+              in page.text,
               "no command of sense")
         run("sense", "seen/scene.yaml", "--sensors", "seen/coverage.json", "--quiet")
         data, text = view_data(at("seen/report.html"))
@@ -258,7 +271,7 @@ def main(murk):
 
         run("trace", scene, "-o", "light", "--quiet")
         run("report", "light")
-        check("murk trace light/scene.yaml -o again" in read(at("light/report.html")).text,
+        check(f"murk trace {whole('light')}/scene.yaml -o again" in read(at("light/report.html")).text,
               "no command of trace")
         (state,) = view_data(at("light/report.html"))[0]["states"]
         check(state["stored"] == state["photons"] == photons and state["sensors"] == [],
