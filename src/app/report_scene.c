@@ -87,11 +87,16 @@ static void read_scene(murk_report_scene *out, const char *folder)
 {
     murk_error why = {0};
     char *path = murk_results_path(folder, "scene.yaml");
-    if (path && murk_results_has(folder, "scene.yaml") &&
-        murk_scene_read(&out->scene, path, NULL, 0, &why)) {
+    murk_status status = MURK_OK;
+    if (!murk_results_has(folder, "scene.yaml")) {
+        status = murk_fail(&why, MURK_BAD_FILE, "", "it is not there");
+    } else if (path) {
+        status = murk_scene_read(&out->scene, path, NULL, 0, &why);
+    }
+    if (status) {
         murk_report_scene_note(out,
-                               "scene.yaml cannot be read again, so ranges and "
-                               "surfaces are not shown",
+                               "scene.yaml cannot be read again, so surfaces, "
+                               "ranges and media are not shown",
                                &why);
     }
     free(path);

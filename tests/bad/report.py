@@ -265,7 +265,9 @@ def main(murk, is_sanitized):
         check_interrupt(murk, folder)
         plan()
         write("scene.yaml", "murk: 1\nnonsense: 3\n")
-        run(0, "scene.yaml cannot be read again")
+        run(0, "surfaces, ranges and media are not shown (")
+        plan()
+        run(0, "surfaces, ranges and media are not shown (it is not there)")
     print("failures:", failures)
     return failures != 0
 
