@@ -28,6 +28,7 @@ typedef struct content {
     murk_report_fields fields;
     murk_report_scene scene;
     murk_report_pictures pictures;
+    const char *page; /* its own path */
 } content;
 
 static const murk_web_file *find_file(const char *name)
@@ -146,7 +147,7 @@ static murk_status write_parts(FILE *to, const content *c, murk_error *err)
     if (!status) {
         status = murk_report_tallies(to, results, &c->fields, err);
     }
-    murk_report_made(to, results);
+    murk_report_made(to, results, c->page);
     return status;
 }
 
@@ -262,6 +263,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         status = murk_report_scene_read(&c.scene, &c.results, err);
     }
     if (!status) {
+        c.page = path;
         status = write_file(path, &c, err);
     }
     murk_progress_end();

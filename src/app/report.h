@@ -34,8 +34,9 @@ murk_status murk_report_tallies(FILE *to, const murk_results_in *results,
                                 const murk_report_fields *fields,
                                 murk_error *err);
 
-/* How it was made: the commands that make it again, version, packages, files.
- */
-void murk_report_made(FILE *to, const murk_results_in *results);
+/* How it was made: the commands that make it again, version, packages, files
+ * but the page, whose path is told. */
+void murk_report_made(FILE *to, const murk_results_in *results,
+                      const char *page);
 
 #endif

@@ -163,10 +163,9 @@ static void write_run(FILE *to, const char *file, const murk_yaml *root)
 
 /* ---- files ---- */
 
-/* No pages, also while they are written: this one would tell of itself. */
-static int is_result(const struct dirent *entry)
+static int is_shown(const struct dirent *entry)
 {
-    return entry->d_name[0] != '.' && !strstr(entry->d_name, ".html");
+    return entry->d_name[0] != '.';
 }
 
 static int by_name(const struct dirent **a, const struct dirent **b)
@@ -174,11 +173,36 @@ static int by_name(const struct dirent **a, const struct dirent **b)
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
-static void write_files(FILE *to, const char *folder)
+/* The page's own name in the folder; NULL where it is written elsewhere. */
+static const char *name_in(const char *folder, const char *page)
+{
+    struct stat here, there;
+    const char *slash = strrchr(page, '/');
+    char *parent =
+        slash ? strndup(page, (size_t)(slash - page) + 1) : strdup(".");
+    const bool is_in =
+        parent && stat(folder, &here) == 0 && stat(parent, &there) == 0 &&
+        here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+    free(parent);
+    return !is_in ? NULL : slash ? slash + 1 : page;
+}
+
+/* That file, also while it is written. */
+static bool is_page(const char *name, const char *page)
+{
+    const size_t length = page ? strlen(page) : 0;
+    return page && strncmp(name, page, length) == 0 &&
+           (!name[length] || strncmp(name + length, ".tmp.", 5) == 0);
+}
+
+/* But the page, which would tell of itself: two of one folder are the same. */
+static void write_files(FILE *to, const char *folder, const char *page)
 {
     static const char *const heads[] = {"file", "bytes"};
+    const char *own = name_in(folder, page);
     struct dirent **entry = NULL;
-    const int n = scandir(folder, &entry, is_result, by_name);
+    size_t rows = 0;
+    const int n = scandir(folder, &entry, is_shown, by_name);
     if (n <= 0) {
         free(entry);
         return;
@@ -186,10 +210,13 @@ static void write_files(FILE *to, const char *folder)
     murk_page_table_begin(to, "Files of the folder", heads, 2);
     for (int i = 0; i < n; ++i) {
         struct stat known;
-        char *path = murk_results_path(folder, entry[i]->d_name);
-        if (path && i < MURK_PAGE_ROWS_MAX && stat(path, &known) == 0 &&
-            S_ISREG(known.st_mode)) {
-            murk_page_row_begin(to, entry[i]->d_name);
+        const char *name = entry[i]->d_name;
+        char *path = is_page(name, own) || is_page(name, "report.html")
+                         ? NULL
+                         : murk_results_path(folder, name);
+        if (path && stat(path, &known) == 0 && S_ISREG(known.st_mode) &&
+            ++rows <= MURK_PAGE_ROWS_MAX) {
+            murk_page_row_begin(to, name);
             murk_page_cell_number(to, (double)known.st_size);
             murk_page_row_end(to);
         }
@@ -198,9 +225,11 @@ static void write_files(FILE *to, const char *folder)
     }
     free(entry);
     murk_page_table_end(to);
+    murk_page_more(to, rows, "the folder");
 }
 
-void murk_report_made(FILE *to, const murk_results_in *results)
+void murk_report_made(FILE *to, const murk_results_in *results,
+                      const char *page)
 {
     murk_page_section_begin(to, "made", "How it was made");
     write_commands(to, results);
@@ -209,6 +238,6 @@ void murk_report_made(FILE *to, const murk_results_in *results)
             write_run(to, names[i], results->json[i]);
         }
     }
-    write_files(to, results->folder);
+    write_files(to, results->folder, page);
     murk_page_section_end(to);
 }

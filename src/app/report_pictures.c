@@ -113,8 +113,10 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
     /* what a folder names may be a pipe that nobody writes to */
     FILE *file =
         path && murk_results_has(folder, name) ? fopen(path, "rb") : NULL;
-    if (out->n < MURK_REPORT_PICTURES_MAX && file &&
-        read_file(&p, file, *left)) {
+    const bool is_full = out->n == MURK_REPORT_PICTURES_MAX;
+    if (file && is_full && read_file(&p, file, 0)) {
+        ++out->more;
+    } else if (file && !is_full && read_file(&p, file, *left)) {
         p.name = strdup(name);
         *left -= p.bytes ? p.size : 0;
         out->carried += p.bytes != NULL;
@@ -247,11 +249,18 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
                     p->width, p->height, (double)p->size / 1e6);
         }
     }
+    if (pictures->more > 0) {
+        fprintf(to, "<p class=\"note\">And %zu more PNG file%s.</p>\n",
+                pictures->more, pictures->more > 1 ? "s" : "");
+    }
     for (size_t i = 0; i < pictures->n_exr && i < NAMED_MAX; ++i) {
         fputs(i == 0 ? "<p class=\"note\">Radiances with their errors are in "
                      : ", ",
               to);
         murk_page_text(to, pictures->exr[i]);
+    }
+    if (pictures->n_exr > NAMED_MAX) {
+        fprintf(to, " and %zu more", pictures->n_exr - NAMED_MAX);
     }
     fputs(pictures->n_exr > 0 ? ".</p>\n" : "", to);
     murk_page_section_end(to);

@@ -24,7 +24,8 @@ typedef struct murk_report_picture {
 typedef struct murk_report_pictures {
     murk_report_picture picture[MURK_REPORT_PICTURES_MAX];
     size_t n, carried;
-    char **exr; /* [n_exr] names */
+    size_t more; /* PNG files beyond those, not read */
+    char **exr;  /* [n_exr] names */
     size_t n_exr;
 } murk_report_pictures;
 

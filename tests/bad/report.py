@@ -168,6 +168,16 @@ def main(murk, is_sanitized):
         plan()
         run(1, "cannot write", ".", "-o", folder)
 
+        # more files than are named
+        plan()
+        for k in range(210):
+            write(f"{k}.exr", "")
+            write(f"{k}.png", b"\x89PNG\r\n\x1a\n" +
+                  struct.pack(">I4sIIBBBBBI", 13, b"IHDR", 1, 1, 8, 0, 0, 0, 0, 0))
+        text = run(0, "And 202 more PNG files.")
+        check(" and 170 more.</p>" in text, "EXR files without a word")
+        check("The first 200 of 421 rows; all are in the folder" in text, "rows without a word")
+
         # values of other kinds than a plan has, or beyond all measure
         for value in (None, "x", [], {}, -1e308, [[[]]], "<script>"):
             plan(sensors=value, coverage=value, curve=value, bound=value,

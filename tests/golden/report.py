@@ -224,6 +224,7 @@ def main(murk):
             with open(at("plan/" + name), "wb") as file:
                 file.write(content)
         os.mkfifo(at("plan/h.png"))
+        write("plan/notes.html.txt", "of mine")
         os.symlink("/dev/zero", at("plan/i.png"))
         run("report", "plan", "-o", "pictures.html", "--quiet")
         page = read(at("pictures.html"), [small, small[:40]])
@@ -231,6 +232,8 @@ def main(murk):
         check(", channel S0.550nm, colours viridis, linear, 1 to 2." in page.text, "no colours")
         check("e.png (7 x 7 pixels, 0.80 MB) is too large" in page.text, "the large one")
         check("Radiances with their errors are in c.exr" in page.text, "the EXR's name")
+        check("notes.html.txt" in page.text, "a file whose name has .html in it")
+        os.unlink(at("plan/notes.html.txt"))
         for name in "abdefghi":
             os.unlink(at(f"plan/{name}.png"))
         os.unlink(at("plan/c.exr"))
