@@ -83,17 +83,31 @@ static murk_status find_channel(murk_images *out, const murk_options *options,
     return status;
 }
 
+static murk_status check_bands(const murk_scene *scene, murk_error *err)
+{
+    const int b = murk_channels_clash(scene->bands, scene->band_nm);
+    if (b < 0) {
+        return MURK_OK;
+    }
+    return murk_fail(err, MURK_BAD_VALUE,
+                     scene->has_edges ? "band_edges_nm" : "bands_nm",
+                     "bands %d and %d are at %.12g and %.12g nm, must differ "
+                     "within 7 digits: the image's channels are named by them",
+                     b + 1, b + 2, scene->band_nm[b], scene->band_nm[b + 1]);
+}
+
 murk_status murk_images_name(murk_images *out, const murk_options *options,
                              const murk_scene *scene, const char *mark,
                              murk_error *err)
 {
     const murk_render_options *wish = &options->render;
     const char *given = options->out;
-    if (wish->false_colour) {
-        const murk_status status = find_channel(out, options, scene, err);
-        if (status) {
-            return status;
-        }
+    murk_status status = check_bands(scene, err);
+    if (!status && wish->false_colour) {
+        status = find_channel(out, options, scene, err);
+    }
+    if (status) {
+        return status;
     }
     if (given) {
         const size_t length = strlen(given);

@@ -19,16 +19,22 @@ static void add(filling *f, const char *name, const char *title,
     c->value = value;
 }
 
-/* "550nm", "414,5nm": a point would part a layer's name. */
-static void add_of_band(filling *f, const char *layer, const char *title,
-                        murk_channel_kind kind, double nm, const float *value)
+/* "S0.550nm", "S0.414,5nm": a point would part a layer's name. */
+static void name_band(char name[MURK_CHANNEL_NAME_SIZE], const char *layer,
+                      double nm)
 {
-    char name[MURK_CHANNEL_NAME_SIZE], full[MURK_CHANNEL_NAME_SIZE];
-    snprintf(name, sizeof name, "%s.%.7gnm", layer, nm);
+    snprintf(name, MURK_CHANNEL_NAME_SIZE, "%s.%.7gnm", layer, nm);
     char *point = strchr(name + strlen(layer) + 1, '.');
     if (point) {
         *point = ',';
     }
+}
+
+static void add_of_band(filling *f, const char *layer, const char *title,
+                        murk_channel_kind kind, double nm, const float *value)
+{
+    char name[MURK_CHANNEL_NAME_SIZE], full[MURK_CHANNEL_NAME_SIZE];
+    name_band(name, layer, nm);
     snprintf(full, sizeof full, "%s at %.7g nm", title, nm);
     add(f, name, full, kind == MURK_CHANNEL_DEPTH ? "" : "W/m2/sr", kind,
         value);
@@ -79,6 +85,19 @@ size_t murk_channels_list(const murk_picture *p, int bands,
             p ? p->clarity : NULL);
     }
     return f.n;
+}
+
+int murk_channels_clash(int bands, const double *band_nm)
+{
+    char name[2][MURK_CHANNEL_NAME_SIZE];
+    for (int b = 0; b + 1 < bands; ++b) {
+        name_band(name[0], "S0", band_nm[b]);
+        name_band(name[1], "S0", band_nm[b + 1]);
+        if (strcmp(name[0], name[1]) == 0) {
+            return b;
+        }
+    }
+    return -1;
 }
 
 /* "radiance" is S0, and a point within the wavelength a comma. */

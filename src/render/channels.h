@@ -36,6 +36,10 @@ size_t murk_channels_list(const murk_picture *picture, int bands,
                           const double *band_nm, bool has_coverage,
                           murk_channel *list);
 
+/* The first band, of bands that rise, whose channels would have the names of
+ * the next one's, as wavelengths there have 7 digits; -1: none. */
+int murk_channels_clash(int bands, const double *band_nm);
+
 /* The channel that is meant: by its name, by its layer alone where that has one
  * band, "radiance" for S0, and a point for the comma. NULL: none, or several.
  */

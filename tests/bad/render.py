@@ -77,8 +77,12 @@ REFUSED = [
      "--set", "cameras.0.type=fisheye"),
     ("cameras.0.vfov_deg: not a key of a camera (equirectangular)",
      "--set", "cameras=[{name: a, type: equirectangular, from_m: [1, 1, 1], vfov_deg: 45}]"),
+    # what the image's format does not take: two channels of one name
+    ("bands_nm: bands 2 and 3 are at 550.00001 and 550.00002 nm, must differ within 7 digits",
+     "--set", "bands_nm=[450, 550.00001, 550.00002]"),
 ]
 TAKEN = [
+    ("--set", "bands_nm=[550.0001, 550.0002]"),
     ("--png", "--exposure", "-100"),
     ("--png", "--exposure", "100"),
     (*F, "--range=-1e308:1e308"),
@@ -110,6 +114,8 @@ def main(murk, is_sanitized):
     with tempfile.TemporaryDirectory() as folder:
         inputs = {"scene.yaml": SCENE, "s.csv": SENSORS,
                   "bad.csv": "type,x_m,y_m,z_m\nnode,9,1,1\n",
+                  "edges.yaml": SCENE.replace("bands_nm: [450, 550]",
+                                              "band_edges_nm: [550, 550.00001, 550.00002]"),
                   "none.yaml": "\n".join(x for x in SCENE.split("\n") if "sensors" not in x)}
 
         def run(*arguments, scene="scene.yaml"):
@@ -138,15 +144,14 @@ def main(murk, is_sanitized):
 
         done, made = run(*S, scene="none.yaml")
         check(done.returncode == 2 and "sensors: the scene has none" in done.stderr, done.stderr)
+        done, made = run(scene="edges.yaml")
+        check(done.returncode == 2 and "band_edges_nm: bands 1 and 2 are at 550.000005 and" in done.stderr
+              and done.stderr.count("\n") == 1 and not made, done.stderr, made)
         # more than the memory there is: refused before anything is traced
         if not is_sanitized:
             done, made = run("--pixels", "8192x8192")
             check(done.returncode == 1 and "the picture takes 5.37 GB" in done.stderr, done.stderr)
             check(not made, "made", made)
-        # what the image's format does not take: two channels of one name
-        done, made = run("--method", "path", "--set", "bands_nm=[550.00001, 550.00002]")
-        check(done.returncode == 1 and "cannot be written" in done.stderr, done.stderr)
-        check(done.stderr.count("\n") == 1 and not made, done.stderr, made)
         # a folder that cannot be written, a PNG whose place is taken by a folder
         done, made = run("--method", "path", "-o", "none/x.exr")
         check(done.returncode == 1 and done.stderr.count("\n") == 1, done.returncode, done.stderr)

@@ -53,8 +53,17 @@ static void test_every_band_fits(void)
     CHECK_TEXT(list[10].title, "radiance at 380.1235 nm");
 }
 
+static void test_bands_of_one_name(void)
+{
+    static const double near[] = {550.0001, 550.0002, 600.00001, 600.00002};
+    CHECK(murk_channels_clash(1, near) == -1);
+    CHECK(murk_channels_clash(3, near) == -1);
+    CHECK(murk_channels_clash(4, near) == 2);
+}
+
 int main(void)
 {
+    test_bands_of_one_name();
     test_names();
     test_a_layer_of_one_band_needs_no_wavelength();
     test_what_is_none();
