@@ -28,11 +28,13 @@ static murk_status check_memory(const job *j, murk_error *err)
 {
     const murk_camera *c = &j->viewpoint.camera;
     const murk_traced *traced = j->session.traced;
-    const double pixels = (double)c->width * (double)c->height;
     double wanted =
-        murk_picture_bytes(c->width, c->height, j->session.scene->bands);
-    if (j->images.png || j->images.false_colour) {
-        wanted += 3 * pixels;
+        murk_render_bytes(c->width, c->height, j->session.scene->bands);
+    /* one PNG after the other */
+    if (j->images.false_colour) {
+        wanted += murk_false_colour_bytes(c->width, c->height);
+    } else if (j->images.png) {
+        wanted += 3 * (double)c->width * (double)c->height;
     }
     if (j->viewpoint.sensors > 0) {
         wanted += murk_picture_coverage_bytes(c->width, c->height);

@@ -170,7 +170,7 @@ static ticks ticks_of(const murk_false_colour *c, bool is_whole, double wanted)
 typedef struct legend {
     size_t scale, pad, width; /* of the whole image */
     size_t top;               /* below the picture */
-    char title[160];
+    char title[96];
 } legend;
 
 static size_t legend_height(const legend *l)
@@ -222,6 +222,15 @@ static bool any_grey(const murk_channel *channel, size_t n,
     return false;
 }
 
+/* Sizes for a title that is so many pixels long at scale 1. */
+static void measure(legend *l, size_t width, size_t title)
+{
+    l->scale = width > 600 ? (width + 200) / 400 : 1;
+    l->pad = 16 * l->scale;
+    const size_t needed = title * l->scale + 2 * l->pad;
+    l->width = width > needed ? width : needed;
+}
+
 static legend legend_of(const murk_channel *channel, size_t width,
                         size_t height, const murk_false_colour *c)
 {
@@ -233,11 +242,15 @@ static legend legend_of(const murk_channel *channel, size_t width,
              !any_grey(channel, n, c) ? ""
              : c->is_log              ? " (grey: 0 or none)"
                                       : " (grey: none)");
-    l.scale = width > 600 ? (width + 200) / 400 : 1;
-    l.pad = 16 * l.scale;
-    const size_t needed = murk_text_width(l.title, l.scale) + 2 * l.pad;
-    l.width = width > needed ? width : needed;
+    measure(&l, width, murk_text_width(l.title, 1));
     return l;
+}
+
+double murk_false_colour_bytes(size_t width, size_t height)
+{
+    legend l = {.top = height};
+    measure(&l, width, sizeof l.title * MURK_GLYPH_ADVANCE);
+    return 3 * (double)l.width * (double)(height + legend_height(&l));
 }
 
 murk_status murk_false_colour_raster(murk_raster *out,

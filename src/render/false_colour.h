@@ -30,6 +30,10 @@ murk_status murk_false_colour_range(murk_false_colour *out,
 /* The colour of t in 0..1, and of what is no number. */
 void murk_false_colour_at(double t, uint8_t rgb[3]);
 
+/* Bytes that the raster of a picture so wide and high takes at most, with its
+ * legend, which is wider than narrow pictures are. */
+double murk_false_colour_bytes(size_t width, size_t height);
+
 /* Width and height of the picture that the channel is of. raster->rgb is the
  * caller's to free(). Fails with MURK_NO_MEMORY. */
 murk_status murk_false_colour_raster(murk_raster *out,

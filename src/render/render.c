@@ -213,6 +213,18 @@ double murk_picture_bytes(size_t width, size_t height, int bands)
            sizeof(float);
 }
 
+static size_t tiles_along(size_t pixels)
+{
+    return (pixels + TILE - 1) / TILE;
+}
+
+double murk_render_bytes(size_t width, size_t height, int bands)
+{
+    return murk_picture_bytes(width, height, bands) +
+           (double)tiles_along(width) * (double)tiles_along(height) *
+               (double)bands * sizeof(tile_sums);
+}
+
 static murk_picture *picture_create(size_t width, size_t height, int bands)
 {
     murk_picture *p = calloc(1, sizeof *p);
@@ -337,8 +349,8 @@ murk_status murk_render_run(murk_picture **out, const murk_render *render,
 {
     const murk_camera *c = &render->camera;
     assert(c->width > 0 && c->height > 0 && render->samples > 0);
-    const size_t across = (c->width + TILE - 1) / TILE;
-    const size_t tiles = across * ((c->height + TILE - 1) / TILE);
+    const size_t across = tiles_along(c->width);
+    const size_t tiles = across * tiles_along(c->height);
     run r = {.render = render, .tiles_across = across};
     const murk_status status = set_up(&r, tiles, err);
     if (!status) {

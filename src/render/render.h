@@ -52,8 +52,11 @@ typedef struct murk_picture {
     uint64_t rays, lost;
 } murk_picture;
 
-/* Bytes that a picture takes. */
+/* Bytes that a picture takes, */
 double murk_picture_bytes(size_t width, size_t height, int bands);
+/* and with it what taking it needs, without the maps' part (render/gather.h).
+ */
+double murk_render_bytes(size_t width, size_t height, int bands);
 
 /* The camera stands within the domain. Progress by rays. *out is the caller's.
  * Fails with MURK_NO_MEMORY. Ends early when interrupted: ask

@@ -33,12 +33,12 @@ refused() {
     case $said in *"$text"*) ;; *) fail "murk $*: $said" ;; esac
     [ "$(ls "$dir")" = room.yaml ] || fail "murk $*: has written a file"
 }
-# what pictures take goes by their pixels, but for the maps
+# what pictures take goes by their tiles of 16 x 16 pixels, but for the maps
 foretold() {
     "$murk" check "$dir/room.yaml" --quiet --format json --set cameras.0.pixels="$1" |
         sed -n '/"name": *"gate"/,/memory_bytes/s/.*"memory_bytes": *\([0-9.e+]*\).*/\1/p'
 }
-awk -v a="$(foretold '[1000, 100]')" -v b="$(foretold '[1000, 1000]')" -v c="$(foretold '[2000, 1000]')" \
+awk -v a="$(foretold '[1600, 160]')" -v b="$(foretold '[1600, 1600]')" -v c="$(foretold '[3200, 1600]')" \
     'BEGIN { exit !(a > 0 && (c - b) * 9 == (b - a) * 10) }' || fail "check foretells pictures wrongly"
 refused 2 "gete is no camera of the scene, did you mean gate?" \
     render "$dir/room.yaml" --camera gete

@@ -170,8 +170,37 @@ static void test_any_size_has_a_legend(void)
     }
 }
 
+/* The legend is wider than a narrow picture, and its letters grow with it. */
+static void test_memory_of_legends(void)
+{
+    static const size_t size[][2] = {{1, 1},   {1, 3000}, {640, 480},
+                                     {601, 9}, {3000, 2}, {599, 40}};
+    for (size_t i = 0; i < sizeof size / sizeof *size; ++i) {
+        const size_t width = size[i][0], height = size[i][1];
+        float *value = calloc(width * height, sizeof *value);
+        /* as long as titles are, and grey is told of */
+        const murk_channel channel = {
+            .title = "standard error of radiance at 380.1235 nm",
+            .unit = "W/m2/sr",
+            .kind = MURK_CHANNEL_RADIANCE,
+            .value = value};
+        const murk_false_colour colours = {1, 10, true};
+        murk_raster raster = {0};
+        murk_error err = {0};
+        CHECK(!murk_false_colour_raster(&raster, &channel, width, height,
+                                        colours, &err));
+        const double bytes = murk_false_colour_bytes(width, height);
+        const double taken = 3 * (double)raster.width * (double)raster.height;
+        CHECK(bytes >= taken && bytes <= 2 * taken);
+        CHECK(bytes > 3 * (double)(width * height));
+        free(raster.rgb);
+        free(value);
+    }
+}
+
 int main(void)
 {
+    test_memory_of_legends();
     test_the_curve();
     test_odd_colours();
     test_exposure_makes_the_log_mean_grey();
