@@ -6,6 +6,8 @@
 #include "app/summary.h"
 #include "app/viewpoint.h"
 #include "base/interrupt.h"
+#include "base/log.h"
+#include "render/gather.h"
 #include "render/render.h"
 #include "study/machine.h"
 
@@ -104,6 +106,38 @@ static murk_status take_picture(job *j, murk_error *err)
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     return status;
+}
+
+/* Of the band and map with the fewest records that have kernels. A map without
+ * any for a band says nothing: no medium, or nothing that sends light on. */
+static void warn_of_few_records(const job *j)
+{
+    const murk_picture *p = j->picture;
+    const double *nm = j->session.scene->band_nm;
+    size_t few = MURK_GATHER_FEW, others = 0;
+    int band = 0, map = 0;
+    for (int m = 0; m < 2; ++m) {
+        for (int b = 0; b < p->bands; ++b) {
+            const size_t n = p->records[m][b];
+            others += n > 0 && n < MURK_GATHER_FEW;
+            if (n > 0 && n < few) {
+                few = n;
+                band = b;
+                map = m;
+            }
+        }
+    }
+    if (others > 0) {
+        char also[48] = "";
+        if (others > 1) {
+            snprintf(also, sizeof also, " (and %zu more like it)", others - 1);
+        }
+        murk_warn("photons",
+                  "%zu record%s of %.7g nm count%s in the %s map%s, fewer than "
+                  "%d: their kernels mean little; emit more photons",
+                  few, few == 1 ? "" : "s", nm[band], few == 1 ? "s" : "",
+                  map ? "volume" : "surface", also, MURK_GATHER_FEW);
+    }
 }
 
 static const char *method_of(const job *j)
@@ -321,6 +355,7 @@ murk_status murk_command_render(const murk_options *options, murk_error *err)
         status = take_picture(&j, err);
     }
     if (!status) {
+        warn_of_few_records(&j);
         status = write_images(&j, err);
     }
     if (!status) {

@@ -226,6 +226,12 @@ void murk_gather_destroy(murk_gather *gather)
     }
 }
 
+size_t murk_gather_records(const murk_gather *gather, bool of_volume, int band)
+{
+    return murk_photon_map_count(of_volume ? gather->volume[band].map
+                                           : gather->surface[band].map);
+}
+
 static double layer_bytes(double n)
 {
     return murk_photon_map_memory_for(n) + n * sizeof(murk_kernel) +

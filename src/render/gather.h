@@ -26,6 +26,10 @@
 #define MURK_GATHER_MAX    256
 #define MURK_GATHER_GROUPS 64
 
+/* With fewer records than this in a map and band a kernel reaches to every
+ * second of them, or farther, and says little of its place. */
+#define MURK_GATHER_FEW (2 * MURK_GATHER_MIN + 1)
+
 /* k for so many records of one map and band: sqrt(n) / 8, within
  * MURK_GATHER_MIN..MURK_GATHER_MAX. */
 size_t murk_gather_nearest(size_t records);
@@ -50,6 +54,9 @@ void murk_gather_destroy(murk_gather *gather); /* NULL is fine */
 /* Bytes that it takes of maps with so many records, at most: their copies,
  * their kernels, and what is needed to lay them. */
 double murk_gather_memory_for(double surface, double volume);
+
+/* Records of a band that have kernels: those that count of one map. */
+size_t murk_gather_records(const murk_gather *gather, bool of_volume, int band);
 
 /* Radiance [W/m2/sr] towards who looks, over the index squared, at a place of a
  * surface or, where it has a phase function, of a medium: there for each

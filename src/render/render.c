@@ -305,6 +305,11 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
                                           .seed = render->trace->seed,
                                           .threads = threads};
         status = murk_gather_create(&r->gather, &desc, err);
+        for (int b = 0; b < world->bands && !status; ++b) {
+            r->picture->records[0][b] =
+                murk_gather_records(r->gather, false, b);
+            r->picture->records[1][b] = murk_gather_records(r->gather, true, b);
+        }
     }
     murk_trace trace = *render->trace;
     trace.stream = RENDER_STREAM;

@@ -50,6 +50,8 @@ typedef struct murk_picture {
      * that 4 pi times it is the scalar irradiance. */
     double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX];
     uint64_t rays, lost;
+    /* By maps: what murk_gather_records() says of surface and volume map. */
+    size_t records[2][MURK_BANDS_MAX];
 } murk_picture;
 
 /* Bytes that a picture takes, */

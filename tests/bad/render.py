@@ -142,6 +142,16 @@ def main(murk, is_sanitized):
             want = 1 + ("--png" in arguments) + ("--false-colour" in arguments)
             check(len(made) == want, arguments, "made", made)
 
+        # kernels of a handful of records; a map that is empty, as there is no medium, is none
+        done, made = run("--emit", "20", "--quiet")
+        check(done.returncode == 0 and not done.stderr, done.stderr)
+        done, made = run("--emit", "20")
+        check(done.returncode == 0 and "murk: warning: photons: " in done.stderr
+              and " in the surface map" in done.stderr and "fewer than 25: " in done.stderr
+              and done.stderr.count("warning") == 1, done.stderr)
+        done, made = run("--emit", "2000")
+        check(done.returncode == 0 and "warning" not in done.stderr, done.stderr)
+
         done, made = run(*S, scene="none.yaml")
         check(done.returncode == 2 and "sensors: the scene has none" in done.stderr, done.stderr)
         done, made = run(scene="edges.yaml")
