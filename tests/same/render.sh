@@ -1,6 +1,7 @@
 #!/bin/sh
-# A picture is the same for 1, 2 and 5 threads, by maps and by paths: through
-# fog of droplets, whose phase function is worked out in threads, too.
+# A picture is the same for 1, 2 and 5 threads, by maps, by maps alone and by
+# paths: through fog of droplets, whose phase function is worked out in threads,
+# too, and of so many photons that kernels are laid in several batches.
 # usage: render.sh MURK
 set -eu
 murk=$1
@@ -10,9 +11,9 @@ camera='cameras=[{name: c, from_m: [2, 2, 1.7], to_m: [12, 9, 1], vfov_deg: 60, 
 picture() { # OUT OPTIONS...
     out=$1
     shift
-    "$murk" render scenes/fog-yard.yaml --set "$camera" --emit 2000 --quiet -o "$dir/$out.exr" "$@"
+    "$murk" render scenes/fog-yard.yaml --set "$camera" --emit 20000 --quiet -o "$dir/$out.exr" "$@"
 }
-for method in maps path; do
+for method in maps maps-only path; do
     for threads in 1 2 5; do
         picture $method$threads --method $method --threads $threads
     done
