@@ -95,6 +95,15 @@ static void keep(const strip *s, const murk_photon_map *points)
     }
 }
 
+static size_t sensors_of_band(const strip *s)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < s->viewpoint->sensors; ++i) {
+        n += band_of(s->stage->scene, s->viewpoint->sensor[i].type) == s->band;
+    }
+    return n;
+}
+
 /* By the sensors of one band. */
 static murk_status look_at_strip(strip *s, murk_error *err)
 {
@@ -119,6 +128,8 @@ static murk_status look_at_strip(strip *s, murk_error *err)
         murk_crew_run_workers(s->threads, s->viewpoint->sensors, look_by_sensor,
                               s);
         keep(s, points);
+    } else if (!status) { /* nothing to look at: these looks are done */
+        murk_progress_add(sensors_of_band(s));
     }
     murk_sight_destroy(s->sight);
     s->sight = NULL;
