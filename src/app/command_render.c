@@ -153,6 +153,7 @@ static murk_status write_images(job *j, murk_error *err)
     const murk_traced *traced = j->session.traced;
     const murk_image_facts facts = {.scene = j->session.scene,
                                     .viewpoint = &j->viewpoint,
+                                    .command = j->options->typed,
                                     .method = method_of(j),
                                     .photons = traced ? traced->emitted : 0};
     return murk_images_write(&j->images, j->picture, &facts,

@@ -173,6 +173,7 @@ static void say_all(texts *t, const murk_image_facts *facts)
     const murk_camera *c = &v->camera;
     say(t, "software", "murk " MURK_VERSION);
     say(t, "murkCommit", murk_version_commit());
+    say(t, "murkCommand", facts->command);
     say(t, "murkScene", facts->scene->path);
     say(t, "murkSceneSha256", facts->scene->sha256);
     say_made(t, "murkSeed", "%lu", (unsigned long)facts->scene->seed);

@@ -17,7 +17,8 @@ typedef struct murk_images {
 typedef struct murk_image_facts {
     const murk_scene *scene;
     const murk_viewpoint *viewpoint;
-    const char *method; /* "path: path tracing with shadow rays" */
+    const char *command; /* that makes it again, for a shell */
+    const char *method;  /* "path: path tracing with shadow rays" */
     uint64_t photons;
 } murk_image_facts;
 

@@ -200,6 +200,18 @@ static void write_said(FILE *to, const murk_report_picture *p, const char *what,
     free(text);
 }
 
+/* ". Made by murk render ..." */
+static void write_command(FILE *to, const murk_report_picture *p)
+{
+    char *text = text_of(p, "murkCommand");
+    fputs(text ? ". Made by <code>" : ".", to);
+    if (text) {
+        murk_page_text(to, text);
+        fputs("</code>", to);
+    }
+    free(text);
+}
+
 static void write_picture(FILE *to, const murk_report_picture *p)
 {
     fprintf(to,
@@ -222,7 +234,8 @@ static void write_picture(FILE *to, const murk_report_picture *p)
     write_said(to, p, "exposure", "murkExposure");
     write_said(to, p, "channel", "murkChannel");
     write_said(to, p, "colours", "murkColours");
-    fputs(".</figcaption>\n</figure>\n", to);
+    write_command(to, p);
+    fputs("</figcaption>\n</figure>\n", to);
 }
 
 void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)

@@ -71,6 +71,7 @@ header=$(exrheader "$dir/room-gate.exr")
 for line in "    S0.414,5nm, 32-bit floating-point" "    error.414,5nm" "    surface.650nm" \
     "    volume.650nm" "    depth.650nm" "    R, " "    error.G, " "    Z, " "    P.X, " \
     "dataWindow (type box2i): (0 0) - (39 29)" 'murkSeed (type string): "3"' \
+    "murkCommand (type string): \"murk render $dir/room.yaml --camera gate\"" \
     'murkCamera (type string): "gate"' 'murkPhotons (type string): "20000"' \
     "murkSceneSha256 (type string): \"$(sha256sum <"$dir/room.yaml" | cut -d' ' -f1)\"" \
     'software (type string): "murk '; do

@@ -85,6 +85,7 @@ def picture(width, height, size=0):
             chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
             chunk(b"iTXt", b"murkCamera\0\0\0\0\0" + EVIL.encode()) +
             chunk(b"iTXt", b"murkChannel\0\0\0\0\0S0.550nm") +
+            chunk(b"iTXt", b"murkCommand\0\0\0\0\0murk render 'a <b>.yaml' --png") +
             chunk(b"iTXt", b"murkColours\0\0\0\0\0viridis, linear, 1 to 2") +
             chunk(b"zzZz", b"x" * size) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
@@ -229,7 +230,8 @@ def main(murk):
         run("report", "plan", "-o", "pictures.html", "--quiet")
         page = read(at("pictures.html"), [small, small[:40]])
         check(f"40 x 30 pixels, camera {EVIL}" in page.text, "no caption")
-        check(", channel S0.550nm, colours viridis, linear, 1 to 2." in page.text, "no colours")
+        check(", channel S0.550nm, colours viridis, linear, 1 to 2. Made by murk render "
+              "'a <b>.yaml' --png" in page.text, "no colours, or no command")
         check("e.png (7 x 7 pixels, 0.80 MB) is too large" in page.text, "the large one")
         check("Radiances with their errors are in c.exr" in page.text, "the EXR's name")
         check("notes.html.txt" in page.text, "a file whose name has .html in it")
