@@ -174,17 +174,12 @@ static void draw(FILE *to, projection *p, const murk_report_scene *s)
     fprintf(to, "</svg>\n<figcaption>%s</figcaption>\n</figure>\n", p->name);
 }
 
-murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
-                              murk_error *err)
+/* Of the drawings alone: the view in space has its own, for its dark ground. */
+static void write_key(FILE *to, const murk_report_scene *scene)
 {
-    projection above = {
-        .name = "From above: x to the right, y up", .across = 0, .up = 1};
-    projection side = {
-        .name = "From the side: x to the right, z up", .across = 0, .up = 2};
-    if (!murk_report_has_view(scene) && !scene->note[0]) {
-        return MURK_OK;
+    if (scene->sensors + scene->points.n == 0) {
+        return;
     }
-    murk_page_section_begin(to, "where", "Where they are");
     fputs("<p class=\"key\">", to);
     if (scene->sensors > 0) {
         fputs("<span class=\"place\"></span>sensor, range dashed", to);
@@ -198,6 +193,19 @@ murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
               to);
     }
     fputs("</p>\n", to);
+}
+
+murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
+                              murk_error *err)
+{
+    projection above = {
+        .name = "From above: x to the right, y up", .across = 0, .up = 1};
+    projection side = {
+        .name = "From the side: x to the right, z up", .across = 0, .up = 2};
+    if (!murk_report_has_view(scene) && !scene->note[0]) {
+        return MURK_OK;
+    }
+    murk_page_section_begin(to, "where", "Where they are");
     if (scene->note[0]) {
         fputs("<p class=\"note\">", to);
         murk_page_text(to, scene->note);
@@ -212,6 +220,7 @@ murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
                 (scene->points.n + step - 1) / step,
                 (unsigned long long)scene->points.photons);
     }
+    write_key(to, scene);
     fputs("<div class=\"plans\">\n", to);
     draw(to, &above, scene);
     draw(to, &side, scene);
