@@ -44,12 +44,13 @@ void murk_print_cameras(const murk_scene *scene, const murk_forecast *forecast)
 {
     for (size_t i = 0; i < scene->n_cameras; ++i) {
         const murk_scene_camera *c = &scene->cameras[i];
-        murk_print("camera      %-12s %zu x %zu pixels%s, %zu samples; by maps "
-                   "about %.2g GB\n",
-                   c->name, c->pixels[0], c->pixels[1],
-                   c->projection == MURK_SCENE_EQUIRECTANGULAR ? " all round"
-                                                               : "",
-                   c->samples, bytes_of(scene, forecast, i) / 1e9);
+        murk_print(
+            "camera      %-12s %zu x %zu pixels%s, %zu sample%s; by maps "
+            "about %.2g GB\n",
+            c->name, c->pixels[0], c->pixels[1],
+            c->projection == MURK_SCENE_EQUIRECTANGULAR ? " all round" : "",
+            c->samples, c->samples == 1 ? "" : "s",
+            bytes_of(scene, forecast, i) / 1e9);
     }
 }
 

@@ -60,8 +60,9 @@ static void print_view(const murk_scene_sensor_type *type)
         murk_print("%.4g x %.4g degrees", type->hfov_rad * DEG_PER_RAD,
                    type->vfov_rad * DEG_PER_RAD);
     }
-    murk_print(", %zu headings, %zu tilts", headings_of(type),
-               type->tilts_deg.n);
+    const size_t headings = headings_of(type), tilts = type->tilts_deg.n;
+    murk_print(", %zu heading%s, %zu tilt%s", headings,
+               headings == 1 ? "" : "s", tilts, tilts == 1 ? "" : "s");
 }
 
 void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses)

@@ -11,6 +11,7 @@
 #include "render/render.h"
 #include "study/machine.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -167,27 +168,40 @@ static bool is_all_round(const job *j)
     return j->viewpoint.camera.projection == MURK_EQUIRECTANGULAR;
 }
 
+/* "1.2 +- 0.3 W/m2/sr"; one sample a pixel tells no error. */
+static void print_mean(double value, double error, const char *unit)
+{
+    murk_print("%.4g ", value);
+    if (isfinite(error)) {
+        murk_print("+- %.2g ", error);
+    }
+    murk_print("%s", unit);
+}
+
 /* A row a band. */
 static void print_radiance(const job *j)
 {
     const murk_picture *p = j->picture;
     const double *nm = j->session.scene->band_nm;
+    const double sphere_sr = 4 * MURK_PI;
     if (is_all_round(j)) {
         murk_print("radiance    mean over the sphere, and with it the scalar "
                    "irradiance:\n");
     }
     for (int b = 0; b < p->bands; ++b) {
+        const double mean = p->mean[b], error = p->mean_error[b];
         if (is_all_round(j)) {
-            murk_print(
-                "            %.7g nm  %.4g +- %.2g W/m2/sr  %.4g +- %.2g "
-                "W/m2\n",
-                nm[b], p->mean[b], p->mean_error[b], 4 * MURK_PI * p->mean[b],
-                4 * MURK_PI * p->mean_error[b]);
+            murk_print("            %.7g nm  ", nm[b]);
+            print_mean(mean, error, "W/m2/sr  ");
+            print_mean(sphere_sr * mean, sphere_sr * error, "W/m2\n");
         } else {
-            murk_print("radiance    %.7g nm: %.4g +- %.2g W/m2/sr, mean over "
-                       "the picture's pixels\n",
-                       nm[b], p->mean[b], p->mean_error[b]);
+            murk_print("radiance    %.7g nm: ", nm[b]);
+            print_mean(mean, error,
+                       "W/m2/sr, mean over the picture's pixels\n");
         }
+    }
+    if (!isfinite(p->mean_error[0])) {
+        murk_print("            errors are known from 2 samples a pixel on\n");
     }
 }
 
@@ -216,8 +230,8 @@ static void print_summary(const job *j)
     if (s->traced) {
         murk_print_light(s);
     }
-    murk_print("camera      %s: %zu x %zu pixels, %zu samples; ", v->name,
-               p->width, p->height, v->samples);
+    murk_print("camera      %s: %zu x %zu pixels, %zu sample%s; ", v->name,
+               p->width, p->height, v->samples, v->samples == 1 ? "" : "s");
     if (is_all_round(j)) {
         murk_print("all round, heading %.1f degrees in the middle\n",
                    v->heading_deg);
@@ -232,9 +246,9 @@ static void print_summary(const job *j)
                    (unsigned long long)p->lost, (unsigned long long)p->rays);
     }
     if (v->sensors > 0) {
-        murk_print("coverage    by %zu sensors, in coverage.count and "
+        murk_print("coverage    by %zu sensor%s, in coverage.count and "
                    "coverage.clarity\n",
-                   v->sensors);
+                   v->sensors, v->sensors == 1 ? "" : "s");
     }
     murk_print_time(&s->run, "render", j->render_s);
     print_images(j);

@@ -150,6 +150,19 @@ def check_summary(scene, folder):
         check(run(*words, "--quiet").stdout == "", words[0], "--quiet speaks")
 
 
+def check_one(scene, folder):
+    """One of a kind is not in the plural, and one sample tells no error."""
+    render = ["render", scene, "--method", "path", "-o", folder + "/one.exr", "--camera", "all",
+              "--set", "cameras=[{name: all, from_m: [1, 1, 1], to_m: [2, 2, 1], pixels: [4, 3]}]"]
+    for samples in (1, 2):
+        told = run(*render, "--samples", str(samples)).stdout
+        check(f" {samples} sample{'s' * (samples > 1)};" in told, told)
+        check("inf" not in told and ("+-" in told) == (samples > 1), "an error of", samples, told)
+    told = run("check", scene, "--set", "sensors.types.0.view={hfov_deg: 60, vfov_deg: 40}",
+               "--set", "sensors.types.0.headings=1").stdout
+    check(", 1 heading, 1 tilt," in told, told)
+
+
 def check_width():
     """Tables and long lines of the examples."""
     for words in (*(["check", scene] for scene in sorted(glob.glob("scenes/*.yaml"))),
@@ -199,6 +212,7 @@ with tempfile.TemporaryDirectory() as temporary:
     check_progress(path)
     check_plain(path)
     check_summary(path, temporary)
+    check_one(path, temporary)
     check_width()
     check_newcomer(path, temporary)
 print("fits" if failures == 0 else f"{failures} failures")
