@@ -258,6 +258,20 @@ static murk_status check_exports(const murk_options *out, murk_error *err)
     return MURK_OK;
 }
 
+/* What a command reads, as its arguments name it. */
+static const char *kind_of_input(const murk_command *command)
+{
+    static const char *const kinds[][2] = {
+        {"DIR", "folder"}, {"STUDY", "study"}, {"[NAME]", "preset"}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
+        const char *word = kinds[i][0];
+        if (strncmp(command->arguments, word, strlen(word)) == 0) {
+            return kinds[i][1];
+        }
+    }
+    return "scene";
+}
+
 murk_status murk_options_parse(murk_options *out, int argc, char **argv,
                                murk_error *err)
 {
@@ -274,9 +288,10 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
         } else if (!out->input) {
             out->input = argv[i];
         } else {
-            status = murk_fail(err, MURK_BAD_VALUE, "",
-                               "%s: one scene at a time, %s is named already",
-                               argv[i], out->input);
+            status =
+                murk_fail(err, MURK_BAD_VALUE, "",
+                          "%s: one %s at a time, %s is named already", argv[i],
+                          kind_of_input(out->command), out->input);
         }
     }
     if (!status) {
@@ -307,8 +322,7 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%s: no %s; usage: murk "
                          "%s %s",
-                         out->command->name,
-                         out->command->arguments[0] == 'D' ? "folder" : "scene",
+                         out->command->name, kind_of_input(out->command),
                          out->command->name, out->command->arguments);
     }
     return MURK_OK;

@@ -116,6 +116,9 @@ static void write_absorbers(FILE *to, const murk_yaml *ledger, const char *path,
     const size_t n = by && by->kind == MURK_YAML_MAP ? by->n : 0;
     for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
         char name[CELL];
+        if (murk_result_number(by->child[i], "total") == 0) {
+            continue; /* named in the scene, and met by no photon */
+        }
         snprintf(name, sizeof name, "of that by %.120s", by->key[i]);
         write_watts(to, name, by->child[i], emitted, bands);
     }

@@ -33,7 +33,7 @@ geometry:
   - {box: {min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}, material: "EVIL"}
   - {box: {min_m: [1.5, 1.5, 0.1], max_m: [2.5, 2.5, 1.6]}}
   - {sphere: {center_m: [3, 3, 1], radius_m: 0.3}}
-materials: {"EVIL": {diffuse: 0.6}}
+materials: {"EVIL": {diffuse: 0.6}, unmet: {diffuse: 0.5}}
 media: {"EVIL fog": {extinction_per_m: 0.3, albedo: 0.9, phase: {hg: 0.8}}}
 regions: [{medium: "EVIL fog"}]
 lights: [{type: point, position_m: [2, 2, 2.5], power_w: 10}]
@@ -154,6 +154,9 @@ def main(murk):
             check(f"{100 * sensor['covers']:.2f} %" in page.text, "a sensor's share")
         check(EVIL in page.text, "the type's name")
         check(f"of that by {EVIL} fog" in page.text, "the medium's name")
+        with open(at("plan/ledger.json"), encoding="utf-8") as file:
+            check(json.load(file)["absorbed_by_material_w"]["unmet"]["total"] == 0, "met")
+        check("of that by default" in page.text and "by unmet" not in page.text, "what is unmet")
         check(plan["scene_sha256"] in page.text and plan["murk"]["commit"] in page.text,
               "no provenance")
         resolved = commands(at("plan/report.html"))[1]
