@@ -65,6 +65,11 @@ static murk_progress_facts facts_of(const step *s, double now_s)
 {
     const uint64_t made = bar.parts_done - bar.parts_done_first;
     const double spent_s = now_s - bar.parts_begun_s;
+    /* The step that counts the parts says where it is by its own count, and
+     * how long all take, where none was done before it began. */
+    const bool counts_parts = s->is_over && s->total == bar.parts;
+    const bool tells_all =
+        made > 0 && !(counts_parts && bar.parts_done_first == 0);
     return (murk_progress_facts){
         .step = s->name,
         .unit = s->unit,
@@ -72,11 +77,11 @@ static murk_progress_facts facts_of(const step *s, double now_s)
         .done = atomic_load(&s->done),
         .total = s->total,
         .elapsed_s = now_s - s->begun_s,
-        .part = bar.part,
+        .part = counts_parts ? 0 : bar.part,
         .parts = bar.parts,
-        .parts_left_s = made > 0 ? spent_s / (double)made *
-                                       (double)(bar.parts - bar.parts_done)
-                                 : NAN};
+        .parts_left_s = tells_all ? spent_s / (double)made *
+                                        (double)(bar.parts - bar.parts_done)
+                                  : NAN};
 }
 
 static void put(const char *text)

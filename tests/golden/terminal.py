@@ -105,6 +105,19 @@ def check_progress(scene):
     check("\033" not in dumb and "\r" not in dumb, "escapes on a dumb terminal")
 
 
+def check_study(scene, folder):
+    """Where a study is, is said once: by its own count, or before its rows' steps."""
+    study = os.path.join(folder, "study.yaml")
+    with open(study, "w", encoding="utf-8") as file:
+        file.write(f"murk_study: 1\nbase: {scene}\naxes: {{seed: [1, 2]}}\noutputs: [density]\n")
+    sent = on_terminal(["study", study, "-j1", "--emit", photons_for(1.5, scene)], 80)
+    lines = re.findall(r"\r([^\r\n\033]+)\033\[K", sent)
+    own = [l for l in lines if "study " in l]
+    check(any(re.match("2/2 trace ", l) for l in lines), "no step of a row:", lines)
+    check(own and all(re.match(r"study .* [012] of 2 rows", l) and l.count("left") <= 1 for l in own),
+          "a study's own line:", own)
+
+
 def check_plain(scene):
     words = ["trace", scene, "-j1", "--emit", photons_for(4, scene)]
     always = run(*words, "--progress", "always")
@@ -184,6 +197,9 @@ def check_newcomer(scene, folder):
             (2, "did you mean --emit?", ["trace", scene, "--emti", "3"]),
             (2, "(murk trace --help)", ["trace", scene, "--zzzzzz"]),
             (2, "no scene; usage", ["trace"]),
+            (2, "no study; usage", ["study"]),
+            (2, "one scene at a time", ["trace", scene, scene]),
+            (2, "one folder at a time", ["report", "a", "b"]),
             (2, "No such file", ["trace", os.path.join(folder, "none.yaml")]),
             (2, "a folder, must be a regular file", ["trace", empty]),
             (1, "not a folder", ["trace", scene, "-o", scene]),
@@ -210,6 +226,7 @@ with tempfile.TemporaryDirectory() as temporary:
     with open(path, "w", encoding="utf-8") as file:
         file.write(SCENE + SENSORS)
     check_progress(path)
+    check_study(path, temporary)
     check_plain(path)
     check_summary(path, temporary)
     check_one(path, temporary)
