@@ -36,7 +36,11 @@ static void add_coverage(cJSON *root, const murk_plan *plan)
     murk_json_number(object, "in_sample_standard_error",
                      plan->in_sample.total.standard_error);
     murk_json_number(object, "surface", plan->in_sample.surface.value);
+    murk_json_number(object, "surface_standard_error",
+                     plan->in_sample.surface.standard_error);
     murk_json_number(object, "volume", plan->in_sample.volume.value);
+    murk_json_number(object, "volume_standard_error",
+                     plan->in_sample.volume.standard_error);
     murk_json_number(object, "ceiling",
                      murk_share(plan->place.ceiling, plan->place.whole));
     murk_json_number(object, "sum_of_views", plan->in_sample.sum_of_views);

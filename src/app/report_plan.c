@@ -56,8 +56,10 @@ static void write_numbers(FILE *to, const murk_yaml *plan, bool is_made)
                        : "coverage.standard_error");
     fact_share(to, plan, "held out: an independent map", "coverage.held_out",
                "coverage.held_out_standard_error");
-    fact_share(to, plan, "of light on surfaces", "coverage.surface", "");
-    fact_share(to, plan, "of light scattered in media", "coverage.volume", "");
+    fact_share(to, plan, "of light on surfaces", "coverage.surface",
+               "coverage.surface_standard_error");
+    fact_share(to, plan, "of light scattered in media", "coverage.volume",
+               "coverage.volume_standard_error");
     fact_share(to, plan, "ceiling: all candidates at once", "coverage.ceiling",
                "");
     fact_share(to, plan, "upper bound", "bound.upper", "");

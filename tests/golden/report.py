@@ -149,6 +149,11 @@ def main(murk):
         coverage = plan["coverage"]
         for key in ("in_sample", "held_out", "ceiling"):
             check(f"{100 * coverage[key]:.2f}" in page.text, key, "is not shown")
+        for key, name in (("surface", "of light on surfaces"),
+                          ("volume", "of light scattered in media")):
+            error = 100 * coverage[key + "_standard_error"]
+            shown = re.search(name + r"\s*([\d.]+) ± ([\d.]+) %", page.text)
+            check(error > 0 and shown and abs(float(shown[2]) - error) < 0.06 * error, name, shown)
         check(f"{100 * plan['bound']['upper']:.2f}" in page.text, "no bound")
         for sensor in plan["sensors"]:
             check(f"{100 * sensor['covers']:.2f} %" in page.text, "a sensor's share")
