@@ -1,6 +1,7 @@
 #include "app/images.h"
 
 #include "app/version.h"
+#include "base/file.h"
 #include "render/exr.h"
 #include "render/tone.h"
 
@@ -96,6 +97,19 @@ static murk_status check_bands(const murk_scene *scene, murk_error *err)
                      b + 1, b + 2, scene->band_nm[b], scene->band_nm[b + 1]);
 }
 
+/* A picture that took long must not be lost to a folder that is not there. */
+static murk_status check_writable(const murk_images *images, murk_error *err)
+{
+    const char *const path[] = {images->exr, images->png, images->false_colour};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; !status && i < sizeof path / sizeof *path; ++i) {
+        murk_file *file = NULL;
+        status = path[i] ? murk_file_create(&file, path[i], err) : MURK_OK;
+        murk_file_discard(file);
+    }
+    return status;
+}
+
 murk_status murk_images_name(murk_images *out, const murk_options *options,
                              const murk_scene *scene, const char *mark,
                              murk_error *err)
@@ -129,11 +143,11 @@ murk_status murk_images_name(murk_images *out, const murk_options *options,
     if (out->exr && wish->false_colour) {
         out->false_colour = path_of(out->exr, stem, out->channel, ".png");
     }
-    return out->exr && (out->png || !wish->png) &&
-                   (out->false_colour || !wish->false_colour)
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "render",
-                           "no memory for a name");
+    if (!out->exr || (wish->png && !out->png) ||
+        (wish->false_colour && !out->false_colour)) {
+        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a name");
+    }
+    return check_writable(out, err);
 }
 
 void murk_images_release(murk_images *images)

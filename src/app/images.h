@@ -24,7 +24,8 @@ typedef struct murk_image_facts {
 
 /* Names them: beside the scene, under its name and the mark, or by -o; and
  * finds the channel that is meant. Fails where two bands would share a
- * channel's name. Release them also after a failure. */
+ * channel's name, and with MURK_RUN_FAILED where a file cannot be made there.
+ * Release them also after a failure. */
 murk_status murk_images_name(murk_images *out, const murk_options *options,
                              const murk_scene *scene, const char *mark,
                              murk_error *err);
