@@ -51,8 +51,9 @@ printf 'A,%s,%s,9\n' 0 .1 2 .3 10 .2 >>"$dir/casts.csv"
 printf 'B,%s,%s,9\n' 0 .1 2 .3 >>"$dir/casts.csv"
 profile="--profile $dir/casts.csv -o $dir/cast.vdb --column c532[1/m] --rows station=A"
 "$murk" media $profile --voxel 0.3 >"$dir/said"
-grep -q "3 rows, 0 down to -10 m, optical depth 2.4$" "$dir/said" || { cat "$dir/said"; exit 1; }
-grep -q "34 voxels of 0.3 m, 1000 m wide" "$dir/said"
+tr -s ' \n' ' ' <"$dir/said" >"$dir/line" # however its lines are broken
+grep -q "3 rows, 0 down to -10 m, optical depth 2.4 " "$dir/line" || { cat "$dir/said"; exit 1; }
+grep -q "34 voxels of 0.3 m, 1000 m wide" "$dir/line"
 "$murk" media $profile --format json | python3 -c '
 import json, sys
 said = json.load(sys.stdin)
