@@ -2,6 +2,7 @@
 #include "base/interrupt.h"
 #include "check.h"
 #include "made_up.h"
+#include "placement/worst_bound.h"
 
 #define MATRIX_MOST ((uint64_t)1 << 32)
 
@@ -65,6 +66,34 @@ static void look_then_interrupt(void *context, unsigned worker,
     }
 }
 
+/* Ctrl-C inside the bounds: no further evaluation is made, and what is returned
+ * still bounds every plan. */
+static void check_bounds_stop(made_up *m, murk_matrix *matrix)
+{
+    const uint32_t plan[] = {0, 1, 2};
+    const murk_blocks blocks = {.n = 2, .first = {0, 32, 64}};
+    murk_oracle oracle;
+    murk_bound bound;
+    murk_block_views views;
+    murk_worst_bound worst;
+    murk_error err = {0};
+    uint64_t upper = MURK_SHARE_ONE;
+    CHECK(!murk_oracle_init(&oracle, &m->problem, matrix, NULL, 3, true, &err));
+    CHECK(!murk_bound_init(&bound, &oracle, &err));
+    CHECK(!murk_block_views_init(&views, &oracle, &blocks, &err));
+    CHECK(!murk_worst_bound_init(&worst, &views, &err));
+    murk_interrupt_request();
+    CHECK(murk_bound_tighten(&bound, 3, 0, plan, 3, 400) == oracle.ceiling);
+    CHECK(bound.evaluations == 0);
+    CHECK(
+        !murk_worst_bound_tighten(&worst, 3, 0, plan, 3, 60, 8, &upper, &err));
+    CHECK(worst.bound.evaluations == 0 && upper == MURK_SHARE_ONE);
+    murk_worst_bound_release(&worst);
+    murk_block_views_release(&views);
+    murk_bound_release(&bound);
+    murk_oracle_release(&oracle);
+}
+
 /* Last: the flag stays up. */
 static void test_interrupt_ends_all(void)
 {
@@ -76,6 +105,7 @@ static void test_interrupt_ends_all(void)
     desc.count = 3;
     CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
           MURK_OK);
+    check_bounds_stop(m, matrix);
     m->problem.look = look_then_interrupt;
     CHECK(murk_place_unknown(&result, &m->problem, &desc, &err) ==
           MURK_INTERRUPTED);

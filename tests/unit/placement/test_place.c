@@ -278,6 +278,23 @@ static void test_certificate_notices_a_bad_plan(void)
     CHECK(improvable > 0);
 }
 
+/* SPOQ sweeps until a whole sweep gains nothing. Where no two candidates add
+ * the same (weights of a thousand sizes), that sweep moved nobody, so no single
+ * move helps. Ended after one or two sweeps, many of these plans would be
+ * improvable. */
+static void test_spoq_sweeps_until_nothing_gains(void)
+{
+    for (uint32_t seed = 0; seed < 60; ++seed) {
+        made_up *m = made_up_create(seed, 120, 40, 0.15, 1, 100000, 1);
+        murk_place_desc desc = {
+            .method = MURK_PLACE_SPOQ, .count = 6, .restarts = 1, .seed = seed};
+        murk_place_result r = place_known(m, &desc);
+        CHECK(best_single_move(m, r.sensor, 6) == r.value);
+        murk_place_release(&r);
+        made_up_destroy(m);
+    }
+}
+
 static void test_threads_change_nothing(void)
 {
     static const unsigned threads[] = {1, 2, 5};
@@ -411,6 +428,7 @@ int main(int argc, char **argv)
     test_exact(seed);
     test_target(seed);
     test_certificate_notices_a_bad_plan();
+    test_spoq_sweeps_until_nothing_gains();
     test_threads_change_nothing();
     test_blind_start_does_not_end_spoq();
     test_ties_are_broken_at_random();

@@ -1,6 +1,7 @@
 /* What `emit` and `store` promise: how many photons are emitted, which are
  * kept, and that the ledger is of just those; and the candidates that murk
  * lays when the scene gives none. */
+#include "base/interrupt.h"
 #include "check.h"
 #include "stage_text.h"
 #include "study/plan.h"
@@ -151,11 +152,31 @@ static void test_laid_candidates(void)
     stage_text_destroy(stage);
 }
 
+/* Ctrl-C in the pilot ends the run there, with nothing stored. Last: the flag
+ * stays up. */
+static void test_interrupt_in_the_pilot(void)
+{
+    murk_stage *stage = stage_text_create(scene_text, NULL);
+    murk_forecast forecast = {.pilot_photons = 7};
+    murk_traced *traced = NULL;
+    murk_error err = {0};
+    CHECK(stage != NULL);
+    murk_interrupt_request();
+    CHECK(stage && murk_light_forecast(&forecast, stage, 0, 2, &err) ==
+                       MURK_INTERRUPTED);
+    CHECK(forecast.pilot_photons == 7);
+    CHECK(stage &&
+          murk_light_trace(&traced, stage, 0, 2, &err) == MURK_INTERRUPTED);
+    CHECK(traced == NULL);
+    stage_text_destroy(stage);
+}
+
 int main(void)
 {
     test_store_is_a_prefix();
     test_packets_add_up_to_the_lamps();
     test_refusals();
     test_laid_candidates();
+    test_interrupt_in_the_pilot();
     return check_done();
 }
