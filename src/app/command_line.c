@@ -109,9 +109,10 @@ murk_status murk_command_line(char **out, int argc, char **argv,
                               murk_error *err)
 {
     char *line = strdup("murk");
+    bool may_be_option = true;
     for (int i = 1; line && i < argc;) {
         const char *text = argv[i];
-        const bool is_option = text[0] == '-' && text[1];
+        const bool is_option = may_be_option && text[0] == '-' && text[1];
         const bool is_long = strncmp(text, "--", 2) == 0;
         const size_t length = is_long ? strcspn(text, "=") : strlen(text);
         const murk_option *option =
@@ -119,6 +120,7 @@ murk_status murk_command_line(char **out, int argc, char **argv,
         if (is_option && !option) {
             option = murk_option_find_short(text);
         }
+        may_be_option &= strcmp(text, "--") != 0; /* which ends the options */
         const int words = words_of(option, text);
         for (int k = 0; line && k < words && i < argc; ++k, ++i) {
             if (!option || !is_left_out(option)) {

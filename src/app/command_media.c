@@ -319,7 +319,7 @@ static murk_status print_json(cJSON *root, murk_error *err)
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
     }
-    puts(text);
+    murk_print_json(text);
     cJSON_free(text);
     return MURK_OK;
 }

@@ -1,4 +1,5 @@
 #include "app/session.h"
+#include "app/summary.h"
 
 #include <stdlib.h>
 
@@ -54,12 +55,14 @@ static bool has_outcome(const murk_event *event)
 static void print_event(const replay *r, const murk_event *event)
 {
     const murk_vec3 p = event->position, d = event->direction_out;
-    char what[96];
-    snprintf(what, sizeof what, "%s %s", partner(r, event),
-             has_outcome(event) ? outcome_name[event->outcome] : "");
-    printf("%5u %-9s %-24s %9.3f %9.3f %9.3f %7.4f %7.4f %7.4f %9.3f\n",
-           event->number, kind_name[event->kind], what, p.x, p.y, p.z, d.x, d.y,
-           d.z, event->path_m);
+    const char *name = partner(r, event);
+    murk_print("%5u %-9s %9.3f %9.3f %9.3f %7.4f %7.4f %7.4f %9.3f\n",
+               event->number, kind_name[event->kind], p.x, p.y, p.z, d.x, d.y,
+               d.z, event->path_m);
+    if (*name) { /* names may be as wide as a line, so they have their own */
+        murk_print("%6s%s%s%s\n", "", name, has_outcome(event) ? ": " : "",
+                   has_outcome(event) ? outcome_name[event->outcome] : "");
+    }
 }
 
 static void add_event(const replay *r, const murk_event *event)
@@ -123,9 +126,8 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
         cJSON_AddNumberToObject(root, "photon", (double)options->photon);
         r.events = cJSON_AddArrayToObject(root, "events");
     } else if (murk_session_speaks(&session)) {
-        printf("event kind      what                           x m       y m   "
-               "    "
-               "z m  direction out            path m\n");
+        murk_print("event kind            x m       y m       z m  direction "
+                   "out            path m\n");
     }
     murk_trace trace = murk_stage_trace(session.stage);
     trace.first = options->photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;

@@ -232,7 +232,7 @@ static murk_status tell(const murk_options *options, const char *path,
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
     }
-    puts(text);
+    murk_print_json(text);
     cJSON_free(text);
     return MURK_OK;
 }

@@ -125,7 +125,7 @@ static murk_status write_files(study_session *s, bool is_interrupted,
         status = murk_results_show(&s->results, err);
     }
     if (!status && s->options->json && !is_interrupted) {
-        fputs(text, stdout);
+        murk_print_json(text);
     }
     cJSON_free(text);
     return status;

@@ -25,7 +25,8 @@ const char murk_help_files[] =
     "leaves the old results or none.";
 
 static const char codes[] =
-    "0 done; 1 the run failed; 2 bad input or usage; 130 interrupted.";
+    "0 done; 1 the run failed; 2 bad input or usage; 130 interrupted; 141 "
+    "standard output was closed before its end.";
 
 /* Prints text in lines of WIDTH, the later ones indented; `at` is the column
  * that is reached already. */

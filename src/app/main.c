@@ -1,10 +1,18 @@
 #include "app/options.h"
+#include "app/terminate_bridge.h"
 #include "app/version.h"
+#include "base/crew.h"
 #include "base/interrupt.h"
-#include "base/progress.h"
+#include "base/log.h"
 
+#include <poll.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <string.h>
+#include <unistd.h>
+
+/* What a shell calls the end by SIGPIPE: 128 + 13. */
+#define READER_GONE 141
 
 static void print_version(void)
 {
@@ -29,21 +37,26 @@ static murk_status run(const murk_options *options, murk_error *err)
         murk_help_print(stdout, options->command);
         return MURK_OK;
     }
-    return options->command->run(options, err);
+    const murk_status status = murk_crew_allow(options->threads, err);
+    return status ? status : options->command->run(options, err);
 }
 
-/* "murk: WHERE: TEXT"; where may be empty. */
-static void print_error(const murk_error *err)
+/* Run before the constructors of libraries, one of which starts threads. */
+__attribute__((section(".preinit_array"),
+               used)) static void (*const early)(void) = murk_terminate_install;
+
+/* True if standard output is a pipe that nobody reads any more, as after
+ * `murk ... | head`: then Linux and POSIX report POLLERR at its writing end. */
+static bool is_reader_gone(void)
 {
-    murk_progress_hide(); /* what a step that was cut short may have left */
-    fprintf(stderr, "murk: %s%s%s\n", err->where, *err->where ? ": " : "",
-            err->text);
-    murk_progress_show();
+    struct pollfd output = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    return poll(&output, 1, 0) > 0 && (output.revents & POLLERR);
 }
 
 int main(int argc, char **argv)
 {
-    /* a closed pipe or a file-size limit is an error to report, not an end */
+    /* a file-size limit is an error to report; a closed pipe ends the program
+     * at the end alone, so that the results that are asked for are written */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     murk_interrupt_install();
@@ -55,6 +68,10 @@ int main(int argc, char **argv)
         status = run(&options, &err);
     }
     if (!status && (fflush(stdout) != 0 || ferror(stdout))) {
+        if (is_reader_gone()) {
+            murk_options_release(&options);
+            return READER_GONE;
+        }
         status = murk_fail(&err, MURK_RUN_FAILED, "",
                            "cannot write to standard output");
     }
@@ -64,7 +81,7 @@ int main(int argc, char **argv)
             status = MURK_INTERRUPTED;
             err = (murk_error){.text = "interrupted"};
         }
-        print_error(&err);
+        murk_message("", err.where, err.text);
     }
     murk_options_release(&options);
     return murk_status_exit_code(status);

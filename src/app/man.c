@@ -111,6 +111,9 @@ static void codes(FILE *to)
     tagged(to, "1", "The run failed, or ran out of memory.");
     tagged(to, "2", "Bad input or usage; nothing was written.");
     tagged(to, "130", "Interrupted.");
+    tagged(to, "141",
+           "Done, but standard output was closed before its end, as by "
+           "head(1). Result files are whole.");
     fputs(".PP\n", to);
     line(to, murk_help_messages);
 }
@@ -215,7 +218,10 @@ static void program_page(FILE *to)
         put(to, c->summary);
         fprintf(to, ":\n.BR murk\\-%s (1)\n", c->name);
     }
-    fputs(".SH OPTIONS\nThose of every command:\n", to);
+    fputs(
+        ".SH OPTIONS\nWhat follows \\-\\- is no option, as a file named \\-x. "
+        "Those of every command:\n",
+        to);
     options(to, NULL, false);
     fputs(".SH FILES\n", to);
     for (size_t i = 0; i < sizeof format_pages / sizeof *format_pages; ++i) {

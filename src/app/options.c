@@ -208,6 +208,9 @@ static murk_status check_belonging(const murk_options *out, int argc,
                                    char **argv, murk_error *err)
 {
     for (int i = 1; out->command && i < argc; ++i) {
+        if (strcmp(argv[i], "--") == 0) {
+            break; /* no options behind it */
+        }
         if (argv[i][0] != '-') {
             continue;
         }
@@ -278,8 +281,11 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     *out = (murk_options){.threads = murk_crew_processors(),
                           .progress = MURK_PROGRESS_AUTO};
     murk_status status = MURK_OK;
+    bool may_be_option = true;
     for (int i = 1; i < argc && !status; ++i) {
-        if (argv[i][0] == '-' && argv[i][1]) {
+        if (may_be_option && strcmp(argv[i], "--") == 0) {
+            may_be_option = false; /* "--" ends the options, as in POSIX */
+        } else if (may_be_option && argv[i][0] == '-' && argv[i][1]) {
             status = take_option(out, argc, argv, &i, err);
         } else if (!out->command && strcmp(argv[i], "help") == 0) {
             out->wants_help = true; /* murk help place */

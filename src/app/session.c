@@ -138,7 +138,7 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
         status = murk_results_show(&session->results, err);
     }
     if (!status && prints) {
-        fputs(text, stdout);
+        murk_print_json(text);
     }
     cJSON_free(text);
     return status;

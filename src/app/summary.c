@@ -1,5 +1,6 @@
 #include "app/summary.h"
 
+#include "base/utf8.h"
 #include "study/machine.h"
 
 #include <stdarg.h>
@@ -40,7 +41,8 @@ static size_t indent_of(const char *line)
     return has_label ? LABEL : lead > 0 ? lead : 2;
 }
 
-static void show(const char *line)
+/* Prints one line, broken where it is too long. */
+static void show_wrapped(const char *line)
 {
     const size_t indent = indent_of(line);
     size_t begin = 0; /* of the columns, those of the indent */
@@ -62,6 +64,18 @@ static void show(const char *line)
     printf("%*s%s\n", (int)begin, "", line);
 }
 
+/* Prints one line with control characters escaped, four bytes for one. */
+static void show(const char *line)
+{
+    const size_t size = 4 * strlen(line) + 1;
+    char *shown = malloc(size);
+    if (shown) {
+        murk_utf8_escape(shown, size, line);
+        show_wrapped(shown);
+    }
+    free(shown);
+}
+
 static bool make_room(size_t more)
 {
     if (open_line.size + more < open_line.room) {
@@ -76,34 +90,69 @@ static bool make_room(size_t more)
     return grown != NULL;
 }
 
-void murk_print(const char *format, ...)
+/* Appends text to the open line, and shows each line that the byte `end` of
+ * the new text ends. */
+static void add_text(const char *format, char end, va_list args)
 {
-    va_list args;
-    va_start(args, format);
     va_list again;
     va_copy(again, args);
     const int n = vsnprintf(NULL, 0, format, args);
-    va_end(args);
     if (n > 0 && make_room((size_t)n + 1)) {
-        vsnprintf(open_line.text + open_line.size, (size_t)n + 1, format,
-                  again);
-        open_line.size += (size_t)n;
-    }
-    va_end(again);
-    char *line = open_line.text, *end;
-    while (line && (end = strchr(line, '\n'))) {
-        *end = '\0';
-        show(line);
-        line = end + 1;
-    }
-    if (line != open_line.text) {
+        char *line = open_line.text, *from = line + open_line.size, *stop;
+        vsnprintf(from, (size_t)n + 1, format, again);
+        while ((stop = strchr(from, end))) {
+            *stop = '\0';
+            show(line);
+            line = from = stop + 1;
+        }
         open_line.size = strlen(line);
         memmove(open_line.text, line, open_line.size + 1);
     }
+    va_end(again);
+}
+
+/* A line ends with the line feeds of `format`; those of names among the
+ * arguments are shown escaped. To tell them apart, the line feeds of `format`
+ * are replaced by a byte that `format` never has and text of UTF-8 neither. */
+void murk_print(const char *format, ...)
+{
+    static const char line_end = '\xff';
+    char *marked = strdup(format);
+    if (!marked) {
+        return;
+    }
+    for (char *c = marked; *c; ++c) {
+        *c = *c == '\n' ? line_end : *c;
+    }
+    va_list args;
+    va_start(args, format);
+    add_text(marked, line_end, args);
+    va_end(args);
+    free(marked);
     if (open_line.size == 0) {
         free(open_line.text);
         open_line.text = NULL;
         open_line.room = 0;
+    }
+}
+
+void murk_print_json(const char *text)
+{
+    bool has_end = false;
+    while (*text) {
+        const size_t length = murk_utf8_length(text);
+        /* U+FFFD stands for a byte that is no character */
+        const uint32_t control = length ? murk_utf8_control(text) : 0xfffd;
+        has_end = *text == '\n';
+        if (control && !has_end && *text != '\t') {
+            printf("\\u%04x", (unsigned)control);
+        } else {
+            fwrite(text, 1, length, stdout);
+        }
+        text += length ? length : 1;
+    }
+    if (!has_end) {
+        putchar('\n');
     }
 }
 

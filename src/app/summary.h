@@ -6,7 +6,9 @@
  *
  * Lines wider than 80 columns are broken between words and go on under their
  * text, but for rows of tables: those with two spaces between words beyond the
- * label. Bytes count as columns. From the main thread only. */
+ * label. Bytes count as columns. What a terminal might act on, in names and
+ * paths, is shown escaped (base/utf8.h), a line feed in them too. From the main
+ * thread only. */
 #ifndef MURK_APP_SUMMARY_H
 #define MURK_APP_SUMMARY_H
 
@@ -16,6 +18,11 @@
 
 /* As printf(); a line is shown when it ends. */
 void murk_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Prints JSON text, and a line feed where it has none at its end. DEL, the
+ * control characters beyond ASCII and whatever else a terminal might act on in
+ * strings are written \uNNNN, which means the same. */
+void murk_print_json(const char *text);
 
 /* "time  4.70 s: load 0.07, trace 0.01; memory 0.05 GB", without what took no
  * time; other: a part of the command's own, or NULL. */

@@ -4,9 +4,12 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <string.h>
 #include <unistd.h>
 
 #define THREADS_MAX 256
+
+static unsigned threads_allowed = THREADS_MAX;
 
 typedef struct crew {
     murk_job job;
@@ -44,8 +47,8 @@ static void run(unsigned threads, crew *c)
     worker workers[THREADS_MAX];
     pthread_t thread[THREADS_MAX];
     unsigned started = 0;
-    if (threads > THREADS_MAX) {
-        threads = THREADS_MAX;
+    if (threads > threads_allowed) {
+        threads = threads_allowed;
     }
     if (threads > c->batches) {
         threads = c->batches > 0 ? (unsigned)c->batches : 1;
@@ -62,6 +65,40 @@ static void run(unsigned threads, crew *c)
     for (unsigned i = 0; i < started; ++i) {
         pthread_join(thread[i], NULL);
     }
+}
+
+/* Waits until all threads of a trial have been started. */
+static void *wait_for_release(void *argument)
+{
+    pthread_mutex_t *held = argument;
+    pthread_mutex_lock(held);
+    pthread_mutex_unlock(held);
+    return NULL;
+}
+
+murk_status murk_crew_allow(unsigned threads, murk_error *err)
+{
+    pthread_t thread[THREADS_MAX];
+    pthread_mutex_t held = PTHREAD_MUTEX_INITIALIZER;
+    unsigned started = 0;
+    int refusal = 0;
+    threads_allowed = threads < THREADS_MAX ? threads : THREADS_MAX;
+    /* the calling thread works, too, so one less is started */
+    pthread_mutex_lock(&held);
+    while (!refusal && started + 1 < threads_allowed) {
+        refusal =
+            pthread_create(&thread[started], NULL, wait_for_release, &held);
+        started += !refusal;
+    }
+    pthread_mutex_unlock(&held);
+    for (unsigned i = 0; i < started; ++i) {
+        pthread_join(thread[i], NULL);
+    }
+    return refusal ? murk_fail(err, MURK_RUN_FAILED, "",
+                               "cannot start %u threads, only %u: %s; "
+                               "--threads N asks for fewer",
+                               threads_allowed, started + 1, strerror(refusal))
+                   : MURK_OK;
 }
 
 void murk_crew_run(unsigned threads, uint64_t batches, murk_job job,

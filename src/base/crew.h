@@ -10,6 +10,8 @@
 #ifndef MURK_BASE_CREW_H
 #define MURK_BASE_CREW_H
 
+#include "base/status.h"
+
 #include <stdint.h>
 
 typedef void (*murk_job)(void *context, uint64_t batch);
@@ -17,6 +19,11 @@ typedef void (*murk_job)(void *context, uint64_t batch);
 /* As murk_job, and told which worker runs it, in [0, threads): for scratch
  * memory, which must not carry anything from one batch to the next. */
 typedef void (*murk_worker_job)(void *context, unsigned worker, uint64_t batch);
+
+/* Sets the largest number of threads that any later run may use, whatever the
+ * run asks for; without this call it is 256. Starts as many once, so that a
+ * machine that refuses them is known before the work: then MURK_RUN_FAILED. */
+murk_status murk_crew_allow(unsigned threads, murk_error *err);
 
 /* threads >= 1. Where the machine refuses a thread, the others do its work. */
 void murk_crew_run(unsigned threads, uint64_t batches, murk_job job,

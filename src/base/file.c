@@ -39,6 +39,29 @@ static void sync_folder_of(const char *path)
     free(folder);
 }
 
+/* Fails with "WHAT: REASON", or with the name of the folder that would hold
+ * `made` where nothing may be written into that folder. */
+static murk_status cannot_make(const char *what, const char *path,
+                               const char *made, int reason, murk_error *err)
+{
+    const char *slash = strrchr(made, '/');
+    const int length = !slash ? 1 : slash == made ? 1 : (int)(slash - made);
+    char *folder = strndup(slash ? made : ".", (size_t)length);
+    struct stat info;
+    murk_status status;
+    if (folder && stat(folder, &info) == 0 && S_ISDIR(info.st_mode) &&
+        access(folder, W_OK | X_OK) != 0) {
+        status = murk_fail(err, MURK_RUN_FAILED, path,
+                           "%s: %s may not be written into: %s", what, folder,
+                           strerror(errno));
+    } else {
+        status = murk_fail(err, MURK_RUN_FAILED, path, "%s: %s", what,
+                           strerror(reason));
+    }
+    free(folder);
+    return status;
+}
+
 murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
 {
     murk_status status = MURK_OK;
@@ -57,8 +80,7 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     }
     fd = mkstemp(file->temporary);
     if (fd < 0) {
-        status = murk_fail(err, MURK_RUN_FAILED, path, "cannot write: %s",
-                           strerror(errno));
+        status = cannot_make("cannot write", path, path, errno, err);
         free(file->temporary);
         file->temporary = NULL;
         goto done;
@@ -214,20 +236,23 @@ murk_status murk_folder_make(const char *path, murk_error *err)
     if (!part) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its name");
     }
-    for (char *slash = strchr(part + 1, '/'); slash;
+    /* make each folder on the way that is not there yet */
+    int refusal = 0;
+    for (char *slash = strchr(part + 1, '/'); slash && !refusal;
          slash = strchr(slash + 1, '/')) {
         *slash = '\0';
-        const int failed = mkdir(part, 0777) != 0 && errno != EEXIST;
-        *slash = '/';
-        if (failed) {
-            break;
-        }
+        refusal = mkdir(part, 0777) == 0 || errno == EEXIST ? 0 : errno;
+        *slash = refusal ? '\0' : '/'; /* `part` ends where it is refused */
+    }
+    struct stat info;
+    murk_status status = MURK_OK;
+    if (stat(path, &info) != 0) {
+        status = cannot_make("cannot make the folder", path, part,
+                             refusal ? refusal : errno, err);
     }
     free(part);
-    struct stat info;
-    if (stat(path, &info) != 0) {
-        return murk_fail(err, MURK_RUN_FAILED, path,
-                         "cannot make the folder: %s", strerror(errno));
+    if (status) {
+        return status;
     }
     if (!S_ISDIR(info.st_mode)) {
         return murk_fail(err, MURK_RUN_FAILED, path, "not a folder");

@@ -1,18 +1,30 @@
 #include "base/log.h"
 
 #include "base/progress.h"
+#include "base/utf8.h"
 
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 
 #define TEXT_SIZE 640
+/* Four bytes for each of a text and of a place as long. */
+#define SHOWN_SIZE (4 * TEXT_SIZE + 1)
+
+void murk_message(const char *kind, const char *where, const char *text)
+{
+    char shown_where[SHOWN_SIZE], shown_text[SHOWN_SIZE];
+    murk_utf8_escape(shown_where, sizeof shown_where, where);
+    murk_utf8_escape(shown_text, sizeof shown_text, text);
+    murk_progress_hide(); /* a step that was cut short may have left a line */
+    fprintf(stderr, "murk: %s%s%s%s\n", kind, shown_where, *where ? ": " : "",
+            shown_text);
+    murk_progress_show();
+}
 
 static void note_to_stderr(const char *where, const char *text)
 {
-    murk_progress_hide();
-    fprintf(stderr, "murk: note: %s%s%s\n", where, *where ? ": " : "", text);
-    murk_progress_show();
+    murk_message("note: ", where, text);
 }
 
 static murk_warn_sink current = murk_warn_to_stderr;
@@ -61,7 +73,5 @@ bool murk_warn_hush(bool is_silent)
 
 void murk_warn_to_stderr(const char *where, const char *text)
 {
-    murk_progress_hide();
-    fprintf(stderr, "murk: warning: %s%s%s\n", where, *where ? ": " : "", text);
-    murk_progress_show();
+    murk_message("warning: ", where, text);
 }

@@ -19,6 +19,12 @@ typedef void (*murk_warn_sink)(const char *where, const char *text);
 murk_warn_sink murk_warn_to(murk_warn_sink sink);
 void murk_warn_to_stderr(const char *where, const char *text);
 
+/* Prints "murk: KINDWHERE: TEXT" as one line on standard error: the one way by
+ * which messages reach a terminal. `where` may be empty. Control characters in
+ * `where` and `text`, which may be of a file or an option, are shown escaped
+ * (base/utf8.h). */
+void murk_message(const char *kind, const char *where, const char *text);
+
 /* Whether this thread keeps silent: of what is read a second time, all has been
  * said. Gives back what held before. */
 bool murk_warn_hush(bool is_silent);

@@ -1,5 +1,7 @@
 #include "base/progress_line.h"
 
+#include "base/utf8.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -73,7 +75,7 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
         format_time(left, sizeof left, f->parts_left_s);
         snprintf(p->all, sizeof p->all, "all: %s left", left);
     }
-    snprintf(p->text, sizeof p->text, "%s", f->text);
+    murk_utf8_escape(p->text, sizeof p->text, f->text);
 }
 
 /* Joins what is not empty, in order. */

@@ -1,5 +1,8 @@
 #include "base/utf8.h"
 
+#include <stdio.h>
+#include <string.h>
+
 size_t murk_utf8_length(const char *text)
 {
     const unsigned char *at = (const unsigned char *)text;
@@ -32,4 +35,60 @@ bool murk_utf8_is_printable(const char *text, size_t n)
         text += length;
     }
     return true;
+}
+
+/* The code point of the character of `length` bytes at `text`. */
+static uint32_t code_point(const char *text, size_t length)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    /* the first byte of n holds 7 - n bits (of one: 7), the others 6 each */
+    uint32_t code = length == 1 ? at[0] : at[0] & (0x7fu >> length);
+    for (size_t i = 1; i < length; ++i) {
+        code = code << 6 | (at[i] & 0x3fu);
+    }
+    return code;
+}
+
+uint32_t murk_utf8_control(const char *text)
+{
+    const uint32_t code = code_point(text, murk_utf8_length(text));
+    const bool is_control =
+        code < 0x20 || (code >= 0x7f && code < 0xa0) || /* C0, DEL, C1 */
+        code == 0x200e || code == 0x200f ||             /* direction marks */
+        (code >= 0x2028 && code <= 0x202e) || /* separators, overrides */
+        (code >= 0x2066 && code <= 0x2069);   /* directional isolates */
+    return is_control ? code : 0;
+}
+
+size_t murk_utf8_escape(char *out, size_t size, const char *text)
+{
+    static const char named[] = "\n\r\t", letter[] = "nrt";
+    size_t n = 0;
+    while (*text) {
+        const size_t length = murk_utf8_length(text);
+        const size_t taken = length ? length : 1; /* a stray byte goes alone */
+        char piece[20] = "";                      /* 4 bytes of \xNN at most */
+        const char *name = strchr(named, *text);
+        if (name) {
+            snprintf(piece, sizeof piece, "\\%c", letter[name - named]);
+        } else if (length && !murk_utf8_control(text)) {
+            memcpy(piece, text, length);
+        } else {
+            for (size_t i = 0; i < taken; ++i) {
+                snprintf(piece + 4 * i, sizeof piece - 4 * i, "\\x%02x",
+                         (unsigned)(unsigned char)text[i]);
+            }
+        }
+        const size_t more = strlen(piece);
+        if (n + more >= size) {
+            break;
+        }
+        memcpy(out + n, piece, more);
+        n += more;
+        text += taken;
+    }
+    if (size > 0) {
+        out[n] = '\0';
+    }
+    return n;
 }

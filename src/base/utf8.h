@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* Bytes of the character at text, 1..4, which ends with a '\0' somewhere; 0
  * where it is none: cut short, overlong, a surrogate, beyond U+10FFFF. */
@@ -12,5 +13,18 @@ size_t murk_utf8_length(const char *text);
 /* Whether the first `n` characters (or all, where there are fewer) are such,
  * and none is a control character of ASCII. */
 bool murk_utf8_is_printable(const char *text, size_t n);
+
+/* The code point of the well-formed character at `text` where a terminal might
+ * act on the character instead of showing it, else 0: control characters of
+ * ASCII and of ISO 6429 (U+0080..U+009F), line and paragraph separators, and
+ * characters that change the direction of writing. */
+uint32_t murk_utf8_control(const char *text);
+
+/* Copies `text` to out[size] for a terminal. Control characters (see above) and
+ * bytes that are no UTF-8 become one \xNN for each byte. Line feed, carriage
+ * return and tab become \n, \r and \t. The copy is cut before the first
+ * character that does not fit; four bytes for each byte of `text` and one more
+ * are always enough. Returns the copy's length. */
+size_t murk_utf8_escape(char *out, size_t size, const char *text);
 
 #endif

@@ -56,6 +56,9 @@ static void test_what_changes_no_result_is_left_out(void)
                                      "--progress", "never", "-q", "--free",
                                      "a,b", "--format=json", NULL},
                "murk fit 'a b.yaml' --free a,b");
+    check_line(
+        (const char *const[]){"murk", "check", "-q", "--", "-q", "--", NULL},
+        "murk check -- -q --");
     check_line((const char *const[]){"murk", "trace", "-oout", "a.yaml",
                                      "--set", "-o=1", NULL},
                "murk trace a.yaml --set -o=1");

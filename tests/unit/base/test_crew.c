@@ -53,6 +53,16 @@ int main(void)
         murk_crew_run_workers(threads[i], BATCHES, worker_job, &v);
         check_all_done(&v);
     }
+    /* what is allowed holds for every later run */
+    CHECK(murk_crew_allow(3, NULL) == MURK_OK);
+    work few = {.threads = 3};
+    murk_crew_run_workers(64, BATCHES, worker_job, &few);
+    check_all_done(&few);
+    CHECK(murk_crew_allow(1, NULL) == MURK_OK);
+    work one = {.threads = 1};
+    murk_crew_run_workers(2, BATCHES, worker_job, &one);
+    check_all_done(&one);
+    CHECK(murk_crew_allow(1000, NULL) == MURK_OK);
     work none = {.threads = 2};
     murk_crew_run(2, 0, job, &none);
     CHECK(murk_tally_read(&none.sum) == 0);

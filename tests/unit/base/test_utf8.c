@@ -42,8 +42,52 @@ static void test_printable(void)
     CHECK(!murk_utf8_is_printable("\xc3\xb6\n", 2));
 }
 
+static void check_escaped(const char *text, const char *want)
+{
+    char out[64];
+    CHECK(murk_utf8_escape(out, sizeof out, text) == strlen(want));
+    CHECK_TEXT(out, want);
+}
+
+static void test_control_characters_are_escaped(void)
+{
+    check_escaped("", "");
+    check_escaped("plain ~ \xc3\xb6 \xe2\x80\x93 \xf0\x9f\x8c\xab",
+                  "plain ~ \xc3\xb6 \xe2\x80\x93 \xf0\x9f\x8c\xab");
+    check_escaped("\033[2J", "\\x1b[2J");
+    check_escaped("a\nb\rc\td", "a\\nb\\rc\\td");
+    check_escaped("\x01\x1f\x7f", "\\x01\\x1f\\x7f");
+    check_escaped("\xc2\x9b"
+                  "31m",
+                  "\\xc2\\x9b31m");                   /* CSI beyond ASCII */
+    check_escaped("\xc2\xa0", "\xc2\xa0");            /* just beyond C1 */
+    check_escaped("\xe2\x80\xae", "\\xe2\\x80\\xae"); /* right to left */
+    check_escaped("\xe2\x81\xa6", "\\xe2\\x81\\xa6"); /* isolate */
+    check_escaped("\xc3(", "\\xc3(");                 /* cut short */
+    check_escaped("\xff", "\\xff");
+    CHECK(murk_utf8_control("\xc2\x80") == 0x80);
+    CHECK(murk_utf8_control("\xc2\x9f") == 0x9f);
+    CHECK(murk_utf8_control("\xe2\x80\xa8") == 0x2028);
+    CHECK(murk_utf8_control("~") == 0);
+}
+
+/* Cut before the piece that does not fit, and always ended. */
+static void test_escaped_text_is_cut_whole(void)
+{
+    char out[6];
+    CHECK(murk_utf8_escape(out, sizeof out, "ab\033c") == 2);
+    CHECK_TEXT(out, "ab");
+    CHECK(murk_utf8_escape(out, sizeof out, "a\033c") == 5);
+    CHECK_TEXT(out, "a\\x1b");
+    CHECK(murk_utf8_escape(out, 1, "a") == 0);
+    CHECK_TEXT(out, "");
+    CHECK(murk_utf8_escape(NULL, 0, "a") == 0);
+}
+
 int main(void)
 {
+    test_control_characters_are_escaped();
+    test_escaped_text_is_cut_whole();
     test_well_formed();
     test_ill_formed();
     test_printable();
