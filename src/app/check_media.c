@@ -252,6 +252,11 @@ void murk_print_media(const murk_stage *stage)
             }
         } else if (r->shape == MURK_SCENE_BELOW) {
             murk_print(" below z = %.4g m", r->below_z_m);
+        } else if (!(box.min.x <= box.max.x)) {
+            murk_print(", empty: %s", stage->grid[r->medium]
+                                          ? "its grid has no active voxels"
+                                            " in it"
+                                          : "it holds no point");
         } else {
             murk_print(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
                        box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);

@@ -164,6 +164,13 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
                              "photons.emit: %llu, must be %d or more for a fit",
                              (unsigned long long)emit, BATCHES_MIN);
         }
+        if (w->posts.lit && w->scene->continues) {
+            /* how much light enters would depend on the medium, which the
+             * paths that are weighed anew do not know */
+            return murk_fail(err, MURK_UNSUPPORTED, w->scene->domain_where,
+                             "outside: continued does not go with fits, use "
+                             "sides: periodic");
+        }
         if (w->posts.lit && emit < m->batches) {
             m->batches = (size_t)emit;
         }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "light/shine.h"
+#include "transport/outside.h"
 
 /* A lamp's face that is seen along its own plane: rounding of where it lies
  * counts this many times at most. */
@@ -106,8 +107,11 @@ static void meet_sky(murk_sampler *s, const murk_event *event)
         const murk_glare glare =
             murk_lights_glare(lights, light, s->band, event->position, sight);
         if (glare.radiance > 0) {
+            const double outside =
+                murk_outside_straight(s->scenery->world, s->band,
+                                      event->position, murk_scale(-1, sight));
             add(s, SURFACE,
-                event->weight * glare.radiance / square *
+                event->weight * glare.radiance * outside / square *
                     share_met(s, light, sight));
         }
     }

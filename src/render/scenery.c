@@ -1,6 +1,7 @@
 #include "render/scenery.h"
 
 #include "medium/interfaces.h"
+#include "transport/outside.h"
 
 #include <stdlib.h>
 
@@ -120,6 +121,11 @@ double murk_scenery_through(const murk_scenery *scenery, int band,
         }
         bool changed;
         through *= piece_through(scenery, band, p.from, p.to, &changed);
+    }
+    if (p.leaves && length_m == INFINITY && through > 0) {
+        /* to the sun or sky: what the media outside of the domain take */
+        through *= murk_outside_straight(scenery->world, band, p.to,
+                                         murk_scale(-1, direction));
     }
     return p.n < PIECES_MAX ? through : 0;
 }

@@ -85,9 +85,15 @@ static bool asks_time(const murk_scene *s)
     return false;
 }
 
+static bool has_outside(const murk_scene *s)
+{
+    return !s->domain.is_periodic;
+}
+
 #define WITHOUT "has no effect without "
 
 const murk_idle_rule murk_idle_rules[] = {
+    {"domain.outside", has_outside, "has no effect with sides: periodic"},
     {"placement.threshold", has_threshold, WITHOUT "detection: threshold"},
     {"placement.power_radius_m", has_power, WITHOUT "detection: power"},
     {"placement.power_neighbours", has_neighbours,

@@ -49,11 +49,19 @@ static const murk_word SIDES_WORDS[] = {
     WORDS_END,
 };
 
+static const murk_word OUTSIDE_WORDS[] = {
+    {"empty", 0},
+    {"continued", 1},
+    WORDS_END,
+};
+
 static const murk_key DOMAIN_KEYS_ROWS[] = {
     ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene, domain.box.min)),
     ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene, domain.box.max)),
     ROW("sides", WORD, .preset = "open", .words = SIDES_WORDS,
         AT(murk_scene, domain.is_periodic)),
+    ROW("outside", WORD, .preset = "empty", .words = OUTSIDE_WORDS,
+        AT(murk_scene, continues)),
     END,
 };
 

@@ -508,6 +508,7 @@ struct murk_scene {
     murk_scene_site site;
     bool has_domain;
     murk_domain domain;
+    bool continues; /* domain.outside: continued; false: empty */
     murk_scene_where domain_where;
     murk_scene_geometry *geometry;
     size_t geometries;

@@ -1,6 +1,7 @@
 #include "study/stage.h"
 
 #include "base/file.h"
+#include "medium/interfaces.h"
 #include "study/enclose.h"
 #include "study/extent.h"
 #include "study/stage_media.h"
@@ -207,6 +208,14 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
         goto done;
     }
     for (size_t i = 0; i < scene->n_lights && !status; ++i) {
+        if (scene->lights[i].portals > 0 && scene->continues &&
+            murk_media_bends(stage->media)) {
+            /* the way to a portal is straight, and would have to be bent */
+            status = murk_fail(err, MURK_UNSUPPORTED, scene->lights[i].where,
+                               "aim: portals beside a region with an ior need "
+                               "domain.outside: empty");
+            break;
+        }
         status = murk_sky_light(&light[i], &stage->sky[i], scene, i, err);
         light[i].portal = next;
         light[i].portals = scene->lights[i].portals;
@@ -307,6 +316,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     stage->world.hulls = stage->hulls;
     stage->world.lights = stage->lights;
     stage->world.bands = scene->bands;
+    stage->world.continues = scene->continues && !scene->domain.is_periodic;
     murk_stage_tell(stage);
     return MURK_OK;
 }

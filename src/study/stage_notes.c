@@ -122,7 +122,8 @@ static void note_of_dark(const murk_stage *stage)
 }
 
 /* A medium that touches an open side goes on outside, as a rule, but takes
- * nothing from distant light on its way there. */
+ * nothing from light of the sun and sky on its way there, unless
+ * domain.outside says so. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
     const murk_scene *scene = stage->scene;
@@ -130,15 +131,18 @@ static void warn_of_lit_sides(const murk_stage *stage)
     for (size_t i = 0; i < scene->n_lights; ++i) {
         is_lit |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
     }
-    if (stage->world.domain.is_periodic || !is_lit ||
+    if (stage->world.domain.is_periodic || scene->continues || !is_lit ||
         !murk_media_any(stage->media)) {
         return;
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
         if (touches_sides(stage, i)) {
             murk_warn(scene->regions[i].where,
-                      "distant light meets a medium that touches an open "
-                      "side: it is unattenuated where it enters");
+                      "light of sun or sky meets a medium that touches an "
+                      "open side: it is unattenuated where it enters, so it "
+                      "is too bright near the sides. Where the medium goes on "
+                      "outside, use domain.sides: periodic, or "
+                      "domain.outside: continued");
         }
     }
 }

@@ -26,6 +26,14 @@ typedef struct way {
     double behind_m;
 } way;
 
+/* Whether a way that leaves through a side goes on in the same media: in a
+ * domain that repeats, and where media continue outside (surfaces are taken to
+ * repeat there, too, which only matters to how far light comes). */
+static bool goes_on_outside(const murk_world *world)
+{
+    return world->domain.is_periodic || world->continues;
+}
+
 static murk_inside around(const way *w)
 {
     const murk_vec3 place = murk_along(w->place, w->behind_m, w->direction);
@@ -112,7 +120,7 @@ static murk_spectrum depth_of(way *w)
             w->place = murk_along(w->place, length, w->direction);
             w->inside = beyond;
             w->skip_m = skip_m;
-        } else if (is_hit || !domain->is_periodic || side >= left) {
+        } else if (is_hit || !goes_on_outside(world) || side >= left) {
             goes_on = false;
         } else {
             wrap(w, length);
@@ -136,7 +144,7 @@ static way way_to(const murk_world *world, murk_vec3 floor, murk_vec3 direction)
     double from = 0, length = height / -direction.z;
     way w = {.world = world, .direction = direction, .length_m = length};
     w.behind_m = BEHIND * murk_length(murk_sub(box->max, box->min));
-    if (!world->domain.is_periodic) {
+    if (!goes_on_outside(world)) {
         (void)murk_box_clip(box, floor, back, &from, &length);
         w.length_m = length;
         w.place = murk_along(floor, length, back);

@@ -35,6 +35,8 @@ typedef struct murk_world {
     murk_domain domain;
     int bands;
     const murk_hulls *hulls; /* of the regions that are meshes; NULL: none */
+    bool continues; /* outside of open sides the media go on, for light of sun
+                       and sky that enters there: transport/outside.h */
 } murk_world;
 
 typedef enum murk_event_kind {

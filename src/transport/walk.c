@@ -14,6 +14,7 @@
 
 #include "medium/phase.h"
 #include "transport/meet.h"
+#include "transport/outside.h"
 #include "transport/turn.h"
 
 /* Share of the domain's largest coordinate by which the box for surfaces is
@@ -265,6 +266,28 @@ static murk_fate spend(murk_walker *w)
     return MURK_FATE_ESCAPED;
 }
 
+/* Light of the sun or sky through a domain whose media go on outside: what they
+ * take of it escapes before it has done anything, by roulette. Light that a
+ * boundary outside has refracted is of class specular. */
+static void come_from_outside(murk_walker *w, murk_ray *ray)
+{
+    const murk_world *world = w->course->world;
+    const murk_trace *trace = w->course->trace;
+    bool is_bent;
+    const double share = murk_outside_share(world, w->band, ray->origin,
+                                            &ray->direction, &is_bent);
+    if (share < 1) {
+        /* slots 0 and 1 are the emission's own (light/lights.c) */
+        const murk_random4 random =
+            murk_random(trace->seed, MURK_EMIT + MURK_STREAM * trace->stream,
+                        w->photon, 0, 2);
+        ray->is_spent = ray->is_spent || random.u[0] >= share;
+    }
+    if (is_bent) {
+        w->event_class = MURK_CLASS_SPECULAR;
+    }
+}
+
 /* Where the chain of the tallies' planes begins: before the side that distant
  * light enters by. */
 static murk_station first_station(const murk_walker *w)
@@ -322,8 +345,12 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
                      .band = (int)(channel % (size_t)world->bands),
                      .event_class = MURK_CLASS_FIRST};
     ++s->emitted[channel];
-    const murk_ray ray = murk_lights_emit(world->lights, r->trace->seed,
-                                          r->trace->stream, photon);
+    murk_ray ray = murk_lights_emit(world->lights, r->trace->seed,
+                                    r->trace->stream, photon);
+    if (world->continues &&
+        murk_light_is_distant(murk_lights_get(world->lights, w.light))) {
+        come_from_outside(&w, &ray);
+    }
     start(&w, ray);
     if (murk_walker_is_heard(&w)) {
         murk_event event = murk_walker_event(&w, MURK_EVENT_EMITTED);

@@ -291,6 +291,31 @@ elif [ -e /proc/self/status ]; then
 else
     echo "skipped: folders that root may not write, no /proc here"
 fi
+# A region whose layers end below its box holds nothing, and check says so.
+cat >"$dir/nothing.yaml" <<'END'
+murk: 1
+domain: {min_m: [0, 0, 0], max_m: [10, 10, 10]}
+media: {smoke: {profile: {z_m: [0, 5], extinction_per_m: [1, 2]}, albedo: 0.5}}
+regions: [{medium: smoke, box: {min_m: [0, 0, 8], max_m: [1, 1, 9]}}]
+lights: [{type: point, position_m: [1, 1, 1], power_w: 1}]
+END
+within_limits check "$dir/nothing.yaml" >"$dir/stdout" 2>"$dir/stderr"
+grep -q "smoke, empty: " "$dir/stdout" && ! grep -q inf "$dir/stdout" ||
+    fail "an empty region is not called so: $(grep region "$dir/stdout")"
+# Where the sun meets water in an open side, the warning names both remedies.
+cat >"$dir/sea.yaml" <<'END'
+murk: 1
+domain: {min_m: [0, 0, 0], max_m: [10, 10, 10]}
+media: {sea: {extinction_per_m: 0.1, albedo: 0.5}}
+regions: [{medium: sea, below_z_m: 5}]
+lights: [{type: directional, direction: [1, 0, -1], irradiance_w_per_m2: 1}]
+END
+within_limits check "$dir/sea.yaml" >/dev/null 2>"$dir/stderr"
+grep -q "domain.sides: periodic, or domain.outside: continued" "$dir/stderr" ||
+    fail "light through an open side of water is not warned of"
+within_limits check "$dir/sea.yaml" --set domain.outside=continued >/dev/null 2>"$dir/stderr"
+[ ! -s "$dir/stderr" ] || fail "a continued domain is warned of: $(cat "$dir/stderr")"
+
 [ -e /dev/full ] && { within_limits check "$dir/good.yaml" >/dev/full 2>"$dir/stderr"
     [ $? -eq 1 ] || fail "a full standard output went unnoticed"; }
 
