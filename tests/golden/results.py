@@ -125,6 +125,28 @@ photons:""")
 HEADER = "tally,band_nm,bin_i,bin_j,bin_k,direction,value,standard_error,unit"
 
 
+HALVES = """\
+murk: 1
+bands_nm: [550]
+domain: {min_m: [0, 0, 0], max_m: [2, 2, 2]}
+lights:
+  - {type: beam, origin_m: [1, 1, 0.1], direction: [0, 0, 1], power_w: 1}
+  - {type: beam, origin_m: [1, 1, 1.9], direction: [0, 0, -1], power_w: 3}
+tallies: [{name: halves, type: sphere, center_m: [1, 1, 1], radius_m: 0.5, hemispheres: true}]
+photons: {emit: 400, maps: none}
+"""
+
+
+def test_hemispheres(murk):
+    """A beam of 1 W upwards and one of 3 W downwards, through the middle of a
+    sphere of 0.5 m: the power times a path of 1 m over the volume, pi / 6 m3."""
+    murk.run("trace", murk.write("halves.yaml", HALVES), "-o", murk.path("halves"))
+    found = {row[5]: float(row[6]) for row in murk.rows(HEADER, "halves", "tallies.csv")}
+    check(set(found) == {"up", "down"}, found)
+    near(found["up"], 6 / math.pi, 1e-6, "1 W of travel upwards")
+    near(found["down"], 18 / math.pi, 1e-6, "3 W of travel downwards")
+
+
 def read_grid(murk, name, grid):
     """What murk itself finds in a grid of a .vdb."""
     scene = murk.write("grid.yaml", f"""\
@@ -443,4 +465,4 @@ def test_replay(murk):
 
 
 if __name__ == "__main__":
-    sys.exit(main([test_files, test_tallies, test_units, test_coverage, test_views, test_replay, test_phases]))
+    sys.exit(main([test_files, test_tallies, test_hemispheres, test_units, test_coverage, test_views, test_replay, test_phases]))

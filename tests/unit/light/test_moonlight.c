@@ -62,6 +62,27 @@ static void test_moon_rises_without_a_step(void)
     }
 }
 
+/* The scattering function of Krisciunas and Schaefer, Publ. Astron. Soc. Pac.
+ * 103 (1991) 1033, doi:10.1086/132921, equations 16 to 20: 10^5.36 (1.06 +
+ * cos^2 rho) of molecules, and of aerosol 10^(6.15 - rho / 40) from 10 degrees
+ * on, 6.2e7 / rho^2 nearer to the moon. Within the moon's radius (.26 degrees)
+ * it stays. Values computed apart from the program,
+ * relative to 90 degrees, where it is
+ * 10^5.36 1.06 + 10^3.9 = 250775. */
+static void test_aureole_and_sky_by_hand(void)
+{
+    static const double angle[] = {.1, 1, 2, 5, 9.9, 10, 30, 60, 120};
+    static const double want[] = {917631681, 62471849, 15971640,
+                                  2950179,   1097736,  1259339,
+                                  665836,    344772,   301516};
+    const murk_moon moon = {0, MEAN_M, 45};
+    const double at_90 = murk_moonlit_sky(&moon, 30, 90, .2);
+    for (int i = 0; i < 9; ++i) {
+        const double sky = murk_moonlit_sky(&moon, 30, angle[i], .2);
+        CHECK_NEAR(sky / at_90 / (want[i] / 250775), 1, 1e-4);
+    }
+}
+
 /* With the moon at the zenith the sum over the sky is one integral in zenith
  * distance, done here by brute force. */
 static void test_diffuse_is_the_sum_over_the_sky(void)
@@ -81,6 +102,7 @@ int main(void)
 {
     test_agrees_with_another_program();
     test_full_moon_stands_out();
+    test_aureole_and_sky_by_hand();
     test_extinction_follows_turbidity_and_height();
     test_moon_rises_without_a_step();
     test_diffuse_is_the_sum_over_the_sky();

@@ -256,6 +256,19 @@ static void test_reach_holds_all(void)
     CHECK(most[1] > 0.95);
 }
 
+/* The closed forms that the two bounds stand for, worked out by hand, as the
+ * bound is too wide into the denser side for any pair to show that it is 5 %
+ * short. From .5 m above water a range of 2 m: (1 + 4/3) (2^4 / (4 .5))^(1/3) =
+ * 14/3 m. From 1.5 m below: 1.75 * 1.5 / sqrt(1 - 9/16) = 3.96863 m. Far
+ * below, all that is seen lies nearer than the range. */
+static void test_reach_by_hand(void)
+{
+    const double down[2] = {1, 4. / 3}, up[2] = {4. / 3, 1};
+    CHECK_NEAR(murk_snell_reach(2, .5, down), 14. / 3, 1e-12);
+    CHECK_NEAR(murk_snell_reach(2, 1.5, up), 3.968627, 1e-6);
+    CHECK_NEAR(murk_snell_reach(8, 1.5, up), 8, 1e-12);
+}
+
 static void test_no_way_on_one_side(void)
 {
     const murk_plane plane = {{0, 0, 0}, {0, 0, 1}};
@@ -277,6 +290,7 @@ int main(void)
     test_apparent_depth();
     test_apparent_distance_is_the_bundles();
     test_reach_holds_all();
+    test_reach_by_hand();
     test_no_way_on_one_side();
     return check_done();
 }
