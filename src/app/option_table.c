@@ -115,8 +115,9 @@ const murk_option murk_option_table[] = {
     {MURK_OPTION_WIDTH, "--width", NULL, "M", "media",
      "width of the grid in x and y in m; default: 1000"},
     {MURK_OPTION_LIGHT, "--light", NULL, "FILE", "place sense render",
-     "use this light.murk instead of tracing; refused when the seed or a key "
-     "that the light depends on differs"},
+     "use this light.murk instead of tracing. Seed and number of photons are "
+     "the file's; refused when the command line gives others, or when a scene "
+     "key that the light depends on differs"},
     {MURK_OPTION_SET, "--set", NULL, "KEY=VALUE", NULL,
      "set any scene key by its path, repeatable: --set "
      "media.fog.extinction_per_m=0.05 --set lights.0.power_w=10; --set @FILE "

@@ -7,6 +7,7 @@
 #include "study/units.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Keys that are given in vain. */
 static void warn_of_idle(const murk_scene *scene)
@@ -14,6 +15,62 @@ static void warn_of_idle(const murk_scene *scene)
     for (size_t i = 0; i < scene->idles; ++i) {
         murk_warn(scene->idle[i].where, "%s", scene->idle[i].text);
     }
+}
+
+/* True if an option or --set gives this key or the map that it is in. */
+static bool is_given(const murk_options *options, const char *key)
+{
+    for (size_t i = 0; i < options->n_overrides; ++i) {
+        const char *text = options->overrides[i].text;
+        const size_t length = strcspn(text, "=");
+        if (strncmp(text, key, length) == 0 &&
+            (key[length] == '\0' || key[length] == '.')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Reads the scene. With --light, the seed and the number of photons are the
+ * file's unless the command line gives them: light of another seed or number is
+ * refused later (murk_light_load), and nobody should have to repeat them. */
+static murk_status read_scene(murk_scene **out, const murk_options *options,
+                              murk_error *err)
+{
+    murk_light_counts counts;
+    murk_status status = MURK_OK;
+    if (!options->light) {
+        return murk_scene_read(out, options->input, options->overrides,
+                               options->n_overrides, err);
+    }
+    status = murk_light_read_counts(&counts, options->light, err);
+    if (status) {
+        return status;
+    }
+    murk_override *all = calloc(options->n_overrides + 2, sizeof *all);
+    char seed[32], number[64];
+    size_t n = 0;
+    if (!all) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+    }
+    if (!is_given(options, "seed")) {
+        snprintf(seed, sizeof seed, "seed=%lu", (unsigned long)counts.seed);
+        all[n++] = (murk_override){seed, "--light"};
+    }
+    if ((counts.emit || counts.store) && !is_given(options, "photons.emit") &&
+        !is_given(options, "photons.store")) {
+        snprintf(
+            number, sizeof number, "photons.%s=%llu",
+            counts.emit ? "emit" : "store",
+            (unsigned long long)(counts.emit ? counts.emit : counts.store));
+        all[n++] = (murk_override){number, "--light"};
+    }
+    for (size_t i = 0; i < options->n_overrides; ++i) {
+        all[n++] = options->overrides[i];
+    }
+    status = murk_scene_read(out, options->input, all, n, err);
+    free(all);
+    return status;
 }
 
 murk_status murk_session_begin(murk_session *session,
@@ -35,9 +92,7 @@ murk_status murk_session_scene(murk_session *session,
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
     murk_progress_begin_over("read", 0, "");
-    const murk_status status =
-        murk_scene_read(&session->scene, options->input, options->overrides,
-                        options->n_overrides, err);
+    const murk_status status = read_scene(&session->scene, options, err);
     murk_progress_end();
     if (!status) {
         murk_units_note(session->scene);
@@ -166,6 +221,10 @@ void murk_print_light(const murk_session *session)
     const murk_traced *t = session->traced;
     const double emitted_w = murk_ledger_watts(t, t->ledger->emitted);
     const double percent = emitted_w > 0 ? 100 / emitted_w : 0;
+    const char *light = session->options->light;
+    if (light) {
+        murk_print("light from  %s, seed %lu\n", light, (unsigned long)t->seed);
+    }
     murk_print("photons     %llu emitted; stored: %zu surface, %zu volume\n",
                (unsigned long long)t->emitted,
                murk_photon_map_count(t->surface),

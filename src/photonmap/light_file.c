@@ -277,10 +277,13 @@ static murk_status read_section(murk_section *section, const entry *from,
     return status;
 }
 
-murk_status murk_light_file_read(murk_section **out, size_t *n,
-                                 const char *path, murk_error *err)
+/* Reads all sections, or only that named `only`; *n: how many were read. */
+static murk_status read_sections(murk_section **out, size_t *n,
+                                 const char *path, const char *only,
+                                 murk_error *err)
 {
     assert(out && n && path);
+    size_t taken = 0;
     int fd = -1;
     uint64_t size = 0;
     header head = {0};
@@ -298,13 +301,21 @@ murk_status murk_light_file_read(murk_section **out, size_t *n,
         goto done;
     }
     for (size_t i = 0; i < head.n_sections; ++i) {
-        status = read_section(&sections[i], &table[i], fd, path, err);
+        if (only && strncmp(table[i].name, only, sizeof table[i].name) != 0) {
+            if (lseek(fd, (off_t)table[i].size, SEEK_CUR) < 0) {
+                status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                                   strerror(errno));
+                goto done;
+            }
+            continue;
+        }
+        status = read_section(&sections[taken++], &table[i], fd, path, err);
         if (status) {
             goto done;
         }
     }
     *out = sections;
-    *n = head.n_sections;
+    *n = taken;
     sections = NULL;
 done:
     if (fd >= 0) {
@@ -312,6 +323,30 @@ done:
     }
     murk_light_file_release(sections, head.n_sections);
     return status;
+}
+
+murk_status murk_light_file_read(murk_section **out, size_t *n,
+                                 const char *path, murk_error *err)
+{
+    return read_sections(out, n, path, NULL, err);
+}
+
+murk_status murk_light_file_read_one(murk_section **out, const char *path,
+                                     const char *name, murk_error *err)
+{
+    size_t n = 0;
+    murk_section *sections = NULL;
+    const murk_status status = read_sections(&sections, &n, path, name, err);
+    if (status) {
+        return status;
+    }
+    if (n == 0) {
+        murk_light_file_release(sections, n);
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "section %s is missing or of the wrong size", name);
+    }
+    *out = sections;
+    return MURK_OK;
 }
 
 void murk_light_file_release(murk_section *sections, size_t n)

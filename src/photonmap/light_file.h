@@ -39,6 +39,12 @@ murk_status murk_light_file_read(murk_section **out, size_t *n,
                                  const char *path, murk_error *err);
 void murk_light_file_release(murk_section *sections, size_t n);
 
+/* The section of that name alone, as a list of one, without reading the others:
+ * to learn what a large file is of. Fails with MURK_BAD_FILE where there is no
+ * such section. */
+murk_status murk_light_file_read_one(murk_section **out, const char *path,
+                                     const char *name, murk_error *err);
+
 /* The section of that name, or NULL. */
 const murk_section *murk_light_file_find(const murk_section *sections, size_t n,
                                          const char *name);

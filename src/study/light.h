@@ -54,4 +54,14 @@ murk_status murk_light_load(murk_traced **out, const murk_stage *stage,
                             const char *path, unsigned threads,
                             murk_error *err);
 
+/* What a run must ask for to get this light: the seed, and the number of
+ * emitted or of stored photons (0: not the one that was asked for). */
+typedef struct murk_light_counts {
+    uint32_t seed;
+    uint64_t emit, store;
+} murk_light_counts;
+
+murk_status murk_light_read_counts(murk_light_counts *out, const char *path,
+                                   murk_error *err);
+
 #endif

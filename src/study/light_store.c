@@ -1,6 +1,8 @@
-/* light.murk: which sections it has, and whether it belongs to a scene. */
+/* light.murk: which sections it has, and whether it belongs to a scene. What
+ * its numbers may be is checked in light_check.c. */
 #include "photonmap/light_file.h"
 #include "study/light.h"
+#include "study/light_check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -142,40 +144,21 @@ static murk_status bad_section(const char *path, const char *name,
                      "section %s is missing or of the wrong size", name);
 }
 
-/* Everything that other rooms index by, checked against the scene. */
-static bool photons_fit(const murk_section *section, const murk_stage *stage,
-                        uint64_t emitted, int is_volume)
-{
-    const murk_photon *photon = section->bytes;
-    const size_t materials =
-        is_volume ? stage->scene->n_media : stage->scene->n_materials;
-    for (size_t i = 0; i < section->size / sizeof *photon; ++i) {
-        const murk_photon *p = &photon[i];
-        if (p->band >= stage->scene->bands ||
-            p->light >= stage->scene->n_lights || p->material >= materials ||
-            p->emitted >= emitted || !(p->power_w >= 0) ||
-            !isfinite(p->power_w) || murk_photon_class(p) > 2 ||
-            (murk_photon_is_volume(p) != 0) != (is_volume != 0)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static murk_status load_map(murk_photon_map **out, const murk_section *sections,
-                            size_t n, int is_volume, uint64_t emitted,
-                            const murk_stage *stage, const char *path,
-                            unsigned threads, murk_error *err)
+static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
+                            const murk_section *sections, size_t n,
+                            bool is_volume, const murk_stage *stage,
+                            const char *path, unsigned threads, murk_error *err)
 {
     const char *name = is_volume ? "volume" : "surface";
     const murk_section *section = murk_light_file_find(sections, n, name);
     if (!section || section->size % sizeof(murk_photon) != 0) {
         return bad_section(path, name, err);
     }
-    if (!photons_fit(section, stage, emitted, is_volume)) {
-        return murk_fail(err, MURK_BAD_FILE, path,
-                         "section %s holds a record that is out of range",
-                         name);
+    const murk_status status = murk_light_check_records(
+        section->bytes, section->size / sizeof(murk_photon), is_volume,
+        traced->emitted, traced->packet_w, stage, path, err);
+    if (status) {
+        return status;
     }
     murk_photon *photons = NULL;
     if (section->size) {
@@ -255,15 +238,32 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
         absorbed->size != absorbers(traced->ledger) * sizeof(int64_t)) {
         return bad_section(path, "absorbed", err);
     }
+    const size_t channels = traced->channels;
+    const int64_t *column = energy->bytes;
+    const murk_light_numbers numbers = {
+        .emitted = f.emitted,
+        .counted = f.photons,
+        .collisions = f.collisions,
+        .lost_photons = f.lost_photons,
+        .packet_w = worth->bytes,
+        .emitted_quanta = column,
+        .absorbed_surfaces_quanta = column + channels,
+        .absorbed_media_quanta = column + 2 * channels,
+        .escaped_quanta = column + 3 * channels,
+        .lost_quanta = column + 4 * channels,
+        .absorbed = absorbed->bytes};
+    status = murk_light_check_numbers(&numbers, stage, path, err);
+    if (status) {
+        return status;
+    }
     traced->emitted = f.emitted;
     memcpy(traced->packet_w, worth->bytes, worth->size);
     load_ledger(traced, &f, energy, absorbed);
-    for (int is_volume = 0; is_volume < 2 && !status; ++is_volume) {
-        status =
-            load_map(is_volume ? &traced->volume : &traced->surface, sections,
-                     n, is_volume, f.emitted, stage, path, threads, err);
-    }
-    return status;
+    status = load_map(&traced->surface, traced, sections, n, false, stage, path,
+                      threads, err);
+    return status ? status
+                  : load_map(&traced->volume, traced, sections, n, true, stage,
+                             path, threads, err);
 }
 
 murk_status murk_light_load(murk_traced **out, const murk_stage *stage,
@@ -285,4 +285,49 @@ murk_status murk_light_load(murk_traced **out, const murk_stage *stage,
     }
     *out = traced;
     return MURK_OK;
+}
+
+/* The whole number behind `word` in a line of the light's key; 0: none. */
+static uint64_t number_behind(const char *line, const char *end,
+                              const char *word)
+{
+    const size_t length = strlen(word);
+    for (const char *at = line; at + length < end; ++at) {
+        if (strncmp(at, word, length) == 0) {
+            return strtoull(at + length, NULL, 10);
+        }
+    }
+    return 0;
+}
+
+murk_status murk_light_read_counts(murk_light_counts *out, const char *path,
+                                   murk_error *err)
+{
+    static const char photons[] = "\nphotons: {";
+    murk_section *key = NULL, *fact = NULL;
+    murk_status status = murk_light_file_read_one(&key, path, "key", err);
+    if (!status) {
+        status = murk_light_file_read_one(&fact, path, "facts", err);
+    }
+    if (!status && fact->size != sizeof(facts)) {
+        status = bad_section(path, "facts", err);
+    }
+    if (!status) {
+        facts f;
+        memcpy(&f, fact->bytes, sizeof f);
+        *out = (murk_light_counts){.seed = f.seed};
+        /* the key is YAML as murk_scene_read() writes it, a line a key of the
+         * scene; a file that lacks the line is refused later, by its key */
+        char *text = strndup(key->bytes, key->size);
+        const char *line = text ? strstr(text, photons) : NULL;
+        if (line) {
+            const char *end = line + 1 + strcspn(line + 1, "\n");
+            out->emit = number_behind(line, end, "{emit: ");
+            out->store = number_behind(line, end, "{store: ");
+        }
+        free(text);
+    }
+    murk_light_file_release(key, 1);
+    murk_light_file_release(fact, 1);
+    return status;
 }

@@ -54,6 +54,20 @@ for given in first/plan.json first/sensors.csv; do
     cmp "$dir/a" "$dir/b"
 done
 
+# seed and number of photons are the light's, also against the scene's own
+"$murk" place "$scene" -q -o "$dir/seven" --seed 7 --emit 3000
+"$murk" place "$scene" -q -o "$dir/seven-again" --light "$dir/seven/light.murk"
+"$murk" place "$scene" -q -o "$dir/stored" --seed 7 --store 4000
+"$murk" place "$scene" -q -o "$dir/stored-again" --light "$dir/stored/light.murk"
+"$murk" place "$scene" -q -o "$dir/stored-said" --light "$dir/stored/light.murk" --seed 7 --set photons.store=4000
+for name in seven seven-again stored stored-again stored-said; do
+    plan "$dir/$name/plan.json" >"$dir/$name.plan"
+done
+cmp "$dir/seven.plan" "$dir/seven-again.plan"
+cmp "$dir/stored.plan" "$dir/stored-again.plan"
+cmp "$dir/stored.plan" "$dir/stored-said.plan"
+grep -q '"seed": 7' "$dir/seven-again/plan.json"
+
 refused() {
     part=$1
     shift
@@ -66,5 +80,8 @@ refused() {
 refused "seed" "$scene" --seed 2
 refused "extinction_per_m" "$scene" --set media.fog.extinction_per_m=0.31
 refused "emit" "$scene" --emit 5001
+refused "emit" "$scene" --set photons.emit=5001
+refused "emit" "$scene" --set "photons={emit: 5001}"
+refused "store" "$scene" --store 5000
 printf 'f 1 2 4\n' >>"$dir/scene/box.obj"
 refused "checksum" "$scene"
