@@ -12,7 +12,7 @@
 /* A table whose rows leave out less than this is not worth a word. */
 #define TABLE_SLACK .005
 
-static murk_box region_box(const murk_stage *stage, size_t i)
+static murk_box local_box(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];
     murk_box box = stage->world.domain.box;
@@ -29,6 +29,11 @@ static murk_box region_box(const murk_stage *stage, size_t i)
         box.max.z = r->below_z_m;
     }
     return box.min.z < box.max.z ? box : murk_box_empty();
+}
+
+static murk_box region_box(const murk_stage *stage, size_t i)
+{
+    return murk_scene_user_box(stage->scene, local_box(stage, i));
 }
 
 static const murk_phase *phase_of(const murk_stage *stage, size_t medium,
@@ -79,10 +84,12 @@ static murk_spectrum profile_maximum(const murk_scene_medium *m)
     return most;
 }
 
-static void add_profile(cJSON *item, const murk_scene_medium *m, int bands)
+/* up_m: the z of the local origin. */
+static void add_profile(cJSON *item, const murk_scene_medium *m, double up_m,
+                        int bands)
 {
     const murk_scene_numbers *z = &m->profile_z_m;
-    const double ends[] = {z->value[0], z->value[z->n - 1]};
+    const double ends[] = {z->value[0] + up_m, z->value[z->n - 1] + up_m};
     const murk_spectrum most = profile_maximum(m);
     cJSON *profile = cJSON_AddObjectToObject(item, "profile");
     cJSON_AddNumberToObject(profile, "heights", (double)z->n);
@@ -115,7 +122,7 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", m->name);
         if (m->profile_z_m.n > 0) {
-            add_profile(item, m, scene->bands);
+            add_profile(item, m, scene->origin.z, scene->bands);
         } else {
             murk_json_spectrum(item, "extinction_per_m", &m->extinction_per_m,
                                scene->bands);
@@ -201,7 +208,8 @@ static void print_phases(const murk_stage *stage, size_t medium)
 
 static void print_medium(const murk_stage *stage, size_t medium)
 {
-    const murk_scene_medium *m = &stage->scene->media[medium];
+    const murk_scene *scene = stage->scene;
+    const murk_scene_medium *m = &scene->media[medium];
     const murk_fillings *fillings = stage->fillings;
     const murk_grid *grid = fillings->grid[medium];
     const murk_grid *albedo = fillings->albedo[medium];
@@ -209,8 +217,9 @@ static void print_medium(const murk_stage *stage, size_t medium)
         murk_print(
             "medium      %s: %zu heights, %.4g to %.4g m, extinction up to "
             "%.6g /m",
-            m->name, m->profile_z_m.n, m->profile_z_m.value[0],
-            m->profile_z_m.value[m->profile_z_m.n - 1],
+            m->name, m->profile_z_m.n,
+            m->profile_z_m.value[0] + scene->origin.z,
+            m->profile_z_m.value[m->profile_z_m.n - 1] + scene->origin.z,
             profile_maximum(m).band[0]);
     } else {
         murk_print("medium      %s: extinction %.6g /m", m->name,
@@ -236,6 +245,7 @@ static void print_medium(const murk_stage *stage, size_t medium)
 void murk_print_media(const murk_stage *stage)
 {
     const murk_scene *scene = stage->scene;
+    const int digits = murk_coordinate_digits(scene, 4);
     for (size_t i = 0; i < scene->n_media; ++i) {
         print_medium(stage, i);
         murk_print("%s\n", scene->bands > 1 ? " (first band)" : "");
@@ -248,18 +258,21 @@ void murk_print_media(const murk_stage *stage)
         if (r->shape == MURK_SCENE_EVERYWHERE) {
             murk_print(" everywhere");
             if (scene->media[r->medium].profile_z_m.n > 0) {
-                murk_print(" at %.4g to %.4g m", box.min.z, box.max.z);
+                murk_print(" at %.*g to %.*g m", digits, box.min.z, digits,
+                           box.max.z);
             }
         } else if (r->shape == MURK_SCENE_BELOW) {
-            murk_print(" below z = %.4g m", r->below_z_m);
+            murk_print(" below z = %.*g m", digits,
+                       r->below_z_m + scene->origin.z);
         } else if (!(box.min.x <= box.max.x)) {
             murk_print(", empty: %s", stage->grid[r->medium]
                                           ? "its grid has no active voxels"
                                             " in it"
                                           : "it holds no point");
         } else {
-            murk_print(" in %.4g %.4g %.4g to %.4g %.4g %.4g m", box.min.x,
-                       box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
+            murk_print(" in %.*g %.*g %.*g to %.*g %.*g %.*g m", digits,
+                       box.min.x, digits, box.min.y, digits, box.min.z, digits,
+                       box.max.x, digits, box.max.y, digits, box.max.z);
         }
         if (r->shape == MURK_SCENE_IN_MESH) {
             murk_print(", a mesh of %zu triangles",

@@ -40,7 +40,8 @@ static void add_surfaces(cJSON *root, const findings *f)
     cJSON_AddNumberToObject(object, "solids", (double)f->surfaces.solids);
     cJSON_AddNumberToObject(object, "sheets", (double)f->surfaces.sheets);
     cJSON_AddNumberToObject(object, "area_m2", f->surfaces.area_m2);
-    murk_json_box(object, "bounds", &f->surfaces.bounds_m);
+    const murk_box bounds = murk_scene_user_box(scene, f->surfaces.bounds_m);
+    murk_json_box(object, "bounds", &bounds);
     cJSON *materials = cJSON_AddArrayToObject(object, "materials");
     for (size_t i = 0; i < scene->n_materials; ++i) {
         const murk_scene_material *m = &scene->materials[i];
@@ -61,8 +62,10 @@ static cJSON *check_json(const findings *f)
     const murk_stage *stage = f->session->stage;
     cJSON *root = murk_json_begin(f->session->scene);
     cJSON *domain = cJSON_AddObjectToObject(root, "domain");
-    murk_json_vector(domain, "min_m", stage->world.domain.box.min);
-    murk_json_vector(domain, "max_m", stage->world.domain.box.max);
+    const murk_box box =
+        murk_scene_user_box(stage->scene, stage->world.domain.box);
+    murk_json_vector(domain, "min_m", box.min);
+    murk_json_vector(domain, "max_m", box.max);
     cJSON_AddStringToObject(
         domain, "sides", stage->world.domain.is_periodic ? "periodic" : "open");
     add_surfaces(root, f);
@@ -96,10 +99,19 @@ static void print_findings(const findings *f)
                f->session->scene->bands,
                f->session->scene->bands > 1 ? "s" : "",
                f->session->scene->seed);
-    murk_print("domain      %.6g %.6g %.6g to %.6g %.6g %.6g m, %s sides\n",
-               domain->box.min.x, domain->box.min.y, domain->box.min.z,
-               domain->box.max.x, domain->box.max.y, domain->box.max.z,
+    const murk_scene *scene = f->session->scene;
+    const murk_box box = murk_scene_user_box(scene, domain->box);
+    const int digits = murk_coordinate_digits(scene, 6);
+    murk_print("domain      %.*g %.*g %.*g to %.*g %.*g %.*g m, %s sides\n",
+               digits, box.min.x, digits, box.min.y, digits, box.min.z, digits,
+               box.max.x, digits, box.max.y, digits, box.max.z,
                domain->is_periodic ? "periodic" : "open");
+    if (digits > 6) {
+        murk_print("origin      %.*g %.*g %.*g m: the world is computed about "
+                   "this point; warnings count positions from it\n",
+                   digits, scene->origin.x, digits, scene->origin.y, digits,
+                   scene->origin.z);
+    }
     murk_print(
         "surfaces    %zu triangles, %zu spheres, %.4g m2; %zu solids, %zu "
         "sheets; %zu degenerate triangles left out\n",

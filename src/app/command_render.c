@@ -283,7 +283,8 @@ static cJSON *facts_json(const job *j)
     cJSON_AddStringToObject(root, "projection",
                             is_all_round(j) ? "equirectangular"
                                             : "perspective");
-    murk_json_vector(root, "from_m", v->camera.from);
+    murk_json_vector(root, "from_m",
+                     murk_scene_user(j->session.scene, v->camera.from));
     murk_json_number(root, "heading_deg", v->heading_deg);
     murk_json_number(root, "tilt_deg", v->tilt_deg);
     cJSON_AddStringToObject(root, "method",

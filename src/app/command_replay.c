@@ -54,7 +54,8 @@ static bool has_outcome(const murk_event *event)
 
 static void print_event(const replay *r, const murk_event *event)
 {
-    const murk_vec3 p = event->position, d = event->direction_out;
+    const murk_vec3 p = murk_scene_user(r->session->scene, event->position);
+    const murk_vec3 d = event->direction_out;
     const char *name = partner(r, event);
     murk_print("%5u %-9s %9.3f %9.3f %9.3f %7.4f %7.4f %7.4f %9.3f\n",
                event->number, kind_name[event->kind], p.x, p.y, p.z, d.x, d.y,
@@ -74,7 +75,8 @@ static void add_event(const replay *r, const murk_event *event)
     if (has_outcome(event)) {
         cJSON_AddStringToObject(item, "outcome", outcome_name[event->outcome]);
     }
-    murk_json_vector(item, "position_m", event->position);
+    murk_json_vector(item, "position_m",
+                     murk_scene_user(r->session->scene, event->position));
     murk_json_vector(item, "direction_in", event->direction_in);
     murk_json_vector(item, "direction_out", event->direction_out);
     murk_json_number(item, "path_m", event->path_m);

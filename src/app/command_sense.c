@@ -117,8 +117,9 @@ static murk_status add_points(murk_session *session, murk_sight *sight,
         return MURK_OK;
     }
     const murk_box *box = &session->stage->world.domain.box;
-    return murk_add_plan_ply(&session->results, "coverage.ply", sight, sensor,
-                             n, murk_length(murk_sub(box->max, box->min)), err);
+    return murk_add_plan_ply(&session->results, "coverage.ply", session->scene,
+                             sight, sensor, n,
+                             murk_length(murk_sub(box->max, box->min)), err);
 }
 
 static murk_status measure(measured *of, murk_session *session,

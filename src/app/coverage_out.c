@@ -51,7 +51,8 @@ void murk_json_sensors(cJSON *root, const murk_scene *scene,
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "type",
                                 scene->sensors.type[sensor[i].type].name);
-        murk_json_vector(item, "position_m", sensor[i].position);
+        murk_json_vector(item, "position_m",
+                         murk_scene_user(scene, sensor[i].position));
         murk_json_vector(item, "axis",
                          has_axis
                              ? murk_pose_frame(&sensor[i], scene->north).axis
@@ -104,7 +105,7 @@ static void quote(char out[2 * MURK_SCENE_NAME_SIZE + 3], const char *text)
 void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
                      const murk_pose *pose)
 {
-    const murk_vec3 p = pose->position;
+    const murk_vec3 p = murk_scene_user(scene, pose->position);
     char type[2 * MURK_SCENE_NAME_SIZE + 3];
     char x[32], y[32], z[32], heading[32] = "", tilt[32] = "";
     quote(type, scene->sensors.type[pose->type].name);
@@ -142,7 +143,7 @@ static murk_status add_csv(murk_results *results, const char *name,
         at = (size_t)snprintf(text, room, "%s", header);
     }
     for (size_t i = 0; text && i < n; ++i) {
-        const murk_vec3 p = sensor[i].position;
+        const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
         char type[2 * MURK_SCENE_NAME_SIZE + 3];
         char x[32], y[32], z[32], covers[32], only[32];
         char heading[32] = "", tilt[32] = "";
@@ -206,7 +207,7 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
     murk_print("sensors     %-8s %8s %8s %8s %7s %5s %8s %8s\n", "type", "x m",
                "y m", "z m", "heading", "tilt", "covers", "only it");
     for (size_t i = 0; i < n && i < MURK_PRINTED_ROWS; ++i) {
-        const murk_vec3 p = sensor[i].position;
+        const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
         char way[20] = "all round";
         if (!is_all_round(scene, &sensor[i])) {
             snprintf(way, sizeof way, "%7.1f %5.1f",

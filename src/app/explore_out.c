@@ -46,7 +46,8 @@ static cJSON *step_json(const murk_plan *plan, const murk_scene *scene,
     cJSON *item = cJSON_CreateObject();
     cJSON_AddNumberToObject(item, "sensor", (double)sensor_of(plan, step));
     cJSON_AddStringToObject(item, "type", scene->sensors.type[pose->type].name);
-    murk_json_vector(item, "position_m", pose->position);
+    murk_json_vector(item, "position_m",
+                     murk_scene_user(scene, pose->position));
     murk_json_heading(item, scene, pose);
     murk_json_number(item, "gain", coverage_of(plan, step->gain));
     murk_json_number(item, "coverage", coverage_of(plan, step->value));
@@ -76,7 +77,8 @@ void murk_json_explore(cJSON *root, const murk_scene *scene,
     }
     cJSON *object = cJSON_AddObjectToObject(root, "explore");
     if (explore->stops) {
-        murk_json_vector(object, "start_m", explore->stop[0]);
+        murk_json_vector(object, "start_m",
+                         murk_scene_user(scene, explore->stop[0]));
     } else {
         cJSON_AddNullToObject(object, "start_m");
     }
@@ -135,7 +137,8 @@ murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
     const murk_status status =
         murk_results_add(results, "explore.csv", write_csv, &t, err);
     return status ? status
-                  : murk_add_path_ply(results, &plan->explore, size_m, err);
+                  : murk_add_path_ply(results, stage->scene, &plan->explore,
+                                      size_m, err);
 }
 
 void murk_print_explore(const murk_plan *plan, const char *folder)

@@ -214,9 +214,9 @@ murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
         const double size_m =
             murk_length(murk_sub(session->stage->world.domain.box.max,
                                  session->stage->world.domain.box.min));
-        status =
-            murk_add_plan_ply(&session->results, "plan.ply", sight,
-                              plan->sensor, plan->place.count, size_m, err);
+        status = murk_add_plan_ply(&session->results, "plan.ply",
+                                   session->scene, sight, plan->sensor,
+                                   plan->place.count, size_m, err);
     }
     if (!status && exports & MURK_EXPORTS_OF_PROBLEM) {
         murk_progress_begin_over("export", 0, "");

@@ -117,7 +117,8 @@ static murk_status write_grids(const char *path, const files *f,
 {
     char factor_text[32];
     const double factor = factor_of(f);
-    const murk_affine to_world = murk_field_to_world(f->box);
+    murk_affine to_world = murk_field_to_world(f->box);
+    to_world.shift = murk_scene_user(f->scene, to_world.shift);
     float *density = density_of(f, factor);
     if (!density) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
@@ -187,7 +188,7 @@ static void put_header(FILE *to, const files *f)
 {
     const size_t *n = f->box->size;
     const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
-    const murk_vec3 at = f->box->box.min;
+    const murk_vec3 at = murk_scene_user(f->scene, f->box->box.min);
     const murk_affine m = murk_field_to_world(f->box);
     murk_vtk_begin(to, "ImageData");
     fprintf(to,

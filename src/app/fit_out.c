@@ -113,7 +113,8 @@ static void add_place(cJSON *list, const murk_fit_facts *f,
         cJSON_AddStringToObject(item, "type",
                                 f->scene->sensors.type[place->pose.type].name);
     }
-    murk_json_vector(item, "position_m", place->pose.position);
+    murk_json_vector(item, "position_m",
+                     murk_scene_user(f->scene, place->pose.position));
     if (f->next->kind == MURK_READ_COVERAGE) {
         murk_json_heading(item, f->scene, &place->pose);
     }
@@ -215,7 +216,8 @@ static void write_row(FILE *file, const murk_fit_facts *f, size_t i)
     const murk_reading *r = &f->measured->reading[row->first];
     const murk_calibrated_row *c = &f->found->row[i];
     const bool is_coverage = r->kind == MURK_READ_COVERAGE;
-    const murk_vec3 at = is_coverage ? r->pose.position : r->position;
+    const murk_vec3 at =
+        murk_scene_user(f->scene, is_coverage ? r->pose.position : r->position);
     fprintf(file, "%zu,%s,%s,%s", r->line, reading_kinds[r->kind],
             condition_of(f->scene, r->condition), f->measured->group[i]);
     write_number(file, at.x);
@@ -230,9 +232,10 @@ static void write_row(FILE *file, const murk_fit_facts *f, size_t i)
     write_number(file, c->photon_error);
     write_number(file, c->residual);
     const bool is_line = r->kind == MURK_READ_TRANSMITTANCE;
-    write_number(file, is_line ? r->to.x : NAN);
-    write_number(file, is_line ? r->to.y : NAN);
-    write_number(file, is_line ? r->to.z : NAN);
+    const murk_vec3 to = murk_scene_user(f->scene, r->to);
+    write_number(file, is_line ? to.x : NAN);
+    write_number(file, is_line ? to.y : NAN);
+    write_number(file, is_line ? to.z : NAN);
     fputc('\n', file);
 }
 
@@ -341,9 +344,11 @@ static void print_next(const murk_fit_facts *f)
     for (size_t i = 0; f->next && i < f->next->n; ++i) {
         const murk_next_place *p = &f->next->place[i];
         const murk_vec3 d = f->next->direction;
-        murk_print("%-11s %s at (%.4g, %.4g, %.4g) m", i ? "" : "next",
-                   reading_kinds[f->next->kind], p->pose.position.x,
-                   p->pose.position.y, p->pose.position.z);
+        const murk_vec3 at = murk_scene_user(f->scene, p->pose.position);
+        const int digits = murk_coordinate_digits(f->scene, 4);
+        murk_print("%-11s %s at (%.*g, %.*g, %.*g) m", i ? "" : "next",
+                   reading_kinds[f->next->kind], digits, at.x, digits, at.y,
+                   digits, at.z);
         if (f->next->kind == MURK_READ_IRRADIANCE) {
             murk_print(" on a face to (%.3g, %.3g, %.3g)", d.x, d.y, d.z);
         }

@@ -80,8 +80,8 @@ static murk_status add_condition(murk_session *session, const murk_plan *plan,
     if (!status && condition->sight) {
         status = murk_add_plan_ply(
             results, name_file(name, "plan", condition, ".ply"),
-            condition->sight, plan->sensor, plan->place.count,
-            murk_length(murk_sub(box->max, box->min)), err);
+            condition->wish->scene, condition->sight, plan->sensor,
+            plan->place.count, murk_length(murk_sub(box->max, box->min)), err);
     }
     return status;
 }
@@ -223,7 +223,9 @@ static void add_regret(cJSON *root, const murk_over *over)
         cJSON_AddStringToObject(item, "made_for", plan->made_for);
         cJSON *positions = add_list(item, "positions_m");
         for (size_t k = 0; k < plan->count; ++k) {
-            const murk_vec3 x = plan->sensor[k].position;
+            const murk_vec3 x =
+                murk_scene_user(over->conditions->condition[0].wish->scene,
+                                plan->sensor[k].position);
             const double place[3] = {x.x, x.y, x.z};
             cJSON_AddItemToArray(positions, cJSON_CreateDoubleArray(place, 3));
         }

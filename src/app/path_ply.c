@@ -1,5 +1,7 @@
 #include "app/path_ply.h"
 
+#include "app/places.h"
+
 #include <string.h>
 
 #define LINE_SIZE 0.001 /* half its thickness, of the world's size */
@@ -11,6 +13,7 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 typedef enum vertex_kind { STATION, PASSED, CORNER } vertex_kind;
 
 typedef struct path {
+    const murk_scene *scene;
     const murk_explore *explore;
     size_t legs;
     double line_m;
@@ -31,16 +34,17 @@ static void put_vertex(FILE *to, const path *p, murk_vec3 at, vertex_kind kind,
 {
     static const double first[3] = {60, 175, 90}, last[3] = {150, 60, 200};
     const double share = p->legs ? (double)stop / (double)p->legs : 0;
-    const float place_m[3] = {(float)at.x, (float)at.y, (float)at.z};
     const uint16_t step = (uint16_t)(step_of(p->explore, stop) + 1);
-    uint8_t bytes[18];
-    memcpy(bytes, place_m, 12);
+    uint8_t bytes[MURK_PLACE_BYTES_MAX + 6];
+    const size_t place = murk_place_bytes(p->scene);
+    uint8_t *rest = bytes + place;
+    murk_place_put(p->scene, at, bytes);
     for (int c = 0; c < 3; ++c) {
-        bytes[12 + c] = (uint8_t)(first[c] + share * (last[c] - first[c]));
+        rest[c] = (uint8_t)(first[c] + share * (last[c] - first[c]));
     }
-    bytes[15] = (uint8_t)kind;
-    memcpy(bytes + 16, &step, 2);
-    (void)fwrite(bytes, 1, sizeof bytes, to); /* commit asks ferror */
+    rest[3] = (uint8_t)kind;
+    memcpy(rest + 4, &step, 2);
+    (void)fwrite(bytes, 1, place + 6, to); /* commit asks ferror */
 }
 
 static void put_stops(FILE *to, const path *p)
@@ -121,15 +125,14 @@ static murk_status write_ply(const char *name, const void *context,
             "ply\nformat binary_little_endian 1.0\n"
             "comment murk path: stops, corners of the line between them\n"
             "comment kind: 0 station, 1 passed on the way, 2 corner\n"
-            "element vertex %zu\n"
-            "property float x\nproperty float y\nproperty float z\n"
+            "element vertex %zu\n%s"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "property uchar kind\nproperty ushort step\n"
             "element face %zu\nproperty list uchar int vertex_indices\n"
             "element edge %zu\nproperty int vertex1\nproperty int vertex2\n"
             "end_header\n",
-            p->explore->stops + 2 * SIDES * p->legs, 2 * SIDES * p->legs,
-            p->legs);
+            p->explore->stops + 2 * SIDES * p->legs, murk_place_ply(p->scene),
+            2 * SIDES * p->legs, p->legs);
     put_stops(to, p);
     put_corners(to, p);
     put_faces(to, p);
@@ -137,11 +140,11 @@ static murk_status write_ply(const char *name, const void *context,
     return murk_file_commit(&file, err);
 }
 
-murk_status murk_add_path_ply(murk_results *results,
+murk_status murk_add_path_ply(murk_results *results, const murk_scene *scene,
                               const murk_explore *explore, double size_m,
                               murk_error *err)
 {
-    const path p = {explore, explore->stops > 0 ? explore->stops - 1 : 0,
+    const path p = {scene, explore, explore->stops > 0 ? explore->stops - 1 : 0,
                     LINE_SIZE * size_m};
     return murk_results_add(results, "path.ply", write_ply, &p, err);
 }

@@ -5,7 +5,7 @@
 
 #include "app/results.h"
 
-murk_status murk_add_path_ply(murk_results *results,
+murk_status murk_add_path_ply(murk_results *results, const murk_scene *scene,
                               const murk_explore *explore, double size_m,
                               murk_error *err);
 

@@ -1,5 +1,6 @@
 #include "app/photons_out.h"
 
+#include "app/places.h"
 #include "app/vtk.h"
 #include "base/interrupt.h"
 #include "render/colour.h"
@@ -9,7 +10,7 @@
 #include <string.h>
 
 #define SHOWN_EVERY 65536 /* photons between two looks at the bar */
-#define RECORD      52    /* bytes of a vertex */
+#define RECORD      40    /* bytes of a vertex behind its place */
 
 typedef struct photons {
     const murk_session *session;
@@ -75,7 +76,9 @@ static void put_vector(uint32_t packed, void *item)
 
 static void put_place(const void *context, size_t i, void *item)
 {
-    memcpy(item, photon_at(context, i)->position_m, 12);
+    const float *at = photon_at(context, i)->position_m;
+    murk_place_put(((const photons *)context)->session->scene,
+                   murk_vec((double)at[0], (double)at[1], (double)at[2]), item);
 }
 
 static void put_normal(const void *context, size_t i, void *item)
@@ -129,7 +132,6 @@ static void put_color(const void *context, size_t i, void *item)
     memcpy(item, color_of(context, photon_at(context, i)), 3);
 }
 
-static const murk_vtk_array place = {"place", "Float32", 3, 12, put_place};
 static const murk_vtk_array arrays[] = {
     {"color", "UInt8", 3, 3, put_color},
     {"normal", "Float32", 3, 12, put_normal},
@@ -218,9 +220,9 @@ static void put_header(FILE *to, const photons *p, const meanings *m)
     for (const char *const *note = m->note; note[0]; note += 2) {
         murk_ply_put_comment(to, note[0], note[1]);
     }
-    fprintf(to, "element vertex %zu\n", p->on + p->in);
-    fputs("property float x\nproperty float y\nproperty float z\n"
-          "property float nx\nproperty float ny\nproperty float nz\n"
+    fprintf(to, "element vertex %zu\n%s", p->on + p->in,
+            murk_place_ply(p->session->scene));
+    fputs("property float nx\nproperty float ny\nproperty float nz\n"
           "property float dx\nproperty float dy\nproperty float dz\n"
           "property float power_w\nproperty uint emitted\n"
           "property uchar band\nproperty uchar light\n"
@@ -233,19 +235,21 @@ static void put_header(FILE *to, const photons *p, const meanings *m)
 
 static void put_vertex(FILE *to, const photons *p, size_t i)
 {
-    unsigned char bytes[RECORD];
+    unsigned char bytes[MURK_PLACE_BYTES_MAX + RECORD];
+    const size_t place = murk_place_bytes(p->session->scene);
+    unsigned char *rest = bytes + place;
     put_place(p, i, bytes);
-    put_normal(p, i, bytes + 12);
-    put_direction(p, i, bytes + 24);
-    put_power(p, i, bytes + 36);
-    put_emitted(p, i, bytes + 40);
-    put_band(p, i, bytes + 44);
-    put_light(p, i, bytes + 45);
-    put_material(p, i, bytes + 46);
-    put_kind(p, i, bytes + 47);
-    put_event(p, i, bytes + 48);
-    put_color(p, i, bytes + 49);
-    (void)fwrite(bytes, 1, sizeof bytes, to); /* commit asks ferror */
+    put_normal(p, i, rest);
+    put_direction(p, i, rest + 12);
+    put_power(p, i, rest + 24);
+    put_emitted(p, i, rest + 28);
+    put_band(p, i, rest + 32);
+    put_light(p, i, rest + 33);
+    put_material(p, i, rest + 34);
+    put_kind(p, i, rest + 35);
+    put_event(p, i, rest + 36);
+    put_color(p, i, rest + 37);
+    (void)fwrite(bytes, 1, place + RECORD, to); /* commit asks ferror */
 }
 
 static murk_status write_ply(const char *path, const void *context,
@@ -291,14 +295,16 @@ static murk_status write_vtp(const char *path, const void *context,
     if (!meanings_of(&m, p->session->scene)) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
     } else {
-        const murk_vtp vtp = {.scene = p->session->scene,
-                              .notes = m.note,
-                              .points = p->on + p->in,
-                              .place = place,
-                              .array = arrays,
-                              .arrays = sizeof arrays / sizeof *arrays,
-                              .context = p,
-                              .step = "photons.vtp"};
+        const murk_vtp vtp = {
+            .scene = p->session->scene,
+            .notes = m.note,
+            .points = p->on + p->in,
+            .place = {"place", murk_place_vtk(p->session->scene), 3,
+                      murk_place_bytes(p->session->scene), put_place},
+            .array = arrays,
+            .arrays = sizeof arrays / sizeof *arrays,
+            .context = p,
+            .step = "photons.vtp"};
         status = murk_vtp_write(&vtp, path, err);
     }
     meanings_release(&m);

@@ -1,6 +1,7 @@
 #include "app/plan_ply.h"
 
 #include "app/mark.h"
+#include "app/places.h"
 #include "study/sparse_matrix.h"
 
 #include <stdlib.h>
@@ -25,6 +26,7 @@ typedef struct seen {
 } sighting;
 
 typedef struct parts {
+    const murk_scene *scene;
     murk_sight *sight;
     const murk_pose *sensor;
     size_t sensors, photons;
@@ -74,7 +76,7 @@ static murk_status look_all(parts *p, murk_error *err)
 
 /* ---- writing ---- */
 
-static void put_vertex(FILE *to, const float place_m[3], vertex_kind kind,
+static void put_vertex(FILE *to, const parts *p, murk_vec3 at, vertex_kind kind,
                        sighting s)
 {
     static const uint8_t yellow[3] = {255, 200, 0}, red[3] = {205, 45, 45},
@@ -85,28 +87,31 @@ static void put_vertex(FILE *to, const float place_m[3], vertex_kind kind,
                                                             : green;
     const uint8_t number = (uint8_t)kind;
     const float quality = (float)s.clarity / MURK_CLEAR;
-    uint8_t bytes[26];
-    memcpy(bytes, place_m, 12);
-    memcpy(bytes + 12, color, 3);
-    memcpy(bytes + 15, &number, 1);
-    memcpy(bytes + 16, &s.sensors, 2);
-    memcpy(bytes + 18, &quality, 4);
-    memcpy(bytes + 22, &s.which, 4);
-    (void)fwrite(bytes, 1, sizeof bytes, to); /* commit asks ferror */
+    uint8_t bytes[MURK_PLACE_BYTES_MAX + 14];
+    const size_t place = murk_place_bytes(p->scene);
+    uint8_t *rest = bytes + place;
+    murk_place_put(p->scene, at, bytes);
+    memcpy(rest, color, 3);
+    memcpy(rest + 3, &number, 1);
+    memcpy(rest + 4, &s.sensors, 2);
+    memcpy(rest + 6, &quality, 4);
+    memcpy(rest + 10, &s.which, 4);
+    (void)fwrite(bytes, 1, place + 14, to); /* commit asks ferror */
 }
 
-static void put_sensor(FILE *to, murk_vec3 at, vertex_kind kind)
+static void put_sensor(FILE *to, const parts *p, murk_vec3 at, vertex_kind kind)
 {
-    const float place_m[3] = {(float)at.x, (float)at.y, (float)at.z};
-    put_vertex(to, place_m, kind, (sighting){0, MURK_CLEAR, 0});
+    put_vertex(to, p, at, kind, (sighting){0, MURK_CLEAR, 0});
 }
 
-static void put_map(FILE *to, const murk_photon_map *map, vertex_kind kind,
-                    const sighting *seen)
+static void put_map(FILE *to, const parts *p, const murk_photon_map *map,
+                    vertex_kind kind, const sighting *seen)
 {
     const murk_photon *photon = murk_photon_map_photons(map);
     for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        put_vertex(to, photon[i].position_m, kind, seen[i]);
+        const float *at = photon[i].position_m;
+        put_vertex(to, p, murk_vec((double)at[0], (double)at[1], (double)at[2]),
+                   kind, seen[i]);
     }
 }
 
@@ -125,7 +130,7 @@ static void put_corners(FILE *to, const parts *p)
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
         for (size_t c = 0; c < mark.corners; ++c) {
-            put_sensor(to, mark.corner[c], CORNER);
+            put_sensor(to, p, mark.corner[c], CORNER);
         }
     }
 }
@@ -170,30 +175,31 @@ static murk_status write_ply(const char *path, const void *context,
         "comment murk plan: sensors, corners of their marks, stored photons\n"
         "comment kind: 0 sensor, 1 surface photon, 2 volume photon, 3 "
         "corner of a mark\n"
-        "element vertex %zu\n"
-        "property float x\nproperty float y\nproperty float z\n"
+        "element vertex %zu\n%s"
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
         "property uchar kind\nproperty ushort seen_by\n"
         "property float quality\nproperty uint sensors\n"
         "element face %zu\nproperty list uchar int vertex_indices\n"
         "end_header\n",
-        p->sensors + corners + p->photons, faces);
+        p->sensors + corners + p->photons, murk_place_ply(p->scene), faces);
     for (size_t k = 0; k < p->sensors; ++k) {
-        put_sensor(to, p->sensor[k].position, SENSOR);
+        put_sensor(to, p, p->sensor[k].position, SENSOR);
     }
     put_corners(to, p);
-    put_map(to, maps->surface_map, SURFACE_PHOTON, p->seen);
-    put_map(to, maps->volume_map, VOLUME_PHOTON,
+    put_map(to, p, maps->surface_map, SURFACE_PHOTON, p->seen);
+    put_map(to, p, maps->volume_map, VOLUME_PHOTON,
             p->seen + murk_photon_map_count(maps->surface_map));
     put_faces(to, p);
     return murk_file_commit(&file, err);
 }
 
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
-                              murk_sight *sight, const murk_pose *sensor,
-                              size_t n, double size_m, murk_error *err)
+                              const murk_scene *scene, murk_sight *sight,
+                              const murk_pose *sensor, size_t n, double size_m,
+                              murk_error *err)
 {
-    parts p = {.sight = sight,
+    parts p = {.scene = scene,
+               .sight = sight,
                .sensor = sensor,
                .sensors = n,
                .photons = murk_sight_photons(sight),

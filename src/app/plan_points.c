@@ -1,5 +1,6 @@
 #include "app/plan_points.h"
 
+#include "app/places.h"
 #include "photonmap/light_file.h"
 #include "photonmap/photon.h"
 
@@ -11,7 +12,7 @@
 #include <sys/stat.h>
 
 #define HEADER_MAX     2048
-#define VERTEX         26 /* bytes */
+#define REST           14 /* bytes of a vertex behind its place */
 #define SURFACE_PHOTON 1  /* of a vertex's kind */
 #define VOLUME_PHOTON  2
 
@@ -22,13 +23,13 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are read as they lie in the file");
 
 static const char properties[] =
-    "property float x\nproperty float y\nproperty float z\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\n"
     "property uchar kind\nproperty ushort seen_by\n"
     "property float quality\nproperty uint sensors\n";
 
 /* Moves behind the header, and says how many vertices it promises. */
-static murk_status read_header(FILE *file, uint64_t *vertices, const char *path,
+static murk_status read_header(FILE *file, uint64_t *vertices,
+                               const murk_scene *scene, const char *path,
                                murk_error *err)
 {
     static const char begin[] = "ply\nformat binary_little_endian 1.0\n";
@@ -43,8 +44,11 @@ static murk_status read_header(FILE *file, uint64_t *vertices, const char *path,
     if (strncmp(text, begin, sizeof begin - 1) == 0 && count && last) {
         *vertices = strtoull(count + sizeof element - 1, &behind, 10);
     }
+    const char *places = murk_place_ply(scene);
+    const size_t length = strlen(places);
     if (!behind || *behind != '\n' ||
-        strncmp(behind + 1, properties, sizeof properties - 1) != 0) {
+        strncmp(behind + 1, places, length) != 0 ||
+        strncmp(behind + 1 + length, properties, sizeof properties - 1) != 0) {
         return murk_fail(err, MURK_BAD_FILE, path,
                          "not a plan.ply of this version of murk");
     }
@@ -59,14 +63,16 @@ typedef struct vertex {
     bool is_photon;
 } vertex;
 
-static vertex vertex_of(const unsigned char bytes[VERTEX])
+static vertex vertex_of(const unsigned char *bytes, const murk_scene *scene)
 {
+    const unsigned char *rest = bytes + murk_place_bytes(scene);
+    const murk_vec3 at = murk_place_take(scene, bytes);
     vertex v = {.is_photon =
-                    bytes[15] == SURFACE_PHOTON || bytes[15] == VOLUME_PHOTON};
-    memcpy(v.point.place_m, bytes, 12);
-    memcpy(&v.point.seen_by, bytes + 16, 2);
-    memcpy(&v.point.sensors, bytes + 22, 4);
-    v.point.is_volume = bytes[15] == VOLUME_PHOTON;
+                    rest[3] == SURFACE_PHOTON || rest[3] == VOLUME_PHOTON,
+                .point.place_m = {(float)at.x, (float)at.y, (float)at.z}};
+    memcpy(&v.point.seen_by, rest + 4, 2);
+    memcpy(&v.point.sensors, rest + 10, 4);
+    v.point.is_volume = rest[3] == VOLUME_PHOTON;
     for (int k = 0; k < 3; ++k) {
         v.is_photon = v.is_photon && fabsf(v.point.place_m[k]) <= FARTHEST_M;
     }
@@ -75,18 +81,20 @@ static vertex vertex_of(const unsigned char bytes[VERTEX])
 
 /* Counts the photons, or, with room for out->n, keeps that many. */
 static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
-                        const char *path, murk_error *err)
+                        const murk_scene *scene, const char *path,
+                        murk_error *err)
 {
-    unsigned char bytes[VERTEX];
+    unsigned char bytes[MURK_PLACE_BYTES_MAX + REST];
+    const size_t size = murk_place_bytes(scene) + REST;
     uint64_t photon = 0;
     size_t kept = 0;
     for (uint64_t i = 0; i < vertices; ++i) {
-        if (fread(bytes, VERTEX, 1, file) != 1) {
+        if (fread(bytes, size, 1, file) != 1) {
             return murk_fail(
                 err, MURK_BAD_FILE, path, "cut short: %llu of %llu vertices",
                 (unsigned long long)i, (unsigned long long)vertices);
         }
-        const vertex v = vertex_of(bytes);
+        const vertex v = vertex_of(bytes, scene);
         if (!v.is_photon) {
             continue;
         }
@@ -107,13 +115,14 @@ static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
 }
 
 static murk_status read_points(murk_plan_points *out, FILE *file,
-                               const char *path, size_t most, murk_error *err)
+                               const murk_scene *scene, const char *path,
+                               size_t most, murk_error *err)
 {
     uint64_t vertices = 0;
-    murk_status status = read_header(file, &vertices, path, err);
+    murk_status status = read_header(file, &vertices, scene, path, err);
     const long start = ftell(file);
     if (!status) {
-        status = walk(out, file, vertices, path, err);
+        status = walk(out, file, vertices, scene, path, err);
     }
     if (status) {
         return status;
@@ -126,18 +135,19 @@ static murk_status read_points(murk_plan_points *out, FILE *file,
     if (start < 0 || fseek(file, start, SEEK_SET) != 0) {
         return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
     }
-    return walk(out, file, vertices, path, err);
+    return walk(out, file, vertices, scene, path, err);
 }
 
 murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
-                                  size_t most, murk_error *err)
+                                  const murk_scene *scene, size_t most,
+                                  murk_error *err)
 {
     *out = (murk_plan_points){0};
     FILE *file = fopen(path, "rb");
     if (!file) {
         return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
     }
-    const murk_status status = read_points(out, file, path, most, err);
+    const murk_status status = read_points(out, file, scene, path, most, err);
     fclose(file);
     return status;
 }

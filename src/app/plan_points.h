@@ -3,6 +3,7 @@
 #define MURK_APP_PLAN_POINTS_H
 
 #include "base/status.h"
+#include "scene/scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -26,7 +27,8 @@ typedef struct murk_plan_points {
  * with MURK_BAD_FILE where it is no plan.ply of app/plan_ply.h, or cut short.
  * Release *out in any case. */
 murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
-                                  size_t most, murk_error *err);
+                                  const murk_scene *scene, size_t most,
+                                  murk_error *err);
 
 /* The same of a light.murk, for which no sensor looked: the surface map, then
  * the volume map. Files above 2 GB fail. */

@@ -1,4 +1,5 @@
 /* What studies, fits and explorations leave in space, for the view. */
+#include "app/places.h"
 #include "app/report_scene.h"
 
 #include <errno.h>
@@ -8,8 +9,8 @@
 #include <string.h>
 
 #define STOPS_MAX  20000
-#define STOP       18 /* bytes of a vertex of path.ply */
-#define CORNER     2  /* of a vertex's kind */
+#define STOP       6 /* bytes of a vertex of path.ply behind its place */
+#define CORNER     2 /* of a vertex's kind */
 #define HEADER_MAX 2048
 
 /* ---- studies ---- */
@@ -165,7 +166,11 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
     const size_t rows = table ? table->rows : 0;
     out->reading = calloc(rows + 1, sizeof *out->reading);
     for (size_t i = 0; out->reading && i < rows; ++i) {
-        const murk_shown_reading one = reading_of(table, i);
+        murk_shown_reading one = reading_of(table, i);
+        if (out->scene) {
+            one.place = murk_scene_local(out->scene, one.place);
+            one.to = murk_scene_local(out->scene, one.to);
+        }
         if (murk_is_shown(one.place) &&
             out->readings < MURK_SHOWN_READINGS_MAX) {
             out->reading[out->readings++] = one;
@@ -180,13 +185,12 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
 /* ---- explorations ---- */
 
 /* Moves behind the header of path.ply, and says how many vertices it has. */
-static uint64_t path_header(FILE *file)
+static uint64_t path_header(FILE *file, const murk_scene *scene)
 {
     static const char begin[] = "ply\nformat binary_little_endian 1.0\n"
                                 "comment murk path";
     static const char element[] = "\nelement vertex ";
     static const char layout[] =
-        "\nproperty float x\nproperty float y\nproperty float z\n"
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
         "property uchar kind\nproperty ushort step\n";
     static const char end[] = "\nend_header\n";
@@ -197,9 +201,12 @@ static uint64_t path_header(FILE *file)
     char *behind = NULL;
     const uint64_t vertices =
         count ? strtoull(count + sizeof element - 1, &behind, 10) : 0;
-    const bool is_path = strncmp(text, begin, sizeof begin - 1) == 0 &&
-                         behind && last &&
-                         strncmp(behind, layout, sizeof layout - 1) == 0;
+    const char *places = murk_place_ply(scene);
+    const size_t length = strlen(places);
+    const bool is_path =
+        strncmp(text, begin, sizeof begin - 1) == 0 && behind && last &&
+        *behind == '\n' && strncmp(behind + 1, places, length) == 0 &&
+        strncmp(behind + 1 + length, layout, sizeof layout - 1) == 0;
     return is_path && fseek(file, (long)(last - text) + (long)sizeof end - 1,
                             SEEK_SET) == 0
                ? vertices
@@ -215,16 +222,15 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
     char *path = murk_results_path(folder, "path.ply");
     FILE *file = path ? fopen(path, "rb") : NULL;
     out->stop = calloc(STOPS_MAX, sizeof *out->stop);
-    const uint64_t n = file && out->stop ? path_header(file) : 0;
-    unsigned char bytes[STOP];
+    const uint64_t n = file && out->stop ? path_header(file, out->scene) : 0;
+    unsigned char bytes[MURK_PLACE_BYTES_MAX + STOP];
     for (uint64_t i = 0; i < n && out->stops < STOPS_MAX; ++i) {
-        float place[3];
-        if (fread(bytes, STOP, 1, file) != 1 || bytes[15] >= CORNER) {
+        const size_t place = murk_place_bytes(out->scene);
+        if (fread(bytes, place + STOP, 1, file) != 1 ||
+            bytes[place + 3] >= CORNER) {
             break; /* stops come first */
         }
-        memcpy(place, bytes, sizeof place);
-        const murk_vec3 at =
-            murk_vec((double)place[0], (double)place[1], (double)place[2]);
+        const murk_vec3 at = murk_place_take(out->scene, bytes);
         if (murk_is_shown(at)) {
             out->stop[out->stops++] = at;
         }

@@ -41,6 +41,12 @@ static murk_vec3 vector_at(const murk_yaml *root, const char *key)
     return murk_vec(v[0], v[1], v[2]);
 }
 
+/* The page draws about the scene's local origin, like the world. */
+static murk_vec3 local_of(const murk_scene *scene, murk_vec3 place)
+{
+    return scene ? murk_scene_local(scene, place) : place;
+}
+
 static const murk_scene_sensor_type *type_of(const murk_scene *scene,
                                              const char *name)
 {
@@ -66,7 +72,7 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
         const murk_yaml *item = list->child[i];
         const char *type = murk_result_text(item, "type");
         const murk_shown_sensor one = {
-            .place = vector_at(item, "position_m"),
+            .place = local_of(scene, vector_at(item, "position_m")),
             .heading_deg = murk_result_number(item, "heading_deg"),
             .tilt_deg = murk_result_number(item, "tilt_deg"),
             .type = type ? type : "",
@@ -125,7 +131,8 @@ static void read_points(murk_report_scene *out, size_t state,
         murk_results_has(folder, name) ? murk_results_path(folder, name) : NULL;
     const bool is_light = strcmp(name, "light.murk") == 0;
     if (path && (is_light ? murk_plan_points_of_light(points, path, most, &why)
-                          : murk_plan_points_read(points, path, most, &why))) {
+                          : murk_plan_points_read(points, path, out->scene,
+                                                  most, &why))) {
         char what[FILE_NAME_MAX + 64];
         snprintf(what, sizeof what,
                  "%s cannot be read, so photons are not shown", name);

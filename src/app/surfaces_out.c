@@ -1,6 +1,7 @@
 #include "app/surfaces_out.h"
 
 #include "app/lit_pieces.h"
+#include "app/places.h"
 #include "app/vtk.h"
 #include "scene/number.h"
 
@@ -94,8 +95,7 @@ static void put_corner(const void *context, size_t i, void *item)
     const surfaces *s = context;
     const murk_piece piece = murk_piece_of(s->lit->pieces, s->piece[i / 3]);
     const murk_vec3 at = piece.corner[i % 3];
-    const float xyz[3] = {(float)at.x, (float)at.y, (float)at.z};
-    memcpy(item, xyz, sizeof xyz);
+    murk_place_put(s->session->scene, at, item);
 }
 
 static void put_color(const void *context, size_t i, void *item)
@@ -210,13 +210,12 @@ static void put_header(FILE *to, const surfaces *s)
         murk_ply_put_comment(to, k[0], k[1]);
     }
     fprintf(to,
-            "element vertex %zu\n"
-            "property float x\nproperty float y\nproperty float z\n"
+            "element vertex %zu\n%s"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "element face %zu\n"
             "property list uchar int vertex_indices\n"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n",
-            3 * s->n, s->n);
+            3 * s->n, murk_place_ply(s->session->scene), s->n);
     for (size_t k = 0; k < columns_of(s); ++k) {
         fprintf(to, "property %s %s\n", columns[k].ply, columns[k].array.name);
     }
@@ -226,11 +225,12 @@ static void put_header(FILE *to, const surfaces *s)
 static void put_vertices(FILE *to, const surfaces *s)
 {
     for (size_t i = 0; i < s->n; ++i) {
-        unsigned char bytes[15];
-        put_color(s, i, bytes + 12);
+        unsigned char bytes[MURK_PLACE_BYTES_MAX + 3];
+        const size_t place = murk_place_bytes(s->session->scene);
+        put_color(s, i, bytes + place);
         for (size_t c = 0; c < 3; ++c) {
             put_corner(s, 3 * i + c, bytes);
-            (void)fwrite(bytes, 1, sizeof bytes, to); /* commit asks ferror */
+            (void)fwrite(bytes, 1, place + 3, to); /* commit asks ferror */
         }
     }
 }
@@ -286,7 +286,9 @@ static murk_status write_vtp(const char *path, const void *context,
                           .notes = note,
                           .points = 3 * s->n,
                           .has_triangles = true,
-                          .place = {"place", "Float32", 3, 12, put_corner},
+                          .place = {"place", murk_place_vtk(s->session->scene),
+                                    3, murk_place_bytes(s->session->scene),
+                                    put_corner},
                           .array = array,
                           .arrays = used,
                           .context = s,

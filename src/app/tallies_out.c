@@ -148,7 +148,8 @@ static murk_status write_grid(const char *path, const void *context,
         murk_field_notes_of(&notes[band], t->scene, &facts);
         fields[band] = (murk_grid_field){names[band], field, notes[band].note};
     }
-    const murk_affine to_world = cells_to_world(t->desc);
+    murk_affine to_world = cells_to_world(t->desc);
+    to_world.shift = murk_scene_user(t->scene, to_world.shift);
     const murk_status status = murk_grid_write(path, fields, (size_t)bands,
                                                t->desc->size, &to_world, err);
     free(value);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define SHOWN_EVERY 65536 /* items between two looks at the bar */
-#define ITEM_BYTES  16    /* at most */
+#define ITEM_BYTES  24    /* at most: a place in doubles */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are written as they lie in memory");

@@ -12,8 +12,11 @@ static murk_status outside(const murk_reading_row *at,
                            murk_reading_column column, const char *what,
                            murk_vec3 p)
 {
-    const murk_box *box = &at->source->domain->box;
+    const murk_scene *scene = at->source->scene;
+    const murk_box user = murk_scene_user_box(scene, at->source->domain->box);
+    const murk_box *box = &user;
     char text[320];
+    p = murk_scene_user(scene, p);
     snprintf(text, sizeof text,
              "%s [%.9g, %.9g, %.9g] m is outside the domain, "
              "[%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
@@ -26,6 +29,7 @@ static murk_status inside(const murk_reading_row *at,
                           murk_reading_column column, murk_vec3 *out)
 {
     const murk_status status = murk_reading_vector(at, column, out);
+    *out = status ? *out : murk_scene_local(at->source->scene, *out);
     return status || murk_box_contains(&at->source->domain->box, *out)
                ? status
                : outside(at, column, "the place", *out);

@@ -119,7 +119,8 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     }
     if (medium->albedo_grid) {
         const murk_affine albedo_to_world = murk_affine_compose(
-            to_world, &murk_grid_describe(medium->albedo_grid)->index_to_world);
+            &region->to_world,
+            &murk_grid_describe(medium->albedo_grid)->index_to_world);
         if (!murk_affine_invert(&albedo_to_world, &made.to_albedo)) {
             return false;
         }

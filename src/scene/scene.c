@@ -10,6 +10,7 @@
 #include "scene/conditions.h"
 #include "scene/idle.h"
 #include "scene/medium_preset.h"
+#include "scene/origin.h"
 #include "scene/override.h"
 #include "scene/print.h"
 #include "scene/value.h"
@@ -304,6 +305,7 @@ static murk_status read_text(reading *r, murk_scene **out, const char *path,
     if (status) {
         goto done;
     }
+    murk_origin_move(scene);
     *out = scene;
     scene = NULL;
 done:

@@ -506,6 +506,9 @@ struct murk_scene {
     uint32_t seed;
     murk_vec3 north; /* level, of length 1 */
     murk_scene_site site;
+    murk_vec3 origin; /* the local origin, in the file's coordinates: all
+                         positions of these structs are given from it; 0 unless
+                         the scene lies far away (scene/origin.h) */
     bool has_domain;
     murk_domain domain;
     bool continues; /* domain.outside: continued; false: empty */
@@ -546,6 +549,27 @@ struct murk_scene {
                     frames as it is written */
     size_t files;
 };
+
+/* A place given from the local origin, in the coordinates of the scene file and
+ * of all results; and back. */
+static inline murk_vec3 murk_scene_user(const murk_scene *scene,
+                                        murk_vec3 local)
+{
+    return murk_add(local, scene->origin);
+}
+
+static inline murk_vec3 murk_scene_local(const murk_scene *scene,
+                                         murk_vec3 user)
+{
+    return murk_sub(user, scene->origin);
+}
+
+static inline murk_box murk_scene_user_box(const murk_scene *scene,
+                                           murk_box local)
+{
+    return (murk_box){murk_scene_user(scene, local.min),
+                      murk_scene_user(scene, local.max)};
+}
 
 /* One --set, or an option that is one ("seed=3"). */
 typedef struct murk_override {

@@ -28,12 +28,13 @@ static murk_status read_sensor(murk_pose *out, const char *where,
                          "first there is %s",
                          type, wish->type[0].name);
     }
-    if (!murk_box_contains(&domain->box, p)) {
+    const murk_vec3 local = murk_scene_local(scene, p);
+    if (!murk_box_contains(&domain->box, local)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "sensor at %.6g %.6g %.6g m lies outside the domain",
                          p.x, p.y, p.z);
     }
-    *out = (murk_pose){.type = (uint32_t)k, .position = p};
+    *out = (murk_pose){.type = (uint32_t)k, .position = local};
     if (wish->type[k].view == MURK_SCENE_VIEW_SPHERE) {
         return MURK_OK;
     }

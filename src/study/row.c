@@ -46,7 +46,7 @@ murk_status murk_study_row_set_sensors(murk_study_row *row,
         const bool is_round = type->view == MURK_SCENE_VIEW_SPHERE;
         murk_study_sensor *s = &row->sensor[i];
         memcpy(s->type, type->name, sizeof s->type);
-        s->position = sensor[i].position;
+        s->position = murk_scene_user(scene, sensor[i].position);
         s->heading_deg = is_round ? NAN : DEG * sensor[i].heading_rad;
         s->tilt_deg = is_round ? NAN : DEG * sensor[i].tilt_rad;
     }
@@ -78,7 +78,7 @@ murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
     for (size_t i = 0; i < row->sensors; ++i) {
         const murk_study_sensor *s = &row->sensor[i];
         pose[i] = (murk_pose){.type = type_of(&scene->sensors, s->type),
-                              .position = s->position,
+                              .position = murk_scene_local(scene, s->position),
                               .heading_rad = radians(s->heading_deg),
                               .tilt_rad = radians(s->tilt_deg)};
         if (pose[i].type == scene->sensors.types) {

@@ -6,8 +6,13 @@
 #include <stdlib.h>
 
 static murk_status refuse_outside(const char *where, murk_vec3 p,
-                                  const murk_box *box, murk_error *err)
+                                  murk_vec3 origin, const murk_box *local,
+                                  murk_error *err)
 {
+    const murk_box user = {murk_add(local->min, origin),
+                           murk_add(local->max, origin)};
+    const murk_box *box = &user;
+    p = murk_add(p, origin);
     return murk_fail(err, MURK_BAD_VALUE, where,
                      "[%.9g, %.9g, %.9g] m is outside the domain, "
                      "[%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
@@ -16,8 +21,9 @@ static murk_status refuse_outside(const char *where, murk_vec3 p,
 }
 
 static murk_status read_row(const murk_table *table, size_t row,
-                            const long column[3], const murk_box *box,
-                            murk_vec3 *out, murk_error *err)
+                            const long column[3], murk_vec3 origin,
+                            const murk_box *box, murk_vec3 *out,
+                            murk_error *err)
 {
     double x[3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -27,12 +33,12 @@ static murk_status read_row(const murk_table *table, size_t row,
             return status;
         }
     }
-    *out = murk_vec(x[0], x[1], x[2]);
+    *out = murk_sub(murk_vec(x[0], x[1], x[2]), origin);
     if (!murk_box_contains(box, *out)) {
         char where[MURK_SCENE_WHERE_SIZE];
         snprintf(where, sizeof where, "%.300s:%d", table->path,
                  table->line[row]);
-        return refuse_outside(where, *out, box, err);
+        return refuse_outside(where, *out, origin, box, err);
     }
     return MURK_OK;
 }
@@ -57,8 +63,8 @@ static murk_status check_table(const murk_table *table, long column[3],
 
 /* Adds the table's points to the *n there are. */
 static murk_status add_table(murk_vec3 **point, size_t *n,
-                             const murk_table *table, const murk_box *box,
-                             size_t most, murk_error *err)
+                             const murk_table *table, murk_vec3 origin,
+                             const murk_box *box, size_t most, murk_error *err)
 {
     long column[3];
     murk_status status = check_table(table, column, err);
@@ -78,14 +84,15 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
     }
     *point = grown;
     for (size_t row = 0; row < table->rows && !status; ++row) {
-        status = read_row(table, row, column, box, &grown[*n + row], err);
+        status =
+            read_row(table, row, column, origin, box, &grown[*n + row], err);
     }
     *n += table->rows;
     return status;
 }
 
 static murk_status add_listed(murk_vec3 **point, size_t *n,
-                              const murk_scene_points *points,
+                              const murk_scene_points *points, murk_vec3 origin,
                               const murk_box *box, size_t most, murk_error *err)
 {
     if (points->positions > most - *n) {
@@ -101,7 +108,8 @@ static murk_status add_listed(murk_vec3 **point, size_t *n,
     *point = grown;
     for (size_t i = 0; i < points->positions; ++i) {
         if (!murk_box_contains(box, points->position[i])) {
-            return refuse_outside(points->where, points->position[i], box, err);
+            return refuse_outside(points->where, points->position[i], origin,
+                                  box, err);
         }
         grown[(*n)++] = points->position[i];
     }
@@ -109,10 +117,12 @@ static murk_status add_listed(murk_vec3 **point, size_t *n,
 }
 
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
-                                  const murk_scene_points *points,
+                                  const murk_scene *scene,
                                   const murk_domain *domain, size_t most,
                                   murk_error *err)
 {
+    const murk_scene_points *points = &scene->sensors.candidates.points;
+    const murk_vec3 origin = scene->origin;
     murk_vec3 *point = NULL;
     murk_status status = MURK_OK;
     *n = 0;
@@ -120,12 +130,13 @@ murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
         murk_table *table = NULL;
         status = murk_table_read(&table, points->file[i], err);
         if (!status) {
-            status = add_table(&point, n, table, &domain->box, most, err);
+            status =
+                add_table(&point, n, table, origin, &domain->box, most, err);
         }
         murk_table_destroy(table);
     }
     if (!status) {
-        status = add_listed(&point, n, points, &domain->box, most, err);
+        status = add_listed(&point, n, points, origin, &domain->box, most, err);
     }
     if (status) {
         free(point);

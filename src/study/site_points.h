@@ -11,7 +11,7 @@
  * item of the list: what is no number, outside the domain, or more than `most`
  * points. */
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
-                                  const murk_scene_points *points,
+                                  const murk_scene *scene,
                                   const murk_domain *domain, size_t most,
                                   murk_error *err);
 

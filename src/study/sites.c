@@ -125,7 +125,7 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
     a->desc.is_laid =
         !wish->has_grid && (wish->points.given || wish->mounts > 0);
     murk_status status =
-        murk_site_points_read(&a->point, &a->desc.points, &wish->points,
+        murk_site_points_read(&a->point, &a->desc.points, stage->scene,
                               &stage->world.domain, MURK_CANDIDATES_MAX, err);
     if (status) {
         return status;

@@ -51,6 +51,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
                              murk_vec3 normal, double weight, murk_error *err)
 {
     const murk_box *box = &l->stage->world.domain.box;
+    const murk_vec3 user = murk_scene_user(l->stage->scene, place);
     char where[320];
     snprintf(where, sizeof where, "%.300s:%d", l->table->path,
              l->table->line[row]);
@@ -58,7 +59,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "target at %.6g %.6g %.6g m lies outside of the "
                          "domain",
-                         place.x, place.y, place.z);
+                         user.x, user.y, user.z);
     }
     if (!(weight >= 0 && weight <= WEIGHT_MAX)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -74,7 +75,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "target at %.6g %.6g %.6g m lies on a surface, must "
                          "have a normal to the side it is seen from",
-                         place.x, place.y, place.z);
+                         user.x, user.y, user.z);
     }
     return MURK_OK;
 }
@@ -102,7 +103,8 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
             return status;
         }
     }
-    const murk_vec3 place = {value[X], value[Y], value[Z]};
+    const murk_vec3 place = murk_scene_local(
+        l->stage->scene, murk_vec(value[X], value[Y], value[Z]));
     murk_vec3 normal = {value[NORMAL_X], value[NORMAL_Y], value[NORMAL_Z]};
     const murk_status status =
         check_row(l, row, place, normal, value[WEIGHT], err);

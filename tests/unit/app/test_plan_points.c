@@ -83,7 +83,8 @@ static void test_others_are_refused(void)
     CHECK(truncate(path, 100) == 0);
     CHECK(murk_plan_points_of_light(&points, path, 10, NULL) == MURK_BAD_FILE);
     murk_plan_points_release(&points);
-    CHECK(murk_plan_points_read(&points, path, 10, NULL) == MURK_BAD_FILE);
+    CHECK(murk_plan_points_read(&points, path, NULL, 10, NULL) ==
+          MURK_BAD_FILE);
     murk_plan_points_release(&points);
 }
 

@@ -1,0 +1,25 @@
+/* Places in binary result files, in the user's coordinates: three floats, as
+ * viewers expect; where the scene has a local origin (scene/origin.h) three
+ * doubles, since floats would round surveyed coordinates to half a metre. */
+#ifndef MURK_APP_PLACES_H
+#define MURK_APP_PLACES_H
+
+#include "scene/scene.h"
+
+#include <stddef.h>
+
+#define MURK_PLACE_BYTES_MAX 24
+
+size_t murk_place_bytes(const murk_scene *scene); /* 12 or 24 */
+
+/* The three properties of a PLY header; the type of a VTK array. */
+const char *murk_place_ply(const murk_scene *scene);
+const char *murk_place_vtk(const murk_scene *scene);
+
+/* Writes murk_place_bytes() of a place that is given from the local origin. */
+void murk_place_put(const murk_scene *scene, murk_vec3 local, void *to);
+
+/* Reads such a place back, from the local origin. */
+murk_vec3 murk_place_take(const murk_scene *scene, const void *from);
+
+#endif

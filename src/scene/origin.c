@@ -1,0 +1,305 @@
+/* Chooses a scene's local origin and moves every position of the scene's
+ * structs there. See scene/origin.h for the rule. */
+#include "scene/origin.h"
+
+#include <math.h>
+
+static double largest(murk_vec3 v)
+{
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
+/* ---- the box that the scene states ---- */
+
+static murk_box with_ball(murk_box box, murk_vec3 center, double radius)
+{
+    const murk_vec3 r = {radius, radius, radius};
+    return murk_box_with(murk_box_with(box, murk_sub(center, r)),
+                         murk_add(center, r));
+}
+
+static murk_box with_placed(murk_box box, const murk_affine *placed,
+                            const murk_box *own)
+{
+    for (int corner = 0; corner < 8; ++corner) {
+        const murk_vec3 p = {corner & 1 ? own->max.x : own->min.x,
+                             corner & 2 ? own->max.y : own->min.y,
+                             corner & 4 ? own->max.z : own->min.z};
+        box = murk_box_with(box, murk_affine_point(placed, p));
+    }
+    return box;
+}
+
+static murk_box with_geometry(murk_box box, const murk_scene_geometry *g)
+{
+    const murk_affine placed =
+        murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
+    switch (g->shape) {
+    case MURK_SCENE_BOX:
+        return with_placed(box, &placed, &g->box);
+    case MURK_SCENE_SPHERE:
+        return with_ball(box, murk_affine_point(&placed, g->center),
+                         g->radius_m * g->scale);
+    case MURK_SCENE_RECT: {
+        const murk_vec3 a = murk_add(g->corner, g->edge1),
+                        b = murk_add(a, g->edge2);
+        box = murk_box_with(box, murk_affine_point(&placed, g->corner));
+        box = murk_box_with(box, murk_affine_point(&placed, a));
+        return murk_box_with(box, murk_affine_point(&placed, b));
+    }
+    case MURK_SCENE_FILE:
+        break; /* not opened yet */
+    }
+    return box;
+}
+
+static murk_box with_region(murk_box box, const murk_scene_region *r)
+{
+    const murk_affine placed =
+        murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+    if (r->shape == MURK_SCENE_IN_BOX) {
+        return with_placed(box, &placed, &r->box);
+    }
+    return r->shape == MURK_SCENE_IN_SPHERE
+               ? with_ball(box, murk_affine_point(&placed, r->center),
+                           r->radius_m * r->scale)
+               : box;
+}
+
+static murk_box stated(const murk_scene *s)
+{
+    murk_box box = murk_box_empty();
+    for (size_t i = 0; i < s->geometries; ++i) {
+        box = with_geometry(box, &s->geometry[i]);
+    }
+    for (size_t i = 0; i < s->n_regions; ++i) {
+        box = with_region(box, &s->regions[i]);
+    }
+    for (size_t i = 0; i < s->n_lights; ++i) {
+        const murk_scene_light *l = &s->lights[i];
+        if (l->type < MURK_SCENE_LIGHT_DIRECTIONAL) {
+            box = with_ball(box, l->position, l->radius_m);
+        }
+    }
+    if (s->sensors.candidates.has_grid) {
+        box = murk_box_with(box, s->sensors.candidates.grid_min);
+        box = murk_box_with(box, s->sensors.candidates.grid_max);
+    }
+    for (size_t i = 0; i < s->sensors.n_fixed; ++i) {
+        box = murk_box_with(box, s->sensors.fixed[i].position);
+    }
+    return box;
+}
+
+/* ---- the origin ---- */
+
+/* A mesh that bounds a profile keeps both in one frame of its own, and
+ * profiles are moved in z: such scenes are not moved in z. */
+static bool has_profile_in_mesh(const murk_scene *s)
+{
+    bool has = false;
+    for (size_t i = 0; i < s->n_regions; ++i) {
+        const murk_scene_region *r = &s->regions[i];
+        has = has || (r->shape == MURK_SCENE_IN_MESH &&
+                      s->media[r->medium].profile_z_m.n > 0);
+    }
+    for (size_t i = 0; i < s->n_conditions; ++i) {
+        has = has || has_profile_in_mesh(s->conditions[i].scene);
+    }
+    return has;
+}
+
+static murk_vec3 choose(const murk_scene *s)
+{
+    const murk_vec3 none = {0, 0, 0};
+    const murk_box box = s->has_domain ? s->domain.box : stated(s);
+    const murk_vec3 size = murk_sub(box.max, box.min);
+    const murk_vec3 middle = murk_scale(0.5, murk_add(box.min, box.max));
+    const double longest = fmax(size.x, fmax(size.y, size.z));
+    if (!(longest > 0 && isfinite(longest)) || !murk_is_finite(middle) ||
+        !(largest(middle) > MURK_ORIGIN_FAR * longest / 2)) {
+        return none;
+    }
+    const double grid = 2 * exp2(ceil(log2(longest)));
+    return murk_vec(
+        grid * nearbyint(middle.x / grid), grid * nearbyint(middle.y / grid),
+        has_profile_in_mesh(s) ? 0 : grid * nearbyint(middle.z / grid));
+}
+
+/* ---- moving ---- */
+
+static void move(murk_vec3 *p, murk_vec3 origin)
+{
+    *p = murk_sub(*p, origin);
+}
+
+static void move_box(murk_box *box, murk_vec3 origin)
+{
+    move(&box->min, origin);
+    move(&box->max, origin);
+}
+
+/* The part of the origin along one axis that a shape's own coordinates hold:
+ * all of it where this brings them nearer to 0. */
+static double held_by(double own, double origin)
+{
+    return fabs(own - origin) < fabs(own) ? origin : 0;
+}
+
+/* Moves a shape that is rotated, scaled and translated: *own (to be subtracted
+ * from its own coordinates, of which `at` is one place) and its translation
+ * together. Where nothing is turned or scaled, what the coordinates hold of
+ * the origin leaves them, so that they are small numbers, too. has_layers: a
+ * profile moves in z in any case. is_file: its own coordinates are those of a
+ * file, which stay. */
+static murk_vec3 move_placed(murk_vec3 rotate_deg, double scale,
+                             murk_vec3 *translate_m, murk_vec3 at,
+                             murk_vec3 origin, bool is_file, bool has_layers)
+{
+    const bool is_plain = rotate_deg.x == 0 && rotate_deg.y == 0 &&
+                          rotate_deg.z == 0 && scale == 1;
+    murk_vec3 own = {0, 0, 0};
+    if (is_plain && !is_file) {
+        own = murk_vec(held_by(at.x, origin.x), held_by(at.y, origin.y),
+                       held_by(at.z, origin.z));
+    }
+    if (has_layers) {
+        own.z = origin.z;
+    }
+    /* p = M q + t, q = q' + own: p - origin = M q' + (t + M own - origin) */
+    const murk_vec3 none = {0, 0, 0};
+    const murk_affine turn = murk_affine_place(rotate_deg, scale, none);
+    const murk_vec3 back = is_plain ? own : murk_affine_direction(&turn, own);
+    *translate_m = murk_add(*translate_m, murk_sub(back, origin));
+    return own;
+}
+
+static void move_geometry(murk_scene_geometry *g, murk_vec3 origin)
+{
+    const murk_vec3 at = g->shape == MURK_SCENE_BOX    ? g->box.min
+                         : g->shape == MURK_SCENE_RECT ? g->corner
+                                                       : g->center;
+    const murk_vec3 own =
+        move_placed(g->rotate_deg, g->scale, &g->translate_m, at, origin,
+                    g->shape == MURK_SCENE_FILE, false);
+    move_box(&g->box, own);
+    move(&g->corner, own);
+    move(&g->center, own);
+}
+
+static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
+                        murk_vec3 origin)
+{
+    const bool is_file = r->shape == MURK_SCENE_IN_GRID ||
+                         r->shape == MURK_SCENE_IN_MESH || medium->vdb ||
+                         medium->albedo_vdb;
+    const murk_vec3 at = r->shape == MURK_SCENE_IN_BOX ? r->box.min : r->center;
+    const murk_vec3 own =
+        move_placed(r->rotate_deg, r->scale, &r->translate_m, at, origin,
+                    is_file, medium->profile_z_m.n > 0);
+    move_box(&r->box, own);
+    move(&r->center, own);
+    r->below_z_m -= origin.z;
+}
+
+static void move_zone(murk_scene_site_zone *z, murk_vec3 origin)
+{
+    const murk_vec3 at =
+        z->shape == MURK_SCENE_ZONE_BOX ? z->box.min : z->center;
+    const murk_vec3 own =
+        move_placed(z->rotate_deg, z->scale, &z->translate_m, at, origin,
+                    z->shape == MURK_SCENE_ZONE_MESH, false);
+    move_box(&z->box, own);
+    move(&z->center, own);
+}
+
+static void move_sensors(murk_scene_sensors *s, murk_vec3 origin)
+{
+    murk_scene_candidates *c = &s->candidates;
+    for (size_t i = 0; i < s->n_fixed; ++i) {
+        move(&s->fixed[i].position, origin);
+    }
+    move(&c->grid_min, origin);
+    move(&c->grid_max, origin);
+    for (size_t i = 0; i < c->points.positions; ++i) {
+        move(&c->points.position[i], origin);
+    }
+    for (size_t i = 0; i < c->mounts; ++i) {
+        c->mount[i].band_m[0] -= origin.z;
+        c->mount[i].band_m[1] -= origin.z;
+    }
+    for (size_t i = 0; i < c->avoids; ++i) {
+        move_zone(&c->avoid[i], origin);
+    }
+    for (size_t i = 0; i < c->withins; ++i) {
+        move_zone(&c->within[i], origin);
+    }
+}
+
+/* Boxes and spheres of interest and of targets are in the world, only meshes
+ * are placed. */
+static void move_placement(murk_scene_placement *p, murk_vec3 origin)
+{
+    move(&p->start, origin);
+    for (size_t i = 0; i < p->n_interests; ++i) {
+        move_box(&p->interest[i].box, origin);
+        move(&p->interest[i].center, origin);
+        move(&p->interest[i].translate_m, origin);
+    }
+    move_box(&p->targets.box, origin);
+    move(&p->targets.center, origin);
+    move(&p->targets.translate_m, origin);
+}
+
+static void move_lights(murk_scene *s, murk_vec3 origin)
+{
+    for (size_t i = 0; i < s->n_lights; ++i) {
+        murk_scene_light *l = &s->lights[i];
+        move(&l->position, origin);
+        for (size_t k = 0; k < l->portals; ++k) {
+            move(&l->portal[k].corner, origin);
+        }
+    }
+}
+
+static void move_scene(murk_scene *s, murk_vec3 origin)
+{
+    s->origin = origin;
+    move_box(&s->domain.box, origin);
+    for (size_t i = 0; i < s->geometries; ++i) {
+        move_geometry(&s->geometry[i], origin);
+    }
+    for (size_t i = 0; i < s->n_regions; ++i) {
+        move_region(&s->regions[i], &s->media[s->regions[i].medium], origin);
+    }
+    for (size_t i = 0; i < s->n_media; ++i) {
+        const murk_scene_numbers *z = &s->media[i].profile_z_m;
+        for (size_t k = 0; k < z->n; ++k) {
+            z->value[k] -= origin.z;
+        }
+    }
+    move_lights(s, origin);
+    for (size_t i = 0; i < s->n_tallies; ++i) {
+        move(&s->tallies[i].point, origin);
+        move_box(&s->tallies[i].box, origin);
+        move(&s->tallies[i].center, origin);
+    }
+    for (size_t i = 0; i < s->n_cameras; ++i) {
+        move(&s->cameras[i].from, origin);
+        move(&s->cameras[i].to, origin);
+    }
+    move_sensors(&s->sensors, origin);
+    move_placement(&s->placement, origin);
+}
+
+void murk_origin_move(murk_scene *scene)
+{
+    const murk_vec3 origin = choose(scene);
+    if (origin.x == 0 && origin.y == 0 && origin.z == 0) {
+        return;
+    }
+    move_scene(scene, origin);
+    for (size_t i = 0; i < scene->n_conditions; ++i) {
+        move_scene(scene->conditions[i].scene, origin);
+    }
+}
