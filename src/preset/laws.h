@@ -27,9 +27,8 @@ murk_status murk_law_water_morel(murk_optics *, const murk_law_call *,
                                  murk_error *);
 murk_status murk_law_chlorophyll(murk_optics *, const murk_law_call *,
                                  murk_error *);
+murk_status murk_law_case_1(murk_optics *, const murk_law_call *, murk_error *);
 murk_status murk_law_cdom(murk_optics *, const murk_law_call *, murk_error *);
-murk_status murk_law_cdom_of_chlorophyll(murk_optics *, const murk_law_call *,
-                                         murk_error *);
 murk_status murk_law_sediment(murk_optics *, const murk_law_call *,
                               murk_error *);
 murk_status murk_law_in_green(murk_optics *, const murk_law_call *,

@@ -2,6 +2,7 @@
  * others, and each speaks of itself alone. */
 #include "preset/laws.h"
 
+#include "preset/case_1.h"
 #include "preset/water_contents.h"
 #include "preset/water_kd.h"
 #include "preset/water_pure.h"
@@ -90,8 +91,11 @@ static murk_status check_chlorophyll(const murk_law_call *call, murk_error *err)
     return MURK_OK;
 }
 
-murk_status murk_law_chlorophyll(murk_optics *out, const murk_law_call *call,
-                                 murk_error *err)
+/* What comes with chlorophyll: particles that scatter, and absorption by the
+ * function given. */
+static murk_status with_chlorophyll(murk_optics *out, const murk_law_call *call,
+                                    double (*absorption)(double, double),
+                                    murk_error *err)
 {
     const double chlorophyll = word(call, MURK_WORD_CHLOROPHYLL, 0);
     if (chlorophyll == 0) {
@@ -106,12 +110,24 @@ murk_status murk_law_chlorophyll(murk_optics *out, const murk_law_call *call,
                             &phase.value[0], &phase.value[1]);
     for (size_t i = 0; i < call->n; ++i) {
         const double nm = call->wavelength_nm[i];
-        out->absorption_per_m[i] = murk_chlorophyll_absorption(nm, chlorophyll);
+        out->absorption_per_m[i] = absorption(nm, chlorophyll);
         out->scattering_per_m[i] = murk_chlorophyll_scattering(nm, chlorophyll);
         out->phase[i] = phase;
     }
     out->has_phase = true;
     return MURK_OK;
+}
+
+murk_status murk_law_chlorophyll(murk_optics *out, const murk_law_call *call,
+                                 murk_error *err)
+{
+    return with_chlorophyll(out, call, murk_chlorophyll_absorption, err);
+}
+
+murk_status murk_law_case_1(murk_optics *out, const murk_law_call *call,
+                            murk_error *err)
+{
+    return with_chlorophyll(out, call, murk_case_1_absorption, err);
 }
 
 murk_status murk_law_cdom(murk_optics *out, const murk_law_call *call,
@@ -122,20 +138,6 @@ murk_status murk_law_cdom(murk_optics *out, const murk_law_call *call,
         out->absorption_per_m[i] = murk_cdom_absorption(
             call->wavelength_nm[i], word(call, MURK_WORD_CDOM, 0),
             MURK_CDOM_SLOPE);
-    }
-    return MURK_OK;
-}
-
-murk_status murk_law_cdom_of_chlorophyll(murk_optics *out,
-                                         const murk_law_call *call,
-                                         murk_error *err)
-{
-    (void)err;
-    const double at_440 =
-        murk_cdom_of_chlorophyll(word(call, MURK_WORD_CHLOROPHYLL, 0));
-    for (size_t i = 0; i < call->n; ++i) {
-        out->absorption_per_m[i] = murk_cdom_absorption(
-            call->wavelength_nm[i], at_440, MURK_CDOM_SLOPE_OCEAN);
     }
     return MURK_OK;
 }

@@ -69,8 +69,12 @@ static murk_estimate power(const murk_traced *traced, int band, int plane)
 static double depth_of(const murk_traced *traced, int band, const double *depth,
                        double share, double *relative_error)
 {
-    const double wanted = share * power(traced, band, 0).value;
     murk_estimate above = power(traced, band, 0);
+    const double wanted = share * above.value;
+    if (!(share < 1)) {
+        *relative_error = above.standard_error / above.value;
+        return depth[0];
+    }
     for (int k = 1; k < PLANES; ++k) {
         const murk_estimate below = power(traced, band, k);
         if (below.value < wanted && below.value > 0) {
@@ -85,7 +89,8 @@ static double depth_of(const murk_traced *traced, int band, const double *depth,
 }
 
 void daylight_attenuation(murk_estimate *out, const char *water,
-                          double sun_zenith_deg, size_t n, const int *line_nm,
+                          double sun_zenith_deg, const double share[2],
+                          size_t n, const int *line_nm,
                           const double *about_per_m, uint64_t photons_a_band,
                           uint32_t seed)
 {
@@ -107,11 +112,12 @@ void daylight_attenuation(murk_estimate *out, const char *water,
         out[i] = (murk_estimate){NAN, NAN};
         if (traced) {
             double upper = 0, lower = 0;
-            const double z10 = depth_of(traced, (int)i, depth, .1, &upper);
-            const double z1 = depth_of(traced, (int)i, depth, .01, &lower);
-            out[i].value = log(10) / (z1 - z10);
-            out[i].standard_error =
-                out[i].value * hypot(upper, lower) / log(10);
+            const double from =
+                depth_of(traced, (int)i, depth, share[0], &upper);
+            const double to = depth_of(traced, (int)i, depth, share[1], &lower);
+            const double fall = log(share[0] / share[1]);
+            out[i].value = fall / (to - from);
+            out[i].standard_error = out[i].value * hypot(upper, lower) / fall;
         }
     }
     murk_traced_destroy(traced);

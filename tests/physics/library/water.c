@@ -6,6 +6,7 @@
 
 #include "cases/reference.h"
 #include "daylight.h"
+#include "preset/case_1.h"
 #include "preset/water_pure.h"
 
 #define SUN_DEG 30
@@ -79,7 +80,8 @@ static int compare_type(murk_library *library, const cells *c)
     murk_estimate murk[CELLS];
     int within = 0;
     snprintf(water, sizeof water, "preset: water/jerlov-%s", c->type);
-    daylight_attenuation(murk, water, SUN_DEG, c->n, c->nm, c->per_m,
+    static const double share[2] = {.1, .01};
+    daylight_attenuation(murk, water, SUN_DEG, share, c->n, c->nm, c->per_m,
                          library->is_nightly ? 50000 : 8000, 1);
     for (size_t i = 0; i < c->n; ++i) {
         char name[80];
@@ -119,8 +121,53 @@ static void jerlov(murk_library *library)
     murk_table_destroy(t);
 }
 
+/* ---- open ocean ---- */
+
+static void case_1(murk_library *library)
+{
+    static const double chlorophyll[] = {.03, .1, .3, 1, 3, 10};
+    static const int nm[] = {412, 443, 490, 555};
+    static const double share[2] = {1, .1};
+    enum { LINES = sizeof nm / sizeof *nm };
+    const size_t step = library->is_nightly ? 1 : 5;
+    murk_library_title(
+        library, "Open ocean by chlorophyll",
+        "Attenuation of downward irradiance from just below the surface to the "
+        "depth of 10 % of the light, the sun at 30 degrees from the zenith "
+        "above a level surface of index 1.34; preset water/case-1, lit by "
+        "murk.");
+    for (size_t i = 0; i < sizeof chlorophyll / sizeof *chlorophyll;
+         i += step) {
+        double observed[LINES];
+        char water[100];
+        murk_estimate k[LINES];
+        for (int b = 0; b < LINES; ++b) {
+            observed[b] = murk_case_1_kd(nm[b], chlorophyll[i]);
+        }
+        snprintf(water, sizeof water,
+                 "preset: water/case-1, chlorophyll_mg_per_m3: %g",
+                 chlorophyll[i]);
+        daylight_attenuation(k, water, SUN_DEG, share, LINES, nm, observed,
+                             library->is_nightly ? 50000 : 8000, 1);
+        for (int b = 0; b < LINES; ++b) {
+            char name[100];
+            snprintf(name, sizeof name,
+                     "%g mg/m3 at %d nm (error %.1f %%, off %+.1f %%)",
+                     chlorophyll[i], nm[b],
+                     100 * k[b].standard_error / k[b].value,
+                     100 * (k[b].value / observed[b] - 1));
+            murk_library_row(library, name, "1/m", observed[b], k[b].value,
+                             .1 * observed[b], "10 %, what is asked",
+                             nm[b] == 490 ? "Morel et al. 2007"
+                                          : "Morel & Maritorena 2001 (second "
+                                            "hand)");
+        }
+    }
+}
+
 void murk_library_water(murk_library *library)
 {
     water_itself(library);
     jerlov(library);
+    case_1(library);
 }

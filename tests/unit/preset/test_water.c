@@ -1,6 +1,7 @@
 /* Water's laws against the figures of their sources. No randomness: nothing
  * here cries wolf. Full tables are rows of the media library's own checks. */
 #include "check.h"
+#include "preset/case_1.h"
 #include "preset/water_contents.h"
 #include "preset/water_kd.h"
 #include "preset/water_pure.h"
@@ -100,6 +101,57 @@ static void test_dissolved_matter_and_sediment(void)
     CHECK_NEAR(murk_sediment_scattering(555, 2), 1, 1e-12);
 }
 
+/* The observed attenuation at its own wavelengths (Morel & Maritorena 2001,
+ * Morel et al. 2007), linear between them, and Lee's law by hand: 1.15 * .1 +
+ * 4.18 * (1 - .52 exp(-1.08)) * .01. */
+static void test_case_1_attenuation(void)
+{
+    CHECK_NEAR(murk_case_1_kd(490, 1), .0166 + .07242, 1e-12);
+    CHECK_NEAR(murk_case_1_kd(490, 3), .0166 + .07242 * pow(3, .68955), 1e-12);
+    CHECK_NEAR(murk_case_1_kd(412, .1), .007932 + .122858 * pow(.1, .65327),
+               1e-12);
+    CHECK_NEAR(murk_case_1_kd(443, 1), .00948 + .107212, 1e-12);
+    CHECK_NEAR(murk_case_1_kd(555, 10), .06053 + .03996 * pow(10, .64204),
+               1e-12);
+    CHECK_NEAR(murk_case_1_kd(500, 1), (.0166 + .07242 + .03385 + .05943) / 2,
+               1e-12);
+    CHECK_NEAR(murk_case_1_kd_of(.1, .01, 30), .1494187, 1e-6);
+}
+
+/* At the law's wavelengths, absorption and backscattering give the observed
+ * attenuation by Lee's law with the sun at 15 degrees; from 650 nm on,
+ * absorption is that of particles and dissolved matter; in between it has no
+ * step. */
+static void test_case_1_absorption(void)
+{
+    static const double nm[] = {400, 412, 443, 490, 510, 555};
+    for (double c = .3; c <= 10; c *= 1.8) {
+        for (int i = 0; i < 6; ++i) {
+            const double back = murk_water_scattering(nm[i], 20, 35) / 2 +
+                                murk_chlorophyll_backward(c) *
+                                    murk_chlorophyll_scattering(nm[i], c);
+            const double a =
+                murk_case_1_absorption(nm[i], c) + murk_water_absorption(nm[i]);
+            CHECK_NEAR(murk_case_1_kd_of(a, back, 15) /
+                           murk_case_1_kd(nm[i], c),
+                       1, 1e-9);
+            if (i > 0) {
+                CHECK_NEAR(murk_case_1_absorption(nm[i] - 1e-6, c) /
+                               murk_case_1_absorption(nm[i] + 1e-6, c),
+                           1, 1e-6);
+            }
+        }
+        CHECK_NEAR(murk_case_1_absorption(676, c),
+                   murk_chlorophyll_absorption(676, c) +
+                       murk_cdom_absorption(676, murk_cdom_of_chlorophyll(c),
+                                            MURK_CDOM_SLOPE_OCEAN),
+                   1e-12);
+    }
+    /* clear water at 555 nm absorbs what water absorbs */
+    CHECK(murk_case_1_absorption(555, .03) == 0);
+    CHECK(murk_case_1_absorption(490, 0) == 0);
+}
+
 /* Mobley's stand-in for Petzold's average particle: n 1.10, slope 3.5835 at a
  * backward share of .0183. */
 static void test_phase_function_of_a_backward_share(void)
@@ -148,6 +200,10 @@ int main(void)
     test_molecules_turn_light_evenly();
     test_chlorophyll();
     test_dissolved_matter_and_sediment();
+    test_case_1_attenuation();
+    test_case_1_absorption();
+    test_case_1_attenuation();
+    test_case_1_absorption();
     test_phase_function_of_a_backward_share();
     test_attenuation_of_a_high_sun_is_kirks();
     test_absorption_of_an_attenuation_gives_it_back();
