@@ -2,6 +2,7 @@
 #include "app/terminate_bridge.h"
 #include "app/version.h"
 #include "base/crew.h"
+#include "base/inputs.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 
@@ -60,6 +61,7 @@ int main(int argc, char **argv)
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     murk_interrupt_install();
+    murk_inputs_begin();
 
     murk_options options;
     murk_error err = {0};

@@ -1,6 +1,7 @@
 #include "app/plan_points.h"
 
 #include "app/places.h"
+#include "base/inputs.h"
 #include "photonmap/light_file.h"
 #include "photonmap/photon.h"
 
@@ -143,7 +144,7 @@ murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
                                   murk_error *err)
 {
     *out = (murk_plan_points){0};
-    FILE *file = fopen(path, "rb");
+    FILE *file = murk_inputs_open(path);
     if (!file) {
         return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
     }

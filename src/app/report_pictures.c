@@ -2,6 +2,7 @@
 
 #include "app/page.h"
 #include "app/results_in.h"
+#include "base/inputs.h"
 
 #include <dirent.h>
 #include <stdint.h>
@@ -112,7 +113,7 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
     char *path = murk_results_path(folder, name);
     /* what a folder names may be a pipe that nobody writes to */
     FILE *file =
-        path && murk_results_has(folder, name) ? fopen(path, "rb") : NULL;
+        path && murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;
     const bool is_full = out->n == MURK_REPORT_PICTURES_MAX;
     if (file && is_full && read_file(&p, file, 0)) {
         ++out->more;

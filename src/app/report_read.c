@@ -2,6 +2,8 @@
 #include "app/places.h"
 #include "app/report_scene.h"
 
+#include "base/inputs.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -220,7 +222,7 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
         return MURK_OK;
     }
     char *path = murk_results_path(folder, "path.ply");
-    FILE *file = path ? fopen(path, "rb") : NULL;
+    FILE *file = path ? murk_inputs_open(path) : NULL;
     out->stop = calloc(STOPS_MAX, sizeof *out->stop);
     const uint64_t n = file && out->stop ? path_header(file, out->scene) : 0;
     unsigned char bytes[MURK_PLACE_BYTES_MAX + STOP];

@@ -1,5 +1,8 @@
 #include "base/file.h"
 
+#include "base/inputs.h"
+#include "base/staging.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <sha256.h>
@@ -10,6 +13,7 @@
 #include <xxhash.h>
 
 #define PIECE_BYTES ((size_t)1 << 20)
+#define HEAD_BYTES  ((size_t)1 << 16) /* of images with 200 channels, too */
 
 struct murk_file {
     FILE *stream;
@@ -31,12 +35,28 @@ static char *join(const char *a, const char *b)
 static void sync_folder_of(const char *path)
 {
     char *folder = murk_path_beside(path, ".");
-    const int fd = folder ? open(folder, O_RDONLY | O_DIRECTORY) : -1;
+    if (folder) {
+        murk_folder_sync(folder);
+    }
+    free(folder);
+}
+
+void murk_folder_sync(const char *path)
+{
+    const int fd = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd >= 0) {
         (void)fsync(fd);
         close(fd);
     }
-    free(folder);
+}
+
+murk_status murk_file_check_input(const char *path, murk_error *err)
+{
+    return murk_inputs_has(path)
+               ? murk_fail(err, MURK_BAD_VALUE, path,
+                           "is read by this run, which does not write over "
+                           "it; must be another file or folder")
+               : MURK_OK;
 }
 
 /* Fails with "WHAT: REASON", or with the name of the folder that would hold
@@ -68,8 +88,7 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     murk_file *file = calloc(1, sizeof *file);
     struct stat known;
     int fd = -1;
-    if (!file || !(file->path = join(path, "")) ||
-        !(file->temporary = join(path, ".tmp.XXXXXX"))) {
+    if (!file || !(file->path = join(path, ""))) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to open it");
         goto done;
     }
@@ -78,11 +97,13 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
                            "cannot write: not a regular file");
         goto done;
     }
-    fd = mkstemp(file->temporary);
+    status = murk_file_check_input(path, err);
+    if (status) {
+        goto done;
+    }
+    fd = murk_staging_file(path, &file->temporary);
     if (fd < 0) {
         status = cannot_make("cannot write", path, path, errno, err);
-        free(file->temporary);
-        file->temporary = NULL;
         goto done;
     }
     const mode_t mask = umask(0); /* mkstemp gives 0600: back to the usual */
@@ -115,13 +136,14 @@ murk_status murk_file_commit(murk_file **file_io, murk_error *err)
     const int failed = ferror(file->stream) | fflush(file->stream) |
                        fsync(fileno(file->stream));
     const int reason = errno;
-    const int not_closed = fclose(file->stream);
-    file->stream = NULL;
     murk_status status = MURK_OK;
-    if (failed || not_closed) {
+    if (failed) {
         status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
                            reason ? strerror(reason)
                                   : "an error while writing (disk full?)");
+    } else if (murk_file_check_input(file->path,
+                                     err)) { /* read in the meantime */
+        status = MURK_BAD_VALUE;
     } else if (rename(file->temporary, file->path) != 0) {
         status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
                            strerror(errno));
@@ -161,9 +183,15 @@ murk_status murk_file_write(const char *path, const void *bytes, size_t size,
     return murk_file_commit(&file, err);
 }
 
+/* Whose a file that is read is. */
+typedef enum owner {
+    INPUT, /* the user's: not written over by this run */
+    OWN    /* murk's, which may be written anew */
+} owner;
+
 /* Opens a regular file of at most `most` bytes for reading. */
 static murk_status open_regular(int *out, struct stat *info, uint64_t most,
-                                const char *path, murk_error *err)
+                                owner whose, const char *path, murk_error *err)
 {
     /* not blocking, so that a pipe without a writer cannot hang us */
     const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -187,17 +215,20 @@ static murk_status open_regular(int *out, struct stat *info, uint64_t most,
                          "%.4g MB, must be at most %.4g MB",
                          (double)info->st_size / 1e6, (double)most / 1e6);
     }
+    if (whose == INPUT) {
+        murk_inputs_add(info);
+    }
     *out = fd;
     return MURK_OK;
 }
 
-murk_status murk_file_read(char **out, size_t *size, const char *path,
-                           size_t most, murk_error *err)
+static murk_status read_whole(char **out, size_t *size, const char *path,
+                              size_t most, owner whose, murk_error *err)
 {
     char *bytes = NULL;
     struct stat info;
     int fd = -1;
-    murk_status status = open_regular(&fd, &info, most, path, err);
+    murk_status status = open_regular(&fd, &info, most, whose, path, err);
     if (status) {
         return status;
     }
@@ -228,6 +259,54 @@ done:
     close(fd);
     free(bytes);
     return status;
+}
+
+murk_status murk_file_read(char **out, size_t *size, const char *path,
+                           size_t most, murk_error *err)
+{
+    return read_whole(out, size, path, most, INPUT, err);
+}
+
+murk_status murk_file_read_own(char **out, size_t *size, const char *path,
+                               size_t most, murk_error *err)
+{
+    return read_whole(out, size, path, most, OWN, err);
+}
+
+static bool has_mark(const char *path, const char *mark, size_t size)
+{
+    struct stat info;
+    int fd = -1;
+    char *head = calloc(1, HEAD_BYTES);
+    bool has = false;
+    if (head && !open_regular(&fd, &info, UINT64_MAX, OWN, path, NULL)) {
+        const ssize_t n = read(fd, head, HEAD_BYTES);
+        for (ssize_t i = 0; !has && i + (ssize_t)size <= n; ++i) {
+            has = memcmp(head + i, mark, size) == 0;
+        }
+        close(fd);
+    }
+    free(head);
+    return has;
+}
+
+murk_status murk_file_not_ours(const char *path, murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_VALUE, path,
+                     "not written by murk, or edited since; must be another "
+                     "file or folder, or --force replaces it");
+}
+
+murk_status murk_file_check_owner(const char *path, const char *mark,
+                                  size_t size, bool force, murk_error *err)
+{
+    struct stat known;
+    const murk_status status = murk_file_check_input(path, err);
+    if (status || force || lstat(path, &known) != 0 ||
+        (stat(path, &known) == 0 && !S_ISREG(known.st_mode))) {
+        return status; /* what is no file is refused when it is written */
+    }
+    return has_mark(path, mark, size) ? MURK_OK : murk_file_not_ours(path, err);
 }
 
 murk_status murk_folder_make(const char *path, murk_error *err)
@@ -291,40 +370,81 @@ void murk_checksum(const void *bytes, size_t size, uint64_t out[2])
     out[1] = hash.high64;
 }
 
-murk_status murk_file_checksum(const char *path, uint64_t most, uint64_t out[2],
-                               murk_error *err)
+/* Hands a regular file's bytes on, piece by piece. */
+static murk_status read_pieces(const char *path, uint64_t most, owner whose,
+                               void (*take)(void *context, const void *bytes,
+                                            size_t size),
+                               void *context, murk_error *err)
 {
     struct stat info;
     int fd = -1;
-    murk_status status = open_regular(&fd, &info, most, path, err);
+    murk_status status = open_regular(&fd, &info, most, whose, path, err);
     if (status) {
         return status;
     }
-    XXH3_state_t *state = XXH3_createState();
     unsigned char *piece = malloc(PIECE_BYTES);
-    if (!state || !piece) {
+    if (!piece) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
-        goto done;
     }
-    XXH3_128bits_reset(state);
     ssize_t n;
-    while ((n = read(fd, piece, PIECE_BYTES)) != 0) {
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n < 0) {
+    while (!status && (n = read(fd, piece, PIECE_BYTES)) != 0) {
+        if (n > 0) {
+            take(context, piece, (size_t)n);
+        } else if (errno != EINTR) {
             status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
                                strerror(errno));
-            goto done;
         }
-        XXH3_128bits_update(state, piece, (size_t)n);
     }
+    free(piece);
+    close(fd);
+    return status;
+}
+
+static void take_checksum(void *context, const void *bytes, size_t size)
+{
+    XXH3_128bits_update(context, bytes, size);
+}
+
+static murk_status checksum(const char *path, uint64_t most, uint64_t out[2],
+                            owner whose, murk_error *err)
+{
+    XXH3_state_t *state = XXH3_createState();
+    if (!state) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+    }
+    XXH3_128bits_reset(state);
+    const murk_status status =
+        read_pieces(path, most, whose, take_checksum, state, err);
     const XXH128_hash_t hash = XXH3_128bits_digest(state);
     out[0] = hash.low64;
     out[1] = hash.high64;
-done:
-    free(piece);
     XXH3_freeState(state);
-    close(fd);
+    return status;
+}
+
+murk_status murk_file_checksum(const char *path, uint64_t most, uint64_t out[2],
+                               murk_error *err)
+{
+    return checksum(path, most, out, INPUT, err);
+}
+
+murk_status murk_file_checksum_own(const char *path, uint64_t most,
+                                   uint64_t out[2], murk_error *err)
+{
+    return checksum(path, most, out, OWN, err);
+}
+
+static void take_sha256(void *context, const void *bytes, size_t size)
+{
+    SHA256Update(context, bytes, size);
+}
+
+murk_status murk_file_sha256(const char *path, char out[65], murk_error *err)
+{
+    SHA2_CTX state;
+    SHA256Init(&state);
+    const murk_status status =
+        read_pieces(path, UINT64_MAX, OWN, take_sha256, &state, err);
+    SHA256End(&state, out);
     return status;
 }

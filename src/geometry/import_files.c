@@ -1,5 +1,7 @@
 #include "geometry/import_files.h"
 
+#include "base/inputs.h"
+
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,6 +85,7 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path,
         free(from);
         return NULL;
     }
+    murk_inputs_add(&is);
     from->file = (struct aiFile){.ReadProc = file_read,
                                  .WriteProc = file_write,
                                  .TellProc = file_tell,

@@ -1,6 +1,7 @@
 #include "medium/grid.h"
 
 #include "base/child.h"
+#include "base/inputs.h"
 #include "base/log.h"
 #include "medium/march.h"
 #include "medium/tree.h"
@@ -185,7 +186,7 @@ static murk_status check_file(const char *path, uint64_t *size,
                              ? "is a folder, must be an OpenVDB file"
                              : "is not a regular file");
     }
-    FILE *file = fopen(path, "rb");
+    FILE *file = murk_inputs_open(path);
     if (!file) {
         return murk_fail(err, MURK_BAD_FILE, where, "cannot be read: %s",
                          strerror(errno));

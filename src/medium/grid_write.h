@@ -33,4 +33,7 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
                             size_t n, const size_t size[3],
                             const murk_affine *index_to_world, murk_error *err);
 
+/* What the head of such a file holds: its creator, as OpenVDB writes it. */
+#define MURK_GRID_MARK "creator\6\0\0\0string\4\0\0\0murk"
+
 #endif

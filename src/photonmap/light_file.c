@@ -1,6 +1,7 @@
 #include "photonmap/light_file.h"
 
 #include "base/file.h"
+#include "base/inputs.h"
 #include "photonmap/photon.h"
 
 #include <assert.h>
@@ -142,6 +143,7 @@ static murk_status open_regular(int *fd, uint64_t *size, const char *path,
                          "cannot read: %s, must be a regular file",
                          S_ISDIR(info.st_mode) ? "a folder" : "not a file");
     }
+    murk_inputs_add(&info);
     *size = (uint64_t)info.st_size;
     return MURK_OK;
 }

@@ -215,10 +215,13 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
         status = read_rows(&r, err);
     }
     if (!status) {
-        status = murk_sweep_open(sweep, err);
+        status = murk_sweep_check_folder(sweep, err);
     }
     for (size_t i = 0; !status && desc->folder && i < rows; ++i) {
         load_row(sweep, i);
+        if (!sweep->row[i].is_done) {
+            status = murk_sweep_check_fluence(sweep, i, err);
+        }
     }
     murk_sweep_sums_release(&r.sums);
     free(r.keys);
@@ -334,10 +337,14 @@ static murk_status run_groups(murk_sweep *sweep, murk_error *err)
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
     const size_t rows = sweep->desc.study->rows, kept = murk_sweep_done(sweep);
+    murk_status status = murk_sweep_open(sweep, err);
+    if (status) {
+        return status;
+    }
     murk_progress_begin_over("study", rows, "rows");
     murk_progress_add_over(kept);
     murk_progress_part(0, rows, kept);
-    murk_status status = run_groups(sweep, err);
+    status = run_groups(sweep, err);
     murk_progress_part(0, 0, 0);
     murk_progress_end();
     if (!status) {

@@ -57,6 +57,7 @@ typedef struct murk_sweep_desc {
     const murk_override *overrides;
     size_t n_overrides;
     const char *folder;  /* NULL: nothing is kept */
+    bool force;          /* replaces grids of fluence that are not murk's */
     const char *version; /* of the program: other versions' rows are made anew
                           */
     unsigned threads;

@@ -1,6 +1,8 @@
 #include "study/sweep_kept.h"
 
 #include "base/file.h"
+#include "base/staging.h"
+#include "medium/grid_write.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -17,21 +19,30 @@ static murk_status too_long(const murk_sweep *sweep, murk_error *err)
                      "too long a path");
 }
 
+murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err)
+{
+    return !sweep->desc.folder && sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
+               ? murk_fail(err, MURK_BAD_VALUE,
+                           sweep->desc.study->outputs_where,
+                           "fluence_vdb needs a folder to write into: -o DIR")
+               : MURK_OK;
+}
+
 murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err)
 {
     char path[4096];
     if (!sweep->desc.folder) {
-        return sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
-                   ? murk_fail(err, MURK_BAD_VALUE,
-                               sweep->desc.study->outputs_where,
-                               "fluence_vdb needs a folder to write into: -o "
-                               "DIR")
-                   : MURK_OK;
+        return MURK_OK;
     }
-    return snprintf(path, sizeof path, "%s/rows", sweep->desc.folder) <
-                   (int)sizeof path
-               ? murk_folder_make(path, err)
-               : too_long(sweep, err);
+    if (snprintf(path, sizeof path, "%s/rows", sweep->desc.folder) >=
+        (int)sizeof path) {
+        return too_long(sweep, err);
+    }
+    const murk_status status = murk_folder_make(path, err);
+    if (!status) {
+        murk_staging_clean(path, true);
+    }
+    return status;
 }
 
 /* ---- files ---- */
@@ -55,7 +66,7 @@ bool murk_sweep_load(const murk_sweep *sweep, const char *key,
     *out = (murk_study_row){0};
     if (sweep->desc.folder && path_of(sweep, key, path, sizeof path) &&
         access(path, F_OK) == 0 &&
-        !murk_file_read(&text, &size, path, ROW_BYTES_MAX, NULL)) {
+        !murk_file_read_own(&text, &size, path, ROW_BYTES_MAX, NULL)) {
         is_read = murk_study_row_read(out, text, size, path, NULL) == MURK_OK;
         if (!is_read) {
             murk_study_row_release(out);
@@ -87,7 +98,7 @@ murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
 {
     uint64_t sum[2];
     const murk_status status =
-        murk_file_checksum(path, FLUENCE_BYTES_MAX, sum, err);
+        murk_file_checksum_own(path, FLUENCE_BYTES_MAX, sum, err);
     if (!status) {
         snprintf(out, MURK_ROW_SUM_SIZE, "%016" PRIx64 "%016" PRIx64, sum[1],
                  sum[0]);
@@ -107,6 +118,22 @@ bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t i,
                (int)sizeof path &&
            access(path, R_OK) == 0 && !murk_sweep_sum(sum, path, NULL) &&
            strcmp(sum, row->fluence) == 0;
+}
+
+murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
+                                     murk_error *err)
+{
+    char name[MURK_SWEEP_NAME_SIZE], path[4096];
+    if (!sweep->outputs.wants[MURK_OUTPUT_FLUENCE]) {
+        return MURK_OK;
+    }
+    murk_sweep_fluence_name(name, i);
+    return snprintf(path, sizeof path, "%s/%s", sweep->desc.folder, name) <
+                   (int)sizeof path
+               ? murk_file_check_owner(path, MURK_GRID_MARK,
+                                       sizeof MURK_GRID_MARK - 1,
+                                       sweep->desc.force, err)
+               : too_long(sweep, err);
 }
 
 /* ---- messages ---- */

@@ -7,7 +7,9 @@
 #include "base/apart.h"
 #include "study/sweep.h"
 
-/* Makes the folder; without one, nothing is kept. */
+/* Whether there is a folder where one is needed; and makes it, with rows/ in
+ * it. Without one, nothing is kept. */
+murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err);
 murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err);
 
 /* What is kept under a key; false: nothing that could be used, and *out is
@@ -23,6 +25,9 @@ murk_status murk_sweep_keep(const murk_sweep *sweep, const char *key,
 void murk_sweep_fluence_name(char out[MURK_SWEEP_NAME_SIZE], size_t row);
 bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t i,
                             const murk_study_row *row);
+/* Whether a row may write it: another's file is replaced by force alone. */
+murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
+                                     murk_error *err);
 /* The checksum of a file, for murk_study_row. */
 murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
                            murk_error *err);
