@@ -239,8 +239,8 @@ static murk_status write_files(const fit *f, murk_session *session,
                                   .next = f->next.place ? &f->next : NULL,
                                   .only_predicts = only_predicts};
     session->run.trace_s = f->found.trace_s;
-    murk_status status = murk_results_add_text(&session->results, "scene.yaml",
-                                               session->scene->resolved, err);
+    murk_status status = murk_results_add_text(
+        &session->results, MURK_SCENE_NAME, session->scene->resolved, err);
     if (!status) {
         status = murk_add_fit_csv(&session->results, &facts, err);
     }
@@ -320,7 +320,13 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
         status = read_input(&f, &session, &values, err);
     }
     if (!status) { /* now that the input is good */
-        status = murk_results_begin(&session.results, options->out, err);
+        status = murk_results_begin(&session.results, options, err);
+    }
+    if (!status) {
+        const char *const names[] = {
+            "fit.csv", options->fit.predict ? "predict.json" : "fit.json",
+            options->fit.predict ? NULL : "calibrated.yaml", NULL};
+        status = murk_session_expect(&session, names, err);
     }
     if (!status) {
         status = run(&f, &session, err);

@@ -72,6 +72,7 @@ static bool is_left_out(const murk_option *option)
     switch (option->id) {
     case MURK_OPTION_OUT:
     case MURK_OPTION_THREADS:
+    case MURK_OPTION_FORCE:
     case MURK_OPTION_FORMAT:
     case MURK_OPTION_QUIET:
     case MURK_OPTION_PROGRESS:

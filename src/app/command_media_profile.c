@@ -2,6 +2,7 @@
 #include "app/media_profile.h"
 #include "app/results.h"
 #include "app/summary.h"
+#include "medium/grid_write.h"
 #include "scene/number.h"
 
 #include <stdio.h>
@@ -71,6 +72,11 @@ murk_status murk_command_media_profile(const murk_options *options,
     }
     murk_profile_layers layers;
     status = murk_profile_layers_read(&layers, &wish, err);
+    if (!status) {
+        status = murk_file_check_owner(options->out, MURK_GRID_MARK,
+                                       sizeof MURK_GRID_MARK - 1,
+                                       options->force, err);
+    }
     if (!status) {
         status = murk_profile_layers_write(&layers, options->out, err);
     }

@@ -5,7 +5,7 @@
 
 #define LIGHT_FILES                                                        \
     {"light.murk", "both photon maps, for --light: murk-light(5)"},        \
-        {"scene.yaml", "the scene as resolved, options applied"},          \
+        {"scene.resolved.yaml", "the scene as resolved, options applied"}, \
         {"ledger.json", "where the energy went; balances to the quantum"}, \
         {"tallies.csv", "what the scene's tallies measured"},              \
     {                                                                      \
@@ -86,7 +86,7 @@ static const murk_command_notes all[] = {
      .formats = "murk-study murk-scene murk-results",
      .file = {{"study.json", "rows, plans, units, notes"},
               {"table.csv", "a row a run"},
-              {"scene.yaml", "the base scene as resolved"},
+              {"scene.resolved.yaml", "the base scene as resolved"},
               {"fluence_0001.vdb", "of the output fluence_vdb, by row"},
               {"rows/", "finished rows, to go on from"}},
      .example = {{"murk study scenes/studies/fog-yard.yaml -o out",
@@ -98,7 +98,7 @@ static const murk_command_notes all[] = {
               {"fit.csv", "a row a reading: predicted, residual"},
               {"calibrated.yaml", "what was found, for --set @FILE"},
               {"predict.json", "with --predict, in place of fit.json"},
-              {"scene.yaml", "the scene that the search began with"}},
+              {"scene.resolved.yaml", "the scene that the search began with"}},
      .example = {{"murk fit scenes/calibrate-fog.yaml --data "
                   "scenes/calibrate/fog.csv --free "
                   "media.fog.extinction_per_m,media.fog.phase.hg -o out",

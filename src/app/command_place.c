@@ -304,6 +304,26 @@ static murk_status check_repeat(const murk_session *session, murk_error *err)
     return MURK_OK;
 }
 
+/* Of a plan, over conditions or not; explore and repeat have a file more. */
+static murk_status expect_files(murk_session *session, murk_error *err)
+{
+    const bool explores =
+        session->scene->placement.knowledge == MURK_SCENE_EXPLORE;
+    const bool is_over = session->scene->placement.over != MURK_SCENE_OVER_NONE;
+    const char *names[10] = {"plan.json", "sensors.csv", "coverage.csv"};
+    size_t n = 3;
+    if (explores) {
+        names[n++] = "explore.csv";
+        names[n++] = "path.ply";
+    }
+    if (session->options->repeat) {
+        names[n++] = "repeat.csv";
+    }
+    names[n++] = is_over ? "regret.csv" : "plan.ply";
+    const murk_status status = murk_session_expect(session, names, err);
+    return status || is_over ? status : murk_session_expect_light(session, err);
+}
+
 static murk_status place(murk_session *session, murk_plan *plan,
                          murk_error *err)
 {
@@ -311,6 +331,9 @@ static murk_status place(murk_session *session, murk_plan *plan,
     murk_status status = murk_session_build(session, err);
     if (!status) {
         status = murk_exports_begin(session, err);
+    }
+    if (!status) {
+        status = expect_files(session, err);
     }
     if (!status) {
         status = murk_plan_prepare(plan, session->stage, threads, err);
@@ -339,6 +362,9 @@ static murk_status place_over(murk_session *session, murk_plan *plan,
     murk_status status =
         murk_over_prepare(over, plan, session->scene, options->threads, err);
     session->run.load_s = murk_clock_s() - session->begun_s;
+    if (!status) {
+        status = expect_files(session, err);
+    }
     if (!status) {
         status = murk_over_make(over, plan, options->threads, err);
     }

@@ -4,6 +4,7 @@
  * own style and script alone, by their hashes. Everything but the view in
  * space is there without the script. */
 #include "app/options.h"
+#include "app/ownership.h"
 #include "app/page.h"
 #include "app/report.h"
 #include "app/report_pictures.h"
@@ -13,6 +14,7 @@
 #include "app/web_files.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "base/progress.h"
 
 #include <cjson/cJSON.h>
@@ -244,6 +246,9 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
                          "shows results as they are: no --set and no --seed");
     }
     content c = {0};
+    if (options->quiet) {
+        murk_warn_to(NULL);
+    }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
     murk_progress_begin_over("report", 0, "");
     char *path = options->out
@@ -253,6 +258,15 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     if (!status && !path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
     }
+    if (!status) {
+        c.results.strangers = murk_results_strangers(&c.results);
+        if (c.results.strangers && *c.results.strangers) {
+            murk_warn(options->input,
+                      "edited since, or of a run that was killed while it "
+                      "wrote them: %s",
+                      c.results.strangers);
+        }
+    }
     if (!status) { /* by children: before there is any ray device */
         status = murk_report_fields_read(&c.fields, &c.results, err);
     }
@@ -261,6 +275,11 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = murk_report_scene_read(&c.scene, &c.results, err);
+    }
+    if (!status) {
+        status = murk_file_check_owner(path, MURK_MARK_PAGE,
+                                       sizeof MURK_MARK_PAGE - 1,
+                                       options->force, err);
     }
     if (!status) {
         c.page = path;

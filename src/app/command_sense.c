@@ -188,6 +188,12 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
                                      &session.stage->world.domain, err);
     }
     if (!status) {
+        static const char *const names[] = {"coverage.json", "coverage.csv",
+                                            "coverage.ply", NULL};
+        status = murk_session_expect(&session, names, err);
+        status = status ? status : murk_session_expect_light(&session, err);
+    }
+    if (!status) {
         status = murk_session_light(&session, err);
     }
     const double begun_s = murk_clock_s();

@@ -1,3 +1,4 @@
+#include "app/identity.h"
 #include "app/results.h"
 #include "app/study_print.h"
 #include "app/summary.h"
@@ -6,6 +7,7 @@
 #include "app/version.h"
 
 #include "base/log.h"
+#include "study/sweep_kept.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,6 +20,8 @@ typedef struct study_session {
     murk_study_file *study;
     murk_sweep *sweep;
     murk_results results;
+    char identity[65];
+    char *base; /* the base scene as resolved; NULL: it cannot stand alone */
     murk_told told;
     double begun_s;
 } study_session;
@@ -52,6 +56,53 @@ static void tell_early_failures(const study_session *s)
     }
 }
 
+/* The scene that rows differ from, as resolved; none, where it cannot stand
+ * without a row's own values. */
+static void read_base(study_session *s)
+{
+    murk_scene *scene = NULL;
+    murk_error why = {0};
+    const murk_warn_sink told = murk_warn_to(NULL); /* by the rows */
+    if (!murk_scene_read(&scene, s->study->base, s->options->overrides,
+                         s->options->n_overrides, &why)) {
+        s->base = strdup(scene->resolved);
+    }
+    murk_warn_to(told);
+    murk_scene_destroy(scene);
+}
+
+/* The rows' keys say all that rows follow from. */
+static murk_status identify(study_session *s, murk_error *err)
+{
+    const size_t size = sizeof s->sweep->row->key, rows = s->study->rows;
+    char *keys = calloc(rows + 2, size);
+    if (!keys) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the rows");
+    }
+    size_t n = (size_t)snprintf(keys, size, "%s", s->study->sha256);
+    for (size_t i = 0; i < rows; ++i) {
+        n += (size_t)snprintf(keys + n, size, "%s", s->sweep->row[i].key);
+    }
+    const murk_status status =
+        murk_identity(s->identity, s->options, keys, s->sweep->seed, err);
+    free(keys);
+    return status;
+}
+
+static murk_status expect_files(study_session *s, murk_error *err)
+{
+    murk_status status =
+        murk_results_expect(&s->results, "study.json", NULL, err);
+    if (!status) {
+        status = murk_results_expect(&s->results, "table.csv", NULL, err);
+    }
+    if (!status && s->base) {
+        status =
+            murk_results_expect(&s->results, MURK_SCENE_NAME, s->base, err);
+    }
+    return status;
+}
+
 static murk_status begin(study_session *s, murk_error *err)
 {
     static char version[VERSION_SIZE];
@@ -70,13 +121,21 @@ static murk_status begin(study_session *s, murk_error *err)
                                   .overrides = o->overrides,
                                   .n_overrides = o->n_overrides,
                                   .folder = o->out,
+                                  .force = o->force,
                                   .version = version,
                                   .threads = o->threads,
                                   .row_done = tell_row,
                                   .context = s};
     status = murk_sweep_create(&s->sweep, &desc, err);
     if (!status) {
-        status = murk_results_begin(&s->results, o->out, err);
+        status = murk_results_begin(&s->results, o, err);
+    }
+    if (!status) {
+        read_base(s);
+        status = expect_files(s, err);
+    }
+    if (!status) {
+        status = identify(s, err);
     }
     if (!status) {
         tell_early_failures(s);
@@ -84,22 +143,18 @@ static murk_status begin(study_session *s, murk_error *err)
     return status;
 }
 
-/* The scene that rows differ from, as resolved; none, where it cannot stand
- * without a row's own values. */
-static murk_status add_base(study_session *s, murk_error *err)
+/* Rows write their grids themselves. */
+static murk_status note_fluence(study_session *s, murk_error *err)
 {
-    murk_scene *scene = NULL;
-    murk_error why = {0};
-    const murk_warn_sink told = murk_warn_to(NULL); /* by the rows */
-    const murk_status read =
-        murk_scene_read(&scene, s->study->base, s->options->overrides,
-                        s->options->n_overrides, &why);
-    murk_warn_to(told);
-    const murk_status status =
-        read ? MURK_OK
-             : murk_results_add_text(&s->results, "scene.yaml", scene->resolved,
-                                     err);
-    murk_scene_destroy(scene);
+    murk_status status = MURK_OK;
+    const bool wants = s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE];
+    for (size_t i = 0; wants && i < s->study->rows && !status; ++i) {
+        char name[MURK_SWEEP_NAME_SIZE];
+        murk_sweep_fluence_name(name, i);
+        if (s->sweep->row[i].is_done && !s->sweep->row[i].found.failed[0]) {
+            status = murk_results_note(&s->results, name, err);
+        }
+    }
     return status;
 }
 
@@ -110,13 +165,19 @@ static murk_status write_files(study_session *s, bool is_interrupted,
                                 .threads = s->options->threads,
                                 .total_s = murk_clock_s() - s->begun_s};
     murk_status status = murk_add_table(&s->results, s->sweep, err);
-    char *text = murk_json_end(murk_study_json(s->sweep, is_interrupted), &run);
+    if (!status && s->base) {
+        status =
+            murk_results_add_text(&s->results, MURK_SCENE_NAME, s->base, err);
+    }
+    if (!status) {
+        status = note_fluence(s, err);
+    }
+    cJSON *root = murk_study_json(s->sweep, is_interrupted);
+    murk_json_identify(root, s->identity, &s->results);
+    char *text = murk_json_end(root, &run);
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, "study.json",
                          "no memory to write it");
-    }
-    if (!status) {
-        status = add_base(s, err);
     }
     if (!status) {
         status = murk_results_add_text(&s->results, "study.json", text, err);
@@ -172,8 +233,8 @@ static void print_study(const study_session *s)
     const murk_run_facts run = {.total_s = murk_clock_s() - s->begun_s};
     murk_print_time(&run, NULL, 0);
     if (s->options->out) {
-        murk_print("files       %s: study.json table.csv scene.yaml %srows/\n",
-                   s->options->out,
+        murk_print("files       %s: study.json table.csv %s %srows/\n",
+                   s->options->out, MURK_SCENE_NAME,
                    s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
                        ? "fluence_*.vdb "
                        : "");
@@ -210,6 +271,7 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
                            "no plan for all rows: %s",
                            murk_sweep_why_no_plan(s.sweep));
     }
+    free(s.base);
     murk_told_release(&s.told);
     murk_results_end(&s.results);
     murk_sweep_destroy(s.sweep);

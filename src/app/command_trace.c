@@ -12,6 +12,11 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
         status = murk_exports_begin(&session, err);
     }
     if (!status) {
+        static const char *const names[] = {NULL};
+        status = murk_session_expect(&session, names, err);
+        status = status ? status : murk_session_expect_light(&session, err);
+    }
+    if (!status) {
         status = murk_session_light(&session, err);
     }
     if (!status) {

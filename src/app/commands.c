@@ -11,7 +11,7 @@ const murk_command murk_commands[] = {
     {"trace", "SCENE [-o DIR]", "fill the photon maps",
      "Traces photons from the lamps through surfaces and media into the "
      "surface and the volume photon map. With -o writes DIR/light.murk, "
-     "DIR/scene.yaml (the scene as resolved) and, last, DIR/ledger.json.",
+     "DIR/scene.resolved.yaml and, last, DIR/ledger.json.",
      murk_command_trace},
     {"place", "SCENE|--matrix FILE [-o DIR]",
      "the main job: trace, sense, place sensors",

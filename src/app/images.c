@@ -1,5 +1,6 @@
 #include "app/images.h"
 
+#include "app/ownership.h"
 #include "app/version.h"
 #include "base/file.h"
 #include "render/exr.h"
@@ -98,13 +99,21 @@ static murk_status check_bands(const murk_scene *scene, murk_error *err)
 }
 
 /* A picture that took long must not be lost to a folder that is not there. */
-static murk_status check_writable(const murk_images *images, murk_error *err)
+static murk_status check_writable(const murk_images *images, bool force,
+                                  murk_error *err)
 {
     const char *const path[] = {images->exr, images->png, images->false_colour};
     murk_status status = MURK_OK;
     for (size_t i = 0; !status && i < sizeof path / sizeof *path; ++i) {
         murk_file *file = NULL;
-        status = path[i] ? murk_file_create(&file, path[i], err) : MURK_OK;
+        if (!path[i]) {
+            continue;
+        }
+        status = murk_file_check_owner(path[i], MURK_MARK_IMAGE,
+                                       sizeof MURK_MARK_IMAGE - 1, force, err);
+        if (!status) {
+            status = murk_file_create(&file, path[i], err);
+        }
         murk_file_discard(file);
     }
     return status;
@@ -147,7 +156,7 @@ murk_status murk_images_name(murk_images *out, const murk_options *options,
         (wish->false_colour && !out->false_colour)) {
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a name");
     }
-    return check_writable(out, err);
+    return check_writable(out, options->force, err);
 }
 
 void murk_images_release(murk_images *images)

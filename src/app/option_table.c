@@ -8,6 +8,10 @@ const murk_option murk_option_table[] = {
      "write the results into this folder; without it the summary is printed "
      "and nothing is written (media: the file of a --profile's grid; render: "
      "the image, else SCENE.exr; report: the page, else DIR/report.html)"},
+    {MURK_OPTION_FORCE, "--force", NULL, NULL,
+     "trace place sense render study fit report media",
+     "replace files that murk did not write, or that were edited since; what a "
+     "run reads is never replaced"},
     {MURK_OPTION_SEED, "--seed", NULL, "N", NULL,
      "seed of all random numbers, 0..4294967295"},
     {MURK_OPTION_THREADS, "--threads", "-j", "N", NULL,

@@ -151,6 +151,9 @@ static murk_status apply(murk_options *out, const murk_option *option,
         status = murk_option_choice(name, value, formats, &which, err);
         out->json = which == 1;
         break;
+    case MURK_OPTION_FORCE:
+        out->force = true;
+        break;
     case MURK_OPTION_QUIET:
         out->quiet = true;
         break;
@@ -171,6 +174,19 @@ static murk_status apply(murk_options *out, const murk_option *option,
     return status;
 }
 
+/* Notes and applies it. */
+static murk_status take(murk_options *out, const murk_option *option,
+                        const char *value, murk_error *err)
+{
+    murk_given *grown = realloc(out->given, (out->n_given + 1) * sizeof *grown);
+    if (!grown) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+    }
+    out->given = grown;
+    out->given[out->n_given++] = (murk_given){option, value};
+    return apply(out, option, value, err);
+}
+
 /* One option and its value, which stands behind "=" or in the next argument;
  * *i moves past it. */
 static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
@@ -183,23 +199,23 @@ static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
     if (!option) {
         option = murk_option_find_short(text);
         if (option) { /* -j2 */
-            return apply(out, option, text + 2, err);
+            return take(out, option, text + 2, err);
         }
         return murk_unknown_option(text, length, out->command, err);
     }
     if (!option->argument) {
         return equals ? murk_fail(err, MURK_BAD_VALUE, option->name,
                                   "takes no value")
-                      : apply(out, option, NULL, err);
+                      : take(out, option, NULL, err);
     }
     if (equals) {
-        return apply(out, option, equals + 1, err);
+        return take(out, option, equals + 1, err);
     }
     if (*i + 1 >= argc) {
         return murk_fail(err, MURK_BAD_VALUE, option->name, "needs a value: %s",
                          option->argument);
     }
-    return apply(out, option, argv[++*i], err);
+    return take(out, option, argv[++*i], err);
 }
 
 /* Options may stand before the command is known, so they are held against it
@@ -351,6 +367,7 @@ void murk_options_release(murk_options *options)
     release_words(&options->fit.free);
     release_words(&options->fit.bounds);
     free(options->overrides);
+    free(options->given);
     free(options->typed);
     *options = (murk_options){0};
 }

@@ -13,6 +13,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+struct murk_option;
 typedef struct murk_options murk_options;
 
 typedef struct murk_command {
@@ -64,6 +65,11 @@ typedef struct murk_render_options {
     bool is_log;     /* --scale */
 } murk_render_options;
 
+typedef struct murk_given {
+    const struct murk_option *option;
+    const char *value; /* NULL: it takes none */
+} murk_given;
+
 struct murk_options {
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
@@ -86,9 +92,12 @@ struct murk_options {
     murk_render_options render;
     unsigned threads;
     bool json, quiet;
+    bool force; /* --force */
     murk_progress_mode progress;
     murk_override *overrides; /* scene keys, in the order given */
     size_t n_overrides;
+    murk_given *given; /* [n_given] as they came */
+    size_t n_given;
     char *typed; /* the command line that gives the same again, for a shell */
     char **kept; /* texts that overrides point to */
     size_t n_kept;

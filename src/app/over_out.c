@@ -50,7 +50,9 @@ static murk_status add_ledger(murk_session *session, const char *name,
     const murk_session one = {.scene = condition->wish->scene,
                               .stage = condition->stage,
                               .traced = condition->traced};
-    char *text = murk_json_end(murk_session_ledger(&one), &session->run);
+    cJSON *root = murk_session_ledger(&one);
+    murk_json_identify(root, session->identity, NULL);
+    char *text = murk_json_end(root, &session->run);
     const murk_status status =
         murk_results_add_text(&session->results, name, text, err);
     cJSON_free(text);
@@ -133,7 +135,7 @@ murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
             add_condition(session, plan, &over->conditions->condition[c], err);
     }
     if (!status) {
-        status = murk_results_add_text(&session->results, "scene.yaml",
+        status = murk_results_add_text(&session->results, MURK_SCENE_NAME,
                                        session->scene->resolved, err);
     }
     return status ? status

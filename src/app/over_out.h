@@ -6,7 +6,7 @@
 #include "study/over.h"
 
 /* Of each condition light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and
- * plan-NAME.ply; and scene.yaml and regret.csv. */
+ * plan-NAME.ply; and scene.resolved.yaml and regret.csv. */
 murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
                                 const murk_over *over, murk_error *err);
 

@@ -1,6 +1,7 @@
 #include "app/place_matrix.h"
 
 #include "app/exports.h"
+#include "app/identity.h"
 #include "app/matrix_plan.h"
 #include "app/plan_out.h"
 
@@ -273,6 +274,20 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
     return status ? status : measure(p, &problem, err);
 }
 
+/* All that the command line asks; the matrix counts by its contents. */
+static murk_status identify(murk_matrix_plan *p, murk_error *err)
+{
+    char wish[256];
+    snprintf(wish, sizeof wish,
+             "count %zu target %.17g budget %.17g restarts %zu nodes %llu "
+             "method %d combining %d redundancy %u",
+             p->desc.count, p->target, p->budget, p->desc.restarts,
+             (unsigned long long)p->desc.nodes, (int)p->desc.method,
+             (int)p->combining, p->redundancy);
+    return murk_identity(p->session.identity, p->session.options, wish,
+                         p->desc.seed, err);
+}
+
 static murk_status load(murk_matrix_plan *p, murk_error *err)
 {
     const murk_options *options = p->session.options;
@@ -284,7 +299,14 @@ static murk_status load(murk_matrix_plan *p, murk_error *err)
         status = murk_sparse_matrix_read(&p->matrix, options->matrix, err);
     }
     if (!status) {
-        status = murk_results_begin(&p->session.results, options->out, err);
+        status = identify(p, err);
+    }
+    if (!status) {
+        status = murk_results_begin(&p->session.results, options, err);
+    }
+    if (!status) {
+        static const char *const names[] = {"plan.json", NULL};
+        status = murk_session_expect(&p->session, names, err);
     }
     p->session.run.load_s = murk_clock_s() - p->session.begun_s;
     return status;

@@ -153,12 +153,14 @@ murk_status murk_report_fields_read(murk_report_fields *out,
                                     murk_error *err)
 {
     *out = (murk_report_fields){0};
-    if (!murk_results_has(results->folder, "scene.yaml")) {
+    if (!murk_results_has(results->folder,
+                          murk_results_scene(results->folder))) {
         return MURK_OK;
     }
     murk_error why = {0};
     const murk_warn_sink told = murk_warn_to(NULL); /* by the run */
-    char *path = murk_results_path(results->folder, "scene.yaml");
+    char *path =
+        murk_results_path(results->folder, murk_results_scene(results->folder));
     murk_status status = MURK_OK;
     if (!path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory to read it");

@@ -80,12 +80,12 @@ static void write_resolved(FILE *to, const murk_results_in *results)
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
     const murk_yaml *seen = results->json[MURK_RESULT_COVERAGE];
     const double repeats = murk_result_number(plan, "repeat.asked");
-    murk_page_paragraph(to, "From scene.yaml of this folder: the scene as "
-                            "resolved, with all keys that the command line "
-                            "set, and files by their whole paths.");
+    murk_page_paragraph(to, "From the resolved scene of this folder, with all "
+                            "keys that the command line set, and files by "
+                            "their whole paths.");
     fputs("<pre tabindex=\"0\">murk ", to);
     fputs(plan ? "place " : seen ? "sense " : "trace ", to);
-    write_file_of(to, results, "scene.yaml");
+    write_file_of(to, results, murk_results_scene(results->folder));
     if (isfinite(repeats)) {
         fprintf(to, " --repeat %.0f", repeats);
     }
@@ -100,10 +100,10 @@ static void write_commands(FILE *to, const murk_results_in *results)
 {
     fputs("<h3>The commands that make it again</h3>\n", to);
     const bool has_typed = write_typed(to, results);
-    const bool has_scene = !results->json[MURK_RESULT_STUDY] &&
-                           !results->json[MURK_RESULT_FIT] &&
-                           murk_results_are_one_run(results) &&
-                           murk_results_has(results->folder, "scene.yaml");
+    const bool has_scene =
+        !results->json[MURK_RESULT_STUDY] && !results->json[MURK_RESULT_FIT] &&
+        murk_results_are_one_run(results) &&
+        murk_results_has(results->folder, murk_results_scene(results->folder));
     if (has_scene) {
         write_resolved(to, results);
     }
@@ -187,14 +187,6 @@ static const char *name_in(const char *folder, const char *page)
     return !is_in ? NULL : slash ? slash + 1 : page;
 }
 
-/* That file, also while it is written. */
-static bool is_page(const char *name, const char *page)
-{
-    const size_t length = page ? strlen(page) : 0;
-    return page && strncmp(name, page, length) == 0 &&
-           (!name[length] || strncmp(name + length, ".tmp.", 5) == 0);
-}
-
 /* But the page, which would tell of itself: two of one folder are the same. */
 static void write_files(FILE *to, const char *folder, const char *page)
 {
@@ -211,9 +203,10 @@ static void write_files(FILE *to, const char *folder, const char *page)
     for (int i = 0; i < n; ++i) {
         struct stat known;
         const char *name = entry[i]->d_name;
-        char *path = is_page(name, own) || is_page(name, "report.html")
-                         ? NULL
-                         : murk_results_path(folder, name);
+        char *path =
+            (own && strcmp(name, own) == 0) || strcmp(name, "report.html") == 0
+                ? NULL
+                : murk_results_path(folder, name);
         if (path && stat(path, &known) == 0 && S_ISREG(known.st_mode) &&
             ++rows <= MURK_PAGE_ROWS_MAX) {
             murk_page_row_begin(to, name);

@@ -92,18 +92,20 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
 static void read_scene(murk_report_scene *out, const char *folder)
 {
     murk_error why = {0};
-    char *path = murk_results_path(folder, "scene.yaml");
+    const char *name = murk_results_scene(folder);
+    char *path = murk_results_path(folder, name);
     murk_status status = MURK_OK;
-    if (!murk_results_has(folder, "scene.yaml")) {
+    if (!murk_results_has(folder, name)) {
         status = murk_fail(&why, MURK_BAD_FILE, "", "it is not there");
     } else if (path) {
         status = murk_scene_read(&out->scene, path, NULL, 0, &why);
     }
     if (status) {
-        murk_report_scene_note(out,
-                               "scene.yaml cannot be read again, so surfaces, "
-                               "ranges and media are not shown",
-                               &why);
+        murk_report_scene_note(
+            out,
+            "the resolved scene cannot be read again, so surfaces, "
+            "ranges and media are not shown",
+            &why);
     }
     free(path);
 }

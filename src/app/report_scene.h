@@ -61,9 +61,9 @@ typedef struct murk_report_scene {
 #define MURK_REPORT_PHOTONS_MAX 100000
 
 /* Reads the folder's photons (plan.ply, those of its conditions, coverage.ply,
- * or light.murk's), scene.yaml, path.ply and fit.csv. What is missing or cannot
- * be read is said in the note: the page has the numbers all the same. Fails
- * with MURK_NO_MEMORY. Release in any case. */
+ * or light.murk's), the resolved scene, path.ply and fit.csv. What is missing
+ * or cannot be read is said in the note: the page has the numbers all the same.
+ * Fails with MURK_NO_MEMORY. Release in any case. */
 murk_status murk_report_scene_read(murk_report_scene *out,
                                    const murk_results_in *results,
                                    murk_error *err);

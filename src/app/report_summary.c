@@ -164,6 +164,13 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
                 "need not be those of the answers here: see how each file was "
                 "made.");
     }
+    if (results->strangers && *results->strangers) {
+        fputs("<p>Not as the run of this page wrote them: ", to);
+        murk_page_text(to, results->strangers);
+        fputs(". They were edited since, or are of a run that was killed while "
+              "it wrote them.</p>\n",
+              to);
+    }
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         const murk_yaml *root = results->json[i];
         if (!murk_results_is_main(results, (murk_result_file)i)) {

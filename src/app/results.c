@@ -1,6 +1,8 @@
 #include "app/results.h"
 
+#include "app/results_in.h"
 #include "app/version.h"
+#include "base/inputs.h"
 #include "base/utf8.h"
 #include "study/machine.h"
 #include "study/units.h"
@@ -12,14 +14,98 @@
 #include <time.h>
 #include <unistd.h>
 
-murk_status murk_results_begin(murk_results *results, const char *folder,
-                               murk_error *err)
+murk_status murk_results_begin(murk_results *results,
+                               const murk_options *options, murk_error *err)
 {
     struct stat known;
+    const char *folder = options->out;
     *results = (murk_results){.folder = folder,
+                              .force = options->force,
                               .is_new = folder && stat(folder, &known) != 0};
-    return folder ? murk_folder_make(folder, err) : MURK_OK;
+    if (!folder) {
+        return MURK_OK;
+    }
+    const murk_status status = murk_folder_make(folder, err);
+    if (!status) {
+        murk_staging_clean(folder, false);
+    }
+    return status;
 }
+
+/* ---- what may be replaced ---- */
+
+/* Whether this run has put it there itself. */
+static bool is_shown(const murk_results *results, const char *path)
+{
+    for (size_t i = 0; i < results->n; ++i) {
+        if (!results->file[i].staged &&
+            strcmp(results->file[i].path, path) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Of what the folder holds; inputs are judged once it is known what would be
+ * written over them. */
+static murk_status check_owner(murk_results *results, const char *path,
+                               const char *name, murk_error *err)
+{
+    struct stat known;
+    if (lstat(path, &known) != 0) {
+        return MURK_OK;
+    }
+    if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
+        return murk_fail(err, MURK_RUN_FAILED, path,
+                         "cannot write: not a regular file");
+    }
+    if (results->force || murk_inputs_has(path) || is_shown(results, path) ||
+        murk_owned_has(&results->owned, results->folder, name)) {
+        return MURK_OK;
+    }
+    (void)murk_file_not_ours(path, &results->refused);
+    return murk_file_not_ours(path, err);
+}
+
+/* An input stays as it is; that is right where it has these bytes. */
+static bool is_same(const char *path, const char *sum)
+{
+    char there[65];
+    return !murk_file_sha256(path, there, NULL) && strcmp(there, sum) == 0;
+}
+
+static murk_status check_input(murk_results *results, size_t i, murk_error *err)
+{
+    const char *path = results->file[i].path;
+    if (!murk_inputs_has(path) || is_same(path, results->file[i].sum)) {
+        return MURK_OK;
+    }
+    (void)murk_file_check_input(path, &results->refused);
+    return murk_file_check_input(path, err);
+}
+
+murk_status murk_results_expect(murk_results *results, const char *name,
+                                const char *text, murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    char *path = murk_results_path(results->folder, name);
+    if (!path) {
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    }
+    murk_status status = check_owner(results, path, name, err);
+    if (!status && murk_inputs_has(path) && strcmp(name, MURK_LIGHT_NAME)) {
+        char sum[65];
+        murk_sha256_hex(text ? text : "", text ? strlen(text) : 0, sum);
+        status =
+            is_same(path, sum) ? MURK_OK : murk_file_check_input(path, err);
+    }
+    free(path);
+    return status;
+}
+
+/* ---- adding ---- */
 
 /* Drops what is in its place already under this path, which is to be written
  * anew. */
@@ -27,60 +113,75 @@ static void forget(murk_results *results, const char *path)
 {
     size_t kept = 0;
     for (size_t i = 0; i < results->n; ++i) {
-        if (!results->staged[i] && strcmp(results->path[i], path) == 0) {
-            free(results->path[i]);
-            continue;
+        const murk_result file = results->file[i];
+        if (!file.staged && strcmp(file.path, path) == 0) {
+            free(file.path);
+        } else {
+            results->file[kept++] = file;
         }
-        results->path[kept] = results->path[i];
-        results->staged[kept++] = results->staged[i];
     }
     results->n = kept;
+}
+
+static murk_status check_name(murk_results *results, const char *path,
+                              const char *name, murk_error *err)
+{
+    murk_status status = check_owner(results, path, name, err);
+    if (!status) {
+        forget(results, path);
+    }
+    for (size_t i = 0; i < results->n && !status; ++i) {
+        if (strcmp(results->file[i].path, path) == 0) {
+            status = murk_fail(err, MURK_RUN_FAILED, path,
+                               "cannot write: two results have this name");
+        }
+    }
+    return status;
+}
+
+/* Room for one more. */
+static bool grow(murk_results *results)
+{
+    murk_result *grown =
+        realloc(results->file, (results->n + 1) * sizeof *grown);
+    results->file = grown ? grown : results->file;
+    return grown != NULL;
 }
 
 /* Takes a place for one more file: path and staged name. */
 static murk_status stage_name(murk_results *results, const char *name,
                               murk_error *err)
 {
-    struct stat known;
-    const size_t size = strlen(results->folder) + strlen(name) + 32;
-    char *path = malloc(size), *staged = malloc(size);
-    if (!path || !staged || results->n == MURK_RESULTS_MAX) {
-        free(path);
-        free(staged);
-        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    murk_status status = MURK_OK;
+    if (!results->staging.folder) {
+        status = murk_staging_begin(&results->staging, results->folder, err);
     }
-    snprintf(path, size, "%s/%s", results->folder, name);
-    forget(results, path);
-    for (size_t i = 0; i < results->n; ++i) {
-        if (strcmp(results->path[i], path) == 0) {
-            murk_fail(err, MURK_RUN_FAILED, path,
-                      "cannot write: two results have this name");
-            free(path);
-            free(staged);
-            return MURK_RUN_FAILED;
-        }
+    murk_result file = {0};
+    if (!status) {
+        file.path = murk_results_path(results->folder, name);
+        file.staged = murk_results_path(results->staging.folder, name);
     }
-    if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
-        murk_fail(err, MURK_RUN_FAILED, path,
-                  "cannot write: not a regular file");
-        free(path);
-        free(staged);
-        return MURK_RUN_FAILED;
+    if (!status && (!file.path || !file.staged || !grow(results))) {
+        status = murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     }
-    snprintf(staged, size, "%s/.%s.staged.%ld", results->folder, name,
-             (long)getpid());
-    results->path[results->n] = path;
-    results->staged[results->n] = staged;
-    ++results->n;
+    if (!status) {
+        status = check_name(results, file.path, name, err);
+    }
+    if (status) {
+        free(file.path);
+        free(file.staged);
+        return status;
+    }
+    results->file[results->n++] = file;
     return MURK_OK;
 }
 
 static void drop_last(murk_results *results)
 {
     --results->n;
-    unlink(results->staged[results->n]);
-    free(results->staged[results->n]);
-    free(results->path[results->n]);
+    unlink(results->file[results->n].staged);
+    free(results->file[results->n].staged);
+    free(results->file[results->n].path);
 }
 
 murk_status murk_results_add(murk_results *results, const char *name,
@@ -92,13 +193,22 @@ murk_status murk_results_add(murk_results *results, const char *name,
     }
     murk_error told = {0};
     murk_status status = stage_name(results, name, err);
+    if (status) {
+        return status;
+    }
+    const size_t i = results->n - 1;
+    status = write(results->file[i].staged, context, &told);
     if (!status) {
-        status = write(results->staged[results->n - 1], context, &told);
-        if (status) { /* under the staged name; told of the final one */
-            status = murk_fail(err, status, results->path[results->n - 1], "%s",
-                               told.text);
-            drop_last(results);
-        }
+        status = murk_file_sha256(results->file[i].staged, results->file[i].sum,
+                                  &told);
+    }
+    if (status) { /* under the staged name; told of the final one */
+        status = murk_fail(err, status, results->file[i].path, "%s", told.text);
+    } else {
+        status = check_input(results, i, err);
+    }
+    if (status) {
+        drop_last(results);
     }
     return status;
 }
@@ -138,34 +248,86 @@ murk_status murk_results_add_light(murk_results *results, const char *name,
     return murk_results_add(results, name, write_light, &parts, err);
 }
 
+murk_status murk_results_note(murk_results *results, const char *name,
+                              murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    murk_result file = {.path = murk_results_path(results->folder, name)};
+    murk_status status = MURK_OK;
+    if (!file.path || !grow(results)) {
+        status = murk_fail(err, MURK_NO_MEMORY, name, "no memory to list it");
+    }
+    if (!status) {
+        status = murk_file_sha256(file.path, file.sum, err);
+    }
+    if (status) {
+        free(file.path);
+        return status;
+    }
+    results->file[results->n++] = file;
+    return MURK_OK;
+}
+
+/* ---- showing ---- */
+
+/* Whether all may be put in place: what was read meanwhile counts, too. */
+static murk_status check_all(murk_results *results, murk_error *err)
+{
+    for (size_t i = 0; i < results->n && !results->refused.status; ++i) {
+        if (results->file[i].staged) {
+            (void)check_input(results, i, &results->refused);
+        }
+    }
+    const murk_error *refused = &results->refused;
+    return refused->status ? murk_fail(err, refused->status, refused->where,
+                                       "%s", refused->text)
+                           : MURK_OK;
+}
+
 murk_status murk_results_show(murk_results *results, murk_error *err)
 {
+    if (!results->folder || !results->staging.folder) {
+        return MURK_OK;
+    }
+    const murk_status status = check_all(results, err);
+    if (status) {
+        return status;
+    }
+    murk_staging_moving(&results->staging);
     for (size_t i = 0; i < results->n; ++i) {
-        if (!results->staged[i]) {
+        if (!results->file[i].staged) {
             continue; /* shown before */
         }
-        if (rename(results->staged[i], results->path[i]) != 0) {
-            return murk_fail(err, MURK_RUN_FAILED, results->path[i],
+        if (murk_inputs_has(results->file[i].path)) {
+            (void)unlink(results->file[i].staged); /* the same bytes: stays */
+        } else if (rename(results->file[i].staged, results->file[i].path) !=
+                   0) {
+            return murk_fail(err, MURK_RUN_FAILED, results->file[i].path,
                              "cannot write: %s", strerror(errno));
         }
-        free(results->staged[i]);
-        results->staged[i] = NULL;
+        free(results->file[i].staged);
+        results->file[i].staged = NULL;
     }
+    murk_folder_sync(results->folder);
+    murk_staging_end(&results->staging);
+    murk_staging_clean(results->folder, true);
     return MURK_OK;
 }
 
 void murk_results_end(murk_results *results)
 {
+    murk_staging_end(&results->staging);
     for (size_t i = 0; i < results->n; ++i) {
-        if (results->staged[i]) {
-            unlink(results->staged[i]);
-        }
-        free(results->staged[i]);
-        free(results->path[i]);
+        free(results->file[i].staged);
+        free(results->file[i].path);
     }
     if (results->is_new) {
         (void)rmdir(results->folder); /* if it is empty: made for nothing */
     }
+    free(results->file);
+    murk_owned_release(&results->owned);
     *results = (murk_results){0};
 }
 
@@ -267,6 +429,51 @@ static void add_command(cJSON *object, const char *command)
     }
 }
 
+static bool is_json(const char *name)
+{
+    const size_t length = strlen(name);
+    return length > 5 && strcmp(name + length - 5, ".json") == 0;
+}
+
+void murk_json_identify(cJSON *root, const char *identity,
+                        const murk_results *results)
+{
+    cJSON *run = cJSON_DetachItemFromObject(root, "run"); /* stays the last */
+    cJSON_AddStringToObject(root, "identity", identity);
+    if (results && !cJSON_GetObjectItem(root, "files")) {
+        cJSON *files = cJSON_AddObjectToObject(root, "files");
+        for (size_t i = 0; i < results->n; ++i) {
+            const char *name = strrchr(results->file[i].path, '/') + 1;
+            if (!is_json(name)) {
+                cJSON_AddStringToObject(files, name, results->file[i].sum);
+            }
+        }
+    }
+    if (run) {
+        cJSON_AddItemToObject(root, "run", run);
+    }
+}
+
+/* A text in JSON holds no line end, so the line is the map's own. */
+void murk_json_sum(char out[65], const char *text)
+{
+    const char *run = strstr(text, "\n  \"run\": {");
+    murk_sha256_hex(text, run ? (size_t)(run - text) : strlen(text), out);
+}
+
+/* Fills in run.checksum, for which 64 zeros stand. */
+static void put_sum(char *text)
+{
+    static const char key[] = "\n    \"checksum\": \"";
+    char sum[65];
+    char *run = strstr(text, "\n  \"run\": {");
+    char *at = run ? strstr(run, key) : NULL;
+    murk_json_sum(sum, text);
+    if (at) {
+        memcpy(at + sizeof key - 1, sum, 64);
+    }
+}
+
 char *murk_json_end(cJSON *root, const murk_run_facts *run)
 {
     cJSON *object = cJSON_GetObjectItem(root, "run");
@@ -292,11 +499,17 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
         strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
     }
     cJSON_AddStringToObject(object, "date", date);
+    char zeros[65];
+    snprintf(zeros, sizeof zeros, "%064d", 0);
+    cJSON_AddStringToObject(object, "checksum", zeros);
 
     char *printed = cJSON_Print(root);
     cJSON_Delete(root);
     char *text = printed ? tabs_to_spaces(printed) : NULL;
     cJSON_free(printed);
+    if (text) {
+        put_sum(text);
+    }
     return text;
 }
 

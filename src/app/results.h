@@ -1,35 +1,57 @@
 /* Result files: staged, then shown all together.
  *
- * Everything is written and flushed under temporary names first; only when
- * all of it is on the disk are the files renamed, the main JSON last. So a
- * full disk or a killed run leaves the old results, never a mixture. */
+ * Everything is written and flushed in a hidden folder first (base/staging.h);
+ * only when all of it is on the disk are the files renamed, the main JSON last.
+ * So a full disk leaves the old results. A run that is killed between two
+ * renames leaves files of two runs; `files` in the main JSON tells which.
+ *
+ * Nothing is written where a file is in the way that this run reads
+ * (base/inputs.h), unless it has the very bytes that would be written, or one
+ * that is not murk's (app/ownership.h), unless --force. */
 #ifndef MURK_APP_RESULTS_H
 #define MURK_APP_RESULTS_H
 
 #include "app/options.h"
+#include "app/ownership.h"
 #include "base/file.h"
+#include "base/staging.h"
 #include "base/stats.h"
 #include "study/plan.h"
 
 #include <cjson/cJSON.h>
 
-/* Four of each grid tally, four of each condition, and the others. */
-#define MURK_RESULTS_MAX \
-    (4 * MURK_TALLIES_MAX + 4 * MURK_SCENE_CONDITIONS_MAX + 32)
+#define MURK_LIGHT_NAME "light.murk"
+#define MURK_SCENE_NAME "scene.resolved.yaml"
+
+typedef struct murk_result {
+    char *path;
+    char *staged; /* NULL once it is in its place */
+    char sum[65]; /* SHA-256 */
+} murk_result;
 
 typedef struct murk_results {
     const char *folder; /* NULL: nothing is written */
+    murk_result *file;  /* [n] in the order added */
     size_t n;
-    char *path[MURK_RESULTS_MAX];
-    char *staged[MURK_RESULTS_MAX]; /* NULL once it is in its place */
     bool is_new; /* the folder: made by murk_results_begin() */
+    bool force;  /* replaces files that are not murk's */
+    murk_staging staging;
+    murk_owned owned;
+    murk_error refused; /* the first file that may not be replaced */
 } murk_results;
 
-/* Makes the folder and sees that it can be written, before any long work;
- * murk_results_end() takes a new one away again where nothing came into it.
- * folder NULL: all calls below do nothing. */
-murk_status murk_results_begin(murk_results *results, const char *folder,
-                               murk_error *err);
+/* Makes the folder options->out, removes what killed runs left in it and sees
+ * that it can be written, before any long work; murk_results_end() takes a new
+ * one away again where nothing came into it. Without -o all calls below do
+ * nothing. */
+murk_status murk_results_begin(murk_results *results,
+                               const murk_options *options, murk_error *err);
+
+/* A file that will be added: refused now, before any long work, where it would
+ * be refused then. text: what it will hold, NULL where that is not known yet.
+ * Call it once all input is read. */
+murk_status murk_results_expect(murk_results *results, const char *name,
+                                const char *text, murk_error *err);
 
 /* Writes one file whole, or fails with nothing there. */
 typedef murk_status (*murk_results_writer)(const char *path,
@@ -47,8 +69,13 @@ murk_status murk_results_add_light(murk_results *results, const char *name,
                                    const murk_traced *traced,
                                    const murk_stage *stage, murk_error *err);
 
-/* Puts all in place, in the order added: add the main JSON last. More may be
- * added and shown afterwards. */
+/* A file that is in its place without having been added: listed in `files`. */
+murk_status murk_results_note(murk_results *results, const char *name,
+                              murk_error *err);
+
+/* Puts all in place, in the order added: add the main JSON last. Where one
+ * could not be added because it may not be replaced, nothing is put in place.
+ * More may be added and shown afterwards. */
 murk_status murk_results_show(murk_results *results, murk_error *err);
 void murk_results_end(murk_results *results); /* removes what is not shown */
 
@@ -65,6 +92,14 @@ typedef struct murk_run_facts {
     unsigned threads;
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
 } murk_run_facts;
+
+/* Adds "identity", and "files" (where it is not there) with what was added so
+ * far but for JSONs, whose `run` differs from run to run. */
+void murk_json_identify(cJSON *root, const char *identity,
+                        const murk_results *results);
+
+/* SHA-256 of a printed JSON up to its line of `run`: run.checksum. */
+void murk_json_sum(char out[65], const char *text);
 
 /* Adds "run", which alone may differ between two runs (to what is there under
  * that name), and returns the text:

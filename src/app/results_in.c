@@ -2,6 +2,7 @@
 #include "app/results_in.h"
 
 #include "app/version.h"
+#include "base/file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -37,6 +38,12 @@ bool murk_results_has(const char *folder, const char *name)
     const bool has = path && stat(path, &known) == 0 && S_ISREG(known.st_mode);
     free(path);
     return has;
+}
+
+const char *murk_results_scene(const char *folder)
+{
+    static const char name[] = "scene.resolved.yaml";
+    return murk_results_has(folder, name) ? name : "scene.yaml";
 }
 
 murk_status murk_results_table(murk_table **out, const char *folder,
@@ -198,7 +205,7 @@ bool murk_results_is_main(const murk_results_in *results,
 static bool can_be_one_run(const murk_yaml *a, const murk_yaml *b)
 {
     static const char *const keys[] = {"run.command", "run.folder",
-                                       "scene_sha256", "seed"};
+                                       "scene_sha256", "seed", "identity"};
     for (size_t k = 0; k < sizeof keys / sizeof *keys; ++k) {
         const char *x = murk_result_text(a, keys[k]);
         const char *y = murk_result_text(b, keys[k]);
@@ -221,6 +228,79 @@ bool murk_results_are_one_run(const murk_results_in *results)
     return true;
 }
 
+/* Whether one of the JSONs lists the name with this sum. */
+static bool is_known(const murk_results_in *results, const char *name,
+                     const char *sum)
+{
+    bool is_known = false;
+    for (int i = 0; i < MURK_RESULT_FILES && !is_known; ++i) {
+        const murk_yaml *files = murk_result_at(results->json[i], "files");
+        const murk_yaml *known = files && files->kind == MURK_YAML_MAP
+                                     ? murk_yaml_get(files, name)
+                                     : NULL;
+        is_known = known && murk_result_is(known, "", sum);
+    }
+    return is_known;
+}
+
+static bool is_stranger(const murk_results_in *results, const char *name)
+{
+    char sum[65];
+    char *path = murk_results_has(results->folder, name)
+                     ? murk_results_path(results->folder, name)
+                     : NULL;
+    const bool is_read = path && !murk_file_sha256(path, sum, NULL);
+    free(path);
+    return is_read && !is_known(results, name, sum);
+}
+
+/* Whether a name stands in a list of names. */
+static bool is_in(const char *list, const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *at = strstr(list, name); at; at = strstr(at + 1, name)) {
+        if ((at == list || at[-1] == ' ') &&
+            (!at[length] || at[length] == ',')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool add_strangers(FILE *to, const murk_results_in *results,
+                          const murk_yaml *files, char *const *so_far)
+{
+    for (size_t k = 0; k < files->n; ++k) {
+        const char *name = files->key[k];
+        fflush(to);
+        if (!strchr(name, '/') && !is_in(*so_far, name) &&
+            is_stranger(results, name)) {
+            fprintf(to, "%s%s", **so_far ? ", " : "", name);
+        }
+    }
+    return fflush(to) == 0;
+}
+
+char *murk_results_strangers(const murk_results_in *results)
+{
+    char *list = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&list, &size);
+    bool is_whole = to && fflush(to) == 0;
+    for (int i = 0; i < MURK_RESULT_FILES && is_whole; ++i) {
+        const murk_yaml *files = murk_result_at(results->json[i], "files");
+        if (files && files->kind == MURK_YAML_MAP) {
+            is_whole = add_strangers(to, results, files, &list);
+        }
+    }
+    is_whole = to && fclose(to) == 0 && is_whole;
+    if (!is_whole) {
+        free(list);
+        list = NULL;
+    }
+    return list;
+}
+
 void murk_results_release(murk_results_in *results)
 {
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
@@ -228,5 +308,6 @@ void murk_results_release(murk_results_in *results)
         murk_yaml_destroy(results->json[i]);
     }
     free(results->whole);
+    free(results->strangers);
     *results = (murk_results_in){0};
 }

@@ -26,6 +26,7 @@ typedef struct murk_results_in {
     char *whole;        /* its whole path; as named, where there is none */
     char *path[MURK_RESULT_FILES];      /* of each, there or not */
     murk_yaml *json[MURK_RESULT_FILES]; /* NULL: not there */
+    char *strangers; /* murk_results_strangers(); NULL: not looked for */
 } murk_results_in;
 
 /* Fails with MURK_BAD_FILE or MURK_BAD_VALUE in one line: no such folder, no
@@ -41,6 +42,11 @@ bool murk_results_is_main(const murk_results_in *results,
 /* Whether the JSONs of the folder can be of one run: files of another that was
  * written over them, or beside them, have another command, scene or seed. */
 bool murk_results_are_one_run(const murk_results_in *results);
+
+/* The files that some main JSON lists and none as they are: edited, or of a run
+ * that was killed while it wrote them. Their names, ", " between, for free();
+ * "" where there is none, NULL when out of memory. */
+char *murk_results_strangers(const murk_results_in *results);
 void murk_results_release(murk_results_in *results);
 
 /* DIR/name for free(), NULL when out of memory. */
@@ -48,6 +54,10 @@ char *murk_results_path(const char *folder, const char *name);
 
 /* Whether there is such a regular file. */
 bool murk_results_has(const char *folder, const char *name);
+
+/* The name of the resolved scene in the folder: scene.yaml, as older versions
+ * wrote it, where there is no scene.resolved.yaml. */
+const char *murk_results_scene(const char *folder);
 
 /* A CSV of the folder; *out stays NULL where there is none. */
 murk_status murk_results_table(murk_table **out, const char *folder,

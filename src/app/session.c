@@ -1,5 +1,6 @@
 #include "app/session.h"
 
+#include "app/identity.h"
 #include "app/summary.h"
 
 #include "base/log.h"
@@ -94,11 +95,13 @@ murk_status murk_session_scene(murk_session *session,
     murk_progress_begin_over("read", 0, "");
     const murk_status status = read_scene(&session->scene, options, err);
     murk_progress_end();
-    if (!status) {
-        murk_units_note(session->scene);
-        warn_of_idle(session->scene);
+    if (status) {
+        return status;
     }
-    return status;
+    murk_units_note(session->scene);
+    warn_of_idle(session->scene);
+    return murk_identity(session->identity, options, session->scene->resolved,
+                         session->scene->seed, err);
 }
 
 murk_status murk_session_read(murk_session *session,
@@ -106,7 +109,7 @@ murk_status murk_session_read(murk_session *session,
 {
     const murk_status status = murk_session_scene(session, options, err);
     return status ? status
-                  : murk_results_begin(&session->results, options->out, err);
+                  : murk_results_begin(&session->results, options, err);
 }
 
 murk_status murk_session_build(murk_session *session, murk_error *err)
@@ -125,6 +128,11 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
     const double begun_s = murk_clock_s();
     murk_status status;
     if (session->options->light) {
+        if (murk_owned_look(session->options->light) == MURK_OF_ANOTHER_RUN) {
+            murk_warn(session->options->light,
+                      "is of another run than the results beside it, or of "
+                      "one that was killed while it wrote them");
+        }
         murk_progress_begin_over("read light", 0, "");
         status = murk_light_load(&session->traced, session->stage,
                                  session->options->light, threads, err);
@@ -150,14 +158,88 @@ void murk_session_end(murk_session *session)
     *session = (murk_session){0};
 }
 
+static murk_status expect_all(murk_results *results, const char *const *names,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (; *names && !status; ++names) {
+        status = murk_results_expect(results, *names, NULL, err);
+    }
+    return status;
+}
+
+static murk_status expect_tallies(murk_session *session, murk_error *err)
+{
+    static const char *const endings[] = {".vdb", "_error.vdb"};
+    const murk_scene *scene = session->scene;
+    murk_results *results = &session->results;
+    murk_status status =
+        scene->n_tallies > 0
+            ? murk_results_expect(results, "tallies.csv", NULL, err)
+            : MURK_OK;
+    for (size_t i = 0; i < 2 * scene->n_tallies && !status; ++i) {
+        const murk_scene_tally *tally = &scene->tallies[i / 2];
+        char name[sizeof tally->name + 16];
+        snprintf(name, sizeof name, "%s%s", tally->name, endings[i % 2]);
+        if (tally->type == MURK_SCENE_TALLY_GRID) {
+            status = murk_results_expect(results, name, NULL, err);
+        }
+    }
+    return status;
+}
+
+static murk_status expect_exports(murk_session *session, murk_error *err)
+{
+    static const struct {
+        unsigned what;
+        const char *names[6];
+    } files[] = {
+        {MURK_EXPORT_MATRIX, {"matrix.csv", "candidates.csv"}},
+        {MURK_EXPORT_OR_LIBRARY, {"matrix.txt"}},
+        {MURK_EXPORT_LP, {"problem.lp"}},
+        {MURK_EXPORT_FIELDS,
+         {"coverage.vdb", "optical_depth.vdb", "extinction.vdb", "fields.vti"}},
+        {MURK_EXPORT_PHOTONS, {"photons.ply", "photons.vtp"}},
+        {MURK_EXPORT_SURFACES, {"surfaces.ply", "surfaces.vtp"}}};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
+        murk_error why = {0};
+        if (session->options->exports & files[i].what &&
+            expect_all(&session->results, files[i].names, &why) ==
+                MURK_BAD_VALUE) { /* what fails else is told late */
+            status = murk_fail(err, why.status, why.where, "%s", why.text);
+        }
+    }
+    return status;
+}
+
+murk_status murk_session_expect(murk_session *session, const char *const *names,
+                                murk_error *err)
+{
+    murk_status status = expect_all(&session->results, names, err);
+    if (!status && session->scene) {
+        status = murk_results_expect(&session->results, MURK_SCENE_NAME,
+                                     session->scene->resolved, err);
+    }
+    return status ? status : expect_exports(session, err);
+}
+
+murk_status murk_session_expect_light(murk_session *session, murk_error *err)
+{
+    static const char *const names[] = {MURK_LIGHT_NAME, "ledger.json", NULL};
+    const murk_status status = expect_all(&session->results, names, err);
+    return status ? status : expect_tallies(session, err);
+}
+
 murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
     murk_progress_begin_over("write light", 0, "");
-    const murk_status status = murk_results_add_light(
-        &session->results, "light.murk", session->traced, session->stage, err);
+    const murk_status status =
+        murk_results_add_light(&session->results, MURK_LIGHT_NAME,
+                               session->traced, session->stage, err);
     murk_progress_end();
     return status ? status
-                  : murk_results_add_text(&session->results, "scene.yaml",
+                  : murk_results_add_text(&session->results, MURK_SCENE_NAME,
                                           session->scene->resolved, err);
 }
 
@@ -171,7 +253,9 @@ cJSON *murk_session_ledger(const murk_session *session)
 murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
-    char *text = murk_json_end(murk_session_ledger(session), &session->run);
+    cJSON *root = murk_session_ledger(session);
+    murk_json_identify(root, session->identity, NULL);
+    char *text = murk_json_end(root, &session->run);
     const murk_status status =
         murk_results_add_text(&session->results, "ledger.json", text, err);
     cJSON_free(text);
@@ -182,6 +266,7 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
                         bool prints, murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
+    murk_json_identify(root, session->identity, &session->results);
     char *text = murk_json_end(root, &session->run);
     murk_status status =
         text ? MURK_OK
@@ -247,7 +332,7 @@ void murk_print_files(const murk_session *session)
     }
     murk_print("files       %s:", r->folder);
     for (size_t i = r->n; i > 0; --i) {
-        const char *path = r->path[i - 1];
+        const char *path = r->file[i - 1].path;
         const char *name = path;
         for (const char *c = path; *c; ++c) {
             name = *c == '/' ? c + 1 : name;

@@ -14,6 +14,7 @@ typedef struct murk_session {
     murk_traced *traced; /* NULL before murk_session_light() */
     murk_results results;
     murk_run_facts run;
+    char identity[65]; /* of the results; "" before the scene is read */
     double begun_s;
 } murk_session;
 
@@ -30,7 +31,14 @@ murk_status murk_session_build(murk_session *session, murk_error *err);
 murk_status murk_session_light(murk_session *session, murk_error *err);
 void murk_session_end(murk_session *session);
 
-/* Adds light.murk and scene.yaml, the scene as resolved. */
+/* Refuse at once what would be refused when it is added: the names of a list
+ * that NULL ends, the resolved scene and what is exported; and the light with
+ * its ledger and tallies. Call them once all input is read. */
+murk_status murk_session_expect(murk_session *session, const char *const *names,
+                                murk_error *err);
+murk_status murk_session_expect_light(murk_session *session, murk_error *err);
+
+/* Adds light.murk and scene.resolved.yaml, the scene as resolved. */
 murk_status murk_session_add_light(murk_session *session, murk_error *err);
 
 /* The ledger as JSON, yet without `run`; and added as ledger.json. */

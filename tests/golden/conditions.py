@@ -143,8 +143,8 @@ def main(program):
         check(min(inside["worst"]) >= min(inside["mean"]) - 1e-12, "worst is not better at worst")
         check(mean_of(inside["mean"]) >= mean_of(inside["worst"]) - 1e-5, "nor mean in the mean")
         # the scene's own resolved file leads to the same plan
-        again = murk.run("place", murk.path("worst", "scene.yaml"))
-        check(again["sensors"] == plans["worst"]["sensors"], "scene.yaml leads elsewhere")
+        again = murk.run("place", murk.path("worst", "scene.resolved.yaml"))
+        check(again["sensors"] == plans["worst"]["sensors"], "the resolved scene leads elsewhere")
     print("all conditions are as described" if not from_outside.failures
           else f"{from_outside.failures} failed")
     return from_outside.failures != 0

@@ -126,7 +126,7 @@ def check_is_taken(folder, case):
     scene, _, out, fit, _ = case
     run("trace", scene, "--set", f"@{out / 'calibrated.yaml'}", "--emit", 100, "--quiet", "-o",
         folder / "set")
-    text = (folder / "set" / "scene.yaml").read_text()
+    text = (folder / "set" / "scene.resolved.yaml").read_text()
     for parameter in fit["parameters"]:
         check(f"{parameter['value']:.6g}"[:6] in text, "not in the scene:", parameter)
 

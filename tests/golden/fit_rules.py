@@ -170,7 +170,7 @@ def test_names_and_what_holds_between_them(f):
     check(abs(fog["standard_error"] ** 2 / fit["covariance"][0][0] - 1) < 1e-9, "covariance")
     check(abs(fog["value"] - 0.8) < SIGMA_LIMIT * fog["standard_error"], "planted", fog)
     check(len(fit["next"]["places"]) == 2 and len(fit["starts"]) == 2, "places and starts")
-    check(sorted(os.listdir(f.at("light"))) == ["calibrated.yaml", "fit.csv", "fit.json", "scene.yaml"], "files")
+    check(sorted(os.listdir(f.at("light"))) == ["calibrated.yaml", "fit.csv", "fit.json", "scene.resolved.yaml"], "files")
 
 
 def test_calibrated_values_reach_all_conditions(f):

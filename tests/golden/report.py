@@ -165,7 +165,7 @@ def main(murk):
         check(plan["scene_sha256"] in page.text and plan["murk"]["commit"] in page.text,
               "no provenance")
         resolved = commands(at("plan/report.html"))[1]
-        check(f"murk place {whole('plan')}/scene.yaml -o again" in page.text, "no command")
+        check(f"murk place {whole('plan')}/scene.resolved.yaml -o again" in page.text, "no command")
         check("murk place 'it'\\''s <b>.yaml' -o again" in page.text, "not as typed")
         # curve, samples, shares, seen by, losses, two drawings, light
         check(page.tags.count("svg") == 8, page.tags.count("svg"), "plots, want 8")
@@ -272,10 +272,10 @@ def main(murk):
         run("sense", scene, "--sensors", "plan/plan.json", "-o", "seen", "--quiet")
         run("report", "seen")
         page = read(at("seen/report.html"))
-        check(f"murk sense {whole('seen')}/scene.yaml --sensors {whole('seen')}/coverage.json"
+        check(f"murk sense {whole('seen')}/scene.resolved.yaml --sensors {whole('seen')}/coverage.json"
               in page.text,
               "no command of sense")
-        run("sense", "seen/scene.yaml", "--sensors", "seen/coverage.json", "--quiet")
+        run("sense", "seen/scene.resolved.yaml", "--sensors", "seen/coverage.json", "--quiet")
         data, text = view_data(at("seen/report.html"))
         want = photons_of(at("seen/coverage.ply"))
         check(want == photons_of(at("plan/plan.ply")), "the same sensors see otherwise")
@@ -284,7 +284,7 @@ def main(murk):
 
         run("trace", scene, "-o", "light", "--quiet")
         run("report", "light")
-        check(f"murk trace {whole('light')}/scene.yaml -o again" in read(at("light/report.html")).text,
+        check(f"murk trace {whole('light')}/scene.resolved.yaml -o again" in read(at("light/report.html")).text,
               "no command of trace")
         (state,) = view_data(at("light/report.html"))[0]["states"]
         check(state["stored"] == state["photons"] == photons and state["sensors"] == [],
@@ -313,8 +313,8 @@ def main(murk):
 
         data = view_data(at("study/report.html"))[0]
         check([s["name"] for s in data["states"]] == ["the plan of every row"], data["states"])
-        check("mesh" in data and os.path.exists(at("study/scene.yaml")), "the base scene")
-        run("check", "study/scene.yaml")
+        check("mesh" in data and os.path.exists(at("study/scene.resolved.yaml")), "the base scene")
+        run("check", "study/scene.resolved.yaml")
         write("more.yaml", 'murk_study: 1\nbase: "it\'s <b>.yaml"\naxes: {sensors.count: [1, 2]}\n'
               "outputs: [coverage_best]\n")
         run("study", "more.yaml", "-o", "more", "--quiet")

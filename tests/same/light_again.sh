@@ -33,7 +33,7 @@ scene=$dir/scene/s.yaml
 light=$dir/first/light.murk
 "$murk" place "$scene" -q -o "$dir/first"
 "$murk" place "$scene" -q -o "$dir/again" --light "$light"
-"$murk" place "$dir/first/scene.yaml" -q -o "$dir/moved" --light "$light"
+"$murk" place "$dir/first/scene.resolved.yaml" -q -o "$dir/moved" --light "$light"
 "$murk" place "$scene" -q -o "$dir/three" --light "$light" --count 3
 for name in sensors.csv coverage.csv plan.ply light.murk; do
     cmp "$dir/first/$name" "$dir/again/$name"

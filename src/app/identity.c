@@ -1,0 +1,104 @@
+#include "app/identity.h"
+
+#include "app/option_table.h"
+#include "app/version.h"
+#include "base/file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef enum part { NONE, TEXT, FILE_CONTENTS } part;
+
+/* What an option has to do with results, beside what it does to the scene. */
+static part part_of(murk_option_id id)
+{
+    switch (id) {
+    case MURK_OPTION_DATA:
+    case MURK_OPTION_MATRIX:
+    case MURK_OPTION_PREDICT:
+    case MURK_OPTION_PROFILE:
+    case MURK_OPTION_SENSORS:
+        return FILE_CONTENTS;
+    case MURK_OPTION_BOUNDS:
+    case MURK_OPTION_CAMERA:
+    case MURK_OPTION_COLUMN:
+    case MURK_OPTION_EXPOSURE:
+    case MURK_OPTION_FALSE_COLOUR:
+    case MURK_OPTION_FREE:
+    case MURK_OPTION_FROM_SENSOR:
+    case MURK_OPTION_LOSS:
+    case MURK_OPTION_METHOD:
+    case MURK_OPTION_NEXT:
+    case MURK_OPTION_PHOTON:
+    case MURK_OPTION_PIXELS:
+    case MURK_OPTION_RANGE:
+    case MURK_OPTION_REPEAT:
+    case MURK_OPTION_ROWS:
+    case MURK_OPTION_SAMPLES:
+    case MURK_OPTION_SCALE:
+    case MURK_OPTION_STARTS:
+    case MURK_OPTION_TRACES:
+    case MURK_OPTION_WIDTH:
+        return TEXT;
+    default: /* where results go, what is printed, keys of the scene */
+        return NONE;
+    }
+}
+
+static murk_status write_option(FILE *to, const murk_option *option,
+                                const char *value, murk_error *err)
+{
+    const part counts = part_of((murk_option_id)option->id);
+    char sum[65];
+    murk_status status = MURK_OK;
+    if (counts == FILE_CONTENTS) {
+        status = murk_file_sha256(value, sum, err);
+    }
+    if (!status && counts != NONE) {
+        fprintf(to, "%s %s\n", option->name,
+                counts == FILE_CONTENTS ? sum
+                : value                 ? value
+                                        : "");
+    }
+    return status;
+}
+
+/* Options in the table's order, and those of a name in the order given. */
+static murk_status write_all(FILE *to, const murk_options *options,
+                             const char *of, uint32_t seed, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    fprintf(to, "murk %s\ncommand %s\nseed %lu\n", MURK_VERSION,
+            options->command->name, (unsigned long)seed);
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        for (size_t k = 0; k < options->n_given && !status; ++k) {
+            if (options->given[k].option == &murk_option_table[i]) {
+                status = write_option(to, options->given[k].option,
+                                      options->given[k].value, err);
+            }
+        }
+    }
+    fputs(of, to);
+    return status;
+}
+
+murk_status murk_identity(char out[65], const murk_options *options,
+                          const char *of, uint32_t seed, murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    murk_status status =
+        to ? write_all(to, options, of, seed, err)
+           : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+    if (to && fclose(to) != 0 && !status) {
+        status =
+            murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+    }
+    if (!status) {
+        murk_sha256_hex(text, size, out);
+    }
+    free(text);
+    return status;
+}

@@ -1,0 +1,37 @@
+"""Names the files of a result folder that are not as its main JSONs list them.
+
+usage: whole.py DIR    (ends with 1 when there is one)
+
+Such a file was edited, or is of a run that was killed while it wrote over another's results.
+"""
+import hashlib
+import json
+import pathlib
+import sys
+
+MAIN = ("plan.json", "coverage.json", "study.json", "fit.json", "predict.json", "ledger.json")
+
+
+def strangers(folder):
+    """Names that some main JSON lists and none with the checksum that the file has."""
+    listed = {}
+    for name in MAIN:
+        try:
+            files = json.loads((folder / name).read_text(encoding="utf-8")).get("files", {})
+        except (OSError, ValueError):
+            continue  # not there; what cannot be read lists nothing
+        for file, checksum in files.items():
+            listed.setdefault(file, set()).add(checksum)
+    return [name for name, sums in sorted(listed.items()) if (folder / name).is_file()
+            and hashlib.sha256((folder / name).read_bytes()).hexdigest() not in sums]
+
+
+def main():
+    found = strangers(pathlib.Path(sys.argv[1]))
+    for name in found:
+        print(f"{name}: edited since, or of a run that was killed while it wrote its results")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
