@@ -13,7 +13,10 @@
     X(points)                \
     X(sea)                   \
     X(cloud)                 \
-    X(cube)
+    X(cube)                  \
+    X(grids)                 \
+    X(enclosures)            \
+    X(views)
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)
