@@ -9,11 +9,16 @@
 #include "app/summary.h"
 #include "app/tallies_out.h"
 #include "study/machine.h"
+#include "study/mesh_materials.h"
+
+#include <stdlib.h>
 
 /* Everything that check finds out, before it is printed one way or another. */
 typedef struct findings {
     const murk_session *session;
     murk_surfaces_facts surfaces;
+    murk_mesh_material *mesh_name; /* [mesh_names] */
+    size_t mesh_names;
     murk_forecast forecast;
     murk_candidates *candidates; /* NULL without sensors */
     murk_poses *poses;           /* likewise */
@@ -57,6 +62,25 @@ static void add_surfaces(cJSON *root, const findings *f)
     }
 }
 
+/* What the names in mesh files got. */
+static void add_mesh_materials(cJSON *root, const findings *f)
+{
+    const murk_scene *scene = f->session->scene;
+    cJSON *list = cJSON_AddArrayToObject(root, "mesh_materials");
+    for (size_t i = 0; i < f->mesh_names; ++i) {
+        const murk_mesh_material *m = &f->mesh_name[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddNumberToObject(item, "geometry", (double)m->geometry);
+        cJSON_AddStringToObject(item, "file",
+                                scene->geometry[m->geometry].file);
+        cJSON_AddStringToObject(item, "name", m->name);
+        cJSON_AddNumberToObject(item, "area_m2", m->area_m2);
+        cJSON_AddStringToObject(item, "material",
+                                scene->materials[m->material].name);
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
 static cJSON *check_json(const findings *f)
 {
     const murk_stage *stage = f->session->stage;
@@ -69,6 +93,7 @@ static cJSON *check_json(const findings *f)
     cJSON_AddStringToObject(
         domain, "sides", stage->world.domain.is_periodic ? "periodic" : "open");
     add_surfaces(root, f);
+    add_mesh_materials(root, f);
     murk_json_media(root, stage);
     murk_json_lights(root, stage);
     if (f->candidates) {
@@ -88,6 +113,21 @@ static cJSON *check_json(const findings *f)
     cJSON_AddNumberToObject(forecast, "memory_bytes", f->forecast.memory_bytes);
     cJSON_AddNumberToObject(forecast, "matrix_bytes_at_most", matrix_bytes(f));
     return root;
+}
+
+/* A line a name in a mesh file: its area, and the material that it got. */
+static void print_mesh_materials(const findings *f)
+{
+    const murk_scene *scene = f->session->scene;
+    for (size_t i = 0; i < f->mesh_names; ++i) {
+        const murk_mesh_material *m = &f->mesh_name[i];
+        murk_print("mesh name   %s of geometry %zu, %.4g m2: material %s%s\n",
+                   *m->name ? m->name : "(none)", m->geometry, m->area_m2,
+                   scene->materials[m->material].name,
+                   m->is_forced  ? ", as the geometry says"
+                   : m->is_named ? ""
+                                 : ", as no entry has this name");
+    }
 }
 
 static void print_findings(const findings *f)
@@ -128,6 +168,7 @@ static void print_findings(const findings *f)
                    m->name, area_m2, m->diffuse.band[0], m->specular.band[0],
                    m->transmit.band[0]);
     }
+    print_mesh_materials(f);
     murk_print_media(stage);
     murk_print_lights(stage);
     if (f->candidates) {
@@ -160,11 +201,16 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
     murk_status status = murk_session_begin(&session, options, err);
     if (!status) {
         f.surfaces = murk_surfaces_describe(session.stage->surfaces);
+        status = murk_mesh_materials(&f.mesh_name, &f.mesh_names, session.stage,
+                                     err);
+    }
+    if (!status) {
         status = murk_light_forecast(&f.forecast, session.stage, 0,
                                      options->threads, err);
     }
     if (!status) {
         murk_warn_of_cameras(session.scene, &f.forecast);
+        murk_warn_of_escape(session.stage, f.forecast.escaped_share);
     }
     if (!status && session.scene->placement.targets.given) {
         status = murk_targets_check(session.stage, options->threads, err);
@@ -183,6 +229,7 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
     } else if (!status && murk_session_speaks(&session)) {
         print_findings(&f);
     }
+    free(f.mesh_name);
     murk_poses_destroy(f.poses);
     murk_candidates_destroy(f.candidates);
     murk_session_end(&session);

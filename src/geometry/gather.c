@@ -1,6 +1,7 @@
 #include "geometry/gather.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -104,21 +105,52 @@ static murk_status allocate(murk_gathering *g, murk_error *err)
     return MURK_OK;
 }
 
-/* The scene's material of that name: exactly, else whatever the case of its
- * letters, else `default`. */
-static uint8_t material_named(const char *name, const murk_material *materials,
-                              size_t n)
+static bool is_blank(char c)
 {
+    return c == ' ' || c == '\t';
+}
+
+/* True if the names are equal but for blanks and the case of letters. */
+static bool is_alike(const char *a, const char *b)
+{
+    for (;;) {
+        while (is_blank(*a)) {
+            ++a;
+        }
+        while (is_blank(*b)) {
+            ++b;
+        }
+        if (tolower((unsigned char)*a) != tolower((unsigned char)*b)) {
+            return false;
+        }
+        if (!*a) {
+            return true;
+        }
+        ++a;
+        ++b;
+    }
+}
+
+size_t murk_material_named(const char *name, const murk_material *materials,
+                           size_t n, bool *is_named)
+{
+    *is_named = true;
     for (size_t i = 0; i < n; ++i) {
         if (strcmp(materials[i].name, name) == 0) {
-            return (uint8_t)i;
+            return i;
         }
     }
     for (size_t i = 0; i < n; ++i) {
         if (strcasecmp(materials[i].name, name) == 0) {
-            return (uint8_t)i;
+            return i;
         }
     }
+    for (size_t i = 0; i < n; ++i) {
+        if (is_alike(materials[i].name, name)) {
+            return i;
+        }
+    }
+    *is_named = false;
     return 0;
 }
 
@@ -133,9 +165,12 @@ static murk_status add_mesh(murk_gathering *g, const murk_surface_desc *d,
                          "no memory for %zu materials", m->materials);
     }
     for (size_t i = 0; i < m->materials; ++i) {
-        own[i] = d->material >= 0 ? (uint8_t)d->material
-                                  : material_named(m->material_name[i],
-                                                   materials, n_materials);
+        bool is_named;
+        own[i] =
+            (uint8_t)(d->material >= 0
+                          ? (size_t)d->material
+                          : murk_material_named(m->material_name[i], materials,
+                                                n_materials, &is_named));
     }
     const uint32_t base = (uint32_t)g->vertices;
     for (size_t i = 0; i < m->vertices; ++i) {

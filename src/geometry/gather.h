@@ -19,6 +19,12 @@ static inline const char *murk_place_of(const murk_surface_desc *d)
     return d->where ? d->where : "geometry";
 }
 
+/* The material that has a mesh's name: exactly, else whatever the case of
+ * letters, else also whatever the blanks (importers strip some of them); else
+ * index 0, `default`, and *is_named is false. */
+size_t murk_material_named(const char *name, const murk_material *materials,
+                           size_t n, bool *is_named);
+
 /* Fails as murk_soup_build(). In either case murk_gathering_release()
  * afterwards. solid and face are zero. */
 murk_status murk_gather(murk_gathering *out, const murk_surface_desc *surfaces,

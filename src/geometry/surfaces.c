@@ -2,6 +2,7 @@
  * in hit.c and blocked.c. */
 #include "geometry/surfaces.h"
 
+#include "geometry/gather.h"
 #include "geometry/triangle.h"
 #include "geometry/world.h"
 
@@ -152,6 +153,12 @@ uint8_t murk_surfaces_material_of(const murk_surfaces *s, size_t i)
     assert(i < soup->triangles + soup->balls);
     return i < soup->triangles ? soup->material[i]
                                : soup->ball[i - soup->triangles].material;
+}
+
+size_t murk_surfaces_material_named(const murk_surfaces *s, const char *name,
+                                    bool *is_named)
+{
+    return murk_material_named(name, s->material, s->n_materials, is_named);
 }
 
 double murk_surfaces_material_area(const murk_surfaces *s, size_t material)

@@ -142,6 +142,12 @@ void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,
  * murk_hit. */
 uint8_t murk_surfaces_material_of(const murk_surfaces *surfaces, size_t i);
 
+/* The material that triangles get by a mesh's own name for theirs; where the
+ * scene has none of that name (whatever its case and blanks), *is_named is
+ * false and it is 0, `default`. */
+size_t murk_surfaces_material_named(const murk_surfaces *surfaces,
+                                    const char *name, bool *is_named);
+
 /* Area [m2] of one material. */
 double murk_surfaces_material_area(const murk_surfaces *surfaces,
                                    size_t material);

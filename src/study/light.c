@@ -1,5 +1,7 @@
 #include "study/light.h"
 
+#include "base/log.h"
+
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "study/emission.h"
@@ -11,6 +13,41 @@
 #include <string.h>
 
 #define PILOT_PHOTONS MURK_BATCH_PHOTONS
+
+/* Above this share of escaped power a closed room is doubted. */
+#define ESCAPE_SHARE_MAX 0.5
+
+/* Escaped of emitted power, by each channel's own power. */
+static double escaped_share(const murk_stage *stage, const murk_ledger *ledger)
+{
+    double escaped_w = 0, emitted_w = 0;
+    for (size_t c = 0; c < ledger->channels; ++c) {
+        const int64_t emitted = murk_tally_read(&ledger->emitted[c]);
+        const int64_t escaped = murk_tally_read(&ledger->escaped[c]);
+        const double power_w = murk_lights_channel_power_w(stage->lights, c);
+        if (emitted > 0) {
+            emitted_w += power_w;
+            escaped_w += power_w * ((double)escaped / (double)emitted);
+        }
+    }
+    return emitted_w > 0 ? escaped_w / emitted_w : 0;
+}
+
+void murk_warn_of_escape(const murk_stage *stage, double share)
+{
+    const murk_scene *scene = stage->scene;
+    bool is_outdoors = !(murk_surfaces_describe(stage->surfaces).area_m2 > 0);
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        is_outdoors |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
+    }
+    if (!is_outdoors && share > ESCAPE_SHARE_MAX) {
+        murk_warn(scene->where[0] ? scene->where : scene->path,
+                  "%.0f %% of the lamps' light escapes through the domain's "
+                  "sides: where this is a room, look for walls that are "
+                  "missing, open or outside the domain",
+                  100 * share);
+    }
+}
 
 /* ---- forecast ---- */
 
@@ -70,6 +107,7 @@ murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
     const double records = all * grow;
     *out =
         (murk_forecast){.pilot_photons = n,
+                        .escaped_share = escaped_share(stage, ledger),
                         .surface = surface * grow,
                         .volume = volume * grow,
                         .emitted = wish->emit && !is_dark ? (double)wish->emit
@@ -195,6 +233,9 @@ murk_status murk_light_trace(murk_traced **out, const murk_stage *stage,
         status = finish(traced, &e, err);
     }
     if (!status) {
+        if (stream == 0) { /* the first map's: said once */
+            murk_warn_of_escape(stage, escaped_share(stage, traced->ledger));
+        }
         *out = traced;
         traced = NULL;
     }

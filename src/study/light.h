@@ -27,11 +27,18 @@ typedef struct murk_forecast {
     double surface, volume; /* records at the end */
     double emitted;         /* photons at the end */
     double memory_bytes;    /* most that tracing and both maps take */
+    double escaped_share;   /* of the emitted power; 0 where all is dark */
 } murk_forecast;
 
 murk_status murk_light_forecast(murk_forecast *out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
+
+/* Warns where more than half of the power escapes from a scene of lamps and
+ * surfaces without sun, sky or other distant light: then walls may be missing.
+ * murk_light_trace() does it for the first map, murk_light_forecast() leaves it
+ * to the caller. */
+void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
 
 /* Traces emit photons, or until `store` are stored. Refused before tracing, by
  * forecast, when more than max_stored records or more memory than the machine

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "study/dark.h"
 #include "study/extent.h"
+#include "study/mesh_materials.h"
 #include "study/winds.h"
 
 static void warn_if_cut(const char *where, const murk_box *box,
@@ -150,6 +151,7 @@ static void warn_of_lit_sides(const murk_stage *stage)
 void murk_stage_tell(const murk_stage *stage)
 {
     warn_of_cuts(stage);
+    murk_warn_of_materials(stage);
     warn_of_lit_sides(stage);
     note_of_set(stage);
     murk_warn_of_winds(stage->scene);

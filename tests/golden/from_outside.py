@@ -106,6 +106,12 @@ class Murk:
             file.write(content)
         return self.path(name)
 
+    def call(self, *words):
+        """A finished run, with what it printed."""
+        done = subprocess.run([self.program, *words], capture_output=True, text=True, timeout=60)
+        check(done.returncode == 0, words, "ends with", done.returncode, done.stderr)
+        return done
+
     def run(self, *words):
         """The command's JSON from standard output."""
         done = subprocess.run([self.program, *words, "--format", "json"],

@@ -145,6 +145,8 @@ LEDGER = HEAD | {name: WATTS for name in ("emitted_w",) + COLUMNS} | {
 CHECK = HEAD | {
     "surfaces": {"triangles": count, "spheres": count, "area_m2": number(0),
                  "materials": many({"name": text(".+"), "area_m2": number(0)})},
+    "mesh_materials": many({"geometry": count, "file": text(".+"), "name": text(".*"),
+                            "area_m2": number(0), "material": text(".+")}),
     "media": many({"name": text(".+"), "extinction_per_m": [number(0)] * 2,
                    "albedo": [fraction] * 2, "mean_cosine": [number(-1, 1)] * 2,
                    "phase": many({"kind": text("[a-z_]+"),

@@ -70,8 +70,37 @@ static void test_sphere_is_exact_from_inside(void)
     murk_surfaces_destroy(s);
 }
 
+/* Names of meshes: exactly, then by letters of any case, then by any blanks. */
+static void test_materials_are_found_by_name(void)
+{
+    static const struct {
+        const char *name;
+        size_t material;
+        bool is_named;
+    } want[] = {{"wall paint", 1, true}, {"Wall Paint", 1, true},
+                {"WALL PAINT", 2, true}, {"wallpaint", 1, true},
+                {" floor_1", 3, true},   {"floor_1", 3, true},
+                {"floor\t_1 ", 3, true}, {"floor_", 0, false},
+                {"floor_11", 0, false},  {"", 0, false},
+                {"default", 0, true},    {"Default", 0, true}};
+    const murk_material material[] = {{.name = "default"},
+                                      {.name = "wall paint"},
+                                      {.name = "WALL PAINT"},
+                                      {.name = "Floor_1 "}};
+    murk_surfaces *s = NULL;
+    CHECK(murk_surfaces_create(&s, NULL, 0, material, 4, NULL) == MURK_OK);
+    for (size_t i = 0; i < sizeof want / sizeof *want; ++i) {
+        bool is_named = !want[i].is_named;
+        CHECK(murk_surfaces_material_named(s, want[i].name, &is_named) ==
+              want[i].material);
+        CHECK(is_named == want[i].is_named);
+    }
+    murk_surfaces_destroy(s);
+}
+
 int main(void)
 {
+    test_materials_are_found_by_name();
     test_box_from_inside_and_outside();
     test_sphere_is_exact_from_inside();
     return check_done();
