@@ -206,15 +206,15 @@ static void print_one(const resolved *r)
                r->preset->about, r->preset->wavelength_nm[0],
                r->preset->wavelength_nm[1]);
     print_words(r);
-    murk_print("\n%14s  %12s  %8s  %12s  %12s  %11s  %s\n", "band nm",
+    murk_print("\n%13s  %12s  %8s  %12s  %12s  %9s  %s\n", "band nm",
                "extinction/m", "albedo", "absorption/m", "scattering/m",
-               "mean cosine", "phase");
+               "mean cos", "phase");
     for (int band = 0; band < r->scene->bands; ++band) {
         char name[40];
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
         band_name(r->scene, band, name);
-        murk_print("%14s  %12.6g  %8.6f  %12.6g  %12.6g  %11.4f  %s\n", name,
+        murk_print("%13s  %12.6g  %8.6f  %12.6g  %12.6g  %9.4f  %s\n", name,
                    extinction, albedo, extinction * (1 - albedo),
                    extinction * albedo,
                    murk_phase_mean_cosine(&r->phases->medium[0][band]),

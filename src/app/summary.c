@@ -18,20 +18,6 @@ static struct {
     size_t size, room;
 } open_line;
 
-/* A name and a gap begin a sentence, more gaps are columns. */
-static bool is_table(const char *line)
-{
-    const size_t length = strlen(line);
-    const char *at = line + (length < LABEL ? length : LABEL);
-    at += strspn(at, " ");
-    size_t gaps = 0;
-    while ((at = strstr(at, "  ")) != NULL) {
-        at += strspn(at, " ");
-        ++gaps;
-    }
-    return gaps > 1;
-}
-
 /* Where text goes on: under its own beginning. */
 static size_t indent_of(const char *line)
 {
@@ -46,7 +32,7 @@ static void show_wrapped(const char *line)
 {
     const size_t indent = indent_of(line);
     size_t begin = 0; /* of the columns, those of the indent */
-    while (!is_table(line) && strlen(line) + begin > COLUMNS) {
+    while (strlen(line) + begin > COLUMNS) {
         size_t cut = COLUMNS - begin;
         while (cut > indent && line[cut] != ' ') {
             --cut;
@@ -57,7 +43,11 @@ static void show_wrapped(const char *line)
                 break;
             }
         }
-        printf("%*s%.*s\n", (int)begin, "", (int)cut, line);
+        size_t end = cut; /* without the blanks before a column of a table */
+        while (end > 0 && line[end - 1] == ' ') {
+            --end;
+        }
+        printf("%*s%.*s\n", (int)begin, "", (int)end, line);
         line += cut + strspn(line + cut, " ");
         begin = indent;
     }

@@ -5,10 +5,9 @@
  *               0.0022); all candidates: 0.9540
  *
  * Lines wider than 80 columns are broken between words and go on under their
- * text, but for rows of tables: those with two spaces between words beyond the
- * label. Bytes count as columns. What a terminal might act on, in names and
- * paths, is shown escaped (base/utf8.h), a line feed in them too. From the main
- * thread only. */
+ * text, rows of tables, too. Bytes count as columns. What a terminal might act
+ * on, in names and paths, is shown escaped (base/utf8.h), a line feed in them
+ * too. From the main thread only. */
 #ifndef MURK_APP_SUMMARY_H
 #define MURK_APP_SUMMARY_H
 
