@@ -173,9 +173,13 @@ static murk_status add_mesh(murk_gathering *g, const murk_surface_desc *d,
                                                 n_materials, &is_named));
     }
     const uint32_t base = (uint32_t)g->vertices;
+    /* The mesh's own origin and the place's translation are both large where
+     * the mesh is far away: first they are added, then the vertices. */
+    murk_affine to_world = d->to_world;
+    to_world.shift = murk_affine_point(&d->to_world, m->origin_m);
     for (size_t i = 0; i < m->vertices; ++i) {
         const murk_vec3 p = murk_vertex(m->vertex_m, (uint32_t)i);
-        g->vertex[g->vertices++] = murk_affine_point(&d->to_world, p);
+        g->vertex[g->vertices++] = murk_affine_point(&to_world, p);
     }
     for (size_t i = 0; i < m->triangles; ++i) {
         const size_t k = g->triangles++;

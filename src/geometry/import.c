@@ -292,10 +292,11 @@ static murk_status send_names(const tour *t)
     return status;
 }
 
-static const struct aiScene *read_scene(const murk_import_order *order)
+static const struct aiScene *read_scene(const murk_import_order *order,
+                                        murk_import_source *source)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
-    struct aiFileIO files = murk_import_files();
+    struct aiFileIO files = murk_import_files(source);
     if (!settings) {
         return NULL;
     }
@@ -322,7 +323,8 @@ static void one_line(char *text)
 murk_status murk_import_work(murk_child *child, void *context, murk_error *err)
 {
     const murk_import_order *order = context;
-    const struct aiScene *scene = read_scene(order);
+    murk_import_source source = murk_import_source_of(order->path);
+    const struct aiScene *scene = read_scene(order, &source);
     if (!scene || !scene->mRootNode) {
         char why[256];
         snprintf(why, sizeof why, "%s", aiGetErrorString());
@@ -340,6 +342,11 @@ murk_status murk_import_work(murk_child *child, void *context, murk_error *err)
     t->order = order;
     t->scene = scene;
     const murk_affine place = to_metres(scene, &order->import);
+    const murk_vec3 origin = murk_affine_direction(
+        &place, murk_vec(source.shift[0], source.shift[1], source.shift[2]));
+    t->head.origin_m[0] = origin.x;
+    t->head.origin_m[1] = origin.y;
+    t->head.origin_m[2] = origin.z;
     visit(t, scene->mRootNode, &place);
     t->head.materials = scene->mNumMaterials;
     murk_status status = check_counts(t, err);

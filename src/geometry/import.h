@@ -11,6 +11,7 @@
 
 typedef struct murk_import_head {
     uint64_t vertices, triangles, materials;
+    double origin_m[3]; /* that the vertices count from */
 } murk_import_head;
 
 typedef struct murk_import_order {

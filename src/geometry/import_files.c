@@ -1,16 +1,19 @@
 #include "geometry/import_files.h"
 
 #include "base/inputs.h"
+#include "geometry/import_shift.h"
 
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 typedef struct source {
     struct aiFile file;
     FILE *stream;
+    size_t size; /* of a source in memory; else 0 */
     unsigned empty_reads;
 } source;
 
@@ -51,6 +54,10 @@ static size_t file_tell(struct aiFile *file)
 static size_t file_size(struct aiFile *file)
 {
     struct stat is;
+    const size_t size = ((source *)(void *)file->UserData)->size;
+    if (size > 0) {
+        return size;
+    }
     return fstat(fileno(stream_of(file)), &is) == 0 ? (size_t)is.st_size : 0;
 }
 
@@ -69,23 +76,40 @@ static void file_flush(struct aiFile *file)
     (void)file;
 }
 
+/* A regular file on the disk; NULL for all else. */
+static FILE *open_regular(const char *path)
+{
+    struct stat is;
+    FILE *stream = NULL;
+    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (fd >= 0 && fstat(fd, &is) == 0 && S_ISREG(is.st_mode)) {
+        stream = fdopen(fd, "rb");
+    }
+    if (stream) {
+        murk_inputs_add(&is);
+    } else if (fd >= 0) {
+        close(fd);
+    }
+    return stream;
+}
+
 static struct aiFile *file_open(struct aiFileIO *io, const char *path,
                                 const char *mode)
 {
-    (void)io, (void)mode;
-    struct stat is;
-    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0) {
+    (void)mode;
+    const murk_import_source *own = (const void *)io->UserData;
+    const bool is_own = own->bytes && strcmp(path, own->path) == 0;
+    source *from = calloc(1, sizeof *from);
+    if (!from) {
         return NULL;
     }
-    source *from = calloc(1, sizeof *from);
-    if (!from || fstat(fd, &is) != 0 || !S_ISREG(is.st_mode) ||
-        !(from->stream = fdopen(fd, "rb"))) {
-        close(fd);
+    from->stream =
+        is_own ? fmemopen(own->bytes, own->size, "rb") : open_regular(path);
+    from->size = is_own ? own->size : 0;
+    if (!from->stream) {
         free(from);
         return NULL;
     }
-    murk_inputs_add(&is);
     from->file = (struct aiFile){.ReadProc = file_read,
                                  .WriteProc = file_write,
                                  .TellProc = file_tell,
@@ -103,7 +127,42 @@ static void file_close(struct aiFileIO *io, struct aiFile *file)
     free(file->UserData);
 }
 
-struct aiFileIO murk_import_files(void)
+/* All of a regular file; NULL where it cannot be had. */
+static char *read_whole(const char *path, size_t *size)
 {
-    return (struct aiFileIO){.OpenProc = file_open, .CloseProc = file_close};
+    struct stat is;
+    FILE *stream = open_regular(path);
+    char *bytes = NULL;
+    if (stream && fstat(fileno(stream), &is) == 0 && is.st_size > 0) {
+        *size = (size_t)is.st_size;
+        bytes = malloc(*size);
+    }
+    if (bytes && fread(bytes, 1, *size, stream) != *size) {
+        free(bytes);
+        bytes = NULL;
+    }
+    if (stream) {
+        fclose(stream);
+    }
+    return bytes;
+}
+
+murk_import_source murk_import_source_of(const char *path)
+{
+    murk_import_source own = {.path = path};
+    size_t size = 0;
+    char *bytes = murk_import_may_shift(path) ? read_whole(path, &size) : NULL;
+    if (bytes && !murk_import_shift(path, bytes, size, &own.bytes, &own.size,
+                                    own.shift)) {
+        own = (murk_import_source){.path = path};
+    }
+    free(bytes);
+    return own;
+}
+
+struct aiFileIO murk_import_files(murk_import_source *own)
+{
+    return (struct aiFileIO){.OpenProc = file_open,
+                             .CloseProc = file_close,
+                             .UserData = (aiUserData)(void *)own};
 }

@@ -4,6 +4,8 @@
 #include "geometry/triangle.h"
 
 #include <errno.h>
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -102,6 +104,13 @@ static void drop_degenerate(murk_mesh *mesh)
         mesh->bounds_m = murk_box_with(mesh->bounds_m, t.c);
     }
     mesh->triangles = kept;
+    const murk_box *b = &mesh->bounds_m;
+    const double farthest = fmax(fmax(fmax(fabs(b->min.x), fabs(b->max.x)),
+                                      fmax(fabs(b->min.y), fabs(b->max.y))),
+                                 fmax(fabs(b->min.z), fabs(b->max.z)));
+    mesh->step_m = farthest > 0 ? exp2(floor(log2(farthest))) * FLT_EPSILON : 0;
+    mesh->bounds_m = (murk_box){murk_add(b->min, mesh->origin_m),
+                                murk_add(b->max, mesh->origin_m)};
 }
 
 /* Copies and moves on. */
@@ -139,7 +148,9 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
     take(mesh->corner, 3 * mesh->triangles * sizeof(uint32_t), &bytes);
     take(mesh->material, mesh->triangles * sizeof(uint32_t), &bytes);
     take(mesh->material_name, mesh->materials * MURK_NAME_SIZE, &bytes);
-    if (!is_sound(mesh)) {
+    mesh->origin_m =
+        murk_vec(head.origin_m[0], head.origin_m[1], head.origin_m[2]);
+    if (!is_sound(mesh) || !murk_is_finite(mesh->origin_m)) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "%s: coordinates or indices out of range", path);
     }

@@ -17,12 +17,16 @@
 
 typedef struct murk_mesh {
     size_t vertices, triangles, materials;
+    murk_vec3 origin_m; /* that the vertices count from: 0, unless an OBJ or PLY
+                           file has them far from 0 (geometry/import_shift.h) */
+    double step_m;      /* of single precision at the farthest vertex: how far
+                           off the vertices may be */
     float *vertex_m;    /* 3 * vertices: x y z x y z ... */
     uint32_t *corner;   /* 3 * triangles: indices of vertices */
     uint32_t *material; /* triangles: index into material_name */
     char (*material_name)[MURK_NAME_SIZE]; /* as the file calls them */
     size_t degenerate; /* triangles of no area: counted, left out */
-    murk_box bounds_m;
+    murk_box bounds_m; /* with the origin */
 } murk_mesh;
 
 typedef struct murk_mesh_import {

@@ -10,6 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Nobody mounts a sensor nearer to a surface than this: precision finer than it
+ * is not why a candidate is lost. */
+#define LEAST_STEP_M 1e-3
+
 #define POINTS_MAX   ((double)MURK_CANDIDATES_MAX)
 #define BATCH_POINTS 4096
 
@@ -259,9 +263,21 @@ static void count(murk_candidates *c, const asking *a)
 }
 
 static murk_status refuse_none(const murk_candidates *c, double clearance_m,
-                               const char *where, murk_error *err)
+                               const murk_surfaces *surfaces, const char *where,
+                               murk_error *err)
 {
+    /* How far rays start from a surface: nearer places are not told apart. */
+    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    const double step_m = murk_length(murk_surfaces_leave(surfaces, zero, up));
     char more[96] = "";
+    if (c->too_close > 0 && step_m > fmax(clearance_m, LEAST_STEP_M)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "none of the %zu candidates is usable: at the size "
+                         "of the coordinates surfaces are known to %.3g m "
+                         "only, more than clearance_m, %g m. Give a domain, "
+                         "and leave out surfaces that are far from it",
+                         c->asked, step_m, clearance_m);
+    }
     if (c->forbidden + c->duplicates > 0) {
         snprintf(more, sizeof more, ", %zu forbidden by zones, %zu duplicates",
                  c->forbidden, c->duplicates);
@@ -290,10 +306,11 @@ static void keep_one(murk_candidates *c, size_t to, const asking *a, size_t i)
 }
 
 static murk_status keep_usable(murk_candidates *c, const asking *a,
-                               const char *where, murk_error *err)
+                               const murk_surfaces *surfaces, const char *where,
+                               murk_error *err)
 {
     if (c->usable == 0) {
-        return refuse_none(c, a->desc->grid.clearance_m, where, err);
+        return refuse_none(c, a->desc->grid.clearance_m, surfaces, where, err);
     }
     const bool has_normals = a->desc->mounts > 0;
     c->position = malloc(c->usable * sizeof *c->position);
@@ -336,7 +353,7 @@ murk_status murk_candidates_create(murk_candidates **out,
         goto done;
     }
     count(candidates, &a);
-    status = keep_usable(candidates, &a, where, err);
+    status = keep_usable(candidates, &a, surfaces, where, err);
     if (status) {
         goto done;
     }

@@ -18,6 +18,10 @@
  */
 #define FILE_BYTES_MAX (UINT64_C(8) << 30)
 
+/* Step of single precision over the extent of a mesh from which on it is
+ * told: reached where the mesh lies some 160 times its extent from 0. */
+#define STEP_TOLD 1e-5
+
 /* Adds the checksum of a file's bytes to the light's key; the key names the
  * file already, and not its folder, so that a scene may move with its files. */
 static murk_status sign_file(murk_stage *stage, const char *path,
@@ -41,13 +45,47 @@ static murk_status sign_file(murk_stage *stage, const char *path,
     return MURK_OK;
 }
 
+/* A mesh file is read in single precision; where that is coarser than sensors
+ * must keep clear of surfaces, what they see is not known. A
+ * step that is a noticeable share of the mesh itself is told. */
+static murk_status check_step(const murk_scene *scene, const murk_mesh *mesh,
+                              const char *file, double scale, const char *where,
+                              murk_error *err)
+{
+    const double clearance_m =
+        scene->sensors.given ? scene->sensors.candidates.clearance_m : 0;
+    const double step_m = mesh->step_m * scale;
+    const murk_vec3 size = murk_sub(mesh->bounds_m.max, mesh->bounds_m.min);
+    const double longest_m = fmax(size.x, fmax(size.y, size.z)) * scale;
+    if (clearance_m > 0 && step_m > clearance_m) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "%s is read in single precision, whose step at its "
+                         "coordinates is %.3g m, more than clearance_m, %g m: "
+                         "bring the mesh nearer to 0 and give translate_m, or "
+                         "write it as OBJ or PLY with text or doubles",
+                         file, step_m, clearance_m);
+    }
+    if (step_m > STEP_TOLD * longest_m) {
+        murk_warn(where,
+                  "%s is read in single precision, whose step at its "
+                  "coordinates is %.3g m: bring the mesh nearer to 0 and give "
+                  "translate_m, or write it as OBJ or PLY with text or doubles",
+                  file, step_m);
+    }
+    return MURK_OK;
+}
+
 static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
                                const char *file, double unit_m, char up,
-                               const char *where, murk_error *err)
+                               double scale, const char *where, murk_error *err)
 {
     const murk_mesh_import import = {.unit_m = unit_m, .up = up};
-    const murk_status status = sign_file(stage, file, where, err);
-    return status ? status : murk_mesh_read(out, file, &import, where, err);
+    murk_status status = sign_file(stage, file, where, err);
+    if (!status) {
+        status = murk_mesh_read(out, file, &import, where, err);
+    }
+    return status ? status
+                  : check_step(stage->scene, *out, file, scale, where, err);
 }
 
 /* What the scene's world is made of, and its light's key. */
@@ -59,14 +97,14 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
         const murk_scene_geometry *g = &scene->geometry[i];
         if (g->shape == MURK_SCENE_FILE) {
             status = import_mesh(stage, &stage->mesh[i], g->file, g->unit_m,
-                                 g->up, g->where, err);
+                                 g->up, g->scale, g->where, err);
         }
     }
     for (size_t i = 0; i < scene->n_regions && !status; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (r->shape == MURK_SCENE_IN_MESH) {
             status = import_mesh(stage, &stage->region_mesh[i], r->mesh,
-                                 r->unit_m, r->up, r->where, err);
+                                 r->unit_m, r->up, r->scale, r->where, err);
         }
     }
     for (size_t i = 0; i < scene->n_media && !status; ++i) {

@@ -38,6 +38,7 @@ materials: {{wall: {{diffuse: 0.6}}, default: {{diffuse: 0.3}}}}
 geometry:
   - {{box: {whole}, material: wall}}
   - {{box: {box % (p(3, 2, 0), p(4.5, 3.5, 2))}}}
+  - {{file: crate.obj}}
   - {{sphere: {{center_m: [7, 5, 1], radius_m: 0.75}}, translate_m: {p(0, 0, 0)}}}
 media:
   fog: {{extinction_per_m: 0.1, albedo: 0.9, phase: {{hg: 0.8}}}}
@@ -68,6 +69,20 @@ cameras: [{{name: eye, from_m: {p(1, 4, 2)}, to_m: {p(9, 4, 1)}, pixels: [8, 6],
 """
 
 
+def crate(offset):
+    """A table with a file of its own: two faces, as OBJ and as STL."""
+    at = [[a + b for a, b in zip(corner, offset)]
+          for corner in ((3.25, 5, 1), (4.75, 5, 1), (4.75, 6.5, 1), (3.25, 6.5, 1.5))]
+    faces = ((0, 1, 2), (0, 2, 3))
+    obj = "".join("v %r %r %r\n" % tuple(v) for v in at)
+    obj += "".join("f %d %d %d\n" % tuple(i + 1 for i in f) for f in faces)
+    stl = "solid a\n"
+    for f in faces:
+        stl += "facet normal 0 0 1\nouter loop\n"
+        stl += "".join("vertex %r %r %r\n" % tuple(at[i]) for i in f) + "endloop\nendfacet\n"
+    return {"crate.obj": obj, "crate.stl": stl + "endsolid a\n"}
+
+
 class Place:
     """One run of the room at an offset, in a folder of its own."""
 
@@ -80,17 +95,28 @@ class Place:
         with open(self.path("listed.csv"), "w", encoding="utf-8") as file:
             file.write("x_m,y_m,z_m\n%r,%r,%r\n" % tuple(
                 a + b for a, b in zip((8.25, 6.5, 1.25), offset)))
+        for name, text in crate(offset).items():
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write(text)
         self.run("place", "room.yaml", "-o", "out")
         self.plan = self.json("out", "plan.json")
 
     def path(self, *names):
         return os.path.join(self.folder, *names)
 
-    def run(self, *args):
+    def run(self, *args, want=0):
         done = subprocess.run([self.murk, *args], cwd=self.folder, timeout=120,
                               capture_output=True, text=True, check=False)
-        check(done.returncode == 0, args, self.offset, done.stderr)
+        check(done.returncode == want, args, self.offset, done.stderr)
         return done
+
+    def variant(self, old, new):
+        """The room with a piece of its text replaced, as variant.yaml."""
+        text = self.text("room.yaml")
+        check(old in text, old)
+        with open(self.path("variant.yaml"), "w", encoding="utf-8") as file:
+            file.write(text.replace(old, new))
+        return "variant.yaml"
 
     def json(self, *names):
         with open(self.path(*names), encoding="utf-8") as file:
@@ -130,11 +156,13 @@ def main():
         home = Place(murk, top, "home", (0, 0, 0))
         places = home.places(home.plan["sensors"])
         check(home.plan["candidates"]["usable"] > 100, home.plan["candidates"])
+        survey = home
         for i, offset in enumerate(EXACT + ROUNDED):
             far = Place(murk, top, "far%d" % i, offset)
             check(near(places, far.places(far.plan["sensors"])), offset)
             vertex = [a - b for a, b in zip(first_vertex(far), offset)]
             check(near([vertex], places[:1]), offset, vertex)
+            survey = far if i == 1 else survey
             if offset in EXACT:
                 check(far.figures() == home.figures(), offset)
                 check(far.text("out", "tallies.csv") == home.text("out", "tallies.csv"), offset)
@@ -156,6 +184,18 @@ def main():
         far.run("render", "room.yaml", "--light", "out/light.murk", "-o", "eye.exr")
         far.run("report", "out", "-o", "page.html")
         check("warning" not in far.run("check", "room.yaml").stderr)
+        # STL is read in single precision: half a metre here, which is refused
+        # where it is more than the clearance, and told where it is not.
+        stl = survey.variant("crate.obj", "crate.stl")
+        check("more than clearance_m, 0.1 m" in survey.run("check", stl, want=2).stderr)
+        check("step at its coordinates" in
+              survey.run("check", stl, "--set", "sensors.candidates.clearance_m=0").stderr)
+        home.run("check", home.variant("crate.obj", "crate.stl"))
+        # Where a far surface takes the precision, no other reason is given.
+        lost = home.variant("  - {file: crate.obj}", "  - {rect: {corner_m: [-1e8, -1e8, 0], "
+                            "edge1_m: [2e8, 0, 0], edge2_m: [0, 2e8, 0]}}")
+        check("surfaces are known to" in
+              home.run("place", lost, "--set", "sensors.candidates.mount=free", want=2).stderr)
         # Without a domain the origin follows from what the scene states.
         home = Place(murk, top, "home_free", (0, 0, 0), domain=False)
         far = Place(murk, top, "far_free", EXACT[1], domain=False)

@@ -25,6 +25,8 @@ typedef struct idle_case {
 } idle_case;
 
 static const idle_case CASES[] = {
+    {"domain.outside", "domain.sides=periodic", "domain.sides=open",
+     "domain.outside=continued", "domain.outside=empty"},
     {"placement.threshold", "placement.detection=weighted",
      "placement.detection=threshold", "placement.threshold=0.2",
      "placement.threshold=5e-2"},

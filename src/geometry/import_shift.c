@@ -1,0 +1,404 @@
+/* Rewrites OBJ and PLY files with their vertices near 0; see
+ * geometry/import_shift.h. Sources of the formats: Wavefront, Advanced
+ * Visualizer appendix B1; G. Turk, The PLY polygon file format, 1994. */
+#include "geometry/import_shift.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* As of scenes: scene/origin.h. */
+#define FAR 32
+
+/* A number and a blank, with the digits that single precision can use. */
+#define NUMBER_BYTES 24
+
+/* Properties of a vertex that are looked at. */
+#define PROPERTIES_MAX 64
+
+/* ---- the shift ---- */
+
+typedef struct extent {
+    double low[3], high[3];
+    size_t n;
+} extent;
+
+static void take(extent *e, const double x[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        e->low[k] = e->n == 0 || x[k] < e->low[k] ? x[k] : e->low[k];
+        e->high[k] = e->n == 0 || x[k] > e->high[k] ? x[k] : e->high[k];
+    }
+    ++e->n;
+}
+
+/* The middle, on each axis a multiple of twice the power of two at or above
+ * the longest edge. */
+static bool choose(const extent *e, double shift[3])
+{
+    double longest = 0, farthest = 0;
+    for (int k = 0; k < 3; ++k) {
+        longest = fmax(longest, e->high[k] - e->low[k]);
+        farthest = fmax(farthest, fabs(e->low[k] + e->high[k]) / 2);
+    }
+    if (e->n == 0 || !(longest > 0 && isfinite(longest)) ||
+        !(farthest > FAR * longest / 2 && isfinite(farthest))) {
+        return false;
+    }
+    const double grid = 2 * exp2(ceil(log2(longest)));
+    for (int k = 0; k < 3; ++k) {
+        shift[k] = grid * nearbyint((e->low[k] + e->high[k]) / 2 / grid);
+    }
+    return true;
+}
+
+/* ---- text ---- */
+
+/* A growing text. */
+typedef struct text {
+    char *bytes;
+    size_t n, room;
+    bool failed;
+} text;
+
+static void put(text *t, const char *bytes, size_t n)
+{
+    if (t->n + n > t->room) {
+        const size_t room = 2 * (t->n + n) + 4096;
+        char *grown = realloc(t->bytes, room);
+        t->failed = t->failed || !grown;
+        t->bytes = grown ? grown : t->bytes;
+        t->room = grown ? room : t->room;
+    }
+    if (!t->failed) {
+        memcpy(t->bytes + t->n, bytes, n);
+        t->n += n;
+    }
+}
+
+static const char *line_end(const char *at, const char *end)
+{
+    const char *stop = memchr(at, '\n', (size_t)(end - at));
+    return stop ? stop + 1 : end;
+}
+
+/* Finds column `want` of a line: *first its first byte. Returns the byte behind
+ * it; NULL where there are fewer. */
+static const char *column(const char *at, const char *end, size_t want,
+                          const char **first)
+{
+    for (size_t k = 0; at < end; ++k) {
+        while (at < end && isspace((unsigned char)*at)) {
+            ++at;
+        }
+        *first = at;
+        while (at < end && !isspace((unsigned char)*at)) {
+            ++at;
+        }
+        if (k == want) {
+            return at > *first ? at : NULL;
+        }
+    }
+    return NULL;
+}
+
+/* The three numbers in the given columns of a line. */
+static bool numbers(const char *at, const char *end, const size_t columns[3],
+                    double x[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        const char *first = NULL;
+        const char *behind = column(at, end, columns[k], &first);
+        char word[64];
+        char *stop = NULL;
+        if (!behind || (size_t)(behind - first) >= sizeof word) {
+            return false;
+        }
+        memcpy(word, first, (size_t)(behind - first));
+        word[behind - first] = '\0';
+        x[k] = strtod(word, &stop);
+        if (*stop != '\0' || !isfinite(x[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Writes the line with those numbers less the shift. */
+static void put_shifted(text *out, const char *at, const char *end,
+                        const size_t columns[3], const double shift[3])
+{
+    double x[3] = {0};
+    (void)numbers(at, end, columns, x);
+    const char *from = at;
+    for (size_t c = 0;; ++c) {
+        const char *first = NULL;
+        const char *behind = column(at, end, c, &first);
+        if (!behind) {
+            break;
+        }
+        for (int k = 0; k < 3; ++k) {
+            if (columns[k] == c) {
+                char number[NUMBER_BYTES];
+                const int n =
+                    snprintf(number, sizeof number, "%.9g", x[k] - shift[k]);
+                put(out, from, (size_t)(first - from));
+                put(out, number, (size_t)n);
+                from = behind;
+            }
+        }
+    }
+    put(out, from, (size_t)(end - from));
+}
+
+/* ---- OBJ ---- */
+
+static bool is_vertex(const char *at, const char *end)
+{
+    return end - at > 2 && at[0] == 'v' && (at[1] == ' ' || at[1] == '\t');
+}
+
+/* A weight (a fourth number alone) or a line that goes on is not understood. */
+static bool is_plain(const char *at, const char *end)
+{
+    const char *first = NULL;
+    const bool has_fourth = column(at, end, 4, &first) != NULL;
+    const bool has_fifth = column(at, end, 5, &first) != NULL;
+    return has_fourth == has_fifth && !memchr(at, '\\', (size_t)(end - at));
+}
+
+static bool shift_obj(const char *bytes, size_t size, text *out,
+                      double shift[3])
+{
+    static const size_t columns[3] = {1, 2, 3};
+    const char *end = bytes + size;
+    extent e = {.n = 0};
+    for (const char *at = bytes; at < end; at = line_end(at, end)) {
+        const char *stop = line_end(at, end);
+        double x[3];
+        if (!is_vertex(at, stop)) {
+            continue;
+        }
+        if (!is_plain(at, stop) || !numbers(at, stop, columns, x)) {
+            return false;
+        }
+        take(&e, x);
+    }
+    if (!choose(&e, shift)) {
+        return false;
+    }
+    for (const char *at = bytes; at < end; at = line_end(at, end)) {
+        const char *stop = line_end(at, end);
+        if (is_vertex(at, stop)) {
+            put_shifted(out, at, stop, columns, shift);
+        } else {
+            put(out, at, (size_t)(stop - at));
+        }
+    }
+    return true;
+}
+
+/* ---- PLY ---- */
+
+typedef struct ply {
+    bool is_ascii, is_big;
+    uint64_t vertices;
+    size_t header, bytes; /* of the header, of a binary vertex */
+    size_t column[3];     /* of x, y, z */
+    size_t offset[3];     /* likewise, in a binary vertex */
+    bool is_double[3];
+    unsigned found; /* bits of x, y, z */
+} ply;
+
+static size_t type_bytes(const char *name)
+{
+    static const struct {
+        const char *name;
+        size_t bytes;
+    } types[] = {{"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},
+                 {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
+                 {"int", 4},   {"uint", 4},    {"int32", 4},  {"uint32", 4},
+                 {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+    for (size_t i = 0; i < sizeof types / sizeof *types; ++i) {
+        if (strcmp(types[i].name, name) == 0) {
+            return types[i].bytes;
+        }
+    }
+    return 0;
+}
+
+static bool add_property(ply *p, size_t *columns, const char *type,
+                         const char *name)
+{
+    const size_t bytes = type_bytes(type);
+    if (bytes == 0 || *columns == PROPERTIES_MAX) {
+        return false;
+    }
+    if (strlen(name) == 1 && name[0] >= 'x' && name[0] <= 'z') {
+        const int k = name[0] - 'x';
+        p->column[k] = *columns;
+        p->offset[k] = p->bytes;
+        p->is_double[k] = bytes == 8;
+        p->found |= 1U << k;
+    }
+    p->bytes += bytes;
+    ++*columns;
+    return true;
+}
+
+/* The vertices must be the first element. */
+static bool read_ply_header(ply *p, const char *bytes, size_t size)
+{
+    const char *end = bytes + size;
+    bool is_of_vertex = false, is_past = false;
+    size_t columns = 0;
+    for (const char *at = bytes; at < end; at = line_end(at, end)) {
+        const char *stop = line_end(at, end);
+        char line[256], word[4][64] = {"", "", "", ""};
+        const size_t n = (size_t)(stop - at);
+        if (n >= sizeof line) {
+            continue; /* a long comment */
+        }
+        memcpy(line, at, n);
+        line[n] = '\0';
+        (void)sscanf(line, "%63s %63s %63s %63s", word[0], word[1], word[2],
+                     word[3]);
+        if (strcmp(word[0], "format") == 0) {
+            p->is_ascii = strcmp(word[1], "ascii") == 0;
+            p->is_big = strcmp(word[1], "binary_big_endian") == 0;
+        } else if (strcmp(word[0], "element") == 0) {
+            is_of_vertex = strcmp(word[1], "vertex") == 0 && !is_past;
+            is_past = true;
+            p->vertices =
+                is_of_vertex ? strtoull(word[2], NULL, 10) : p->vertices;
+        } else if (strcmp(word[0], "property") == 0 && is_of_vertex) {
+            if (!add_property(p, &columns, word[1], word[2])) {
+                return false;
+            }
+        } else if (strcmp(word[0], "end_header") == 0) {
+            p->header = (size_t)(stop - bytes);
+            return p->found == 7 && p->vertices > 0;
+        }
+    }
+    return false;
+}
+
+static double swapped(const char *from, bool is_big)
+{
+    unsigned char at[8];
+    double value;
+    for (int k = 0; k < 8; ++k) {
+        at[k] = (unsigned char)from[is_big ? 7 - k : k];
+    }
+    memcpy(&value, at, sizeof value);
+    return value;
+}
+
+static void put_swapped(char *to, double value, bool is_big)
+{
+    char at[8];
+    memcpy(at, &value, sizeof at);
+    for (int k = 0; k < 8; ++k) {
+        to[is_big ? 7 - k : k] = at[k];
+    }
+}
+
+static bool shift_binary(const ply *p, const char *bytes, size_t size,
+                         text *out, double shift[3])
+{
+    extent e = {.n = 0};
+    const bool fits = p->vertices <= (size - p->header) / p->bytes;
+    if (!fits || !p->is_double[0] || !p->is_double[1] || !p->is_double[2]) {
+        return false;
+    }
+    for (uint64_t i = 0; i < p->vertices; ++i) {
+        const char *at = bytes + p->header + i * p->bytes;
+        double x[3];
+        for (int k = 0; k < 3; ++k) {
+            x[k] = swapped(at + p->offset[k], p->is_big);
+            if (!isfinite(x[k])) {
+                return false;
+            }
+        }
+        take(&e, x);
+    }
+    if (!choose(&e, shift)) {
+        return false;
+    }
+    put(out, bytes, size);
+    for (uint64_t i = 0; i < p->vertices && !out->failed; ++i) {
+        char *at = out->bytes + p->header + i * p->bytes;
+        for (int k = 0; k < 3; ++k) {
+            put_swapped(at + p->offset[k],
+                        swapped(at + p->offset[k], p->is_big) - shift[k],
+                        p->is_big);
+        }
+    }
+    return true;
+}
+
+static bool shift_ascii(const ply *p, const char *bytes, size_t size, text *out,
+                        double shift[3])
+{
+    const char *end = bytes + size, *at = bytes + p->header;
+    extent e = {.n = 0};
+    for (uint64_t i = 0; i < p->vertices; ++i, at = line_end(at, end)) {
+        double x[3];
+        if (at >= end || !numbers(at, line_end(at, end), p->column, x)) {
+            return false;
+        }
+        take(&e, x);
+    }
+    if (!choose(&e, shift)) {
+        return false;
+    }
+    put(out, bytes, p->header);
+    at = bytes + p->header;
+    for (uint64_t i = 0; i < p->vertices; ++i, at = line_end(at, end)) {
+        put_shifted(out, at, line_end(at, end), p->column, shift);
+    }
+    put(out, at, (size_t)(end - at));
+    return true;
+}
+
+static bool shift_ply(const char *bytes, size_t size, text *out,
+                      double shift[3])
+{
+    ply p = {.is_ascii = false};
+    if (!read_ply_header(&p, bytes, size)) {
+        return false;
+    }
+    return p.is_ascii ? shift_ascii(&p, bytes, size, out, shift)
+                      : shift_binary(&p, bytes, size, out, shift);
+}
+
+bool murk_import_may_shift(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot &&
+           (strcasecmp(dot, ".obj") == 0 || strcasecmp(dot, ".ply") == 0);
+}
+
+bool murk_import_shift(const char *path, const char *bytes, size_t size,
+                       char **out, size_t *out_size, double shift[3])
+{
+    const char *dot = strrchr(path, '.');
+    text made = {.bytes = NULL};
+    bool is_shifted = false;
+    if (dot && strcasecmp(dot, ".obj") == 0) {
+        is_shifted = shift_obj(bytes, size, &made, shift);
+    } else if (dot && strcasecmp(dot, ".ply") == 0) {
+        is_shifted = shift_ply(bytes, size, &made, shift);
+    }
+    if (!is_shifted || made.failed) {
+        free(made.bytes);
+        return false;
+    }
+    *out = made.bytes;
+    *out_size = made.n;
+    return true;
+}
