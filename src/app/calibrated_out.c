@@ -3,6 +3,7 @@
 #include "app/coverage_out.h"
 #include "base/log.h"
 #include "calibrate/key_place.h"
+#include "calibrate/verdict.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -139,6 +140,11 @@ static void write_value(FILE *file, const murk_fit_facts *f, size_t k,
                 text);
         return;
     }
+    /* a value that is not known says so beside itself */
+    if (!murk_calibration_determines(f->found, k)) {
+        fprintf(file, "# %s: %s\n", key->name,
+                murk_calibration_status(f->found, k));
+    }
     if (key->condition != SIZE_MAX) {
         write_in(file, keys, key->condition, key->path, text);
         return;
@@ -171,6 +177,7 @@ static murk_status write_calibrated(const char *path, const void *context,
     FILE *file = murk_file_stream(out);
     bool has_keys = false;
     fprintf(file, "# values found by murk fit; for --set @FILE\n");
+    fprintf(file, "# Does it fit? %s\n", f->found->verdict);
     for (size_t k = 0; k < f->keys->n; ++k) {
         write_value(file, f, k, &p);
         has_keys = has_keys || f->keys->key[k].kind != MURK_FREE_GAIN;

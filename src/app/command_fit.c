@@ -4,6 +4,7 @@
 #include "calibrate/covered.h"
 #include "scene/yaml.h"
 
+#include "base/log.h"
 #include "base/progress.h"
 
 #include <stdlib.h>
@@ -251,6 +252,11 @@ static murk_status write_files(const fit *f, murk_session *session,
         status = murk_session_finish(
             session, only_predicts ? "predict.json" : "fit.json",
             murk_fit_json(&facts), err);
+    }
+    /* where no summary is printed, a warning carries the refusal */
+    if (!status && !only_predicts && !f->found.is_accepted &&
+        !murk_session_speaks(session)) {
+        murk_warn("", "%s", f->found.verdict);
     }
     if (!status && murk_session_speaks(session)) {
         murk_print_fit(&facts);

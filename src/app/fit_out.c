@@ -2,6 +2,7 @@
 
 #include "app/coverage_out.h"
 #include "app/summary.h"
+#include "calibrate/verdict.h"
 
 #include <math.h>
 #include <string.h>
@@ -37,6 +38,8 @@ static void add_parameters(cJSON *root, const murk_fit_facts *f)
             murk_json_number(item, "lower", c->lower[k]);
             murk_json_number(item, "upper", c->upper[k]);
             cJSON_AddBoolToObject(item, "at_bound", c->at_bound[k]);
+            cJSON_AddStringToObject(item, "status",
+                                    murk_calibration_status(c, k));
             murk_json_number(item, "start", key->start);
             murk_json_number(item, "bound_lower", key->lower);
             murk_json_number(item, "bound_upper", key->upper);
@@ -170,6 +173,16 @@ cJSON *murk_fit_json(const murk_fit_facts *f)
 {
     const murk_calibration *c = f->found;
     cJSON *root = murk_json_begin(f->scene);
+    if (!f->only_predicts) { /* first, since it decides what the rest is worth
+                              */
+        if (isnan(c->p_value)) {
+            cJSON_AddNullToObject(root, "accepted");
+        } else {
+            cJSON_AddBoolToObject(root, "accepted", c->is_accepted);
+        }
+        cJSON_AddStringToObject(root, "verdict", c->verdict);
+        murk_json_number(root, "p_value", c->p_value);
+    }
     cJSON *data = cJSON_AddObjectToObject(root, "data");
     cJSON_AddStringToObject(data, "file", f->measured->path);
     cJSON_AddStringToObject(data, "sha256", f->measured->sha256);
@@ -269,18 +282,19 @@ murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,
 
 /* ---- the terminal ---- */
 
+/* A value without a standard error is shown to two digits: more would look like
+ * knowledge. */
 static void print_parameter(const murk_fit_facts *f, size_t k)
 {
     const murk_calibration *c = f->found;
-    murk_print("%-11s %s = %.6g", k ? "" : "found", f->keys->key[k].name,
-               c->value[k]);
-    if (c->at_bound[k]) {
-        murk_print(" (at its bound)");
-    } else if (isfinite(c->standard_error[k])) {
-        murk_print(" +- %.2g (95 %%: %.4g to %.4g)", c->standard_error[k],
+    const char *name = f->keys->key[k].name;
+    if (murk_calibration_determines(c, k)) {
+        murk_print("%-11s %s = %.6g +- %.2g (95 %%: %.4g to %.4g)",
+                   k ? "" : "found", name, c->value[k], c->standard_error[k],
                    c->lower[k], c->upper[k]);
     } else {
-        murk_print(" (not determined by these data)");
+        murk_print("%-11s %s = %.2g (%s)", k ? "" : "found", name, c->value[k],
+                   murk_calibration_status(c, k));
     }
     const double off = murk_model_slope_error(c->model, k);
     if (isfinite(off)) {
@@ -367,6 +381,9 @@ static void print_next(const murk_fit_facts *f)
 void murk_print_fit(const murk_fit_facts *f)
 {
     const murk_calibration *c = f->found;
+    if (!f->only_predicts && !c->is_accepted) {
+        murk_print("fit         %s\n", c->verdict);
+    }
     murk_print("data        %s: %zu rows, %zu of them held out\n",
                f->measured->path, f->measured->rows, c->held_out);
     if (c->photons) {
@@ -386,8 +403,10 @@ void murk_print_fit(const murk_fit_facts *f)
             print_parameter(f, k);
         }
         print_identifiability(f);
-        murk_print("fit         chi2 %.4g for %ld degrees of freedom; %s: %s\n",
-                   c->chi2, c->degrees_of_freedom,
+        if (c->is_accepted) {
+            murk_print("fit         %s\n", c->verdict);
+        }
+        murk_print("search      %s: %s\n",
                    c->converged ? "converged" : "NOT converged", c->why);
     }
     if (c->held_out) {

@@ -1,13 +1,11 @@
 /* What was asked of a study, a fit or light alone, and the answer. */
 #include "app/report_answers.h"
 #include "app/page.h"
+#include "app/report_fit.h"
 #include "app/report_study.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Half a 95 % interval, in standard errors. */
-#define HALF_INTERVAL 1.96
 
 #define SHOWN_MAX   8 /* keys */
 #define OUTPUTS_MAX 12
@@ -171,7 +169,9 @@ static void answer_fit(FILE *to, const murk_yaml *fit)
 {
     const size_t n = murk_result_count(fit, "parameters");
     const murk_yaml *list = murk_result_at(fit, "parameters");
-    murk_page_line_begin(to, "Answer");
+    const bool is_refused = murk_result_is(fit, "accepted", "false");
+    murk_page_line_begin(to, is_refused ? "Best values, which do not fit"
+                                        : "Answer");
     fputs("<ul>", to);
     for (size_t i = 0; i < n && i < SHOWN_MAX; ++i) {
         const murk_yaml *p = list->child[i];
@@ -179,8 +179,7 @@ static void answer_fit(FILE *to, const murk_yaml *fit)
         fputs("<li>", to);
         murk_page_text(to, murk_result_text(p, "key"));
         fputs(" = <strong>", to);
-        murk_page_estimate(to, murk_result_number(p, "value"),
-                           murk_result_number(p, "standard_error"));
+        murk_report_fit_value(to, p);
         fputs("</strong>", to);
         if (isfinite(lower)) {
             fputs(", with 95 % within ", to);
@@ -188,8 +187,6 @@ static void answer_fit(FILE *to, const murk_yaml *fit)
             fputs(" to ", to);
             murk_page_number(to, murk_result_number(p, "upper"));
         }
-        fputs(murk_result_is(p, "at_bound", "true") ? ", at its bound" : "",
-              to);
         fputs("</li>", to);
     }
     fputs("</ul>", to);
@@ -199,37 +196,11 @@ static void answer_fit(FILE *to, const murk_yaml *fit)
     murk_page_line_end(to);
 }
 
-/* chi-squared has mean n and variance 2 n. */
+/* The verdict in fit.json's own words. */
 static void judge_fit(FILE *to, const murk_yaml *fit)
 {
-    const double chi2 = murk_result_number(fit, "chi2");
-    const double n = murk_result_number(fit, "degrees_of_freedom");
-    if (!(isfinite(chi2) && n > 0)) {
-        return;
-    }
-    const double off = (chi2 - n) / sqrt(2 * n);
     murk_page_line_begin(to, "Does it fit?");
-    fprintf(to, "%s",
-            off > 2 * HALF_INTERVAL ? "No: the readings scatter about the "
-                                      "model more than their errors say"
-            : off > HALF_INTERVAL
-                ? "Not well: the readings scatter about the model somewhat "
-                  "more than their errors say"
-            : off < -HALF_INTERVAL
-                ? "Better than it should: the readings' errors are stated "
-                  "too large"
-                : "Yes: the readings scatter about the model as their errors "
-                  "say");
-    fputs(" (chi² ", to);
-    murk_page_power(to, chi2, 4);
-    fputs(" where ", to);
-    murk_page_number(to, n);
-    fprintf(to, " ± %.0f is due).", round(sqrt(2 * n)));
-    fputs(murk_result_is(fit, "converged", "true")
-              ? ""
-              : " The search had not ended where the "
-                "best is: see why it ended.",
-          to);
+    murk_page_text(to, murk_result_text(fit, "verdict"));
     const double rows = murk_result_number(fit, "hold_out.rows");
     const double rms =
         murk_result_number(fit, "hold_out.rms_in_standard_errors");
@@ -245,9 +216,15 @@ static void judge_fit(FILE *to, const murk_yaml *fit)
 
 void murk_answer_fit(FILE *to, const murk_yaml *fit)
 {
+    const bool is_refused = murk_result_is(fit, "accepted", "false");
     ask_fit(to, fit);
+    if (is_refused) { /* before any value */
+        judge_fit(to, fit);
+    }
     answer_fit(to, fit);
-    judge_fit(to, fit);
+    if (!is_refused) {
+        judge_fit(to, fit);
+    }
 }
 
 /* ---- light alone ---- */

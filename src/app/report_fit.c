@@ -25,6 +25,10 @@ static void write_facts(FILE *to, const murk_yaml *fit)
     murk_page_fact_number(to, "chi²", murk_result_number(fit, "chi2"), "");
     murk_page_fact_number(to, "degrees of freedom",
                           murk_result_number(fit, "degrees_of_freedom"), "");
+    murk_page_fact_number(to, "chance of so large a chi² or a larger one",
+                          murk_result_number(fit, "p_value"), "");
+    murk_page_fact(to, "accepted (chance of at least 1e-4)",
+                   murk_result_text(fit, "accepted"));
     murk_page_fact(to, "converged", murk_result_text(fit, "converged"));
     murk_page_fact(to, "why it ended", murk_result_text(fit, "why"));
     murk_page_fact_number(to, "times that light was traced",
@@ -46,19 +50,20 @@ static void write_facts(FILE *to, const murk_yaml *fit)
 static void write_parameters(FILE *to, const murk_yaml *fit)
 {
     static const char *const heads[] = {"key",       "value", "from (95 %)",
-                                        "to (95 %)", "start", "<at a bound"};
+                                        "to (95 %)", "start", "<known"};
     const size_t n = murk_result_count(fit, "parameters");
     const murk_yaml *list = murk_result_at(fit, "parameters");
     murk_page_table_begin(to, "What was found", heads, 6);
     for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
         const murk_yaml *p = list->child[i];
         murk_page_row_begin(to, murk_result_text(p, "key"));
-        murk_page_cell_estimate(to, murk_result_number(p, "value"),
-                                murk_result_number(p, "standard_error"));
+        fputs("<td>", to);
+        murk_report_fit_value(to, p);
+        fputs("</td>", to);
         murk_page_cell_number(to, murk_result_number(p, "lower"));
         murk_page_cell_number(to, murk_result_number(p, "upper"));
         murk_page_cell_number(to, murk_result_number(p, "start"));
-        murk_page_cell_text(to, murk_result_text(p, "at_bound"));
+        murk_page_cell_text(to, murk_result_text(p, "status"));
         murk_page_row_end(to);
     }
     murk_page_table_end(to);

@@ -7,6 +7,10 @@
 
 #include <stdio.h>
 
+/* The value of one of fit.json's parameters: with its standard error where the
+ * data determine it, else to two digits with its status in words. */
+void murk_report_fit_value(FILE *to, const murk_yaml *parameter);
+
 /* The correlation matrix, shaded. */
 void murk_report_correlations(FILE *to, const murk_yaml *fit);
 

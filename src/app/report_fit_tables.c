@@ -20,6 +20,20 @@ static size_t name_keys(const char *heads[KEYS_MAX + 1], const murk_yaml *fit)
     return n <= KEYS_MAX ? n : 0;
 }
 
+void murk_report_fit_value(FILE *to, const murk_yaml *parameter)
+{
+    const double value = murk_result_number(parameter, "value");
+    if (murk_result_is(parameter, "status", "determined") || !isfinite(value)) {
+        murk_page_estimate(to, value,
+                           murk_result_number(parameter, "standard_error"));
+        return;
+    }
+    murk_page_power(to, value, 2);
+    fputs(" (", to);
+    murk_page_text(to, murk_result_text(parameter, "status"));
+    fputs(")", to);
+}
+
 void murk_report_correlations(FILE *to, const murk_yaml *fit)
 {
     const char *heads[KEYS_MAX + 1] = {"key"};

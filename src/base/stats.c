@@ -1,5 +1,8 @@
 #include "base/stats.h"
 
+#include "base/log_gamma.h"
+
+#include <float.h>
 #include <math.h>
 
 #define SQRT_2 1.41421356237309504880
@@ -61,4 +64,45 @@ double murk_normal_upper(double p)
         }
     }
     return (low + high) / 2;
+}
+
+/* Terms after which the series and the continued fraction below have converged
+ * to rounding: both need some multiple of sqrt(a), so this suffices to a = 1e7,
+ * which is twenty million degrees of freedom. */
+#define GAMMA_TERMS_MAX 100000
+
+/* The regularised incomplete gamma function Q(a, x) with a = freedom / 2 and
+ * x = chi2 / 2: the power series of P = 1 - Q where x < a + 1, else the
+ * continued fraction of Q by the modified Lentz method (Press et al., Numerical
+ * Recipes, 3rd ed. 2007, section 6.2). */
+double murk_chi2_upper(double chi2, double freedom)
+{
+    const double a = freedom / 2, x = chi2 / 2;
+    if (!(a > 0 && isfinite(a) && x >= 0)) {
+        return NAN;
+    }
+    if (x == 0 || isinf(x)) {
+        return x == 0 ? 1 : 0;
+    }
+    const double scale = exp(a * log(x) - x - murk_log_gamma(a));
+    if (x < a + 1) {
+        double term = 1 / a, sum = term;
+        for (int i = 1; i < GAMMA_TERMS_MAX && term > DBL_EPSILON * sum; ++i) {
+            term *= x / (a + i);
+            sum += term;
+        }
+        return 1 - scale * sum;
+    }
+    double b = x + 1 - a, c = 1 / DBL_MIN, d = 1 / b, fraction = d;
+    for (int i = 1; i < GAMMA_TERMS_MAX; ++i) {
+        const double numerator = -i * (i - a);
+        b += 2;
+        d = 1 / (numerator * d + b);
+        c = b + numerator / c;
+        fraction *= d * c;
+        if (fabs(d * c - 1) <= DBL_EPSILON) {
+            break;
+        }
+    }
+    return scale * fraction;
 }

@@ -28,4 +28,8 @@ double murk_sidak_limit(double budget, double checks);
 /* Standard normal: the upper quantile z with P(Z > z) = p, 0 < p < 1. */
 double murk_normal_upper(double p);
 
+/* Chi-squared with `freedom` > 0 degrees of freedom: P(X > chi2), chi2 >= 0;
+ * NaN for other arguments. Relative error below 1e-9 up to 10,000 degrees. */
+double murk_chi2_upper(double chi2, double freedom);
+
 #endif

@@ -4,6 +4,7 @@
 #include "calibrate/search_steps.h"
 #include "calibrate/slope_noise.h"
 #include "calibrate/starts.h"
+#include "calibrate/verdict.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -262,6 +263,7 @@ static murk_status tell(murk_calibration *out, const murk_fit_search *s,
         free_ones += !out->at_bound[k];
     }
     out->degrees_of_freedom = (long)s->n_fitted - free_ones;
+    murk_calibration_judge(out, s->desc->keys);
     return status;
 }
 

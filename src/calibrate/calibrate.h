@@ -66,6 +66,9 @@ typedef struct murk_calibration {
     murk_calibrated_row *row;         /* [measured->rows] */
     double chi2;
     long degrees_of_freedom;
+    double p_value;    /* chance of at least this chi2; NaN: no freedom */
+    bool is_accepted;  /* false: chi2 refuses the model (verdict.h) */
+    char verdict[512]; /* the fit in a sentence or two, for every output */
     size_t held_out;
     double held_out_rms; /* in units, where all held-out rows have one unit;
                             else NaN */

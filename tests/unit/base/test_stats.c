@@ -31,10 +31,35 @@ static void test_limits(void)
     CHECK_NEAR(murk_sidak_limit(1e-6, 11), 5.34, 0.005);
 }
 
+/* Closed forms: with one degree of freedom erfc, with an even number a Poisson
+ * sum (Abramowitz & Stegun 26.4.21); both branches, far tails, and arguments
+ * that have no probability. */
+static void test_chi2_upper(void)
+{
+    for (double x = .01; x < 1000; x *= 1.7) {
+        const double one = erfc(sqrt(x / 2));
+        CHECK_NEAR(murk_chi2_upper(x, 1), one, 1e-9 * one);
+        double term = exp(-x / 2), sum = 0;
+        for (int half = 1; half <= 40; ++half) {
+            sum += term;
+            term *= x / 2 / half;
+            CHECK_NEAR(murk_chi2_upper(x, 2 * half), sum, 1e-9 * sum);
+        }
+    }
+    /* the median of chi-squared is n (1 - 2 / (9 n))^3 to 1 / n^2 */
+    CHECK_NEAR(murk_chi2_upper(1e4 * pow(1 - 2 / 9e4, 3), 1e4), .5, 1e-4);
+    CHECK(murk_chi2_upper(0, 3) == 1);
+    CHECK(murk_chi2_upper(INFINITY, 3) == 0);
+    CHECK(isnan(murk_chi2_upper(1, 0)));
+    CHECK(isnan(murk_chi2_upper(NAN, 3)));
+    CHECK(isnan(murk_chi2_upper(-1, 3)));
+}
+
 int main(void)
 {
     test_ratio();
     test_mean();
     test_limits();
+    test_chi2_upper();
     return check_done();
 }
