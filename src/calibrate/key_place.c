@@ -1,6 +1,8 @@
 #include "calibrate/key_place.h"
 
+#include "preset/check_words.h"
 #include "scene/number.h"
+#include "scene/presets.h"
 #include "scene/words.h"
 
 #include <stdio.h>
@@ -50,12 +52,52 @@ static const murk_keys *keys_of(const spot *at)
     return at->row ? at->row->keys : &murk_scene_keys;
 }
 
+static bool is_medium(const spot *at)
+{
+    return at->in_item && at->row && strcmp(at->row->name, "media") == 0;
+}
+
+/* Refuses a word that the medium's preset does not use, and names those that it
+ * does; without a preset any such word. MURK_OK for other keys. */
+static murk_status check_preset(const finding *f, const spot *at,
+                                const char *part)
+{
+    const int word = is_medium(at) ? murk_word_find(part) : -1;
+    const murk_yaml *name = word < 0 ? NULL : murk_yaml_get(at->node, "preset");
+    murk_preset *preset = NULL;
+    if (word >= 0 && !name) {
+        return fail(f, "changes nothing, so it cannot be free: a word of "
+                       "presets, and the medium has none");
+    }
+    if (!name || name->kind != MURK_YAML_SCALAR ||
+        murk_presets_read(&preset, name->text, f->where, NULL)) {
+        return MURK_OK;
+    }
+    murk_status status = MURK_OK;
+    if (!murk_preset_word_of(preset, (murk_word_id)word).is_known) {
+        const double none[MURK_WORD_NUMBERS_MAX] = {0};
+        murk_error told = {0};
+        char text[400];
+        (void)murk_preset_check_word(preset, (murk_word_id)word, none, "",
+                                     &told);
+        snprintf(text, sizeof text,
+                 "changes nothing, so it cannot be free: %.330s", told.text);
+        status = fail(f, text);
+    }
+    murk_preset_destroy(preset);
+    return status;
+}
+
 static murk_status unknown(const finding *f, const spot *at, const char *part)
 {
     const char *names[NAMES_MAX];
     char owner[120], shown[64], text[400];
     size_t n = 0;
     const murk_keys *keys = is_map_row(at) ? keys_of(at) : NULL;
+    const murk_status status = check_preset(f, at, part);
+    if (status) {
+        return status;
+    }
     shown_so_far(f, owner, sizeof owner);
     murk_words_show(shown, sizeof shown, part);
     if (keys && murk_keys_find(keys, part)) {
@@ -199,11 +241,6 @@ static void note_list(murk_key_place *out, const spot *before, const spot *at,
     if (at->row && at->row->kind == MURK_KEY_NUMBERS) {
         out->item = &at->row->items[out->index];
     }
-}
-
-static bool is_medium(const spot *at)
-{
-    return at->in_item && at->row && strcmp(at->row->name, "media") == 0;
 }
 
 murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,

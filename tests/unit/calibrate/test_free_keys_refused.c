@@ -40,6 +40,13 @@ static void test_keys_are_refused(void)
             "no visiblity_m in media.fog, did you mean visibility_m?");
     refused("media.fog.mor_m", "media.fog has no mor_m to start from");
     refused("media.fog.albedo", "media.fog has no albedo to start from");
+    refused("media.fog.chlorophyll_mg_per_m3",
+            "changes nothing, so it cannot be free: fog/kruse does not know "
+            "it, must be one of visibility_m");
+    refused("media.sea.visibility_m",
+            "changes nothing, so it cannot be free: water/case-1 does not");
+    refused("media.plain.chlorophyll_mg_per_m3",
+            "a word of presets, and the medium has none");
     refused("media.fog", "a map, must be one number");
     refused("media", "a map, must be one number");
     refused("media.fog.", "an empty part of a key");
