@@ -47,16 +47,16 @@ static void off_of_run(double *off, const murk_fit_search *s,
     murk_whitening_apply(s->whitening, off, width);
 }
 
-static void add_up(murk_slope_noise *out, const murk_fit_search *s,
-                   const double *off, const double *jacobian)
+void murk_slope_noise_add(murk_slope_noise *out, const double *off,
+                          const double *jacobian, size_t n_lit, size_t n)
 {
-    const size_t n = s->n, width = n + 1;
+    const size_t width = n + 1;
     double square = 0;
-    for (size_t i = 0; i < s->n_lit; ++i) {
+    for (size_t i = 0; i < n_lit; ++i) {
         square += off[i * width] * off[i * width];
     }
     out->share += square;
-    for (size_t i = 0; i < s->n_lit; ++i) {
+    for (size_t i = 0; i < n_lit; ++i) {
         const double *row = off + i * width;
         for (size_t k = 0; k < n; ++k) {
             /* a residual's slope is the other way round */
@@ -90,7 +90,7 @@ static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
     }
     for (size_t run = 0; run < runs; ++run) {
         off_of_run(off, s, part, total, run, runs, place, lits);
-        add_up(out, s, off, jacobian);
+        murk_slope_noise_add(out, off, jacobian, s->n_lit, n);
     }
     const double unbiased = (double)runs / ((double)runs - 1);
     out->share *= unbiased / (double)s->n_lit;

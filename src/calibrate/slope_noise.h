@@ -25,6 +25,13 @@ typedef struct murk_slope_noise {
     double share;  /* phi, 0..1 */
 } murk_slope_noise;
 
+/* Adds one run of photons: off[n_lit][1 + n], how far its values and slopes are
+ * from its share of the whole, whitened; jacobian[n_lit][n] of residuals. The
+ * sums still want the factor runs / (runs - 1), and share a division by n_lit.
+ */
+void murk_slope_noise_add(murk_slope_noise *out, const double *off,
+                          const double *jacobian, size_t n_lit, size_t n);
+
 /* Of the last prediction with slopes. Release also after a failure. */
 murk_status murk_slope_noise_find(murk_slope_noise *out,
                                   const murk_fit_search *search,

@@ -62,6 +62,24 @@ static murk_slope_noise noise_of(double *bias, double *noise, double share)
     return (murk_slope_noise){.bias = bias, .noise = noise, .share = share};
 }
 
+/* Two rows, one parameter, by hand. The run is off by f = 1 and 3, its slopes
+ * by 2 and -1; slopes of residuals are 10 and 20. Noise that values share with
+ * slopes draws by sum f J = 2 - 3, weights of the same photons by
+ * (sum slope f) (sum f^2) = 70 * 10; slopes' own noise is 4 + 1. */
+static void test_bias_of_a_run(void)
+{
+    const double off[] = {1, 2, 3, -1}, jacobian[] = {10, 20};
+    double bias[] = {0}, noise[] = {0};
+    murk_slope_noise sum = noise_of(bias, noise, 0);
+    murk_slope_noise_add(&sum, off, jacobian, 2, 1);
+    CHECK_NEAR(bias[0], 700 - 1, 1e-12);
+    CHECK_NEAR(noise[0], 5, 1e-14);
+    CHECK_NEAR(sum.share, 10, 1e-14);
+    murk_slope_noise_add(&sum, off, jacobian, 2, 1); /* runs add up */
+    CHECK_NEAR(bias[0], 2 * 699, 1e-12);
+    CHECK_NEAR(noise[0], 10, 1e-14);
+}
+
 static void test_offset_moves_rows_by_the_bias(void)
 {
     double jacobian[ROWS * N], offset[ROWS] = {0}, bias[N] = {.7, -.3};
@@ -236,6 +254,7 @@ static void test_bias_is_undone(void)
 
 int main(void)
 {
+    test_bias_of_a_run();
     test_offset_moves_rows_by_the_bias();
     test_information_is_the_sandwich();
     test_noise_alone_tells_nothing();

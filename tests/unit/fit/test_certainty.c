@@ -111,6 +111,25 @@ static void test_fixed_is_left_out(void)
     murk_certainty_release(&c);
 }
 
+/* The same where the fixed parameter comes first, so that free ones have other
+ * numbers among the free than among all: x fixed, rows (5, 2) and (0, 4) of y
+ * and z; information 25, 10, 20, determinant 400. Scales differ. */
+static void test_fixed_before_free(void)
+{
+    const double jacobian[] = {10, 5, 2, 7, 0, 4}, scale[] = {3, .5, .7};
+    const bool is_fixed[] = {true, false, false};
+    murk_certainty c = certainty_of(jacobian, 2, 3, is_fixed, scale);
+    CHECK(c.directions == 2 && c.determined == 2);
+    CHECK(isnan(c.standard_error[0]) && isnan(c.covariance[1]));
+    CHECK_NEAR(c.standard_error[1], sqrt(20 / 400.), 1e-15);
+    CHECK_NEAR(c.standard_error[2], sqrt(25 / 400.), 1e-15);
+    CHECK_NEAR(c.covariance[5], -10 / 400., 1e-15);
+    CHECK_NEAR(c.correlation[5], -10 / sqrt(20 * 25.), 1e-14);
+    CHECK(c.direction[0] == 0 && c.direction[3] == 0);
+    CHECK_NEAR(hypot(c.direction[1], c.direction[2]), 1, 1e-15);
+    murk_certainty_release(&c);
+}
+
 /* Fewer rows than parameters, and rows that depend on nothing. */
 static void test_too_few_rows(void)
 {
@@ -237,6 +256,7 @@ int main(void)
     test_a_neighbour_keeps_its_whole_error();
     test_what_has_no_end_is_bounded_in_others();
     test_fixed_is_left_out();
+    test_fixed_before_free();
     test_too_few_rows();
     test_undetermined_is_by_scale();
     test_steep_scales_keep_their_digits();
