@@ -69,7 +69,8 @@ const murk_option murk_option_table[] = {
      "(1.345, 2.385), so that outliers pull less"},
     {MURK_OPTION_STARTS, "--starts", NULL, "N", "fit",
      "search from N starts, the scene's values and others around them, and "
-     "keep the best; default 1"},
+     "keep the best; default 4. Where the best refuses the model or ends at a "
+     "bound, N - 1 more are tried, so 1 makes one search and no more"},
     {MURK_OPTION_TRACES, "--traces", NULL, "N", "fit",
      "trace light at most N times a start; default 12"},
     {MURK_OPTION_NEXT, "--next", NULL, "K", "fit",

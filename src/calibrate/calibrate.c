@@ -1,6 +1,7 @@
 #include "calibrate/calibrate.h"
 
 #include "base/interrupt.h"
+#include "base/stats.h"
 #include "calibrate/search_steps.h"
 #include "calibrate/slope_noise.h"
 #include "calibrate/starts.h"
@@ -296,6 +297,27 @@ static murk_status only_predict(murk_calibration *out, murk_fit_search *s,
     return status;
 }
 
+static size_t starts_asked(const murk_calibration_desc *desc)
+{
+    return desc->starts ? desc->starts : MURK_FIT_STARTS;
+}
+
+/* True if the best start so far may be a false minimum: its cost is impossible
+ * for a right model, or a value ended at a bound. Outliers that a robust loss
+ * is asked to forgive are no reason to search again, so the cost counts here.
+ */
+static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
+{
+    const murk_calibration_start *best = &out->start[out->best];
+    size_t at_bound = 0;
+    for (size_t k = 0; k < out->n; ++k) {
+        at_bound += is_at_bound(&s->desc->keys->key[k], best->to[k]);
+    }
+    const double freedom = (double)s->n_fitted - (double)(out->n - at_bound);
+    return at_bound > 0 ||
+           murk_chi2_upper(best->cost, freedom) < MURK_FIT_REFUSED;
+}
+
 static murk_status run(murk_calibration *out, murk_fit_search *s,
                        murk_model *model, murk_error *err)
 {
@@ -307,19 +329,33 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
         free(x);
         return status;
     }
+    /* the starts asked for: the first traces light, the others follow it */
+    const size_t asked = starts_asked(desc);
     size_t done = 0;
-    for (; done < out->starts && !status; ++done) {
+    for (; done < asked && !status; ++done) {
+        s->shares_light = done > 0;
+        status = murk_fit_start(out, s, done, x, err);
+    }
+    /* restarts, with light of their own, while the best is not to be believed
+     */
+    s->shares_light = false;
+    for (; done < out->starts && !status && is_doubtful(out, s); ++done) {
         status = murk_fit_start(out, s, done, x, err);
     }
     const bool is_cut = status == MURK_INTERRUPTED && done > 1;
+    out->starts_done = is_cut ? done - 1 : done;
     if (is_cut) {
-        out->starts_done = done - 1;
         free(x);
         return status; /* the values of the best; nothing else is known */
     }
-    out->starts_done = done;
-    if (!status && out->best + 1 != out->starts) {
-        status = look_at(s, model, out->start[out->best].to, x, err);
+    /* back to the best, in its own light while that is the light at hand */
+    const murk_calibration_start *best = &out->start[out->best];
+    if (!status && out->best + 1 != done) {
+        const bool is_lit =
+            s->has_light && best->light == murk_model_traces(model);
+        murk_fit_search_coordinates(s, best->to, x);
+        status = is_lit ? murk_fit_search_look(s, x, err)
+                        : look_at(s, model, best->to, x, err);
     }
     if (!status) {
         status = tell(out, s, err);
@@ -339,9 +375,8 @@ murk_status murk_calibrate(murk_calibration *out,
                                         .foretold = desc->foretold,
                                         .context = desc->context};
     murk_fit_search search = {0};
-    const size_t starts = desc->only_predicts ? 0
-                          : desc->starts      ? desc->starts
-                                              : 1;
+    /* as many restarts as there are starts beside the first */
+    const size_t starts = desc->only_predicts ? 0 : 2 * starts_asked(desc) - 1;
     murk_status status =
         set_aside(out, desc->keys->n, desc->measured->rows, starts, err);
     if (!status) {

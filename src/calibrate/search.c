@@ -195,6 +195,9 @@ static bool watch(void *context, const murk_least_squares_step *step)
         }
         free(value);
     }
+    if (s->is_scouting) {
+        return !murk_interrupted();
+    }
     s->is_starved = step->is_successful && s->share < MURK_LEAST_SHARE;
     return !s->is_starved && !murk_interrupted();
 }
@@ -257,13 +260,19 @@ static murk_status offset_rows(murk_fit_search *s, const double *jacobian,
     return status;
 }
 
+/* Looks at x, in light that is traced there unless the light at hand is good
+ * enough (is_lit): residuals, slopes, cost, and the offset of the rows. */
 static murk_status trace_at(murk_fit_search *s, const murk_fit_desk *d,
-                            double *x, double *cost, murk_error *err)
+                            bool is_lit, double *x, double *cost,
+                            murk_error *err)
 {
-    murk_fit_search_values(s, x, s->value);
-    ++s->traces;
-    murk_status status = murk_model_trace(s->model, s->value, err);
-    if (!status && s->traces == 1) {
+    murk_status status = MURK_OK;
+    if (!is_lit) {
+        murk_fit_search_values(s, x, s->value);
+        ++s->traces;
+        status = murk_model_trace(s->model, s->value, err);
+    }
+    if (!status && !is_lit && s->traces == 1) {
         status = murk_fit_first_gains(s, x, err);
     }
     if (!status) {
@@ -296,16 +305,82 @@ static bool ended(murk_fit_search *s, const murk_fit_desk *d, double *x,
     return to->converged && world_moved(s, d->traced, x, d->jacobian);
 }
 
+static bool has_world_key(const murk_fit_search *s)
+{
+    for (size_t k = 0; k < s->n; ++k) {
+        if (s->desc->keys->key[k].kind == MURK_FREE_WORLD) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Follows the light at hand from x: least squares on the re-weighted rows, also
+ * where few of the photons still count, with the weights of rows where the
+ * search looked last. That costs no trace and is only asked where it leads: x
+ * becomes the end, and *is_lit whether the light describes it well enough for
+ * the search to go on there. Slopes by world keys are those of the traced
+ * place, so with such keys light is traced anyhow. */
+static murk_status scout(murk_fit_search *s, const murk_fit_desk *d, double *x,
+                         bool *is_lit, murk_error *err)
+{
+    double *from = d->before;
+    memcpy(from, x, s->n * sizeof *x);
+    memset(s->offset, 0, s->n_fitted * sizeof *s->offset);
+    murk_error told = {0};
+    murk_status status = murk_fit_first_gains(s, x, &told);
+    if (!status) {
+        const murk_least_squares problem =
+            murk_fit_problem(s, d->lower, d->upper);
+        murk_least_squares_found found;
+        s->is_scouting = true;
+        status = murk_least_squares_solve(&found, x, &problem, &told);
+        s->is_scouting = false;
+        if (!status && found.end == MURK_LEAST_SQUARES_FAILED) {
+            status = MURK_RUN_FAILED;
+        }
+    }
+    if (!status && !murk_interrupted()) {
+        status = predict(s, x, false, &told);
+    }
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    if (status == MURK_NO_MEMORY) {
+        return murk_fail(err, status, told.where, "%s", told.text);
+    }
+    if (status) { /* the light at hand leads nowhere: trace at the start */
+        memcpy(x, from, s->n * sizeof *x);
+    }
+    *is_lit = !status && s->share >= MURK_LEAST_SHARE && !has_world_key(s);
+    if (!status && !*is_lit) { /* is a trace worth while there? */
+        murk_fit_search_residuals(s, d->residual, NULL);
+        s->is_dropped =
+            !(murk_fit_cost(s, d->residual) < s->cost_to_beat + (double)s->n);
+    }
+    return MURK_OK;
+}
+
 static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
                           murk_calibration_start *to, murk_error *err)
 {
     const size_t most = s->desc->traces_max ? s->desc->traces_max : TRACES_MAX;
     const size_t bytes = s->n * sizeof *x;
     double best = INFINITY;
+    bool is_lit = false;
+    if (s->shares_light && s->has_light) {
+        const murk_status status = scout(s, d, x, &is_lit, err);
+        if (status || s->is_dropped) {
+            snprintf(to->why, sizeof to->why,
+                     "the light of the starts before leads to no better place");
+            return status;
+        }
+    }
     for (;;) {
         double cost;
         murk_error told = {0};
-        murk_status status = trace_at(s, d, x, &cost, &told);
+        murk_status status = trace_at(s, d, is_lit, x, &cost, &told);
+        is_lit = false;
         const bool is_nowhere = status && status != MURK_NO_MEMORY &&
                                 status != MURK_INTERRUPTED && isfinite(best) &&
                                 s->traces < most;
@@ -384,9 +459,12 @@ murk_status murk_fit_search_run(murk_fit_search *s, double *x,
         d.upper[k] = murk_free_highest(&s->desc->keys->key[k]);
     }
     s->traces = 0;
+    s->is_dropped = false;
     const murk_status status = search(s, &d, x, to, err);
     to->traces = s->traces;
-    if (!status) {
+    s->has_light = !status;
+    if (!status && !s->is_dropped) {
+        to->light = murk_model_traces(s->model);
         murk_fit_search_residuals(s, d.residual, NULL);
         to->chi2 = sum_of_squares(d.residual, rows);
         to->cost = murk_fit_cost(s, d.residual);

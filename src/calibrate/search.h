@@ -25,6 +25,11 @@ typedef struct murk_fit_search {
     size_t traces;   /* of this start */
     size_t start;    /* its number */
     bool is_starved; /* the last search ended for want of light */
+    bool has_light;  /* the last search ended well, so its light can be used */
+    bool shares_light;   /* the next search begins on that light */
+    bool is_scouting;    /* least squares go on however little light is left */
+    double cost_to_beat; /* of the best start so far */
+    bool is_dropped; /* the last search was not followed: see shares_light */
     murk_error err;  /* why the last prediction failed */
 } murk_fit_search;
 
@@ -51,7 +56,10 @@ void murk_fit_search_residuals(const murk_fit_search *search, double *residual,
                                double *jacobian);
 
 /* Searches from x[n], which it moves: to->converged, why and chi2 say how it
- * ended. Leaves the search looking at x. */
+ * ended. Leaves the search looking at x. With shares_light and has_light, the
+ * search follows the light at hand. Light is traced only where that leads to a
+ * place that it no longer describes and that promises less than cost_to_beat;
+ * a place that promises nothing is dropped: is_dropped, and to->why says so. */
 murk_status murk_fit_search_run(murk_fit_search *search, double *x,
                                 murk_calibration_start *to, murk_error *err);
 

@@ -32,13 +32,21 @@ static double start_of(const murk_free_key *key, uint32_t seed, size_t i,
     return fmin(fmax(v, key->lower), key->upper);
 }
 
-/* One that has converged is as good as another that is lower by what errors of
- * n parameters alone come to. */
+/* Two costs that differ by less are of one minimum: light and the end of a
+ * search are no better known. A tenth of what moves a fit by one standard
+ * error. */
+#define SAME_MINIMUM .1
+
+/* A start that has converged is as good as another that is lower by what errors
+ * of n parameters alone come to; of one minimum the earlier start is kept. */
 static bool is_better(const murk_calibration_start *a,
                       const murk_calibration_start *b, size_t n)
 {
-    const double lead = a->converged == b->converged ? 0 : (double)n;
-    return isnan(b->chi2) || a->cost < b->cost + (a->converged ? lead : -lead);
+    if (isnan(b->chi2) || a->converged == b->converged) {
+        return isnan(b->chi2) || a->cost < b->cost - SAME_MINIMUM;
+    }
+    const double lead = (double)n;
+    return a->cost < b->cost + (a->converged ? lead : -lead);
 }
 
 /* Not every value of such a key leaves a scene that can be. */
@@ -67,6 +75,7 @@ murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
         start->from[k] = start_of(&desc->keys->key[k], desc->seed, i, k);
     }
     s->start = i;
+    s->cost_to_beat = i > 0 ? out->start[out->best].cost : INFINITY;
     murk_fit_search_coordinates(s, start->from, x);
     murk_error told = {0};
     const murk_status status = murk_fit_search_run(s, x, start, &told);
@@ -77,6 +86,9 @@ murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
         if (i == 0 || status == MURK_INTERRUPTED || status == MURK_NO_MEMORY) {
             return murk_fail(err, status, told.where, "%s", told.text);
         }
+        return MURK_OK;
+    }
+    if (s->is_dropped) { /* chi2 stays NaN: nothing was found */
         return MURK_OK;
     }
     murk_fit_search_values(s, x, start->to);

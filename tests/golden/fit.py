@@ -142,6 +142,19 @@ def check_next(case):
         check(0 < will < was["standard_error"], "next:", was["key"], will)
 
 
+def check_manual(case):
+    """README.md prints what the program prints."""
+    fit = case[3]
+    text = " ".join((ROOT / "README.md").read_text().split())
+    for p in fit["parameters"]:
+        line = (f"{p['key']} = {p['value']:.6g} +- {p['standard_error']:.2g} "
+                f"(95 %: {p['lower']:.4g} to {p['upper']:.4g})")
+        check(line in text, "README.md has no:", line)
+    check(f"It took {fit['traces']} traces of light" in text, "README.md: traces, now", fit["traces"])
+    chi2 = fit["verdict"].split(" The search")[0]
+    check(chi2 in text, "README.md has no:", chi2)
+
+
 with tempfile.TemporaryDirectory() as made:
     folder = pathlib.Path(made)
     smoke = calibrate("smoke", folder)
@@ -149,6 +162,8 @@ with tempfile.TemporaryDirectory() as made:
     check_is_taken(folder, smoke)
     calibrate("water", folder)
     calibrate("coverage", folder)
-    check_next(calibrate("fog", folder, "--next", 2))
+    fog = calibrate("fog", folder, "--next", 2)
+    check_next(fog)
+    check_manual(fog)
 print(f"{checks} checks")
 sys.exit(1 if failures or not checks else 0)

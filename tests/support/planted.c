@@ -121,7 +121,7 @@ desc_of(const planted_field *f, const murk_free_keys *keys, unsigned threads)
                                    .measured = f->measured,
                                    .donors = &f->donors,
                                    .loss_width = 1,
-                                   .starts = 1,
+                                   .starts = f->starts ? f->starts : 1,
                                    .threads = threads,
                                    .seed = 1};
 }
@@ -252,7 +252,8 @@ static bool judge(planted_fit *out, const murk_calibration *found,
 }
 
 static bool tell(planted_fit *out, const murk_calibration *found,
-                 const murk_calibration_desc *desc, const double *truth_value)
+                 const murk_calibration_desc *desc, const double *truth_value,
+                 bool fits_only)
 {
     const size_t n = found->n;
     double x[PLANTED_KEYS_MAX], truth[PLANTED_KEYS_MAX];
@@ -270,7 +271,12 @@ static bool tell(planted_fit *out, const murk_calibration *found,
     out->traces = found->traces;
     out->evaluations = found->evaluations;
     out->converged = found->converged;
-    return judge(out, found, desc, x, truth);
+    out->is_accepted = found->is_accepted;
+    for (size_t k = 0; k < n; ++k) {
+        out->off.sigma[k] =
+            (x[k] - truth[k]) / found->certainty.standard_error[k];
+    }
+    return fits_only || judge(out, found, desc, x, truth);
 }
 
 bool planted_fit_once(planted_fit *out, planted_field *f, uint32_t seed,
@@ -290,7 +296,7 @@ bool planted_fit_once(planted_fit *out, planted_field *f, uint32_t seed,
     *out = (planted_fit){.converged = false};
     bool is_well = held(murk_calibrate(&found, &desc, &err), &err);
     if (is_well) {
-        is_well = tell(out, &found, &desc, f->of->truth);
+        is_well = tell(out, &found, &desc, f->of->truth, f->of->fits_only);
     }
     murk_calibration_release(&found);
     murk_free_keys_destroy(keys);

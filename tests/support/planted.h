@@ -15,8 +15,10 @@ typedef struct planted_case {
     size_t n;
     const char *key[PLANTED_KEYS_MAX];
     double truth[PLANTED_KEYS_MAX];
-    unsigned emit; /* photons of a fit: so that their noise matters beside
-                      that of the readings */
+    unsigned emit;  /* photons of a fit: so that their noise matters beside
+                       that of the readings */
+    bool fits_only; /* no comparison with plain least squares: of planted_off
+                       only sigma is filled */
 } planted_case;
 
 extern const planted_case planted_fog, planted_smoke, planted_water,
@@ -31,6 +33,7 @@ typedef struct planted_field {
     murk_measurements *measured;
     double *truth; /* [measured->rows] what rows read at the planted values */
     const double *start; /* [n] of fits; NULL: the scene's values */
+    size_t starts;       /* of a fit; 0: one */
     char text[2][48];
     murk_override override[2]; /* of the keys made last */
 } planted_field;
@@ -70,7 +73,7 @@ typedef struct planted_fit {
     double slope_noise, chi2, effective_share;
     long degrees_of_freedom;
     size_t traces, evaluations;
-    bool converged;
+    bool converged, is_accepted;
 } planted_fit;
 
 /* Reads with noise of `seed`, and fits with light of that seed. */
