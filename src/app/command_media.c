@@ -1,5 +1,6 @@
 /* murk media: what presets there are, and what one comes to, band by band. Its
  * numbers are those of a scene with this one medium. */
+#include "app/identity.h"
 #include "app/results.h"
 #include "app/summary.h"
 #include "base/progress.h"
@@ -312,8 +313,15 @@ static cJSON *one_json(const resolved *r)
 
 /* ---- the command ---- */
 
-static murk_status print_json(cJSON *root, murk_error *err)
+static murk_status print_json(cJSON *root, const murk_options *options,
+                              murk_error *err)
 {
+    const murk_status status =
+        murk_identify_alone(root, options, "", NULL, err);
+    if (status) {
+        cJSON_Delete(root);
+        return status;
+    }
     char *text = root ? cJSON_Print(root) : NULL;
     cJSON_Delete(root);
     if (!text) {
@@ -339,7 +347,7 @@ static murk_status say_one(const murk_options *options, murk_error *err)
     }
     murk_progress_end();
     if (!status && options->json) {
-        status = print_json(one_json(&r), err);
+        status = print_json(one_json(&r), options, err);
     } else if (!status && !options->quiet) {
         print_one(&r);
     }
@@ -368,7 +376,7 @@ murk_status murk_command_media(const murk_options *options, murk_error *err)
                          "--set needs the name of a preset");
     }
     if (options->json) {
-        return print_json(list_json(), err);
+        return print_json(list_json(), options, err);
     }
     if (!options->quiet) {
         print_list();

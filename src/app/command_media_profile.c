@@ -1,4 +1,5 @@
 /* murk media --profile: a measured profile as a grid. */
+#include "app/identity.h"
 #include "app/media_profile.h"
 #include "app/results.h"
 #include "app/summary.h"
@@ -24,19 +25,25 @@ static murk_status read_length(const char *name, const char *text,
     return MURK_OK;
 }
 
-static murk_status print_json(const murk_profile_layers *l, const char *path,
-                              murk_error *err)
+static murk_status print_json(const murk_profile_layers *l,
+                              const murk_options *options, murk_error *err)
 {
     cJSON *root = murk_json_begin_murk();
     cJSON_AddStringToObject(root, "profile", l->csv);
     cJSON_AddStringToObject(root, "column", l->column);
     cJSON_AddNumberToObject(root, "rows", (double)l->rows);
-    cJSON_AddStringToObject(root, "grid", path);
+    cJSON_AddStringToObject(root, "grid", options->out);
     cJSON_AddNumberToObject(root, "voxels", (double)l->n);
     murk_json_number(root, "voxel_m", l->voxel_m);
     murk_json_number(root, "width_m", l->width_m);
     murk_json_number(root, "top_m", l->top_m);
     murk_json_number(root, "optical_depth", l->depth);
+    const murk_status status =
+        murk_identify_alone(root, options, "", options->out, err);
+    if (status) {
+        cJSON_Delete(root);
+        return status;
+    }
     char *text = root ? cJSON_Print(root) : NULL;
     cJSON_Delete(root);
     if (!text) {
@@ -81,7 +88,7 @@ murk_status murk_command_media_profile(const murk_options *options,
         status = murk_profile_layers_write(&layers, options->out, err);
     }
     if (!status && options->json) {
-        status = print_json(&layers, options->out, err);
+        status = print_json(&layers, options, err);
     } else if (!status && !options->quiet) {
         murk_print(
             "%s: %s of %zu rows, %.6g down to %.6g m, optical depth %.7g\n"

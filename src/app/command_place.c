@@ -304,6 +304,26 @@ static murk_status check_repeat(const murk_session *session, murk_error *err)
     return MURK_OK;
 }
 
+/* What each condition has of its own. */
+static murk_status expect_conditions(murk_session *session, murk_error *err)
+{
+    static const char *const begin[] = {"light", "ledger", "plan", "scene"};
+    static const char *const end[] = {".murk", ".json", ".ply", ".yaml"};
+    const murk_scene *scene = session->scene;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < 4 * scene->n_conditions && !status; ++i) {
+        const murk_scene_condition *condition = &scene->conditions[i / 4];
+        const size_t k = i % 4;
+        char name[sizeof condition->name + 16];
+        snprintf(name, sizeof name, "%s-%s%s", begin[k], condition->name,
+                 end[k]);
+        status = murk_results_expect(&session->results, name,
+                                     k == 3 ? condition->scene->resolved : NULL,
+                                     err);
+    }
+    return status;
+}
+
 /* Of a plan, over conditions or not; explore and repeat have a file more. */
 static murk_status expect_files(murk_session *session, murk_error *err)
 {
@@ -321,7 +341,9 @@ static murk_status expect_files(murk_session *session, murk_error *err)
     }
     names[n++] = is_over ? "regret.csv" : "plan.ply";
     const murk_status status = murk_session_expect(session, names, err);
-    return status || is_over ? status : murk_session_expect_light(session, err);
+    return status    ? status
+           : is_over ? expect_conditions(session, err)
+                     : murk_session_expect_light(session, err);
 }
 
 static murk_status place(murk_session *session, murk_plan *plan,

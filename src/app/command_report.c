@@ -3,6 +3,7 @@
  * The page asks nobody for anything: its content security policy allows its
  * own style and script alone, by their hashes. Everything but the view in
  * space is there without the script. */
+#include "app/identity.h"
 #include "app/options.h"
 #include "app/ownership.h"
 #include "app/page.h"
@@ -203,9 +204,25 @@ static murk_status write_file(const char *path, const content *c,
     return status;
 }
 
-static murk_status tell(const murk_options *options, const char *path,
-                        const murk_report_scene *scene, murk_error *err)
+/* What the page shows has identities of its own. */
+static murk_status identify(cJSON *root, const murk_options *options,
+                            const content *c, murk_error *err)
 {
+    char shown[MURK_RESULT_FILES * 65] = "";
+    size_t n = 0;
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        const char *one = murk_result_text(c->results.json[i], "identity");
+        if (one && strlen(one) == 64) {
+            n += (size_t)snprintf(shown + n, 65, "%s", one);
+        }
+    }
+    return murk_identify_alone(root, options, shown, c->page, err);
+}
+
+static murk_status tell(const murk_options *options, const char *path,
+                        const content *c, murk_error *err)
+{
+    const murk_report_scene *scene = &c->scene;
     unsigned long long stored = 0, shown = 0; /* of all conditions */
     for (size_t i = 0; i < scene->states; ++i) {
         stored += scene->state[i].points.photons;
@@ -229,8 +246,12 @@ static murk_status tell(const murk_options *options, const char *path,
     cJSON_AddNumberToObject(root, "photons", (double)stored);
     cJSON_AddNumberToObject(root, "photons_shown", (double)shown);
     cJSON_AddNumberToObject(root, "sensors_shown", (double)scene->sensors);
-    char *text = cJSON_Print(root);
+    const murk_status status = identify(root, options, c, err);
+    char *text = status ? NULL : cJSON_Print(root);
     cJSON_Delete(root);
+    if (status) {
+        return status;
+    }
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
     }
@@ -287,7 +308,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     }
     murk_progress_end();
     if (!status) {
-        status = tell(options, path, &c.scene, err);
+        status = tell(options, path, &c, err);
     }
     murk_report_scene_release(&c.scene);
     murk_report_pictures_release(&c.pictures);

@@ -102,3 +102,39 @@ murk_status murk_identity(char out[65], const murk_options *options,
     free(text);
     return status;
 }
+
+static void write_alone(FILE *to, const murk_options *options, const char *of)
+{
+    fprintf(to, "%s\n%s\n", options->input ? options->input : "", of);
+    for (size_t i = 0; i < options->n_overrides; ++i) {
+        fprintf(to, "%s\n", options->overrides[i].text);
+    }
+}
+
+murk_status murk_identify_alone(cJSON *root, const murk_options *options,
+                                const char *of, const char *file,
+                                murk_error *err)
+{
+    char identity[65], sum[65], *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (to) {
+        write_alone(to, options, of);
+    }
+    murk_status status =
+        to && fclose(to) == 0
+            ? murk_identity(identity, options, text, 0, err)
+            : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+    free(text);
+    if (!status && file) {
+        status = murk_file_sha256(file, sum, err);
+    }
+    if (!status) {
+        cJSON_AddStringToObject(root, "identity", identity);
+        cJSON *files = cJSON_AddObjectToObject(root, "files");
+        if (file) {
+            cJSON_AddStringToObject(files, file, sum);
+        }
+    }
+    return status;
+}

@@ -222,6 +222,12 @@ def owners():
         os.unlink(p.path("out", "plan.ply"))  # another's link
         os.symlink("nowhere", p.path("out", "plan.ply"))
         p.refused("place scene.yaml -o out", "plan.ply", THEIRS)
+    over = "conditions: {thin: {media.fog.extinction_per_m: 0.1}, dense: {media.fog.extinction_per_m: 0.4}}\n"
+    with Place(**{"over.yaml": SCENE + over, "out/scene-thin.yaml": SCENE}) as p:
+        p.refused("place over.yaml --set placement.over=mean -o out", "scene-thin.yaml", THEIRS)
+        os.unlink(p.path("out", "scene-thin.yaml"))
+        p.well("place over.yaml --set placement.over=mean -o out")
+        p.well("place over.yaml --set placement.over=worst -o out")
     with Place() as p:  # of a version that wrote no identity: murk's as a whole
         p.well("trace scene.yaml -o out")
         main = json.loads(p.read("out", "ledger.json"))
@@ -282,6 +288,23 @@ def says_whose():
         check(done.returncode == 0 and not done.stderr, "report of a whole folder:", done.stderr)
 
 
+def every_command():
+    """The JSON that each command prints has identity and files, the same for any typing."""
+    with Place(**{"data.csv": DATA, "sensors.csv": SENSORS, "p.csv": PROFILE,
+                  "study.yaml": STUDY % ("scene.yaml", "")}) as p:
+        p.well("trace scene.yaml -o out")
+        for line in ("check scene.yaml", "trace scene.yaml", "place scene.yaml", "sense scene.yaml --sensors sensors.csv",
+                     "render scene.yaml --method path --samples 2 -o x.exr", "study study.yaml",
+                     "fit scene.yaml --data data.csv " + FREE, "report out", "replay scene.yaml --photon 3", "media",
+                     "media fog/kruse", "media --profile p.csv -o p.vdb"):
+            found = [json.loads(p.well(line + " --format json" + also).stdout) for also in ("", " -j1")]
+            check(len(found[0]["identity"]) == 64 and isinstance(found[0]["files"], dict), line)
+            check(found[0]["identity"] == found[1]["identity"], line, "has two identities")
+        one, two = (json.loads(p.well("trace scene.yaml --format json" + also).stdout)["identity"]
+                    for also in (" --set seed=7", " --seed 8"))
+        check(one != two, "two seeds with one identity")
+
+
 def killed(times):
     """Wherever a run is killed, nothing of it stays for ever, and the next one runs."""
     with Place() as p:
@@ -308,6 +331,7 @@ inputs()
 same_bytes()
 owners()
 says_whose()
+every_command()
 killed(12)
 print("inputs:", failures, "failures" if failures else "no failure")
 sys.exit(failures > 0)
