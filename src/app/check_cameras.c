@@ -10,7 +10,8 @@ static double bytes_of(const murk_scene *scene, const murk_forecast *forecast,
                        size_t camera)
 {
     const murk_scene_camera *c = &scene->cameras[camera];
-    return murk_render_bytes(c->pixels[0], c->pixels[1], scene->bands) +
+    return murk_render_bytes(c->pixels[0], c->pixels[1], scene->bands,
+                             MURK_BY_MAPS) +
            murk_photon_map_memory_for(forecast->surface) +
            murk_photon_map_memory_for(forecast->volume) +
            murk_gather_memory_for(forecast->surface, forecast->volume);

@@ -15,6 +15,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Pictures of which more errors than this share are unsure are warned of, not
+ * those that are smaller than the window that errors are pooled over. */
+#define UNSURE_SHARE 0.25
+#define UNSURE_LEAST 50
+
 typedef struct job {
     const murk_options *options;
     murk_session session;
@@ -26,13 +31,20 @@ typedef struct job {
 
 /* ---- what is asked for ---- */
 
+static murk_render_method chosen_method(const job *j)
+{
+    return j->options->by_path     ? MURK_BY_PATHS
+           : j->options->maps_only ? MURK_BY_MAPS_ONLY
+                                   : MURK_BY_MAPS;
+}
+
 /* What the picture takes, and once there is light also what is made of it. */
 static murk_status check_memory(const job *j, murk_error *err)
 {
     const murk_camera *c = &j->viewpoint.camera;
     const murk_traced *traced = j->session.traced;
-    double wanted =
-        murk_render_bytes(c->width, c->height, j->session.scene->bands);
+    double wanted = murk_render_bytes(
+        c->width, c->height, j->session.scene->bands, chosen_method(j));
     /* one PNG after the other */
     if (j->images.false_colour) {
         wanted += murk_false_colour_bytes(c->width, c->height);
@@ -84,9 +96,7 @@ static murk_status take_picture(job *j, murk_error *err)
     murk_render render = {.trace = &trace,
                           .camera = j->viewpoint.camera,
                           .samples = j->viewpoint.samples,
-                          .method = j->options->by_path     ? MURK_BY_PATHS
-                                    : j->options->maps_only ? MURK_BY_MAPS_ONLY
-                                                            : MURK_BY_MAPS,
+                          .method = chosen_method(j),
                           .surface = s->traced ? s->traced->surface : NULL,
                           .volume = s->traced ? s->traced->volume : NULL,
                           .threads = s->options->threads};
@@ -138,6 +148,22 @@ static void warn_of_few_records(const job *j)
                   "%d: their kernels mean little; emit more photons",
                   few, few == 1 ? "" : "s", nm[band], few == 1 ? "s" : "",
                   map ? "volume" : "surface", also, MURK_GATHER_FEW);
+    }
+}
+
+/* Where most errors of pixels rest on a handful of bright paths, they are of
+ * the right size over the picture, but not to be relied on one by one. */
+static void warn_of_unsure_errors(const job *j)
+{
+    const murk_picture *p = j->picture;
+    const double share =
+        (double)p->unsure / ((double)p->width * (double)p->height);
+    if (share > UNSURE_SHARE && p->unsure >= UNSURE_LEAST) {
+        murk_warn("samples",
+                  "the errors of %.0f %% of the pixels rest on a few bright "
+                  "paths: they hold in the mean, not for one pixel; take more "
+                  "than %zu samples, or --method maps",
+                  100 * share, j->viewpoint.samples);
     }
 }
 
@@ -311,6 +337,7 @@ static cJSON *facts_json(const job *j)
     murk_json_number(root, "sensors", (double)v->sensors);
     murk_json_number(root, "rays", (double)p->rays);
     murk_json_number(root, "lost", (double)p->lost);
+    murk_json_number(root, "unsure_errors", (double)p->unsure);
     murk_spectrum mean = {{0}}, error = {{0}};
     for (int b = 0; b < p->bands; ++b) {
         mean.band[b] = p->mean[b];
@@ -386,6 +413,7 @@ murk_status murk_command_render(const murk_options *options, murk_error *err)
     }
     if (!status) {
         warn_of_few_records(&j);
+        warn_of_unsure_errors(&j);
         status = write_images(&j, err);
     }
     if (!status) {

@@ -1,30 +1,10 @@
 #include "render/direct.h"
 
 #include "light/shine.h"
-
-/* Of more lights than this, so many are drawn. */
-#define LIGHTS_AT_ONCE 4
+#include "render/choice.h"
 
 /* Slots of random numbers, apart from those of the lights. */
 #define IMAGE_SLOT 32
-
-/* Which image of a lamp: k periods away with a chance of 1/2 at 0, else
- * 2^-(|k| + 2). All images shine. */
-static double image_of(double u, double *periods)
-{
-    *periods = 0;
-    if (u < 0.5) {
-        return 0.5;
-    }
-    const double side = u < 0.75 ? -1 : 1;
-    double rest = (u < 0.75 ? u - 0.5 : u - 0.75) * 4; /* 0..1 */
-    double chance = 0.125;
-    for (*periods = side; rest < 0.5 && fabs(*periods) < 30; *periods += side) {
-        rest *= 2;
-        chance /= 2;
-    }
-    return chance;
-}
 
 /* Radiance for light that arrives with one W/m2 across its direction. */
 static double answer(const murk_place *place, murk_vec3 arriving)
@@ -38,24 +18,12 @@ static double answer(const murk_place *place, murk_vec3 arriving)
            fmax(0, -murk_dot(arriving, place->normal));
 }
 
-/* Light that is counted whichever way it was found cannot be looked for at the
- * places of a lamp's images as well. */
-static bool may_be_met(const murk_scenery *scenery, const murk_light *light)
+static murk_outlook outlook_of(const murk_place *place)
 {
-    return !scenery->world->domain.is_periodic || murk_light_is_distant(light);
-}
-
-/* How many shadow rays are sent towards the light, in the mean. */
-static double rays_to(const murk_scenery *scenery, int band, size_t light)
-{
-    const size_t n = scenery->n_lit[band];
-    const double *chance = scenery->chance[band];
-    for (size_t i = 0; n > LIGHTS_AT_ONCE && i < n; ++i) {
-        if (scenery->lit[band][i] == light) {
-            return LIGHTS_AT_ONCE * (chance[i] - (i > 0 ? chance[i - 1] : 0));
-        }
-    }
-    return 1;
+    return (murk_outlook){.band = place->band,
+                          .position = place->position,
+                          .is_surface = place->phase == NULL,
+                          .normal = place->normal};
 }
 
 /* Share of shadow rays in what finds light that arrives so; answers: how much
@@ -66,13 +34,28 @@ static double share_of_rays(double answers, double per_sr)
 }
 
 double murk_direct_rest(const murk_scenery *scenery, const murk_place *place,
-                        size_t light, murk_vec3 arriving, double per_sr)
+                        size_t light, murk_vec3 arriving, double per_sr,
+                        murk_vec3 wrapped)
 {
-    const murk_light *l = murk_lights_get(scenery->world->lights, light);
-    if (!may_be_met(scenery, l)) {
-        return 0;
+    /* How many shadow rays are sent to the light, */
+    const murk_outlook outlook = outlook_of(place);
+    const size_t *lit = scenery->lit[place->band];
+    double all[MURK_LIGHTS_MAX];
+    murk_choice_rays(scenery, &outlook, all);
+    double rays = 0;
+    for (size_t i = 0; i < scenery->n_lit[place->band]; ++i) {
+        rays = lit[i] == light ? all[i] : rays;
     }
-    const double rays = rays_to(scenery, place->band, light);
+    /* and of these to the image that has been met. */
+    const murk_world *world = scenery->world;
+    if (world->domain.is_periodic &&
+        !murk_light_is_distant(murk_lights_get(world->lights, light))) {
+        const murk_images images =
+            murk_images_of(scenery, light, place->position);
+        rays *= murk_images_chance(
+            &images, (const double[2]){round(wrapped.x / images.period_m[0]),
+                                       round(wrapped.y / images.period_m[1])});
+    }
     return 1 - share_of_rays(answer(place, arriving), rays * per_sr);
 }
 
@@ -85,14 +68,14 @@ static double light_from(const murk_scenery *scenery, const murk_place *place,
     const bool is_distant = murk_light_is_distant(l);
     const murk_random4 random = murk_random_at(address, slot);
     murk_vec3 seen_from = place->position;
-    double chance = 1;
     if (world->domain.is_periodic && !is_distant) {
-        const murk_random4 image = murk_random_at(address, slot + IMAGE_SLOT);
-        const murk_box *box = &world->domain.box;
-        double x, y;
-        chance = image_of(image.u[0], &x) * image_of(image.u[1], &y);
-        seen_from.x -= x * (box->max.x - box->min.x);
-        seen_from.y -= y * (box->max.y - box->min.y);
+        const murk_random4 drawn = murk_random_at(address, slot + IMAGE_SLOT);
+        const murk_images images =
+            murk_images_of(scenery, light, place->position);
+        double periods[2];
+        rays *= murk_images_draw(&images, drawn.u, periods);
+        seen_from.x -= periods[0] * images.period_m[0];
+        seen_from.y -= periods[1] * images.period_m[1];
     }
     murk_shine shine;
     if (!murk_lights_shine(world->lights, light, place->band, seen_from,
@@ -101,14 +84,13 @@ static double light_from(const murk_scenery *scenery, const murk_place *place,
     }
     const double answers = answer(place, shine.direction);
     const bool is_met =
-        balance.goes_on && may_be_met(scenery, l) &&
+        balance.goes_on &&
         (!place->phase ||
          -murk_dot(shine.direction, place->sight) > place->cone);
     const double counts =
         is_met ? share_of_rays(answers, rays * shine.per_sr) : 1;
-    const double radiance =
-        counts * answers * shine.irradiance_w_per_m2 / (chance * rays);
-    if (!(radiance > 0)) {
+    const double radiance = counts * answers * shine.irradiance_w_per_m2 / rays;
+    if (!(rays > 0 && radiance > 0)) {
         return 0;
     }
     const murk_vec3 start =
@@ -137,21 +119,28 @@ double murk_direct_light(const murk_scenery *scenery, const murk_place *place,
 {
     const int band = place->band;
     const size_t n = scenery->n_lit[band];
-    const bool draws = n > LIGHTS_AT_ONCE;
+    const murk_outlook outlook = outlook_of(place);
+    double rays[MURK_LIGHTS_MAX];
+    murk_choice_rays(scenery, &outlook, rays);
     double sum = 0;
-    for (uint32_t k = 0; k < (draws ? LIGHTS_AT_ONCE : n); ++k) {
-        size_t which = k;
-        double rays = 1; /* to this light, in the mean */
-        if (draws) {
-            const double u = murk_random_at(address, k).u[3];
-            const double *chance = scenery->chance[band];
-            for (which = 0; which + 1 < n && u >= chance[which]; ++which) {
-            }
-            rays = (chance[which] - (which > 0 ? chance[which - 1] : 0)) *
-                   LIGHTS_AT_ONCE;
+    if (n <= MURK_LIGHTS_AT_ONCE) {
+        for (uint32_t k = 0; k < n; ++k) {
+            sum += light_from(scenery, place, scenery->lit[band][k], address, k,
+                              rays[k], balance);
         }
-        sum += light_from(scenery, place, scenery->lit[band][which], address, k,
-                          rays, balance);
+    } else {
+        /* One number draws for all rays at even steps, so that a light's rays
+         * are as many as it is worth, to one. */
+        double next = murk_random_at(address, 0).u[3], passed = 0;
+        uint32_t sent = 0;
+        for (size_t i = 0; i < n; ++i) {
+            passed += rays[i];
+            for (; next < passed && sent < MURK_LIGHTS_AT_ONCE;
+                 next += 1, ++sent) {
+                sum += light_from(scenery, place, scenery->lit[band][i],
+                                  address, sent, rays[i], balance);
+            }
+        }
     }
     return sum / (place->index * place->index);
 }

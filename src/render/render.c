@@ -8,8 +8,13 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "render/colour.h"
+#include "render/pooled_errors.h"
 
 #define TILE 16 /* pixels along a side */
+
+/* Where this share of a pixel's rays meets a light straight away, its own
+ * samples know their variance: the edge of a lamp is no rare path. */
+#define LIT_SHARE 0.25
 
 /* Apart from the streams that photons are traced in. */
 #define RENDER_STREAM 1000
@@ -40,6 +45,8 @@ typedef struct run {
     size_t tiles_across;
     double colour[3][MURK_BANDS_MAX];
     tile_sums *tile; /* [tiles * bands] */
+    uint8_t *is_lit; /* [pixels], by paths: lights themselves are seen there */
+    float *scratch;  /* [pixels], by paths */
 } run;
 
 /* ---- a pixel ---- */
@@ -123,6 +130,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
     double part[MURK_BANDS_MAX][2] = {{0, 0}};
     group_sums group[MURK_BANDS_MAX], records[3] = {{.all = {0, 0}}};
     memset(group, 0, (size_t)p->bands * sizeof *group);
+    size_t lit = 0; /* rays that meet a light straight away */
     for (size_t i = 0; i < render->samples; ++i) {
         const uint64_t number = (uint64_t)at * render->samples + i;
         const murk_random4 u = murk_random(
@@ -137,6 +145,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
                 sampler, number, b, render->camera.from, sight, one);
             const double radiance = found.surface + found.volume;
             take(&band[b], radiance);
+            lit += found.meets_light;
             part[b][0] += found.surface / n;
             part[b][1] += found.volume / n;
             for (int k = 0; k < 3; ++k) {
@@ -179,6 +188,9 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
             (float)sqrt(mean_variance(&colour[k], n) +
                         fmax(0, murk_gather_variance(records[k].sum) - noise));
     }
+    if (r->is_lit) {
+        r->is_lit[at] = (double)lit >= LIT_SHARE * n * p->bands;
+    }
     look_straight(r, x, y, at);
 }
 
@@ -218,9 +230,13 @@ static size_t tiles_along(size_t pixels)
     return (pixels + TILE - 1) / TILE;
 }
 
-double murk_render_bytes(size_t width, size_t height, int bands)
+double murk_render_bytes(size_t width, size_t height, int bands,
+                         murk_render_method method)
 {
+    const double pooling =
+        method == MURK_BY_PATHS ? sizeof(float) + sizeof(uint8_t) : 0;
     return murk_picture_bytes(width, height, bands) +
+           (double)width * (double)height * pooling +
            (double)tiles_along(width) * (double)tiles_along(height) *
                (double)bands * sizeof(tile_sums);
 }
@@ -288,7 +304,14 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
     r->tile = calloc(tiles * (size_t)world->bands, sizeof *r->tile);
     r->picture = picture_create(render->camera.width, render->camera.height,
                                 world->bands);
-    if (!r->sampler || !r->tile || !r->picture) {
+    const bool by_paths = render->method == MURK_BY_PATHS;
+    const size_t pixels = render->camera.width * render->camera.height;
+    if (by_paths) {
+        r->is_lit = calloc(pixels, sizeof *r->is_lit);
+        r->scratch = calloc(pixels, sizeof *r->scratch);
+    }
+    if (!r->sampler || !r->tile || !r->picture ||
+        (by_paths && !(r->is_lit && r->scratch))) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for a picture of %zu x %zu pixels in %d "
                          "bands",
@@ -349,6 +372,32 @@ static void add_up(run *r, size_t tiles)
     }
 }
 
+/* By paths, the errors of pixels are pooled (render/pooled_errors.h); by maps
+ * most of a pixel's noise is the records', whose errors have no rare paths. */
+static void pool_errors(run *r)
+{
+    murk_picture *p = r->picture;
+    const murk_render *render = r->render;
+    const murk_pooling pooling = {.width = p->width,
+                                  .height = p->height,
+                                  .samples = render->samples,
+                                  .is_round = render->camera.projection ==
+                                              MURK_EQUIRECTANGULAR,
+                                  .is_own = r->is_lit,
+                                  .threads = render->threads};
+    if (render->samples < 2 || murk_interrupted()) {
+        return;
+    }
+    for (int b = 0; b < p->bands; ++b) {
+        const size_t unsure =
+            murk_pool_errors(&pooling, p->error[b], r->scratch);
+        p->unsure = unsure > p->unsure ? unsure : p->unsure;
+    }
+    for (int k = 0; k < 3; ++k) {
+        murk_pool_errors(&pooling, p->rgb_error[k], r->scratch);
+    }
+}
+
 murk_status murk_render_run(murk_picture **out, const murk_render *render,
                             murk_error *err)
 {
@@ -364,6 +413,9 @@ murk_status murk_render_run(murk_picture **out, const murk_render *render,
         murk_crew_run_workers(render->threads, tiles, look_at_tile, &r);
         murk_progress_end();
         add_up(&r, tiles);
+        if (r.is_lit) {
+            pool_errors(&r);
+        }
         *out = r.picture;
         r.picture = NULL;
     }
@@ -372,6 +424,8 @@ murk_status murk_render_run(murk_picture **out, const murk_render *render,
     }
     free(r.sampler);
     free(r.tile);
+    free(r.is_lit);
+    free(r.scratch);
     murk_gather_destroy(r.gather);
     murk_scenery_release(&r.scenery);
     murk_picture_destroy(r.picture);

@@ -4,9 +4,10 @@
  * Each pixel's samples are rays through places drawn evenly in it, a ray in
  * each band with the same random numbers. A sample's numbers are those of its
  * pixel and index, so the picture does not depend on threads. Standard errors
- * are the samples' own, and by maps also the records' (render/gather.h), which
- * samples share: both are added in squares. They are infinite where there is
- * one sample. */
+ * by maps are the samples' own and the records' (render/gather.h), which
+ * samples share: both are added in squares. By paths they are the samples',
+ * pooled over neighbouring pixels (render/pooled_errors.h). They are infinite
+ * where there is one sample. */
 #ifndef MURK_RENDER_RENDER_H
 #define MURK_RENDER_RENDER_H
 
@@ -50,6 +51,9 @@ typedef struct murk_picture {
      * that 4 pi times it is the scalar irradiance. */
     double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX];
     uint64_t rays, lost;
+    /* By paths: pixels whose error rests on few bright paths, so that it is
+     * unsure itself; of the band where they are most. */
+    size_t unsure;
     /* By maps: what murk_gather_records() says of surface and volume map. */
     size_t records[2][MURK_BANDS_MAX];
 } murk_picture;
@@ -58,7 +62,8 @@ typedef struct murk_picture {
 double murk_picture_bytes(size_t width, size_t height, int bands);
 /* and with it what taking it needs, without the maps' part (render/gather.h).
  */
-double murk_render_bytes(size_t width, size_t height, int bands);
+double murk_render_bytes(size_t width, size_t height, int bands,
+                         murk_render_method method);
 
 /* The camera stands within the domain. Progress by rays. *out is the caller's.
  * Fails with MURK_NO_MEMORY. Ends early when interrupted: ask

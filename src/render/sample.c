@@ -33,13 +33,23 @@ struct murk_sampler {
     double own_index;  /* where it starts; 0: not told yet */
     bool is_connected; /* shadow rays may have found what it meets, */
     murk_place last;   /* sent from there */
+    murk_vec3 wrapped; /* how far periodic sides have moved it back since, */
+    murk_vec3 left;    /* and where it has left the domain by one, */
+    bool has_wrapped;  /* which the next leg will tell the rest of */
     bool is_settled;   /* what all later light comes from last is known: */
     part settled;
-    bool is_stopped;
+    bool is_stopped, meets_light;
     murk_trace_leg leg;     /* the last one told */
     double radiance[PARTS]; /* over the index squared */
     double *group;          /* what the maps bring */
 };
+
+/* Of a light that the ray has met. */
+static void add_met(murk_sampler *s, double radiance)
+{
+    s->meets_light = s->meets_light || !s->is_settled;
+    s->radiance[s->is_settled ? s->settled : SURFACE] += radiance;
+}
 
 static void add(murk_sampler *s, part of, double radiance)
 {
@@ -66,10 +76,14 @@ static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
         /* by maps all the rest has been counted where the ray went on */
         return s->is_settled && s->method != MURK_BY_PATHS ? 0 : 1;
     }
-    const murk_glare glare = murk_lights_glare(
-        s->scenery->world->lights, light, s->band, s->last.position, sight);
+    const murk_light *l = murk_lights_get(s->scenery->world->lights, light);
+    const murk_vec3 from = murk_light_is_distant(l)
+                               ? s->last.position
+                               : murk_sub(s->last.position, s->wrapped);
+    const murk_glare glare = murk_lights_glare(s->scenery->world->lights, light,
+                                               s->band, from, sight);
     return murk_direct_rest(s->scenery, &s->last, light, murk_scale(-1, sight),
-                            glare.per_sr);
+                            glare.per_sr, s->wrapped);
 }
 
 static void meet_lamps(murk_sampler *s, const murk_trace_leg *leg)
@@ -87,9 +101,9 @@ static void meet_lamps(murk_sampler *s, const murk_trace_leg *leg)
         if (glare.radiance > 0 &&
             glare.distance_m <=
                 leg->length_m + slack_at(s->scenery, l, sight)) {
-            add(s, SURFACE,
-                leg->weight * glare.radiance / (leg->index * leg->index) *
-                    share_met(s, light, sight));
+            add_met(s, leg->weight * glare.radiance /
+                           (leg->index * leg->index) *
+                           share_met(s, light, sight));
         }
     }
 }
@@ -110,9 +124,8 @@ static void meet_sky(murk_sampler *s, const murk_event *event)
             const double outside =
                 murk_outside_straight(s->scenery->world, s->band,
                                       event->position, murk_scale(-1, sight));
-            add(s, SURFACE,
-                event->weight * glare.radiance * outside / square *
-                    share_met(s, light, sight));
+            add_met(s, event->weight * glare.radiance * outside / square *
+                           share_met(s, light, sight));
         }
     }
 }
@@ -124,6 +137,10 @@ static void hear_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
     s->leg = *leg;
     if (!(s->own_index > 0)) {
         s->own_index = leg->index;
+    }
+    if (s->has_wrapped) {
+        s->wrapped = murk_add(s->wrapped, murk_sub(s->left, leg->from));
+        s->has_wrapped = false;
     }
     meet_lamps(s, leg);
 }
@@ -160,6 +177,7 @@ static void add_light(murk_sampler *s, const murk_event *event,
 static void settle(murk_sampler *s, part of, const murk_place *place)
 {
     s->last = *place;
+    s->wrapped = murk_vec(0, 0, 0);
     s->settled = s->is_settled ? s->settled : of;
     s->is_settled = true;
     s->is_connected = !place->is_in_solid && s->method != MURK_BY_MAPS_ONLY;
@@ -242,8 +260,11 @@ static void hear_event(void *context, uint64_t batch, const murk_event *event)
     case MURK_EVENT_LOST:
         s->lost += !s->is_stopped;
         break;
-    case MURK_EVENT_EMITTED:
     case MURK_EVENT_WRAPPED:
+        s->left = event->position;
+        s->has_wrapped = true;
+        break;
+    case MURK_EVENT_EMITTED:
         break;
     }
 }
@@ -326,12 +347,14 @@ murk_found murk_sampler_look(murk_sampler *s, uint64_t number, int band,
     s->group = group;
     s->band = band;
     s->own_index = 0;
-    s->is_connected = s->is_settled = s->is_stopped = false;
+    s->is_connected = s->is_settled = s->is_stopped = s->has_wrapped = false;
+    s->meets_light = false;
     s->radiance[SURFACE] = s->radiance[VOLUME] = 0;
     murk_follow(s->follower, number, band, from, sight);
     const double square = s->own_index * s->own_index;
     return (murk_found){.surface = square * s->radiance[SURFACE],
-                        .volume = square * s->radiance[VOLUME]};
+                        .volume = square * s->radiance[VOLUME],
+                        .meets_light = s->meets_light};
 }
 
 uint64_t murk_sampler_lost(const murk_sampler *sampler)

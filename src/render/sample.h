@@ -34,6 +34,8 @@ typedef enum murk_render_method {
 typedef struct murk_found {
     double surface, volume; /* radiance [W/m2/sr], by what the light came from
                                last: a surface or a light itself; a medium */
+    bool meets_light; /* the ray has met a light before it was scattered or
+                         reflected diffusely */
 } murk_found;
 
 typedef struct murk_sampler murk_sampler;

@@ -15,7 +15,10 @@ typedef struct murk_scenery {
     const murk_world *world;
     bool any_surfaces, any_sheets, any_media, bends;
     double margin_m; /* what surfaces in single precision are off by, at most */
-    double piece_m;  /* no straight piece is longer */
+    double piece_m;  /* no straight piece is longer sideways */
+    /* Heights below and above which there is no surface and no bounded region:
+     * there nothing depends on x and y. */
+    double free_below_m, free_above_m;
     size_t *lit[MURK_BANDS_MAX];    /* [n_lit] lights with power in a band */
     double *chance[MURK_BANDS_MAX]; /* [n_lit] cumulative, of being drawn */
     size_t n_lit[MURK_BANDS_MAX];

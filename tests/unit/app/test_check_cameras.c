@@ -39,7 +39,8 @@ static void test_pictures_and_maps_are_foretold(void)
     const double maps = murk_photon_map_memory_for(1e6) +
                         murk_photon_map_memory_for(1e5) -
                         2 * murk_photon_map_memory_for(0);
-    CHECK(foretold(&scene, &dark, 0) >= murk_render_bytes(64, 48, 16));
+    CHECK(foretold(&scene, &dark, 0) >=
+          murk_render_bytes(64, 48, 16, MURK_BY_MAPS));
     const double kernels =
         murk_gather_memory_for(1e6, 1e5) - murk_gather_memory_for(0, 0);
     CHECK(foretold(&scene, &lit, 0) - foretold(&scene, &dark, 0) ==

@@ -1,0 +1,215 @@
+/* How shadow rays are shared out among lights and among the images of a lamp.
+ *
+ * Lights: each is drawn in proportion to the irradiance that it would bring in
+ * clear air without occluders, estimated from its middle; a part of the rays is
+ * shared out by power alone and evenly, so that a light whose rivals are hidden
+ * is found, too (Shirley, Wang and Zimmerman, ACM Trans. Graph. 15 (1996) 1,
+ * doi:10.1145/226150.226151, section 5).
+ *
+ * Images: half of the draws go to the nearest image and its eight neighbours,
+ * by the inverse square of the distance. The other half follow an isotropic
+ * direction from the place up to a plane at the lamp's height, and take the
+ * image whose cell of the plane they meet: its chance is the cell's solid angle
+ * over 2 pi. So images at any distance are drawn, no more often than they are
+ * seen, and a lamp that fills the period is drawn as the endless lamp that it
+ * is with its images. */
+#include "render/choice.h"
+
+/* Share of the rays that goes by power and evenly. */
+#define BLIND_SHARE 0.25
+
+/* An image farther than this [periods] is left to rays that meet it by
+ * themselves; fewer than one draw in a million is so. */
+#define PERIODS_MAX 1e6
+
+/* From here on [periods] a cell's solid angle is that of its middle, to 1e-4;
+ * nearer its corners are counted, without loss of digits. */
+#define FAR_PERIODS 100
+
+/* ---- lights ---- */
+
+/* The largest extent of a lamp from its middle [m]. */
+static double extent_of(const murk_light *light)
+{
+    return light->type == MURK_LIGHT_RECT
+               ? 0.5 * (murk_length(light->edge1) + murk_length(light->edge2))
+           : light->type == MURK_LIGHT_POINT ? 0
+                                             : light->radius_m;
+}
+
+static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
+{
+    if (domain->is_periodic) {
+        const double x = domain->box.max.x - domain->box.min.x;
+        const double y = domain->box.max.y - domain->box.min.y;
+        way.x -= x * round(way.x / x);
+        way.y -= y * round(way.y / y);
+    }
+    return way;
+}
+
+/* The irradiance that a lamp would bring, for way from the place to its
+ * middle. */
+static double lamp_weight(const murk_light *light, int band, murk_vec3 way,
+                          bool has_images)
+{
+    const double extent = extent_of(light);
+    const double power = light->power_w.band[band];
+    const double square = fmax(murk_dot(way, way), extent * extent);
+    const double distance = sqrt(square);
+    if (!(square > 0)) {
+        return power;
+    }
+    if (light->type == MURK_LIGHT_RECT) {
+        const murk_vec3 face =
+            murk_unit(murk_cross(light->edge1, light->edge2));
+        const double before = -murk_dot(face, way);
+        /* behind its plane, where images lie in the same plane or the lamp has
+         * none */
+        if (!(before > 0) && (!has_images || fabs(face.z) == 1)) {
+            return 0;
+        }
+        const double cosine =
+            fmin(1, fmax(0, before + 0.5 * extent) / distance);
+        return power * cosine / (MURK_PI * square);
+    }
+    if (light->type == MURK_LIGHT_BEAM) {
+        const double ahead = -murk_dot(light->direction, way);
+        const double aside2 = fmax(0, murk_dot(way, way) - ahead * ahead);
+        const double radius =
+            light->radius_m +
+            fmax(0, ahead) * tan(fmin(1.5, light->divergence_rad));
+        return ahead > 0 && aside2 < radius * radius && radius > 0
+                   ? power / (MURK_PI * radius * radius)
+                   : 0;
+    }
+    return power / (4 * MURK_PI * square);
+}
+
+static double weight_of(const murk_scenery *scenery,
+                        const murk_outlook *outlook, size_t light)
+{
+    const murk_world *world = scenery->world;
+    const murk_light *l = murk_lights_get(world->lights, light);
+    murk_vec3 middle;
+    if (!murk_lights_place(world->lights, light, &middle)) {
+        return l->power_w.band[outlook->band]; /* irradiance */
+    }
+    const bool has_images = world->domain.is_periodic;
+    const murk_vec3 way =
+        to_nearest_image(&world->domain, murk_sub(middle, outlook->position));
+    double weight = lamp_weight(l, outlook->band, way, has_images);
+    if (outlook->is_surface && !has_images) {
+        const double above =
+            murk_dot(outlook->normal, way) + extent_of(l) + scenery->margin_m;
+        const double distance = murk_length(way);
+        weight *= above < distance ? fmax(0, above) / distance : 1;
+    }
+    return weight;
+}
+
+void murk_choice_rays(const murk_scenery *scenery, const murk_outlook *outlook,
+                      double rays[MURK_LIGHTS_MAX])
+{
+    const size_t n = scenery->n_lit[outlook->band];
+    const size_t *lit = scenery->lit[outlook->band];
+    const double *chance = scenery->chance[outlook->band];
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        rays[i] =
+            n > MURK_LIGHTS_AT_ONCE ? weight_of(scenery, outlook, lit[i]) : 1;
+        sum += rays[i];
+    }
+    for (size_t i = 0; n > MURK_LIGHTS_AT_ONCE && i < n; ++i) {
+        const double blind = chance[i] - (i > 0 ? chance[i - 1] : 0);
+        const double share =
+            sum > 0 ? (1 - BLIND_SHARE) * rays[i] / sum + BLIND_SHARE * blind
+                    : blind;
+        rays[i] = MURK_LIGHTS_AT_ONCE * share;
+    }
+}
+
+/* ---- images ---- */
+
+murk_images murk_images_of(const murk_scenery *scenery, size_t light,
+                           murk_vec3 place)
+{
+    const murk_world *world = scenery->world;
+    const murk_box *box = &world->domain.box;
+    const murk_light *l = murk_lights_get(world->lights, light);
+    murk_vec3 middle = place;
+    murk_lights_place(world->lights, light, &middle);
+    const murk_vec3 away = murk_sub(middle, place);
+    murk_images m = {
+        .period_m = {box->max.x - box->min.x, box->max.y - box->min.y},
+        .away_m = {away.x, away.y},
+        .size_m = fmax(extent_of(l), scenery->margin_m)};
+    /* The plane of directions stays half a period away, or at a small height
+     * hardly an image but the nearest would be drawn. */
+    m.height_m = fmax(fabs(away.z), 0.5 * fmin(m.period_m[0], m.period_m[1]));
+    m.nearest[0] = -round(away.x / m.period_m[0]);
+    m.nearest[1] = -round(away.y / m.period_m[1]);
+    for (int k = 0; k < 9; ++k) {
+        const double x = away.x + (m.nearest[0] + k % 3 - 1) * m.period_m[0];
+        const double y = away.y + (m.nearest[1] + k / 3 - 1) * m.period_m[1];
+        m.weight[k] =
+            1 / fmax(x * x + y * y + away.z * away.z, m.size_m * m.size_m);
+        m.sum += m.weight[k];
+    }
+    return m;
+}
+
+/* Of the rectangle from the axis to (x, y) in a plane at height h; signed. */
+static double corner_angle(double x, double y, double h)
+{
+    return atan2(x * y, h * sqrt(h * h + x * x + y * y));
+}
+
+/* Solid angle of the cell about an image. */
+static double cell_angle(const murk_images *m, const double periods[2])
+{
+    const double half_x = 0.5 * m->period_m[0], half_y = 0.5 * m->period_m[1];
+    const double x = m->away_m[0] + periods[0] * m->period_m[0];
+    const double y = m->away_m[1] + periods[1] * m->period_m[1];
+    const double h = m->height_m;
+    const double distance = sqrt(x * x + y * y + h * h);
+    if (distance > FAR_PERIODS * 2 * fmax(half_x, half_y)) {
+        return 4 * half_x * half_y * h / (distance * distance * distance);
+    }
+    return corner_angle(x + half_x, y + half_y, h) -
+           corner_angle(x - half_x, y + half_y, h) -
+           corner_angle(x + half_x, y - half_y, h) +
+           corner_angle(x - half_x, y - half_y, h);
+}
+
+double murk_images_chance(const murk_images *m, const double periods[2])
+{
+    const double i = periods[0] - m->nearest[0], j = periods[1] - m->nearest[1];
+    if (fmax(fabs(periods[0]), fabs(periods[1])) > PERIODS_MAX) {
+        return 0;
+    }
+    const bool is_near = fabs(i) <= 1 && fabs(j) <= 1;
+    const double near =
+        is_near ? m->weight[(int)(3 * (j + 1) + i + 1)] / m->sum : 0;
+    return 0.5 * near + 0.5 * cell_angle(m, periods) / (2 * MURK_PI);
+}
+
+double murk_images_draw(const murk_images *m, const double u[4],
+                        double periods[2])
+{
+    if (u[0] < 0.5) {
+        double left = u[1] * m->sum;
+        int k = 0;
+        while (k < 8 && left >= m->weight[k]) {
+            left -= m->weight[k++];
+        }
+        periods[0] = m->nearest[0] + k % 3 - 1;
+        periods[1] = m->nearest[1] + k / 3 - 1;
+    } else {
+        const double mu = u[2], phi = 2 * MURK_PI * u[3];
+        const double aside = m->height_m * sqrt((1 - mu) * (1 + mu)) / mu;
+        periods[0] = round((aside * cos(phi) - m->away_m[0]) / m->period_m[0]);
+        periods[1] = round((aside * sin(phi) - m->away_m[1]) / m->period_m[1]);
+    }
+    return murk_images_chance(m, periods);
+}
