@@ -219,12 +219,12 @@ static void print_radiance(const job *j)
         if (is_all_round(j)) {
             murk_print("            %.7g nm  ", nm[b]);
             print_mean(mean, error, "W/m2/sr  ");
-            print_mean(sphere_sr * mean, sphere_sr * error, "W/m2\n");
+            print_mean(sphere_sr * mean, sphere_sr * error, "W/m2");
         } else {
             murk_print("radiance    %.7g nm: ", nm[b]);
-            print_mean(mean, error,
-                       "W/m2/sr, mean over the picture's pixels\n");
+            print_mean(mean, error, "W/m2/sr, mean over the picture's pixels");
         }
+        murk_print("\n"); /* arguments are shown with newlines escaped */
     }
     if (!isfinite(p->mean_error[0])) {
         murk_print("            errors are known from 2 samples a pixel on\n");

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "transport/jump.h"
 #include "transport/walk.h"
 
 struct murk_follower {
@@ -9,6 +10,7 @@ struct murk_follower {
     murk_course course;
     murk_sums sums; /* read by nobody: a ray's quanta are no light */
     murk_tally *absorber;
+    double (*busy)[2]; /* heights that are not free */
     uint32_t events_max;
 };
 
@@ -31,6 +33,14 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
     f->events_max = trace->events_max;
     f->course = murk_course_of(&f->trace);
     f->absorber = absorber;
+    const murk_status status =
+        murk_jump_heights(&f->busy, &f->course.n_busy, world, err);
+    if (status) {
+        murk_follower_destroy(f);
+        return status;
+    }
+    f->course.busy = (const double(*)[2])f->busy;
+    f->course.jumps = world->domain.is_periodic;
     f->sums.absorber = absorber;
     f->sums.materials = materials;
     f->sums.absorbers = absorbers;
@@ -43,6 +53,7 @@ void murk_follower_destroy(murk_follower *follower)
 {
     if (follower) {
         free(follower->absorber);
+        free(follower->busy);
         free(follower);
     }
 }

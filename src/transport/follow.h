@@ -22,9 +22,10 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
                                  murk_error *err);
 void murk_follower_destroy(murk_follower *follower); /* NULL is fine */
 
-/* Follows one ray to its end, telling its legs and events; `number` addresses
- * its random numbers, as a photon's index does. The origin lies within the
- * domain. The emission is not told. */
+/* Follows one ray to its end (in one leg and one wrap through heights of a
+ * periodic domain without surfaces, bounded regions and lamps), telling its
+ * legs and events; `number` addresses its random numbers, as a photon's index
+ * does. The origin lies within the domain. The emission is not told. */
 void murk_follow(murk_follower *follower, uint64_t number, int band,
                  murk_vec3 origin, murk_vec3 direction);
 

@@ -13,6 +13,7 @@
 #include "transport/walk.h"
 
 #include "medium/phase.h"
+#include "transport/jump.h"
 #include "transport/meet.h"
 #include "transport/outside.h"
 #include "transport/turn.h"
@@ -29,6 +30,10 @@
 /* Cosine between a surface and a boundary above which one lies in the other;
  * below it they merely cross there, and the boundary is met in its turn. */
 #define ALIKE 0.9
+
+/* A jump that leads to a boundary ends at this share of the way, and the
+ * boundary is met from near. */
+#define BEFORE_BOUNDARY 0.999
 
 /* The nearest surface; *distance_m is along the leg from w->position. */
 static bool meets_surface(const murk_walker *w, murk_hit *hit,
@@ -156,6 +161,18 @@ static murk_fate follow(murk_walker *w)
             murk_look_ahead(r->world, &w->inside, w->position, w->direction,
                             w->skip_m, as_far_as_media_let(w), &ahead);
         w->skip_m = 0;
+        double run = r->jumps ? murk_jump_ahead(w) : 0;
+        run = bends ? fmin(run, BEFORE_BOUNDARY * boundary->distance_m) : run;
+        if (run > 0) {
+            const bool met_medium =
+                r->any_media && collides(w, run, &collision, rest);
+            murk_jump(w, met_medium ? collision.distance_m : run);
+            collision.distance_m = 0; /* the flight is behind it */
+            if (met_medium && !scatter(w, &collision, rest)) {
+                return MURK_FATE_MEDIA;
+            }
+            continue;
+        }
         /* With no surfaces most legs end in a medium: the others alone look
          * for the side. */
         if (only_media &&

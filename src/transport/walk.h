@@ -27,6 +27,9 @@ typedef struct murk_course {
     double in_plane_m; /* a plane nearer to a surface has the surface in it */
     bool any_surfaces, any_solids, any_media;
     bool any_boundaries; /* of regions that bend or are meshes */
+    bool jumps;          /* where the domain is periodic: transport/jump.h */
+    const double (*busy)[2]; /* [n_busy] heights that are not free */
+    size_t n_busy;
     uint32_t purpose_shift;
     int64_t least_quanta; /* roulette from here down */
 } murk_course;

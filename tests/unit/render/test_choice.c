@@ -1,0 +1,134 @@
+/* Which lights and images shadow rays go to: chances that add up to 1, draws
+ * that follow them, and no ray to what cannot light the place.
+ *
+ * The test of frequencies has a 1e-6 chance of a false alarm (Sidak). */
+#include "base/rng.h"
+#include "base/stats.h"
+#include "check.h"
+#include "render/choice.h"
+#include "worlds.h"
+
+#include <stdlib.h>
+
+#define DRAWS  200000
+#define REACH  60 /* images to either side whose chances are added up */
+#define SEEN   3  /* images to either side whose frequencies are tested */
+#define ZTESTS ((2 * SEEN + 1) * (2 * SEEN + 1))
+
+static murk_light lamp_at(double x, double y, double z)
+{
+    return (murk_light){.type = MURK_LIGHT_RECT,
+                        .position = {x - 0.5, y - 0.5, z},
+                        .edge1 = {0, 1, 0},
+                        .edge2 = {1, 0, 0}, /* it shines downwards */
+                        .power_w = {{1}}};
+}
+
+static murk_scenery scenery_of(const test_world *world)
+{
+    murk_scenery scenery;
+    murk_error err = {0};
+    if (murk_scenery_prepare(&scenery, &world->world, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        exit(1);
+    }
+    return scenery;
+}
+
+/* The chances of all images add up to 1: what is beyond REACH is the solid
+ * angle outside of a square about the place, at most
+ * height / (nearest side of the square). */
+static void check_images(murk_vec3 place, double *beyond)
+{
+    const murk_light lamp = lamp_at(1, 3, 4);
+    test_world world =
+        test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {5, 4, 6}}, true},
+                                      .lights = &lamp,
+                                      .n_lights = 1});
+    murk_scenery scenery = scenery_of(&world);
+    const murk_images images = murk_images_of(&scenery, 0, place);
+    double sum = 0;
+    for (int i = -REACH; i <= REACH; ++i) {
+        for (int j = -REACH; j <= REACH; ++j) {
+            sum += murk_images_chance(&images, (const double[2]){i, j});
+        }
+    }
+    CHECK(sum < 1 && sum > 1 - images.height_m / (REACH * 4.0));
+    *beyond = 1 - sum;
+    /* draws follow the chances */
+    static uint32_t count[2 * SEEN + 1][2 * SEEN + 1];
+    for (int i = 0; i <= 2 * SEEN; ++i) {
+        for (int j = 0; j <= 2 * SEEN; ++j) {
+            count[i][j] = 0;
+        }
+    }
+    for (uint64_t n = 0; n < DRAWS; ++n) {
+        const murk_random4 u = murk_random(1, MURK_SHINE, n, 0, 0);
+        double periods[2];
+        const double chance = murk_images_draw(&images, u.u, periods);
+        CHECK(chance == murk_images_chance(&images, periods) && chance > 0);
+        if (fabs(periods[0]) <= SEEN && fabs(periods[1]) <= SEEN) {
+            ++count[(int)periods[0] + SEEN][(int)periods[1] + SEEN];
+        }
+    }
+    const double limit = murk_sidak_limit(1e-6, 2 * ZTESTS);
+    for (int i = -SEEN; i <= SEEN; ++i) {
+        for (int j = -SEEN; j <= SEEN; ++j) {
+            const double p =
+                murk_images_chance(&images, (const double[2]){i, j});
+            CHECK_WITHIN(limit, (double)count[i + SEEN][j + SEEN], DRAWS * p,
+                         sqrt(DRAWS * p * (1 - p)));
+        }
+    }
+    murk_scenery_release(&scenery);
+    test_world_unmade(&world);
+}
+
+static void test_images_are_drawn_by_their_chances(void)
+{
+    double low, level;
+    check_images(murk_vec(2, 1, 0.5), &low);
+    check_images(murk_vec(4.9, 0.1, 4), &level);
+    CHECK(low > level); /* from far below, far images are seen better */
+}
+
+/* Ten lamps in a row: rays to them add up to what is sent, most go to the
+ * nearest, none to lamps that shine away or lie below the surface. */
+static void test_rays_go_to_lamps_that_light_the_place(void)
+{
+    murk_light lamp[10];
+    for (int i = 0; i < 10; ++i) {
+        lamp[i] = lamp_at(2 * i + 1, 2, i < 9 ? 4 : 0.5);
+    }
+    test_world world = test_world_made(
+        &(test_setup){.domain = {{{0, 0, 0}, {20, 4, 5}}, false},
+                      .lights = lamp,
+                      .n_lights = 10});
+    murk_scenery scenery = scenery_of(&world);
+    murk_outlook outlook = {
+        .position = {5, 2, 1}, .is_surface = true, .normal = {0, 0, 1}};
+    double rays[MURK_LIGHTS_MAX], sum = 0;
+    murk_choice_rays(&scenery, &outlook, rays);
+    for (int i = 0; i < 10; ++i) {
+        sum += rays[i];
+    }
+    CHECK_NEAR(sum, MURK_LIGHTS_AT_ONCE, 1e-12);
+    CHECK(rays[2] > rays[1] && rays[1] > rays[4] && rays[4] > rays[8]);
+    CHECK_NEAR(rays[1], rays[3], 1e-12);
+    /* the one below has but the blind share of even draws */
+    CHECK(rays[9] > 0 && rays[9] < 0.25 * MURK_LIGHTS_AT_ONCE / 10 * 1.001);
+    /* no more lights than rays: one to each */
+    scenery.n_lit[0] = 3;
+    murk_choice_rays(&scenery, &outlook, rays);
+    CHECK(rays[0] == 1 && rays[1] == 1 && rays[2] == 1);
+    scenery.n_lit[0] = 10;
+    murk_scenery_release(&scenery);
+    test_world_unmade(&world);
+}
+
+int main(void)
+{
+    test_images_are_drawn_by_their_chances();
+    test_rays_go_to_lamps_that_light_the_place();
+    return check_done();
+}

@@ -1,0 +1,368 @@
+/* Pictures by paths of small worlds whose radiance has a closed form: lamps
+ * over a floor, all under water and across its surface, light scattered once,
+ * and the images of lamps in periodic domains.
+ *
+ * Each case asks that the mean is the closed form's within chance and a small
+ * allowance for what the form leaves out, and that a form 3 % off is refused.
+ * The z-tests share a 1e-6 chance of a false alarm (Sidak). */
+#include "base/stats.h"
+#include "check.h"
+#include "render/render.h"
+#include "worlds.h"
+
+#include <stdlib.h>
+
+#define CASES 16
+
+/* A mean over few square centimetres instead of a point, shadow rays that start
+ * beside the floor, floats: 1e-4 of the radiance at most. */
+#define ALLOWED 1e-4
+
+static murk_picture *taken(const test_world *world, murk_camera camera,
+                           size_t samples)
+{
+    murk_trace trace = murk_trace_defaults();
+    trace.world = &world->world;
+    trace.seed = 1;
+    const murk_render render = {.trace = &trace,
+                                .camera = camera,
+                                .samples = samples,
+                                .method = MURK_BY_PATHS,
+                                .from_nm = {550},
+                                .to_nm = {550},
+                                .threads = 2};
+    murk_picture *picture = NULL;
+    murk_error err = {0};
+    if (murk_render_run(&picture, &render, &err)) {
+        printf("%s: %s\n", err.where, err.text);
+        exit(1);
+    }
+    return picture;
+}
+
+/* Looks with a hair's breadth of view. */
+static murk_camera hair(murk_vec3 from, murk_vec3 to)
+{
+    const murk_vec3 way = murk_sub(to, from);
+    const murk_vec3 up = fabs(way.z) > fabs(way.x) + fabs(way.y)
+                             ? murk_vec(0, 1, 0)
+                             : murk_vec(0, 0, 1);
+    return murk_camera_look(from, to, up, 0.002, 8, 8);
+}
+
+static bool is_met(const murk_picture *p, double want, double allowed)
+{
+    const double limit = murk_sidak_limit(1e-6, CASES);
+    return fabs(p->mean[0] - want) < limit * p->mean_error[0] + allowed * want;
+}
+
+/* Tells the error of the mean, as a share. */
+static double check_case(const char *name, const test_setup *setup,
+                         murk_camera camera, size_t samples, double want,
+                         double allowed)
+{
+    test_world world = test_world_made(setup);
+    murk_picture *p = taken(&world, camera, samples);
+    printf("%s: %.6g +- %.2g, is %.6g\n", name, p->mean[0], p->mean_error[0],
+           want);
+    CHECK(is_met(p, want, allowed));
+    CHECK(!is_met(p, 1.03 * want, allowed));
+    CHECK(!is_met(p, want / 1.03, allowed));
+    CHECK(p->lost == 0);
+    const double share = p->mean_error[0] / p->mean[0];
+    murk_picture_destroy(p);
+    test_world_unmade(&world);
+    return share;
+}
+
+/* ---- in the open, and under water ---- */
+
+#define DIFFUSE 0.5
+
+/* Radiance of a floor at z = 0 below point lamps of a watt. */
+static double floor_radiance(const murk_light *lamp, size_t n, murk_vec3 at)
+{
+    double irradiance = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_vec3 way = murk_sub(lamp[i].position, at);
+        const double r = murk_length(way);
+        irradiance += way.z / (4 * MURK_PI * r * r * r);
+    }
+    return DIFFUSE / MURK_PI * irradiance;
+}
+
+/* Twelve lamps, so that shadow rays are shared out; a watt each. */
+static void test_a_floor_below_many_lamps(void)
+{
+    murk_light lamp[12];
+    for (int i = 0; i < 12; ++i) {
+        lamp[i] = test_point(murk_vec(i % 4 - 1.5, i / 4 - 1, 1 + 0.2 * i));
+    }
+    const murk_surface_desc floor =
+        test_rect(murk_vec(-3, -3, 0), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 0);
+    const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
+    check_case("a floor below twelve lamps",
+               &(test_setup){.domain = {{{-4, -4, -1}, {4, 4, 5}}, false},
+                             .lights = lamp,
+                             .n_lights = 12,
+                             .surfaces = &floor,
+                             .n_surfaces = 1,
+                             .materials = &paint,
+                             .n_materials = 1},
+               hair(murk_vec(0.3, 0.2, 0.5), murk_vec(0.3, 0.2, 0)), 600,
+               floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)), ALLOWED);
+}
+
+/* Water up to `level` in a box of 8 m with a floor at z = 0 that reflects
+ * `diffuse`, seen from a camera, by the light of one lamp. */
+static void check_water(const char *name, murk_light lamp, double level,
+                        double diffuse, murk_camera camera, size_t samples,
+                        double want)
+{
+    const murk_surface_desc floor =
+        test_rect(murk_vec(-3, -3, 0), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 0);
+    const murk_material paint = test_material(diffuse, 0, 0, 0);
+    const murk_medium clear = test_medium(0, 0, 0);
+    const murk_region water = {.shape = MURK_REGION_BELOW,
+                               .below_z_m = level,
+                               .ior = 1.34,
+                               .replaces = true,
+                               .where = "water"};
+    check_case(name,
+               &(test_setup){.domain = {{{-4, -4, -1}, {4, 4, 5}}, false},
+                             .lights = &lamp,
+                             .n_lights = 1,
+                             .surfaces = &floor,
+                             .n_surfaces = 1,
+                             .materials = &paint,
+                             .n_materials = 1,
+                             .media = &clear,
+                             .n_media = 1,
+                             .regions = &water,
+                             .n_regions = 1},
+               camera, samples, want, ALLOWED);
+}
+
+/* Where camera and lamp are both under water the index changes nothing: a watt
+ * is a watt. From water into air radiance falls by n^2, but for what the
+ * surface reflects. */
+static void test_the_square_of_the_index(void)
+{
+    const double n = 1.34, back = (n - 1) / (n + 1) * (n - 1) / (n + 1);
+    const murk_light point = test_point(murk_vec(1, 0.5, 2));
+    const murk_vec3 at = {0.3, 0.2, 0};
+    check_water("floor, camera and lamp under water", point, 10, DIFFUSE,
+                hair(murk_vec(0.3, 0.2, 0.5), at), 4,
+                floor_radiance(&point, 1, at));
+    const murk_light ball = {.type = MURK_LIGHT_SPHERE,
+                             .position = {0, 0, 2},
+                             .radius_m = 0.5,
+                             .power_w = {{1}}};
+    const double bright = 1 / (4 * MURK_PI * MURK_PI * 0.25);
+    check_water("a lamp seen under water", ball, 10, 0,
+                hair(murk_vec(0, 0, 0.5), murk_vec(0, 0, 2)), 4, bright);
+    check_water("a lamp seen from above the water", ball, 3, 0,
+                hair(murk_vec(0, 0, 4), murk_vec(0, 0, 2)), 4000,
+                bright * (1 - back) / (n * n));
+    /* the floor's light is of a lamp in the same water */
+    const murk_light sheet = {.type = MURK_LIGHT_SPHERE,
+                              .position = {1, 0.5, 2},
+                              .radius_m = 0.1,
+                              .power_w = {{1}}};
+    const murk_light middle = test_point(murk_vec(1, 0.5, 2));
+    check_water("a floor seen by a ball's light under water", sheet, 10,
+                DIFFUSE, hair(murk_vec(0.3, 0.2, 0.5), at), 300,
+                floor_radiance(&middle, 1, at));
+}
+
+/* ---- light scattered once ---- */
+
+/* The sun from above, a level line of sight through 3 m of a medium that
+ * scatters little, at a metre's depth:
+ *   L = E albedo p(90 degrees) exp(-s * 1) (1 - exp(-s * 3)).
+ * Scattered again is less than the albedo's share of it. */
+static void test_light_scattered_once(void)
+{
+    const double s = 0.4, g = 0.5, albedo = 1e-3;
+    const double p = (1 - g * g) / (4 * MURK_PI * pow(1 + g * g, 1.5));
+    const murk_light sun = {.type = MURK_LIGHT_DIRECTIONAL,
+                            .direction = {0, 0, -1},
+                            .power_w = {{1000}}};
+    const murk_medium smoke = test_medium(s, albedo, g);
+    const murk_region box =
+        test_box_region(0, murk_vec(0, -3, 0), murk_vec(3, 3, 2));
+    check_case("scattered once",
+               &(test_setup){.domain = {{{-1, -4, -1}, {4, 4, 3}}, false},
+                             .lights = &sun,
+                             .n_lights = 1,
+                             .media = &smoke,
+                             .n_media = 1,
+                             .regions = &box,
+                             .n_regions = 1},
+               hair(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 1200,
+               1000 * albedo * p * exp(-s) * (1 - exp(-3 * s)), albedo);
+}
+
+/* ---- images ---- */
+
+#define SIDE   5.0
+#define ABSORB 0.15
+
+static const murk_domain periodic = {{{0, 0, -0.1}, {SIDE, SIDE, 6}}, true};
+
+/* A floor at z = 0 of a periodic domain with soot, below one lamp. */
+static test_setup over_floor(const murk_light *lamp,
+                             const murk_surface_desc *floor,
+                             const murk_material *paint,
+                             const murk_medium *soot, const murk_region *all)
+{
+    return (test_setup){.domain = periodic,
+                        .lights = lamp,
+                        .n_lights = 1,
+                        .surfaces = floor,
+                        .n_surfaces = 1,
+                        .materials = paint,
+                        .n_materials = 1,
+                        .media = soot,
+                        .n_media = 1,
+                        .regions = all,
+                        .n_regions = 1};
+}
+
+/* What a place on the floor gets from all images of a point of a lamp, with
+ * cosine `power` at the lamp: of a watt (isotropic) or a square metre's
+ * radiance 1. */
+static double from_images(murk_vec3 lamp, murk_vec3 at, int cosines)
+{
+    double sum = 0;
+    for (int i = -40; i <= 40; ++i) {
+        for (int j = -40; j <= 40; ++j) {
+            const murk_vec3 way = murk_sub(
+                murk_vec(lamp.x + i * SIDE, lamp.y + j * SIDE, lamp.z), at);
+            const double r = murk_length(way);
+            sum += pow(way.z / r, cosines) / (r * r) * exp(-ABSORB * r);
+        }
+    }
+    return sum;
+}
+
+static void test_images_of_lamps_light_a_floor(void)
+{
+    const murk_surface_desc floor = test_rect(
+        murk_vec(0, 0, 0), murk_vec(SIDE, 0, 0), murk_vec(0, SIDE, 0), 0);
+    const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
+    const murk_medium soot = test_medium(ABSORB, 0, 0);
+    const murk_region all = test_everywhere(0);
+    const murk_vec3 at = {0.5, 4, 0}; /* near a side */
+    const murk_camera camera = hair(murk_vec(0.5, 4, 0.5), at);
+    const double seen = exp(-ABSORB * 0.5) * DIFFUSE / MURK_PI;
+    const murk_light point = test_point(murk_vec(4, 1, 2));
+    test_setup setup = over_floor(&point, &floor, &paint, &soot, &all);
+    check_case("images of a point", &setup, camera, 1500,
+               seen * from_images(point.position, at, 1) / (4 * MURK_PI),
+               ALLOWED);
+    /* 2 x 3 m of radiance 1 / (6 pi), in strips of a tenth */
+    const murk_light sheet = {.type = MURK_LIGHT_RECT,
+                              .position = {2.5, 0.5, 3},
+                              .edge1 = {0, 3, 0},
+                              .edge2 = {2, 0, 0},
+                              .power_w = {{1}}};
+    double sum = 0;
+    for (int i = 0; i < 20; ++i) {
+        for (int j = 0; j < 30; ++j) {
+            sum += 0.01 * from_images(murk_vec(2.5 + (i + 0.5) * 0.1,
+                                               0.5 + (j + 0.5) * 0.1, 3),
+                                      at, 2);
+        }
+    }
+    setup.lights = &sheet;
+    check_case("images of a rectangle", &setup, camera, 1500,
+               seen * sum / (6 * MURK_PI), 1e-3);
+}
+
+/* Floor and ceiling reflect and shine alike, fog between them only scatters:
+ * with all images one radiance everywhere, M / (pi (1 - d)). */
+static void test_a_periodic_furnace(void)
+{
+    const murk_surface_desc plane[2] = {
+        test_rect(murk_vec(0, 0, 0), murk_vec(SIDE, 0, 0), murk_vec(0, SIDE, 0),
+                  0),
+        test_rect(murk_vec(0, 0, 6), murk_vec(SIDE, 0, 0), murk_vec(0, SIDE, 0),
+                  0)};
+    const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
+    const murk_medium fog = test_medium(0.2, 1, 0.6);
+    const murk_region all = test_everywhere(0);
+    const murk_light lamp[2] = {{.type = MURK_LIGHT_RECT,
+                                 .position = {0, 0, 0},
+                                 .edge1 = {SIDE, 0, 0},
+                                 .edge2 = {0, SIDE, 0},
+                                 .power_w = {{SIDE * SIDE}}},
+                                {.type = MURK_LIGHT_RECT,
+                                 .position = {0, 0, 6},
+                                 .edge1 = {0, SIDE, 0},
+                                 .edge2 = {SIDE, 0, 0},
+                                 .power_w = {{SIDE * SIDE}}}};
+    const double share =
+        check_case("a periodic furnace",
+                   &(test_setup){.domain = {{{0, 0, 0}, {SIDE, SIDE, 6}}, true},
+                                 .lights = lamp,
+                                 .n_lights = 2,
+                                 .surfaces = plane,
+                                 .n_surfaces = 2,
+                                 .materials = &paint,
+                                 .n_materials = 1,
+                                 .media = &fog,
+                                 .n_media = 1,
+                                 .regions = &all,
+                                 .n_regions = 1},
+                   murk_camera_look(murk_vec(1, 2, 2), murk_vec(4, 3, 2.5),
+                                    murk_vec(0, 0, 1), 1, 16, 12),
+                   800, 1 / (MURK_PI * (1 - DIFFUSE)), ALLOWED);
+    CHECK(share < 0.0025);
+}
+
+/* A thousand kilometres high, with a period of 50 m: the lamp under the top is
+ * seen through haze by Beer's law along the slant, and lights the floor, which
+ * is seen from 2 m, as the endless sheet that it is with its images. */
+static void test_a_tall_domain_is_done_soon(void)
+{
+    const double side = 50, top = 1e6, haze = 3e-7;
+    const murk_light sheet = {.type = MURK_LIGHT_RECT,
+                              .position = {0, 0, top - 1000},
+                              .edge1 = {0, side, 0},
+                              .edge2 = {side, 0, 0},
+                              .power_w = {{MURK_PI * side * side}}};
+    const murk_surface_desc floor = test_rect(
+        murk_vec(0, 0, 0), murk_vec(side, 0, 0), murk_vec(0, side, 0), 0);
+    const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
+    murk_medium air = test_medium(haze, 0, 0);
+    const murk_region all = test_everywhere(0);
+    test_setup setup = {.domain = {{{0, 0, -10}, {side, side, top}}, true},
+                        .lights = &sheet,
+                        .n_lights = 1,
+                        .surfaces = &floor,
+                        .n_surfaces = 1,
+                        .materials = &paint,
+                        .n_materials = 1,
+                        .media = &air,
+                        .n_media = 1,
+                        .regions = &all,
+                        .n_regions = 1};
+    check_case("a lamp far up, aslant", &setup,
+               hair(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 400,
+               exp(-haze * (top - 1002) * sqrt(2)), 5e-4);
+    air = test_medium(0, 0, 0);
+    check_case("a floor far below its lamp", &setup,
+               hair(murk_vec(3, 4, 2), murk_vec(3, 4, 0)), 2000, DIFFUSE, 5e-4);
+}
+
+int main(void)
+{
+    test_a_floor_below_many_lamps();
+    test_the_square_of_the_index();
+    test_light_scattered_once();
+    test_images_of_lamps_light_a_floor();
+    test_a_periodic_furnace();
+    test_a_tall_domain_is_done_soon();
+    return check_done();
+}
