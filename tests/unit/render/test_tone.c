@@ -51,6 +51,20 @@ static void test_the_curve(void)
     CHECK(grey_at(0.0025, 0) == 8); /* the linear part: 0.0024938 * 12.92 */
 }
 
+/* A primary alone: what it is dimmed by follows from its own share of the
+ * luminance, .2126, .7152 and .0722 (ITU-R BT.709). */
+static void test_primaries_have_their_luminance(void)
+{
+    static const int want[3] = {236, 205, 248};
+    for (int k = 0; k < 3; ++k) {
+        double rgb[3] = {0, 0, 0};
+        rgb[k] = 1;
+        uint8_t out[3];
+        murk_tone_pixel(rgb, 0, out);
+        CHECK(out[k] == want[k] && out[(k + 1) % 3] == 0);
+    }
+}
+
 static void test_odd_colours(void)
 {
     const double odd[5][3] = {{NAN, 1, 1},
@@ -202,6 +216,7 @@ int main(void)
 {
     test_memory_of_legends();
     test_the_curve();
+    test_primaries_have_their_luminance();
     test_odd_colours();
     test_exposure_makes_the_log_mean_grey();
     test_ranges();
