@@ -8,6 +8,7 @@
 #include "app/session.h"
 #include "app/summary.h"
 #include "app/tallies_out.h"
+#include "study/few_photons.h"
 #include "study/machine.h"
 #include "study/mesh_materials.h"
 
@@ -211,6 +212,7 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
     if (!status) {
         murk_warn_of_cameras(session.scene, &f.forecast);
         murk_warn_of_escape(session.stage, f.forecast.escaped_share);
+        murk_warn_of_thin_forecast(session.scene, &f.forecast);
     }
     if (!status && session.scene->placement.targets.given) {
         status = murk_targets_check(session.stage, options->threads, err);

@@ -134,6 +134,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
     murk_json_sensors(root, session->scene, plan->sensor, plan->place.count,
                       &plan->in_sample);
     add_coverage(root, plan);
+    murk_json_weights(root, session->scene, &plan->in_sample);
     murk_json_seen(root, &plan->in_sample, plan->place.count);
     murk_json_regions(root, session->scene, plan->in_sample.region,
                       plan->held_out_region);
@@ -174,18 +175,23 @@ static murk_status print_plan(const murk_session *session,
         murk_print_maps(&plan->in_sample);
         murk_print("); all candidates: %.4f\n",
                    murk_share(place->ceiling, place->whole));
+        murk_print_weights(session->scene, &plan->in_sample);
     }
     if (plan->has_held_out) {
-        murk_print("held out    %.4f +- %.4f (one standard error, %s)\n",
-                   plan->held_out.value, plan->held_out.standard_error,
-                   murk_error_by(session->scene));
+        murk_print("held out    ");
+        murk_print_estimate(plan->held_out);
+        if (isfinite(plan->held_out.standard_error)) {
+            murk_print(" (one standard error, %s)",
+                       murk_error_by(session->scene));
+        }
+        murk_print("\n");
     }
     if (session->scene->sensors.target > 0 && !plan->is_dark) {
         murk_print("target      %.4f takes %zu sensors, and no fewer than %zu",
                    session->scene->sensors.target, place->count, place->fewest);
         if (isfinite(plan->confirmed.value)) {
-            murk_print("; on a third map %.4f +- %.4f", plan->confirmed.value,
-                       plan->confirmed.standard_error);
+            murk_print("; on a third map ");
+            murk_print_estimate(plan->confirmed);
         }
         murk_print("\n");
     }

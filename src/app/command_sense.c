@@ -7,6 +7,7 @@
 #include "app/summary.h"
 #include "app/tallies_out.h"
 #include "study/dark.h"
+#include "study/few_photons.h"
 #include "study/placement_in.h"
 
 #include <math.h>
@@ -41,6 +42,7 @@ static cJSON *coverage_json(const murk_session *session,
     murk_json_number(object, "volume_standard_error",
                      coverage->volume.standard_error);
     murk_json_number(object, "sum_of_views", coverage->sum_of_views);
+    murk_json_weights(root, session->scene, coverage);
     murk_json_seen(root, coverage, n);
     murk_json_regions(root, session->scene, coverage->region, NULL);
     murk_json_robust(root, session->scene, &of->robust);
@@ -90,6 +92,7 @@ static void print_coverage(const murk_session *session, const murk_pose *sensor,
     }
     murk_print_maps(coverage);
     murk_print(")\n");
+    murk_print_weights(session->scene, coverage);
     murk_print_regions(session->scene, coverage->region, NULL);
     murk_print_robust(session->scene, &of->robust);
     murk_print_time(&session->run, NULL, 0);
@@ -137,6 +140,9 @@ static murk_status measure(measured *of, murk_session *session,
     }
     if (!status) {
         status = murk_coverage_measure(&of->coverage, sight, sensor, n, err);
+    }
+    if (!status) {
+        murk_warn_of_thin_map(stage->scene, &of->coverage, NULL);
     }
     if (!status) {
         status = murk_robust_begin(&of->robust, stage, sensor, n, &of->coverage,

@@ -1,6 +1,7 @@
 #include "app/coverage_out.h"
 
 #include "app/summary.h"
+#include "study/few_photons.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -72,6 +73,30 @@ void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n)
         cJSON_AddItemToArray(list, isfinite(seen) ? cJSON_CreateNumber(seen)
                                                   : cJSON_CreateNull());
     }
+}
+
+void murk_json_weights(cJSON *root, const murk_scene *scene,
+                       const murk_coverage *coverage)
+{
+    static const char *const name[] = {"surface", "volume"};
+    const int thin = murk_thin_map(scene, coverage);
+    cJSON *object = cJSON_AddObjectToObject(root, "weights_used");
+    for (int p = 0; p < 2; ++p) {
+        murk_json_number(object, name[p], coverage->map[p].weight);
+    }
+    if (thin < 0) {
+        cJSON_AddNullToObject(root, "thin_map");
+        return;
+    }
+    object = cJSON_AddObjectToObject(root, "thin_map");
+    cJSON_AddStringToObject(object, "map", name[thin]);
+    cJSON_AddNumberToObject(object, "photons",
+                            (double)coverage->map[thin].photons);
+    murk_json_number(object, "weight", coverage->map[thin].weight);
+    murk_json_number(object, "standard_error",
+                     coverage->map[thin].standard_error);
+    murk_json_number(object, "variance_share",
+                     murk_map_variance_share(coverage, thin));
 }
 
 void murk_number_text(char out[32], double value)
@@ -241,4 +266,33 @@ void murk_print_maps(const murk_coverage *coverage)
     print_map("surface", coverage->surface);
     murk_print(", ");
     print_map("volume", coverage->volume);
+}
+
+void murk_print_weights(const murk_scene *scene, const murk_coverage *coverage)
+{
+    const murk_map_share *s = &coverage->map[0], *v = &coverage->map[1];
+    if (!(s->weight > 0 && v->weight > 0)) {
+        return;
+    }
+    const char *what = scene->placement.targets.given ? "targets" : "photons";
+    if (scene->placement.balanced) {
+        murk_print("weights     balanced: coverage is the mean of what is seen "
+                   "of %zu surface %s and of %zu volume %s\n",
+                   s->photons, what, v->photons, what);
+    } else {
+        murk_print("weights     %.4g of the coverage is of %zu surface %s, "
+                   "%.4g of %zu volume %s\n",
+                   s->weight, s->photons, what, v->weight, v->photons, what);
+    }
+}
+
+void murk_print_estimate(murk_estimate of)
+{
+    if (!isfinite(of.value)) {
+        murk_print("not known: that map is empty");
+    } else if (!isfinite(of.standard_error)) {
+        murk_print("%.4f, error not known: one photon alone", of.value);
+    } else {
+        murk_print("%.4f +- %.4f", of.value, of.standard_error);
+    }
 }

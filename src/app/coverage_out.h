@@ -43,4 +43,16 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
 /* "surface 0.91 +- 0.01, no volume photons": each map's own fraction. */
 void murk_print_maps(const murk_coverage *coverage);
 
+/* Adds "weights_used", what each map has in the total, and "thin_map": null, or
+ * the map whose share rests on few photons (study/few_photons.h). */
+void murk_json_weights(cJSON *root, const murk_scene *scene,
+                       const murk_coverage *coverage);
+
+/* The line that says what a coverage over two maps is; nothing where one map
+ * has it all. */
+void murk_print_weights(const murk_scene *scene, const murk_coverage *coverage);
+
+/* "0.9134 +- 0.0045", or why there is no such number. */
+void murk_print_estimate(murk_estimate of);
+
 #endif

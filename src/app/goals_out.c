@@ -48,7 +48,7 @@ void murk_print_regions(const murk_scene *scene,
         return;
     }
     murk_print("regions     %-16s %6s %8s  %16s", "of interest", "weight",
-               "photons", "in view");
+               wish->targets.given ? "targets" : "photons", "in view");
     murk_print(held_out ? "  %16s\n" : "\n", "held out");
     for (size_t i = 0; i < wish->n_interests; ++i) {
         murk_print("            %-16s %6.4g %8zu", wish->interest[i].name,

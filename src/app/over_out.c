@@ -1,5 +1,6 @@
 #include "app/over_out.h"
 
+#include "app/coverage_out.h"
 #include "app/plan_ply.h"
 #include "app/summary.h"
 
@@ -305,8 +306,8 @@ static void print_conditions(const murk_over *over)
         }
         murk_print("  %.4f", chosen->in_sample[c].value);
         if (over->has_held_out) {
-            murk_print("  %.4f +- %.4f", chosen->held_out[c].value,
-                       chosen->held_out[c].standard_error);
+            murk_print("  ");
+            murk_print_estimate(chosen->held_out[c]);
         }
         murk_print("\n");
     }

@@ -18,6 +18,16 @@ static void strong_share(FILE *to, double share, double standard_error)
     fputs("</strong>", to);
 }
 
+bool murk_answer_has_targets(const murk_yaml *plan)
+{
+    return murk_result_number(plan, "targets.points") > 0;
+}
+
+static const char *object_of(const murk_yaml *plan)
+{
+    return murk_answer_has_targets(plan) ? "targets" : "light";
+}
+
 static void ask_matrix(FILE *to, const murk_yaml *plan, double n)
 {
     fputs("Which ", to);
@@ -36,15 +46,15 @@ static void ask_sensors(FILE *to, const murk_yaml *plan, double n)
     if (isfinite(target)) {
         fputs("How few sensors see ", to);
         murk_page_share(to, target, NAN);
-        fputs(" of the light", to);
+        fprintf(to, " of the %s", object_of(plan));
     } else if (isfinite(budget)) {
         fputs("Which sensors, whose costs come to at most ", to);
         murk_page_number(to, budget);
-        fputs(", see the most light", to);
+        fprintf(to, ", see the most %s", object_of(plan));
     } else {
         fputs("Where should ", to);
         murk_page_count(to, n, "sensor", "sensors");
-        fputs(" be to see the most light", to);
+        fprintf(to, " be to see the most %s", object_of(plan));
     }
     const double usable = murk_result_number(plan, "candidates.usable");
     if (isfinite(usable)) {
@@ -73,7 +83,7 @@ static void ask_plan(FILE *to, const murk_yaml *plan, bool is_made)
     const double n = (double)murk_result_count(plan, "sensors");
     murk_page_line_begin(to, "Asked");
     if (!is_made) {
-        fputs("How much of the light do these ", to);
+        fprintf(to, "How much of the %s do these ", object_of(plan));
         murk_page_count(to, n, "sensor", "sensors");
         fputs(" see?", to);
     } else if (murk_result_text(plan, "matrix.file")) {
@@ -103,6 +113,43 @@ static void quoted(double *value, double *standard_error, bool *is_held_out,
     }
 }
 
+/* What the share is of, where both maps are in it. */
+static void say_weights(FILE *to, const murk_yaml *plan)
+{
+    const double surface = murk_result_number(plan, "weights_used.surface");
+    const double volume = murk_result_number(plan, "weights_used.volume");
+    if (surface > 0 && volume > 0) {
+        fputs(", counting what lies on surfaces for ", to);
+        murk_page_share(to, surface, NAN);
+        fputs(" and what lies in media for ", to);
+        murk_page_share(to, volume, NAN);
+    }
+}
+
+/* That few photons carry a map's share. */
+static void say_thin(FILE *to, const murk_yaml *plan)
+{
+    const double photons = murk_result_number(plan, "thin_map.photons");
+    const bool is_volume = murk_result_is(plan, "thin_map.map", "volume");
+    if (!isfinite(photons)) {
+        return;
+    }
+    fputs(" <strong>Beware:</strong> ", to);
+    murk_page_share(to, murk_result_number(plan, "thin_map.weight"), NAN);
+    fputs(" of this figure rests on ", to);
+    murk_page_count(to, photons, "photon stored ", "photons stored ");
+    fputs(is_volume ? "in media" : "on surfaces", to);
+    const double variance = murk_result_number(plan, "thin_map.variance_share");
+    if (isfinite(variance)) {
+        fputs(", and so does ", to);
+        murk_page_share(to, variance, NAN);
+        fputs(" of its variance", to);
+    }
+    fputs(". With placement.weights: {surface: 1, volume: 1} all photons count "
+          "alike.",
+          to);
+}
+
 static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
 {
     const bool is_matrix = murk_result_text(plan, "matrix.file") != NULL;
@@ -118,20 +165,35 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
         murk_page_count(to, n, "sensor sees ", "sensors see ");
     }
     strong_share(to, value, error);
-    fputs(is_matrix     ? " of the rows' weight."
-          : is_held_out ? " of the light, measured with photons that had no "
-                          "say in the choice (held out)."
-          : is_made ? " of the light, on the map that the plan was chosen by: "
-                      "it may read high."
-                    : " of the light.",
-          to);
+    if (is_matrix) {
+        fputs(" of the rows' weight.", to);
+    } else {
+        const char *sample =
+            murk_answer_has_targets(plan) ? "targets" : "photons";
+        const bool is_list = murk_result_is(plan, "targets.listed", "true");
+        fprintf(to, " of the %s", object_of(plan));
+        say_weights(to, plan);
+        if (is_held_out) {
+            fprintf(to,
+                    ", measured with %s that had no say in the choice (held "
+                    "out)",
+                    sample);
+        } else if (is_made && !is_list) {
+            fprintf(to,
+                    ", on the %s that the plan was chosen by: it may read high",
+                    sample);
+        }
+        fputc('.', to);
+    }
     if (!is_matrix && isfinite(error)) {
         fputs(" With 95 % confidence it is between ", to);
         murk_page_share(to, fmax(value - HALF_INTERVAL * error, 0), NAN);
         fputs(" and ", to);
         murk_page_share(to, fmin(value + HALF_INTERVAL * error, 1), NAN);
-        fputs(": chance in the photons.", to);
+        fprintf(to, ": chance in the %s.",
+                murk_answer_has_targets(plan) ? "targets drawn" : "photons");
     }
+    say_thin(to, plan);
     murk_page_line_end(to);
 }
 
@@ -145,7 +207,7 @@ static void limit_plan(FILE *to, const murk_yaml *plan)
     murk_page_line_begin(to, "Could it be better?");
     if (murk_result_is(plan, "bound.proven_optimal", "true")) {
         fputs(is_matrix ? "No: none of this kind covers more, which is proven."
-                        : "No: on the map that it was chosen by, no plan of "
+                        : "No: on the sample that it was chosen by, no plan of "
                           "this kind sees more, which is proven (",
               to);
         if (!is_matrix) {
@@ -156,7 +218,7 @@ static void limit_plan(FILE *to, const murk_yaml *plan)
         const double gap = murk_result_number(plan, "bound.gap");
         fputs(gap < HARDLY ? "Hardly: " : "Perhaps: ", to);
         if (!is_matrix) {
-            fputs("on the map that it was chosen by, ", to);
+            fputs("on the sample that it was chosen by, ", to);
         }
         fputs("the plan has ", to);
         murk_page_share(to, murk_result_number(plan, "coverage.in_sample"),

@@ -7,6 +7,10 @@
 
 #include <stdio.h>
 
+/* What a plan is over: "light", or "targets" where these stand in place of
+ * photons. */
+bool murk_answer_has_targets(const murk_yaml *plan);
+
 /* plan.json (is_made), or coverage.json of sensors that were given. */
 void murk_answer_plan(FILE *to, const murk_yaml *plan, bool is_made);
 

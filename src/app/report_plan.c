@@ -3,6 +3,7 @@
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report.h"
+#include "app/report_answers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,17 +50,21 @@ static void write_numbers(FILE *to, const murk_yaml *plan, bool is_made)
 {
     murk_page_table_begin(to, "The placement in numbers", NULL, 0);
     fact_share(to, plan,
-               is_made ? "in sample: the map that it was chosen by"
+               is_made ? "in sample: the sample that it was chosen by"
                        : "coverage",
                "coverage.in_sample",
                is_made ? "coverage.in_sample_standard_error"
                        : "coverage.standard_error");
-    fact_share(to, plan, "held out: an independent map", "coverage.held_out",
+    fact_share(to, plan, "held out: an independent sample", "coverage.held_out",
                "coverage.held_out_standard_error");
-    fact_share(to, plan, "of light on surfaces", "coverage.surface",
-               "coverage.surface_standard_error");
-    fact_share(to, plan, "of light scattered in media", "coverage.volume",
-               "coverage.volume_standard_error");
+    const bool of_targets = murk_answer_has_targets(plan);
+    fact_share(to, plan,
+               of_targets ? "of targets on surfaces" : "of light on surfaces",
+               "coverage.surface", "coverage.surface_standard_error");
+    fact_share(to, plan,
+               of_targets ? "of targets in the volume"
+                          : "of light scattered in media",
+               "coverage.volume", "coverage.volume_standard_error");
     fact_share(to, plan, "ceiling: all candidates at once", "coverage.ceiling",
                "");
     fact_share(to, plan, "upper bound", "bound.upper", "");
@@ -69,15 +74,27 @@ static void write_numbers(FILE *to, const murk_yaml *plan, bool is_made)
     fact_text(to, plan, "method", "placement.method");
     fact_text(to, plan, "detection", "placement.detection");
     fact_text(to, plan, "knowledge", "placement.knowledge");
-    fact_count(to, plan, "views of a photon that count",
+    fact_count(to, plan,
+               of_targets ? "views of a target that count"
+                          : "views of a photon that count",
                "placement.redundancy");
     fact_count(to, plan, "candidates asked for", "candidates.asked");
     fact_count(to, plan, "candidates that were usable", "candidates.usable");
     fact_count(to, plan, "plans weighed", "placement.evaluations");
     fact_count(to, plan, "shadow rays", "placement.shadow_rays");
-    fact_count(to, plan, "photons emitted", "photons.emitted");
-    fact_count(to, plan, "photons stored on surfaces", "photons.surface");
-    fact_count(to, plan, "photons stored in media", "photons.volume");
+    fact_share(to, plan, "what surfaces have in the coverage",
+               "weights_used.surface", "");
+    fact_share(to, plan, "what media have in the coverage",
+               "weights_used.volume", "");
+    if (murk_answer_has_targets(plan)) {
+        fact_count(to, plan, "targets", "targets.points");
+        fact_count(to, plan, "targets on sides of surfaces", "targets.surface");
+        fact_count(to, plan, "targets in the volume", "targets.volume");
+    } else {
+        fact_count(to, plan, "photons emitted", "photons.emitted");
+        fact_count(to, plan, "photons stored on surfaces", "photons.surface");
+        fact_count(to, plan, "photons stored in media", "photons.volume");
+    }
     murk_page_table_end(to);
 }
 
@@ -218,9 +235,8 @@ static bool write_samples(FILE *to, const murk_yaml *plan)
         }
         fputs("<div>\n<h3>In sample against held out</h3>\n", to);
         murk_page_paragraph(
-            to, "A plan is chosen to suit one sample of photons, so it looks "
-                "better on that than it is. The held-out value is the one to "
-                "quote.");
+            to, "A plan is chosen to suit one sample, so it looks better on "
+                "that than it is. The held-out value is the one to quote.");
         draw_samples(to, &s, conditions > 0);
         fputs("</div>\n", to);
     }

@@ -184,13 +184,15 @@ static void write_key(FILE *to, const murk_report_scene *scene)
     if (scene->sensors > 0) {
         fputs("<span class=\"place\"></span>sensor, range dashed", to);
     } else if (scene->points.n > 0) {
-        fputs("<span class=\"one\"></span>stored photon", to);
+        fprintf(to, "<span class=\"one\"></span>%s",
+                murk_report_point_name(scene));
     }
     if (scene->sensors > 0 && scene->points.n > 0) {
-        fputs("<span class=\"unseen\"></span>photon that none sees"
-              "<span class=\"one\"></span>seen by one"
-              "<span class=\"more\"></span>by more",
-              to);
+        fprintf(to,
+                "<span class=\"unseen\"></span>%s that none sees"
+                "<span class=\"one\"></span>seen by one"
+                "<span class=\"more\"></span>by more",
+                murk_report_point_name(scene));
     }
     fputs("</p>\n", to);
 }
@@ -215,10 +217,11 @@ murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
     if (scene->points.n > 0) {
         const size_t step = scene->points.n / DOTS_MAX + 1;
         fprintf(to,
-                "<p class=\"note\">%zu of the %llu stored photons are "
+                "<p class=\"note\">%zu of the %llu %ss are "
                 "drawn below, evenly chosen.</p>\n",
                 (scene->points.n + step - 1) / step,
-                (unsigned long long)scene->points.photons);
+                (unsigned long long)scene->points.photons,
+                murk_report_point_name(scene));
     }
     write_key(to, scene);
     fputs("<div class=\"plans\">\n", to);

@@ -92,6 +92,10 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
 /* Whether a place can be drawn: finite, and not beyond all measure. */
 bool murk_is_shown(murk_vec3 place);
 
+/* What points are in words: "stored photon", or "target" where the scene has
+ * targets in their place. */
+const char *murk_report_point_name(const murk_report_scene *scene);
+
 /* Whether there is anything in space to be shown. */
 bool murk_report_has_view(const murk_report_scene *scene);
 

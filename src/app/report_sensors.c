@@ -1,6 +1,7 @@
 /* What each sensor sees, and how many see the same, in the report. */
 #include "app/chart_bars.h"
 #include "app/page.h"
+#include "app/report_answers.h"
 #include "app/report_plan.h"
 
 #include <math.h>
@@ -65,10 +66,8 @@ static bool draw_seen(FILE *to, const murk_yaml *list, size_t n,
         name[i] = text[i];
         value[i] = murk_result_number(list->child[i], "");
     }
-    const murk_bars bars = {.title =
-                                "Light that so many sensors see at once, "
-                                "each stored photon by its weight, however "
-                                "dimly it is seen",
+    const murk_bars bars = {.title = "What so many sensors see at once, by "
+                                     "weight, however dimly it is seen",
                             .axis_title = axis_title,
                             .rows = rows,
                             .parts = 1,
@@ -158,14 +157,19 @@ static void write_seen(FILE *to, const murk_yaml *list, size_t n)
 
 static void write_regions(FILE *to, const murk_yaml *list, size_t n)
 {
-    static const char *const heads[] = {"name", "weight", "stored photons",
-                                        "in sample", "held out"};
+    const bool of_targets =
+        n > 0 && isfinite(murk_result_number(list->child[0], "targets"));
+    const char *const heads[] = {"name", "weight",
+                                 of_targets ? "targets" : "stored photons",
+                                 "in sample", "held out"};
     murk_page_table_begin(to, "Coverage of regions of interest", heads, 5);
     for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
         const murk_yaml *row = list->child[i];
         murk_page_row_begin(to, murk_result_text(row, "name"));
         murk_page_cell_number(to, murk_result_number(row, "weight"));
-        murk_page_cell_number(to, murk_result_number(row, "stored_photons"));
+        murk_page_cell_number(
+            to,
+            murk_result_number(row, of_targets ? "targets" : "stored_photons"));
         murk_page_cell_share(to, murk_result_number(row, "coverage"),
                              murk_result_number(row, "standard_error"));
         murk_page_cell_share(
@@ -187,7 +191,9 @@ bool murk_report_sensors(FILE *to, const murk_results_in *results,
     const size_t regions = murk_result_count(plan, "regions_of_interest");
     const bool is_matrix = murk_result_text(plan, "matrix.file") != NULL;
     const bool is_made = results->json[MURK_RESULT_PLAN] != NULL;
-    const char *share = is_matrix ? "share of the rows" : "share of the light";
+    const char *share = is_matrix                       ? "share of the rows"
+                        : murk_answer_has_targets(plan) ? "share of the targets"
+                                                        : "share of the light";
     bool is_whole = true;
     if (n > 0) {
         fprintf(to, "<h3>%s</h3>\n", is_matrix ? "Columns" : "Sensors");

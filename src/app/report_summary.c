@@ -82,12 +82,16 @@ static void explain(FILE *to, const murk_results_in *results)
          "20 cases, which is the 95 % interval."}};
     static const word of_plans[] = {
         {"coverage",
-         "The share of the stored light that at least one sensor sees, "
-         "weighed by how clearly: half of it for light on surfaces and half "
-         "for light in media, unless asked otherwise."},
+         "The share of the stored light (or of the targets that stand in its "
+         "place) that at least one sensor sees, weighed by how clearly. With "
+         "weights: balanced, which is the default, it is the mean of two "
+         "shares, that of light on surfaces and that of light in media, "
+         "however much of the light either is; with weights: {surface: 1, "
+         "volume: 1} all light counts by its power."},
         {"in sample, held out",
-         "In sample: measured with the photons that the plan was chosen by, so "
-         "it reads high. Held out: measured with others. Quote that one."},
+         "In sample: measured with the photons or targets that the plan was "
+         "chosen by, so it reads high. Held out: measured with others. Quote "
+         "that one."},
         {"upper bound, gap",
          "No plan with as many sensors covers more than the upper bound, in "
          "sample. The gap is how far the plan is from it, as a share of the "

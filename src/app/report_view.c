@@ -45,6 +45,16 @@ static bool any_surfaces(const murk_report_scene *s)
 }
 
 /* Sky and air have no place. */
+static bool has_targets(const murk_report_scene *s)
+{
+    return s->scene && s->scene->placement.targets.given;
+}
+
+const char *murk_report_point_name(const murk_report_scene *scene)
+{
+    return has_targets(scene) ? "target" : "stored photon";
+}
+
 static bool any_lamps(const murk_scene *scene)
 {
     for (size_t i = 0; scene && i < scene->n_lights; ++i) {
@@ -87,10 +97,16 @@ static void write_switches(FILE *to, const murk_view_data *data)
         write_switch(to, "surfaces", "surfaces", true);
     }
     if (any_photons(s, false)) {
-        write_switch(to, "surface-photons", "photons on surfaces", true);
+        write_switch(to, "surface-photons",
+                     has_targets(s) ? "targets on surfaces"
+                                    : "photons on surfaces",
+                     true);
     }
     if (any_photons(s, true)) {
-        write_switch(to, "volume-photons", "photons in media", true);
+        write_switch(to, "volume-photons",
+                     has_targets(s) ? "targets in the volume"
+                                    : "photons in media",
+                     true);
     }
     if (any_sensors(s)) {
         write_switch(to, "sensors", "sensors", true);
@@ -148,8 +164,9 @@ static void note_photons(FILE *to, const murk_report_scene *s)
         shown += s->state[i].points.n;
     }
     if (shown < stored) {
-        fprintf(to, "Of %llu stored photons%s %llu are here, evenly chosen. ",
-                stored, s->states > 1 ? " of all conditions" : "", shown);
+        fprintf(to, "Of %llu %ss%s %llu are here, evenly chosen. ", stored,
+                murk_report_point_name(s),
+                s->states > 1 ? " of all conditions" : "", shown);
     }
     if (s->states < s->states_asked) {
         fprintf(to, "The first %zu of %zu plans can be chosen. ", s->states,

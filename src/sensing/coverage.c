@@ -213,6 +213,7 @@ static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
 typedef struct residuals {
     double total;   /* sum of squares, in weight * clarity */
     double part[2]; /* the same of each map's own, in power * clarity */
+    double map[2];  /* of the total's from each map's records alone */
 } residuals;
 
 /* The coverages in the total are those of the records' own map for `balanced`,
@@ -231,7 +232,7 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
     residuals sum = {0};
     for (size_t k = 0; k < m->photons;) {
         const uint64_t emitted = key[k] >> 32;
-        double own[2] = {0, 0}, total = 0;
+        double own[2] = {0, 0}, of_map[2] = {0, 0};
         for (; k < m->photons && key[k] >> 32 == emitted; ++k) {
             const size_t i = (size_t)(key[k] & UINT32_MAX);
             const int p = i >= m->surface_photons;
@@ -241,11 +242,14 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
             if (m->weight[i] > 0) {
                 const double x = (double)m->weight[i] * worth;
                 const double y = (double)m->weight[i] * full_of(m);
-                total += x - c_weight[p] * y;
+                of_map[p] += x - c_weight[p] * y;
             }
         }
         sum.part[0] += own[0] * own[0];
         sum.part[1] += own[1] * own[1];
+        sum.map[0] += of_map[0] * of_map[0];
+        sum.map[1] += of_map[1] * of_map[1];
+        const double total = of_map[0] + of_map[1];
         sum.total += total * total;
     }
     return sum;
@@ -292,8 +296,18 @@ static murk_status find_errors(murk_coverage *out, const measure *m,
         error_of(sum.part[0], part[0].whole_w, emitted);
     out->volume.standard_error =
         error_of(sum.part[1], part[1].whole_w, emitted);
-    out->total.standard_error =
-        error_of(sum.total, (double)(part[0].whole + part[1].whole), emitted);
+    const uint64_t whole = part[0].whole + part[1].whole;
+    out->total.standard_error = error_of(sum.total, (double)whole, emitted);
+    for (int p = 0; p < 2; ++p) {
+        /* balanced: a half, but for the rounding of weights */
+        const bool is_half =
+            desc->weights.balanced && part[0].whole && part[1].whole;
+        out->map[p].weight = is_half ? .5 : ratio(part[p].whole, whole);
+        out->map[p].standard_error =
+            error_of(sum.map[p], (double)whole, emitted);
+    }
+    out->map[0].photons = m->surface_photons;
+    out->map[1].photons = m->photons - m->surface_photons;
     if (out->region) {
         murk_region_coverage_measure(out->region, m->sight, sorted, seen_of, m);
     }

@@ -148,6 +148,14 @@ typedef struct murk_region_coverage {
     murk_estimate coverage;
 } murk_region_coverage;
 
+/* What one map has in the total. */
+typedef struct murk_map_share {
+    size_t photons;        /* records */
+    double weight;         /* of the total, 0..1; both maps' together 1, so
+                              total = sum weight * the map's fraction */
+    double standard_error; /* of the total, from this map's records alone */
+} murk_map_share;
+
 /* Coverage of sensors pose[n], measured on this sight's maps. */
 typedef struct murk_coverage {
     murk_estimate total;   /* error by emitted photon */
@@ -155,6 +163,7 @@ typedef struct murk_coverage {
                               maps' weights; NaN where the map is empty, or
                               without power */
     murk_estimate volume;
+    murk_map_share map[2];    /* surface, volume */
     double sum_of_views;      /* the paper's eq. (1) as printed: photons seen
                                  twice count twice, whatever the redundancy */
     double *covers;           /* [n] alone; with redundancy k at most 1 / k */

@@ -2,6 +2,7 @@
 
 #include "base/progress.h"
 #include "study/dark.h"
+#include "study/few_photons.h"
 #include "study/over_choose.h"
 #include "study/over_mean.h"
 
@@ -323,6 +324,10 @@ static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
     for (size_t c = 0; !status && c < all->n; ++c) {
         status = measure_all(over, c, all->condition[c].sight, false,
                              &over->coverage[c], err);
+        if (!status) {
+            murk_warn_of_thin_map(all->scene, &over->coverage[c],
+                                  all->condition[c].wish->name);
+        }
     }
     if (!status) {
         status = sum_up(&plan->in_sample, over, over->coverage, false, err);

@@ -77,6 +77,18 @@ static murk_estimate read_volume(const murk_coverage *of, size_t i)
     return of->volume;
 }
 
+static murk_estimate read_map_surface(const murk_coverage *of, size_t i)
+{
+    (void)i;
+    return (murk_estimate){of->map[0].weight, of->map[0].standard_error};
+}
+
+static murk_estimate read_map_volume(const murk_coverage *of, size_t i)
+{
+    (void)i;
+    return (murk_estimate){of->map[1].weight, of->map[1].standard_error};
+}
+
 static murk_estimate read_region(const murk_coverage *of, size_t i)
 {
     return of->region[i].coverage;
@@ -122,16 +134,27 @@ murk_status murk_over_mean_coverage(murk_coverage *out, const murk_coverage *of,
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for the coverage of %zu sensors", sensors);
     }
-    const reader readers[] = {read_total, read_surface, read_volume};
-    murk_estimate *const to[] = {&mean.total, &mean.surface, &mean.volume};
-    for (size_t k = 0; k < 3 + regions; ++k) {
-        const reader read = k < 3 ? readers[k] : read_region;
+    enum { PLAIN = 5 };
+    const reader readers[PLAIN] = {read_total, read_surface, read_volume,
+                                   read_map_surface, read_map_volume};
+    murk_estimate map[2];
+    murk_estimate *const to[PLAIN] = {&mean.total, &mean.surface, &mean.volume,
+                                      &map[0], &map[1]};
+    for (size_t k = 0; k < PLAIN + regions; ++k) {
+        const reader read = k < PLAIN ? readers[k] : read_region;
         for (size_t c = 0; c < n; ++c) {
-            each[c] = weight[c] > 0 ? read(&of[c], k < 3 ? 0 : k - 3)
+            each[c] = weight[c] > 0 ? read(&of[c], k < PLAIN ? 0 : k - PLAIN)
                                     : (murk_estimate){NAN, NAN};
         }
-        *(k < 3 ? to[k] : &mean.region[k - 3].coverage) =
+        *(k < PLAIN ? to[k] : &mean.region[k - PLAIN].coverage) =
             murk_over_mean(each, weight, n, are_independent);
+    }
+    for (size_t p = 0; p < 2; ++p) {
+        mean.map[p].weight = map[p].value;
+        mean.map[p].standard_error = map[p].standard_error;
+        for (size_t c = 0; c < n; ++c) {
+            mean.map[p].photons += weight[c] > 0 ? of[c].map[p].photons : 0;
+        }
     }
     free(each);
     *out = mean;

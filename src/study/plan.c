@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "medium/acceptance.h"
 #include "study/dark.h"
+#include "study/few_photons.h"
 #include "study/machine.h"
 #include "study/remembered.h"
 
@@ -300,6 +301,7 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
                                    plan->place.count, err);
     plan->confirmed = (murk_estimate){NAN, NAN};
     if (!status) {
+        murk_warn_of_thin_map(stage->scene, &plan->in_sample, NULL);
         status = murk_robust_begin(&plan->robust, stage, plan->sensor,
                                    plan->place.count, &plan->in_sample, err);
     }

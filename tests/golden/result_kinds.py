@@ -107,6 +107,8 @@ JITTER = {"jitter_m": number(0), "jitter_deg": number(0, 180), "draws": whole(2)
 CANDIDATES = {"asked": count, "usable": count, "doubtful": count,
               "duplicates": count, "forbidden": count, "too_close": count,
               "unreached": count}
+THIN = {"map": one_of("surface", "volume"), "photons": whole(1, 999), "weight": fraction,
+        "standard_error": fraction, "variance_share": fraction}
 SPREAD = {"median": number(0), "minimum": number(0), "maximum": number(0)}
 REPEAT = {"asked": whole(1), "runs": whole(1), "first_seed": whole(0), "sensors": SPREAD,
           "in_sample": SPREAD, "held_out": SPREAD,
@@ -117,7 +119,8 @@ REPEAT = {"asked": whole(1), "runs": whole(1), "first_seed": whole(0), "sensors"
           "best_seed": whole(0), "target_met": null}
 PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
     "candidates": CANDIDATES | {"poses": count, "after_presolve": count},
-    "targets": null,
+    "targets": null, "thin_map": either(null, lambda v: not list(complaints(v, THIN, ""))),
+    "weights_used": {"surface": fraction, "volume": fraction},
     "coverage": {"in_sample": fraction, "held_out": fraction,
                  "held_out_standard_error": fraction, "surface": fraction,
                  "volume": fraction, "ceiling": fraction, "sum_of_views": number(0)},

@@ -27,6 +27,9 @@ static void test_means_by_sensor(bool are_independent)
         of[c].surface = of[c].volume = of[c].total;
     }
     of[2].volume = (murk_estimate){NAN, NAN}; /* an empty map */
+    of[0].map[0] = (murk_map_share){40, .5, .01};
+    of[1].map[0] = (murk_map_share){7, 1, .5};
+    of[2].map[0] = (murk_map_share){20, 1, .04};
     murk_coverage mean = {0};
     murk_error err = {0};
     CHECK(murk_over_mean_coverage(&mean, of, weight, 3, SENSORS, 0,
@@ -39,6 +42,9 @@ static void test_means_by_sensor(bool are_independent)
     CHECK_NEAR(mean.surface.value, (3 * .7 + .2) / 4, 1e-15);
     CHECK_NEAR(mean.volume.value, .7, 1e-15);
     CHECK_NEAR(mean.sum_of_views, (3 * .75 + .15) / 4, 1e-15);
+    CHECK(mean.map[0].photons == 60);
+    CHECK_NEAR(mean.map[0].weight, (3 * .5 + 1) / 4, 1e-15);
+    CHECK_NEAR(mean.map[0].standard_error, mean.total.standard_error, 1e-15);
     CHECK_NEAR(mean.covers[0], (3 * .5 + .1) / 4, 1e-15);
     CHECK_NEAR(mean.covers[1], (3 * .25 + .05) / 4, 1e-15);
     CHECK_NEAR(mean.only_it_covers[0], 3 * .4 / 4, 1e-15);
