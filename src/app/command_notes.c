@@ -80,7 +80,7 @@ static const murk_command_notes all[] = {
               {"IMAGE-CHANNEL.png", "--false-colour, with a legend"}},
      .example = {{"murk render scenes/smoke-hall.yaml --set "
                   "'cameras=[{name: door, from_m: [28, 2, 2.5], to_m: [15, 9, "
-                  "3], vfov_deg: 60}]' -o hall.exr",
+                  "3]}]' -o hall.exr",
                   "The hall from its gate."}}},
     {.command = "study",
      .formats = "murk-study murk-scene murk-results",

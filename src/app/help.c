@@ -4,10 +4,12 @@
 #include "app/option_table.h"
 #include "app/options.h"
 
+#include <stdbool.h>
 #include <string.h>
 
-#define WIDTH  78
-#define INDENT 24
+#define WIDTH             78
+#define INDENT            24
+#define INDENT_OF_COMMAND 5 /* of the lines after the first */
 
 const char murk_help_about[] =
     "murk simulates light in fog, smoke, rain and water, and places sensors in "
@@ -79,13 +81,42 @@ static void print_options(FILE *to, const char *command)
     }
 }
 
+/* Bytes of the word at `text`: up to a blank that is not in quotes. */
+static size_t shell_word_length(const char *text)
+{
+    size_t n = 0;
+    bool is_quoted = false;
+    for (; text[n] && (is_quoted || text[n] != ' '); ++n) {
+        is_quoted ^= text[n] == '\'';
+    }
+    return n;
+}
+
+/* Prints a command in lines of WIDTH that a shell reads as one: "\" ends each
+ * but the last. */
+static void print_command(FILE *to, const char *text)
+{
+    size_t at = (size_t)fprintf(to, " ");
+    while (*text) {
+        const size_t word = shell_word_length(text);
+        if (at > INDENT_OF_COMMAND && at + 1 + word + 2 > WIDTH) {
+            at = (size_t)fprintf(to, " \\\n%*s", INDENT_OF_COMMAND, "") - 3;
+        }
+        at += (size_t)fprintf(to, " %.*s", (int)word, text);
+        text += word;
+        text += strspn(text, " ");
+    }
+    fputc('\n', to);
+}
+
 static void print_examples(FILE *to, const murk_note_pair *example)
 {
     if (example->name) {
         fputs("\nexamples:\n", to);
     }
     for (; example->name; ++example) {
-        fprintf(to, "  %s\n%6s", example->name, "");
+        print_command(to, example->name);
+        fprintf(to, "%6s", "");
         wrap(to, example->text, 6, 6);
     }
 }
