@@ -164,9 +164,11 @@ static void see_also(FILE *to, const murk_command *self,
         }
         before = murk_commands[i].name;
     }
-    char page[64];
-    snprintf(page, sizeof page, "murk-%s", before);
-    see(to, page, strlen(page), 1, "");
+    if (before) {
+        char page[64];
+        snprintf(page, sizeof page, "murk-%s", before);
+        see(to, page, strlen(page), 1, "");
+    }
 }
 
 static void command_page(FILE *to, const murk_command *command)

@@ -236,7 +236,10 @@ void murk_page_paragraph(FILE *to, const char *text)
 /* A key may be broken after its dots, underscores and slashes. */
 static void write_head(FILE *to, const char *head)
 {
-    while (head && *head) {
+    if (!head) {
+        return;
+    }
+    while (*head) {
         const size_t length = murk_utf8_length(head);
         const size_t n = length > 0 ? length : 1;
         char one[5] = "";

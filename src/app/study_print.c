@@ -138,7 +138,7 @@ static void print_table(const table *t, const char *folder)
         }
     }
     const size_t rows = all - t->rows, columns = t->columns - shown;
-    char more[64] = "";
+    char more[96] = ""; /* two numbers of up to 20 digits and their words */
     if (rows > 0 && columns > 0) {
         snprintf(more, sizeof more, "%zu more rows, %zu more columns", rows,
                  columns);

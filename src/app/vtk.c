@@ -44,7 +44,7 @@ void murk_ply_put_comment(FILE *to, const char *key, const char *text)
 
 void murk_ply_put_facts(FILE *to, const murk_scene *scene)
 {
-    murk_facts facts;
+    murk_facts facts = {0};
     murk_facts_of(&facts, scene);
     for (const char *const *fact = facts.fact; fact[0]; fact += 2) {
         murk_ply_put_comment(to, fact[0], fact[1]);
@@ -65,7 +65,7 @@ void murk_vtk_put_text(FILE *to, const char *name, const char *text)
 
 void murk_vtk_put_facts(FILE *to, const murk_scene *scene)
 {
-    murk_facts facts;
+    murk_facts facts = {0};
     murk_facts_of(&facts, scene);
     for (const char *const *fact = facts.fact; fact[0]; fact += 2) {
         murk_vtk_put_text(to, fact[0], fact[1]);

@@ -60,23 +60,28 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
     if (!error) {
         return no_memory(err);
     }
-    *example = NULL;
+    const murk_reading *first = NULL;
     for (size_t i = 0, k = 0; i < measured->rows; ++i) {
         const murk_reading *reading = reading_of(measured, i);
         if (reading->kind == out->kind && !reading->is_held_out) {
-            *example = *example ? *example : reading;
+            first = first ? first : reading;
             error[k++] = reading->standard_error /
                          fmax(fabs(reading->value), reading->standard_error);
         }
     }
     qsort(error, n, sizeof *error, by_value);
     out->relative_error = error[n / 2];
-    out->unit = (*example)->unit;
-    out->condition = (*example)->condition;
-    out->direction = (*example)->direction;
-    out->radius_m = (*example)->radius_m;
-    out->band = (*example)->band;
     free(error);
+    if (!first) { /* cannot be: n counted it */
+        return murk_fail(err, MURK_RUN_FAILED, measured->path,
+                         "no reading of the kind that was counted");
+    }
+    out->unit = first->unit;
+    out->condition = first->condition;
+    out->direction = first->direction;
+    out->radius_m = first->radius_m;
+    out->band = first->band;
+    *example = first;
     return MURK_OK;
 }
 

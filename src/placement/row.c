@@ -149,14 +149,15 @@ static bool store_packed(murk_row *row, const shape *s,
                          const murk_look *look)
 {
     uint32_t *first = malloc((layout->words + 1) * sizeof *first);
-    if (first) {
-        uint16_t *clarity =
-            (uint16_t *)((char *)row->memory + bytes_of_bits(s, layout));
-        fill_packed(clarity, bits, first, layout, look);
-        row->clarity = clarity;
+    if (!first) {
+        return false;
     }
+    uint16_t *clarity =
+        (uint16_t *)((char *)row->memory + bytes_of_bits(s, layout));
+    fill_packed(clarity, bits, first, layout, look);
+    row->clarity = clarity;
     free(first);
-    return first;
+    return true;
 }
 
 static void store_dense(murk_row *row, const murk_layout *layout,

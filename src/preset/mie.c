@@ -146,7 +146,7 @@ static double solve_terms(murk_mie *mie, double x, murk_mie_index index)
 {
     const complex_number m = {index.n, index.k};
     double psi_before = sin(x), chi_before = cos(x);
-    double psi_older = cos(x), chi_older = -sin(x);
+    double psi_older = chi_before, chi_older = -psi_before;
     double absorbed = 0;
     for (size_t i = 1; i <= mie->terms; ++i) {
         const double n = (double)i, up = (2 * n - 1) / x;

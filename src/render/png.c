@@ -19,14 +19,11 @@ typedef struct writer {
 murk_status murk_raster_create(murk_raster *out, size_t width, size_t height,
                                murk_error *err)
 {
-    uint8_t *rgb = calloc(width * height, 3);
-    if (!rgb) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for an image of %zu x %zu pixels", width,
-                         height);
-    }
-    *out = (murk_raster){width, height, rgb};
-    return MURK_OK;
+    *out = (murk_raster){width, height, calloc(width * height, 3)};
+    return out->rgb ? MURK_OK
+                    : murk_fail(err, MURK_NO_MEMORY, "render",
+                                "no memory for an image of %zu x %zu pixels",
+                                width, height);
 }
 
 void murk_raster_fill(murk_raster *raster, size_t left, size_t top,

@@ -11,7 +11,7 @@
 
 static void put_dark_last(murk_conditions *all)
 {
-    murk_condition dark[MURK_SCENE_CONDITIONS_MAX];
+    murk_condition dark[MURK_SCENE_CONDITIONS_MAX] = {{0}};
     const size_t every = all->n;
     bool has_say = false;
     all->n = 0;
