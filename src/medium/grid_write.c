@@ -5,8 +5,11 @@
 #include "medium/tree.h"
 #include "medium/vdb_bridge.h"
 
+#include <ctype.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -103,6 +106,44 @@ static murk_status write_in_child(murk_child *child, void *context,
                           send_bytes, j, j->where, err);
 }
 
+/* Where an OpenVDB file has its identifier: behind 8 bytes of magic, three
+ * 32-bit versions (file, library's major and minor) and one byte that says
+ * whether grids can be found by offset (openvdb/io/Archive.cc). */
+#define ID_AT    21
+#define ID_BYTES 36 /* a UUID in text: 8-4-4-4-12 digits */
+
+static bool is_id(const unsigned char *text)
+{
+    for (int i = 0; i < ID_BYTES; ++i) {
+        const bool is_dash = i == 8 || i == 13 || i == 18 || i == 23;
+        if (is_dash ? text[i] != '-' : !isxdigit(text[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* OpenVDB draws the identifier at random. It becomes a UUID of version 8
+ * (RFC 9562) whose other digits are those of the SHA-256 of all other bytes,
+ * so that the same fields give the same file. False when there is no
+ * identifier. */
+static bool derive_id(unsigned char *bytes, size_t n)
+{
+    if (n < ID_AT + ID_BYTES || !is_id(bytes + ID_AT)) {
+        return false;
+    }
+    char *id = (char *)bytes + ID_AT;
+    memset(id, '0', ID_BYTES); /* so that the random one does not count */
+    char hash[65], text[ID_BYTES + 1];
+    murk_sha256_hex(bytes, n, hash);
+    hash[12] = '8'; /* the version; below the variant: binary 10xx */
+    hash[16] = "89ab"[strtoul((char[]){hash[16], '\0'}, NULL, 16) % 4];
+    snprintf(text, sizeof text, "%.8s-%.4s-%.4s-%.4s-%.12s", hash, hash + 8,
+             hash + 12, hash + 16, hash + 20);
+    memcpy(id, text, ID_BYTES);
+    return true;
+}
+
 murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
                             size_t n, const size_t size[3],
                             const murk_affine *index_to_world, murk_error *err)
@@ -144,7 +185,11 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
         status = status == MURK_BAD_FILE ? MURK_RUN_FAILED : status;
         return murk_fail(err, status, path, "cannot write: %s", told.text);
     }
-    status = murk_file_write(path, bytes, n_bytes, err);
+    status = derive_id(bytes, n_bytes)
+                 ? murk_file_write(path, bytes, n_bytes, err)
+                 : murk_fail(err, MURK_RUN_FAILED, path,
+                             "cannot write: OpenVDB's header has no identifier "
+                             "where this program expects it");
     free(bytes);
     return status;
 }

@@ -4,8 +4,9 @@
  * One float grid a field, of class fog volume, all with one transform. Values
  * of 0 are left out (they are the background), so a file costs by what it
  * holds. Built in a child process like everything of OpenVDB, from its
- * parent's memory; the parent writes the bytes. The format carries a random
- * file id: compare files by content. */
+ * parent's memory; the parent writes the bytes. The format carries a file
+ * identifier, which is derived from the contents: equal fields give equal
+ * bytes. */
 #ifndef MURK_MEDIUM_GRID_WRITE_H
 #define MURK_MEDIUM_GRID_WRITE_H
 

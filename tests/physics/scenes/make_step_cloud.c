@@ -5,8 +5,8 @@
  *   make_step_cloud --check FILE
  *
  * 32 x 32 x 16 cubes of 15.625 m from the origin on; density 1 in the western
- * 16 columns and 9 in the others. The format carries a random file id, so the
- * check is of contents.
+ * 16 columns and 9 in the others. The check is of contents, since the
+ * library's version is in the bytes.
  *
  * Source: Cahalan et al., Bull. Am. Meteorol. Soc. 86 (2005) 1275,
  * doi:10.1175/BAMS-86-9-1275. */

@@ -1,6 +1,7 @@
 /* Fields written as .vdb come back the same, voxel by voxel, through the
  * reader for scenes. Deterministic. */
 
+#include "base/file.h"
 #include "check.h"
 #include "medium/grid.h"
 #include "medium/grid_write.h"
@@ -89,6 +90,39 @@ static void test_fields_come_back(void)
     free(twice);
 }
 
+/* The bytes of the file, and the caller's to free(). */
+static char *bytes_written(const float *value, size_t *n)
+{
+    const murk_affine place = placed();
+    const murk_grid_field field = {"fluence", value, NULL};
+    char *bytes = NULL;
+    murk_error err = {0};
+    CHECK(murk_grid_write(path, &field, 1, SIZE, &place, &err) == MURK_OK);
+    CHECK(murk_file_read(&bytes, n, path, 10000000, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    return bytes;
+}
+
+/* Two writings agree in every byte, identifier and all; other values have
+ * another identifier, so that it still tells files apart. */
+static void test_equal_fields_are_equal_bytes(void)
+{
+    enum { ID_AT = 21, ID_BYTES = 36 };
+    float *value = made_up();
+    size_t n = 0, again_n = 0, other_n = 0;
+    char *one = bytes_written(value, &n);
+    char *again = bytes_written(value, &again_n);
+    value[1] += 1;
+    char *other = bytes_written(value, &other_n);
+    CHECK(one && again && n == again_n && memcmp(one, again, n) == 0);
+    CHECK(one && one[ID_AT + 14] == '8' && strchr("89ab", one[ID_AT + 19]));
+    CHECK(one && other && memcmp(one + ID_AT, other + ID_AT, ID_BYTES) != 0);
+    free(one);
+    free(again);
+    free(other);
+    free(value);
+}
+
 /* Written over what was there, and with nothing but zeros. */
 static void test_a_field_of_zeros(void)
 {
@@ -156,6 +190,7 @@ int main(void)
     }
     snprintf(path, sizeof path, "%s/out.vdb", folder);
     test_fields_come_back();
+    test_equal_fields_are_equal_bytes();
     test_a_field_of_zeros();
     test_a_long_thin_grid();
     test_refusals();
