@@ -3,11 +3,19 @@
 #include "base/interrupt.h"
 
 #include <pthread.h>
+#include <signal.h>
 #include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #define THREADS_MAX 256
+
+/* Of every thread at least. Tracing and placing take between 128 and 256 kB
+ * (largest frame: 139 kB, transport), and `ulimit -s` may allow less. */
+#define STACK_BYTES ((size_t)1 << 20)
 
 static unsigned threads_allowed = THREADS_MAX;
 
@@ -42,6 +50,67 @@ static void *work(void *argument)
     return NULL;
 }
 
+/* Starts a thread with a stack of STACK_BYTES at least; 0 or an error number,
+ * as pthread_create(). */
+static int start(pthread_t *thread, void *(*begin)(void *), void *argument)
+{
+    pthread_attr_t attributes;
+    size_t usual = 0;
+    int refusal = pthread_attr_init(&attributes);
+    if (refusal) {
+        return refusal;
+    }
+    pthread_attr_getstacksize(&attributes, &usual);
+    if (usual < STACK_BYTES) {
+        refusal = pthread_attr_setstacksize(&attributes, STACK_BYTES);
+    }
+    if (!refusal) {
+        refusal = pthread_create(thread, &attributes, begin, argument);
+    }
+    pthread_attr_destroy(&attributes);
+    return refusal;
+}
+
+/* ---- a stack of one's own ---- */
+
+struct errand {
+    void (*run)(void *);
+    void *context;
+    sigset_t signals; /* that the caller took */
+};
+
+static void *do_errand(void *argument)
+{
+    const struct errand *e = argument;
+    pthread_sigmask(SIG_SETMASK, &e->signals, NULL);
+    e->run(e->context);
+    return NULL;
+}
+
+void murk_crew_run_with_stack(void (*errand)(void *), void *context)
+{
+    struct errand e = {.run = errand, .context = context};
+    struct rlimit limit;
+    const bool is_small = getrlimit(RLIMIT_STACK, &limit) == 0 &&
+                          limit.rlim_cur != RLIM_INFINITY &&
+                          limit.rlim_cur < STACK_BYTES;
+    pthread_t thread;
+    sigset_t all;
+    /* Signals go to the thread that works: its system calls are to end. */
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &e.signals);
+    const bool is_apart = is_small && start(&thread, do_errand, &e) == 0;
+    if (is_apart) {
+        pthread_join(thread, NULL);
+    }
+    pthread_sigmask(SIG_SETMASK, &e.signals, NULL);
+    if (!is_apart) {
+        errand(context);
+    }
+}
+
+/* ---- many workers ---- */
+
 static void run(unsigned threads, crew *c)
 {
     worker workers[THREADS_MAX];
@@ -57,8 +126,7 @@ static void run(unsigned threads, crew *c)
         workers[i] = (worker){c, i};
     }
     while (started + 1 < threads &&
-           pthread_create(&thread[started], NULL, work,
-                          &workers[started + 1]) == 0) {
+           start(&thread[started], work, &workers[started + 1]) == 0) {
         ++started;
     }
     work(&workers[0]);
@@ -86,8 +154,7 @@ murk_status murk_crew_allow(unsigned threads, murk_error *err)
     /* the calling thread works, too, so one less is started */
     pthread_mutex_lock(&held);
     while (!refusal && started + 1 < threads_allowed) {
-        refusal =
-            pthread_create(&thread[started], NULL, wait_for_release, &held);
+        refusal = start(&thread[started], wait_for_release, &held);
         started += !refusal;
     }
     pthread_mutex_unlock(&held);

@@ -31,6 +31,11 @@ void murk_crew_run(unsigned threads, uint64_t batches, murk_job job,
 void murk_crew_run_workers(unsigned threads, uint64_t batches,
                            murk_worker_job job, void *context);
 
+/* Runs errand(context) to its end on a stack of 1 MB at least, as every thread
+ * of the functions above has: on a thread of its own where `ulimit -s` allows
+ * the calling one less. Library: threads that call murk need 512 kB. */
+void murk_crew_run_with_stack(void (*errand)(void *), void *context);
+
 /* Processors this process may use, at least 1. */
 unsigned murk_crew_processors(void);
 

@@ -406,5 +406,13 @@ expect 2 "light of 600 nm does not end" trace "$dir/white.yaml" --set "bands_nm=
     --set "media.fog.albedo=[0.5, 1]"
 expect 2 "more absorption" trace "$dir/white.yaml" --set media.fog.albedo=0.9999999
 
+# a small stack is no crash: threads and the program itself have their own
+[ -n "$sanitizer" ] || for command in check place; do
+    (
+        ulimit -s 128
+        exec "$murk" "$command" "$dir/good.yaml" --threads 2 >"$dir/stdout" 2>"$dir/stderr"
+    ) || fail "$command with a stack of 128 kB: exit code $?: $(cat "$dir/stderr")"
+done
+
 [ $failed -eq 0 ] && echo "all refused as they should be"
 exit $failed
