@@ -311,7 +311,7 @@ murk_status murk_gauges_write_fluence(const char *path,
                  all.z / (double)d->size[2]);
     const murk_affine to_world = {
         .matrix = {{e.x, 0, 0}, {0, e.y, 0}, {0, 0, e.z}},
-        .shift = murk_vec(a.x + e.x / 2, a.y + e.y / 2, a.z + e.z / 2)};
+        .shift = murk_scene_user(scene, murk_along(a, 0.5, e))};
     const char *const notes[] = {"unit", "W/m2", "quantity", "fluence rate",
                                  NULL};
     murk_grid_field fields[MURK_BANDS_MAX];

@@ -184,6 +184,22 @@ def main():
         far.run("render", "room.yaml", "--light", "out/light.murk", "-o", "eye.exr")
         far.run("report", "out", "-o", "page.html")
         check("warning" not in far.run("check", "room.yaml").stderr)
+        # Grids that were written lie where the scene has them; bounds are those
+        # of lit cells, and beyond the walls there are none.
+        with open(survey.path("study.yaml"), "w", encoding="utf-8") as file:
+            file.write("{murk_study: 1, base: room.yaml, mode: grid, outputs: [fluence_vdb],\n"
+                       " axes: {photons.emit: [300]}}\n")
+        survey.run("study", "study.yaml", "-o", "study")
+        for grid, low in (("out/cells.vdb", 0), ("study/fluence_0001.vdb", -.25)):
+            with open(survey.path("probe.yaml"), "w", encoding="utf-8") as file:
+                file.write("murk: 1\nmedia: {m: {vdb: %s, grid: fluence_550nm, "
+                           "extinction_per_m: 1, albedo: 0}}\nregions: [{medium: m}]\n"
+                           "lights: [{type: point, position_m: [%r, %r, 2], power_w: 1}]\n"
+                           % (grid, survey.offset[0] + 1, survey.offset[1] + 1))
+            found = json.loads(survey.run("check", "probe.yaml", "--format", "json").stdout)
+            corner = found["regions"][0]["bounds"]["min_m"]
+            check(all(low - 1e-6 <= a - b <= 1e-6 for a, b in zip(corner, survey.offset)),
+                  grid, corner)
         # STL is read in single precision: half a metre here, which is refused
         # where it is more than the clearance, and told where it is not.
         stl = survey.variant("crate.obj", "crate.stl")
