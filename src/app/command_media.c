@@ -168,7 +168,10 @@ static void print_words(const resolved *r)
         if (!word.is_known) {
             continue;
         }
-        murk_print("%s  %s: ", any ? "" : "\nwords\n", murk_word_name(id));
+        if (!any) { /* no line ends in arguments: murk_print() escapes them */
+            murk_print("\nwords\n");
+        }
+        murk_print("  %s: ", murk_word_name(id));
         any = true;
         print_numbers(word.least, n);
         murk_print(" to ");
@@ -195,8 +198,11 @@ static void print_sources(const murk_preset *preset)
                    s->quoted_by ? " (second hand: " : "",
                    s->quoted_by ? s->quoted_by : "", s->quoted_by ? ")" : "");
     }
+    if (preset->doubts > 0) {
+        murk_print("\ndoubts\n");
+    }
     for (size_t i = 0; i < preset->doubts; ++i) {
-        murk_print("%s  %s\n", i ? "" : "\ndoubts\n", preset->doubt[i]);
+        murk_print("  %s\n", preset->doubt[i]);
     }
 }
 

@@ -87,4 +87,13 @@ good "extinction/m" media fog/kim --set mor_m=80
 good '"extinction_per_m"' media smoke/flaming --set soot_g_per_m3=2 --format json
 good "extinction" check "$dir/fog.yaml" --set media.fog.mor_m=30
 
+# Headings of the page of a preset stand on lines of their own.
+"$murk" media water/case-1 >"$dir/stdout" 2>&1
+for heading in words sources doubts; do
+    if ! grep -qx "$heading" "$dir/stdout"; then
+        echo "murk media water/case-1: no heading: $heading"
+        failed=1
+    fi
+done
+
 exit $failed
