@@ -17,7 +17,7 @@ HEIGHT = 3.0
 DOOR = 2.1  # height of the door openings
 
 
-def _shell(m):
+def shell(m):
     m.part("floor", "floor")
     m.polygon((-.001, -.001, 0), (12.001, -.001, 0), (12.001, 10.001, 0),
               (-.001, 10.001, 0))
@@ -95,7 +95,7 @@ def _furniture(m):
 
 def mesh():
     m = Mesh("Six furnished rooms")
-    _shell(m)
+    shell(m)
     _partitions(m)
     _furniture(m)
     return m
