@@ -94,6 +94,34 @@ static void check_share(unsigned got, double n, double due, double low,
     }
 }
 
+/* From far off, at an extinction of 6 and an albedo of .1, a single search ends
+ * where chi-squared refuses the model; four starts with restarts find the right
+ * minimum from there, too. */
+#define FAR_FITS 6
+
+static void test_from_far_off(planted_field *field)
+{
+    static const double far_off[] = {6, .1, 0};
+    counts single, found;
+    planted_case few = tank;
+    few.emit =
+        10000; /* little light, so that a far search has little to go by */
+    field->of = &few;
+    field->start = far_off;
+    const bool is_well = fit_all(&single, field, 1, FAR_FITS, 1) &&
+                         fit_all(&found, field, 1, FAR_FITS, MURK_FIT_STARTS);
+    field->start = NULL;
+    field->of = &tank;
+    CHECK(is_well);
+    if (is_well) {
+        printf("from far off: %u of %u astray by a single search, %u by %d "
+               "starts\n",
+               single.refused, FAR_FITS, found.refused, MURK_FIT_STARTS);
+        CHECK(single.refused > 0);
+        CHECK(found.refused == 0 && found.off == 0);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const unsigned fits =
@@ -110,6 +138,9 @@ int main(int argc, char **argv)
                       THREADS) &&
         fit_all(&found, &field, first, fits, MURK_FIT_STARTS) &&
         fit_all(&single, &field, first, fits, 1);
+    if (is_well) {
+        test_from_far_off(&field);
+    }
     planted_close(&field);
     CHECK(is_well);
     if (is_well) {
