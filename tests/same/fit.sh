@@ -13,7 +13,7 @@ fit() { # OUT NAME OPTIONS...
     out=$1
     name=$2
     shift 2
-    "$murk" fit "scenes/calibrate-$name.yaml" --data "scenes/calibrate/$name.csv" --quiet -o "$dir/$out" "$@" \
+    "$murk" fit "scenes/calibrate-$name.yaml" --data "scenes/calibrate/$name.csv" --quiet --force -o "$dir/$out" "$@" \
         2>"$dir/said" || { cat "$dir/said"; exit 1; }
     sed '/^  "run": {/,$d' "$dir/$out/fit.json" >"$dir/$out/fit.json.kept"
     [ -s "$dir/$out/fit.json.kept" ]
