@@ -44,6 +44,8 @@ void murk_json_cut(cJSON *object, const murk_place_result *place)
 {
     if (place->is_cut) {
         cJSON_AddStringToObject(object, "cut_by", "nodes");
+    } else if (place->is_work_cut) {
+        cJSON_AddStringToObject(object, "cut_by", "work");
     } else {
         cJSON_AddNullToObject(object, "cut_by");
     }
@@ -63,5 +65,15 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
         murk_print("bound       %s more than %.4f of this %s; guarantee: %s\n",
                    what, murk_share(place->upper, place->whole), sample,
                    place->guarantee);
+    }
+    if (place->is_cut) {
+        murk_print("            branch and bound ended by placement.nodes "
+                   "after %llu: the bound is the one reached so far\n",
+                   (unsigned long long)place->nodes);
+    }
+    if (place->is_work_cut) {
+        murk_print(
+            "            the search ended by its limit of work: the plan "
+            "and the bound are those reached so far\n");
     }
 }

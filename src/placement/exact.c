@@ -11,11 +11,6 @@
 #define ROUNDS_AT_ROOT 60
 #define ROUNDS_BELOW   30
 
-/* Rows of clarities, and of chances, take so many times as long as rows of
- * bits. */
-#define WORK_OF_CLARITIES 4
-#define WORK_OF_CHANCES   64
-
 /* A node whose `k` first are chosen. */
 typedef struct level {
     murk_cover cover;  /* of the chosen; bits where all is clear */
@@ -48,10 +43,7 @@ typedef struct exact {
 static void count_work(exact *e, uint64_t candidates)
 {
     const uint64_t nodes = e->weighings / MURK_NODE_WEIGHINGS;
-    e->weighings += candidates * e->oracle->problem->photons *
-                    (e->oracle->all_clear       ? 1
-                     : e->oracle->layout->doses ? WORK_OF_CHANCES
-                                                : WORK_OF_CLARITIES);
+    e->weighings += murk_oracle_work(e->oracle, candidates);
     murk_progress_add(e->weighings / MURK_NODE_WEIGHINGS - nodes);
     e->is_cut |= e->weighings > e->weighings_most || murk_interrupted();
 }

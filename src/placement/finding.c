@@ -112,6 +112,9 @@ static murk_curve_point find_best(murk_finding *p, size_t n,
     uint32_t *plan = p->plan;
     murk_progress_text("plans %zu sensors", n);
     uint64_t value = plan_greedily(p, n);
+    if (value == p->oracle->ceiling) { /* all that can be seen */
+        return (murk_curve_point){p->size, value, value};
+    }
     /* of one that is free, greedy finds the best */
     const bool is_open = n > fixed_count(p) + 1 || has_budget(p) ||
                          (p->book && !p->is_greedy_done);
@@ -177,16 +180,19 @@ static murk_status prove(murk_finding *p, size_t n, murk_curve_point *point,
         return MURK_OK;
     }
     murk_exact exact;
+    const uint64_t left = p->desc->nodes > p->result->nodes
+                              ? p->desc->nodes - p->result->nodes
+                              : 0;
     const murk_status status =
         murk_exact_search(&exact, &p->bound, p->plan, p->size, n, point->value,
-                          point->upper, p->desc->nodes, NULL, err);
+                          point->upper, left, NULL, err);
     if (!status) {
         p->size = exact.size;
         point->value = p->book ? fill_up(p, n) : exact.value;
         point->count = p->size;
         point->upper = exact.upper > point->value ? exact.upper : point->value;
         p->result->nodes += exact.nodes;
-        p->result->is_cut = exact.is_cut;
+        p->result->is_cut = p->result->is_cut || exact.is_cut;
     }
     return status;
 }
@@ -298,6 +304,7 @@ murk_status murk_finding_init(murk_finding *p, const murk_oracle *oracle,
     }
     murk_status status =
         murk_search_init(&p->search, oracle, 0, oracle->problem->threads, err);
+    p->search.rows_most = murk_search_rows_most(oracle);
     memset(p->reach, 0xff, n * sizeof *p->reach);
     p->search.reach = p->reach;
     p->search.reach_count = book ? 0 : n;
@@ -331,6 +338,31 @@ void murk_finding_greedy(murk_finding *p)
                        p->greedy_value);
 }
 
+/* Points of the curve without rules have greedy's plan to fall back on. */
+static bool is_curve_work_done(const murk_finding *p)
+{
+    const uint64_t rows =
+        p->search.rows + p->starts.all_rows + p->bound.evaluations;
+    return !p->book && p->desc->method != MURK_PLACE_SPOQ &&
+           rows > murk_search_rows_most(p->oracle) / 2;
+}
+
+/* Greedy's plan of n, or the plan of one fewer completed where that is worth
+ * more, and the bound that greedy's scans gave. */
+static murk_curve_point read_greedy(murk_finding *p, size_t n,
+                                    const uint32_t *from, uint64_t from_value)
+{
+    const uint64_t ceiling = p->oracle->ceiling;
+    uint64_t value = plan_greedily(p, n);
+    if (from && from_value > value) {
+        memcpy(p->plan, from, (n - 1) * sizeof *p->plan);
+        value =
+            murk_search_greedy(&p->search, p->plan, n - 1, n, UINT64_MAX, NULL);
+    }
+    const uint64_t reach = p->reach[n - 1];
+    return (murk_curve_point){n, value, reach < ceiling ? reach : ceiling};
+}
+
 murk_status murk_finding_count(murk_finding *p, size_t k, const uint32_t *from,
                                murk_curve_point *last, murk_error *err)
 {
@@ -349,6 +381,10 @@ murk_status murk_finding_count(murk_finding *p, size_t k, const uint32_t *from,
     }
     if (status || murk_interrupted()) {
         return status;
+    }
+    if (!is_plan && is_curve_work_done(p)) {
+        *last = read_greedy(p, k, from, last->value);
+        return MURK_OK;
     }
     *last = desc->method == MURK_PLACE_BEST
                 ? find_best(p, k, from, last->value, most, rounds, made)

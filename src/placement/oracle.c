@@ -100,6 +100,20 @@ static void weigh_all(weighing *w, unsigned threads)
                           weigh_batch, w);
 }
 
+/* Rows of clarities, and of chances, take so many times as long as rows of
+ * bits. */
+#define WORK_OF_CLARITIES 4
+#define WORK_OF_CHANCES   64
+
+uint64_t murk_oracle_work(const murk_oracle *oracle, uint64_t candidates)
+{
+    const uint64_t row = oracle->problem->photons * (oracle->all_clear ? 1
+                                                     : oracle->layout->doses
+                                                         ? WORK_OF_CHANCES
+                                                         : WORK_OF_CLARITIES);
+    return candidates * (row > MURK_ROW_WORK_LEAST ? row : MURK_ROW_WORK_LEAST);
+}
+
 unsigned murk_oracle_threads(const murk_oracle *oracle, size_t n)
 {
     const bool is_worth =

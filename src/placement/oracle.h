@@ -38,6 +38,7 @@ typedef struct murk_oracle {
     size_t needed_count;
     uint64_t ceiling, grain; /* every plan's value is a multiple of grain */
     uint64_t looks;          /* made at creation */
+    uint64_t search_work;    /* that searches may take; 0: MURK_SEARCH_WORK */
 } murk_oracle;
 
 /* Matrix NULL: unknown environment. Looks once at every candidate. Plans have
@@ -59,6 +60,13 @@ static inline uint64_t murk_oracle_most(const murk_oracle *oracle,
 /* Valid until the worker's next call. */
 murk_row murk_oracle_row(const murk_oracle *oracle, unsigned worker,
                          uint32_t candidate);
+
+/* The work of weighing so many candidates against a cover, in the unit that
+ * limits count: so many weighings of one photon. Rows of clarities, and of
+ * chances, take longer; and a short row as long as one of MURK_ROW_WORK_LEAST
+ * photons, for what is done once a row. */
+#define MURK_ROW_WORK_LEAST 1024
+uint64_t murk_oracle_work(const murk_oracle *oracle, uint64_t candidates);
 
 /* Threads worth using to weigh n candidates. */
 unsigned murk_oracle_threads(const murk_oracle *oracle, size_t n);

@@ -59,6 +59,7 @@ static murk_status find_all(murk_finding *p, murk_error *err)
     }
     result->value = last.value;
     result->upper = last.upper;
+    result->is_work_cut = p->search.is_cut || p->starts.is_cut;
     result->evaluations += p->search.evaluations + p->starts.all_evaluations;
     result->looks += p->search.looks + p->starts.all_looks + p->bound.looks +
                      p->oracle->looks;
@@ -150,6 +151,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
                                   book ? book->most_sensors : desc->count,
                                   desc->keep_dominated, err);
     }
+    oracle.search_work = desc->search_work;
     if (!status) {
         status = murk_finding_init(&p, &oracle, book, desc, &result, err);
     }

@@ -11,6 +11,7 @@ uint64_t murk_scan_stand(murk_search *s, uint32_t candidate)
     const murk_layout *layout = s->oracle->layout;
     const murk_row row = murk_oracle_row(s->oracle, s->worker, candidate);
     s->looks += s->oracle->matrix ? 0 : 1;
+    s->rows += 2; /* weighed and joined */
     const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
     murk_cover_add(&s->cover, layout, &row);
     s->is_standing[candidate] = true;
@@ -42,6 +43,7 @@ uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
     murk_oracle_gains(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
                       s->chunk_gain);
     s->evaluations += n;
+    s->rows += n;
     s->looks += s->oracle->matrix ? 0 : n;
     for (size_t k = 0; k < n; ++k) {
         s->gain[s->chunk[k]] = s->chunk_gain[k];

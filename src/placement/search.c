@@ -3,11 +3,19 @@
 #include "base/interrupt.h"
 #include "base/rng.h"
 #include "placement/draw.h"
+#include "placement/place.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #define CHUNK MURK_SEARCH_CHUNK
+
+uint64_t murk_search_rows_most(const murk_oracle *oracle)
+{
+    const uint64_t work =
+        oracle->search_work ? oracle->search_work : MURK_SEARCH_WORK;
+    return oracle->matrix ? work / murk_oracle_work(oracle, 1) : UINT64_MAX;
+}
 
 murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                              unsigned worker, unsigned threads, murk_error *err)
@@ -18,6 +26,7 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                          .has_many_views = oracle->layout->layers > 1 ||
                                            oracle->layout->doses,
                          .worker = worker,
+                         .rows_most = UINT64_MAX,
                          .threads = threads,
                          .gain = malloc(n * sizeof *out->gain),
                          .tie = malloc(n * sizeof *out->tie),
@@ -268,6 +277,13 @@ size_t murk_search_draw(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
     return n;
 }
 
+/* Whether the work is to end here. */
+static bool is_over(murk_search *s)
+{
+    s->is_cut = s->is_cut || s->rows > s->rows_most;
+    return s->is_cut || murk_interrupted();
+}
+
 uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart)
 {
@@ -279,7 +295,7 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
     do {
         before = value;
         murk_draw_order(s->shuffle, n - fixed, seed, restart, sweep++);
-        for (size_t k = 0; k < n - fixed && !murk_interrupted(); ++k) {
+        for (size_t k = 0; k < n - fixed && !is_over(s); ++k) {
             const size_t mover = fixed + s->shuffle[k];
             s->is_move = true;
             const uint64_t others = murk_scan_stand_others(s, plan, n, mover);
@@ -293,7 +309,7 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
             value = murk_search_spend(s, plan, n);
             n = s->size;
         }
-    } while (value > before && !murk_interrupted());
+    } while (value > before && !is_over(s));
     s->size = n;
     return value;
 }
@@ -313,7 +329,8 @@ static uint64_t settle(murk_search *s, uint32_t *plan, size_t n)
     uint64_t value = 0;
     size_t still = 0; /* sensors in a row that did not move */
     s->is_move = true;
-    for (size_t at = 0; still < movers && !murk_interrupted();
+    for (size_t at = 0;
+         still < movers && !(value > 0 && is_over(s)) && !murk_interrupted();
          at = (at + 1) % movers) {
         const size_t k = fixed + at;
         const uint64_t others = murk_scan_stand_others(s, plan, n, k);

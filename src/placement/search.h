@@ -32,6 +32,9 @@ typedef struct murk_search {
     uint64_t *chunk_gain;
     uint32_t *chunk;
     uint64_t evaluations, looks; /* counted since last set to 0 */
+    uint64_t rows, rows_most;    /* weighed or joined likewise; SPOQ and
+                                    relocation end beyond rows_most, */
+    bool is_cut;                 /* which is said here */
     size_t size; /* sensors of the plan last made; under rules it may differ
                     from what was asked for */
     /* What greedy's scans say of every count, without rules: reach[k] no plan
@@ -45,6 +48,10 @@ typedef struct murk_search {
     const uint32_t *spare; /* [spare_size] a plan for starts that end short */
     size_t spare_size;
 } murk_search;
+
+/* Rows that a search may take (MURK_SEARCH_WORK): any number where looks are
+ * made again and again. */
+uint64_t murk_search_rows_most(const murk_oracle *oracle);
 
 murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                              unsigned worker, unsigned threads,

@@ -3,12 +3,13 @@
 #include "base/crew.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "placement/place.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* `best` stops after so many starts in a row without gain. */
-#define STARTS_WITHOUT_GAIN 20
+/* One start takes at most this part of the work that all may. */
+#define STARTS_OF_ALL_WORK 8
 
 /* Starts handed to each thread at once: fewer would wait for threads to begin,
  * more would be made in vain past the stop. */
@@ -19,7 +20,8 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
     murk_starts *t = context;
     murk_search *s = &t->search[worker];
     uint32_t *plan = t->plan + batch * t->count;
-    s->evaluations = s->looks = 0;
+    s->evaluations = s->looks = s->rows = 0;
+    s->is_cut = false;
     uint64_t value = murk_search_spoq(s, plan, t->n, t->seed, t->first + batch);
     if (!murk_interrupted()) {
         value = murk_search_relocate(s, plan, s->size);
@@ -27,6 +29,7 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
     t->size[batch] = s->size;
     t->value[batch] = value;
     t->evaluations[batch] = s->evaluations;
+    t->rows[batch] = s->rows;
     t->looks[batch] = s->looks;
 }
 
@@ -48,16 +51,23 @@ murk_status murk_starts_init(murk_starts *t, const murk_oracle *oracle,
                        .size = calloc(wave, sizeof *t->size),
                        .value = calloc(wave, sizeof *t->value),
                        .evaluations = calloc(wave, sizeof *t->evaluations),
-                       .looks = calloc(wave, sizeof *t->looks)};
+                       .looks = calloc(wave, sizeof *t->looks),
+                       .rows = calloc(wave, sizeof *t->rows)};
     if (!t->search || !t->plan || !t->size || !t->value || !t->evaluations ||
-        !t->looks) {
+        !t->looks || !t->rows) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          count);
     }
     murk_status status = MURK_OK;
+    /* one start must not take it all: others run beside it */
+    const uint64_t rows_most =
+        murk_search_rows_most(oracle) / STARTS_OF_ALL_WORK;
     for (; t->workers < workers && !status; ++t->workers) {
         status = murk_search_init(&t->search[t->workers], oracle, t->workers,
                                   is_wide ? threads : 1, err);
+    }
+    for (unsigned k = 0; k < t->workers && !status; ++k) {
+        t->search[k].rows_most = rows_most;
     }
     return status;
 }
@@ -73,6 +83,7 @@ void murk_starts_release(murk_starts *t)
     free(t->value);
     free(t->evaluations);
     free(t->looks);
+    free(t->rows);
 }
 
 void murk_starts_spare(murk_starts *t, const uint32_t *plan, size_t size)
@@ -89,8 +100,9 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
 {
     size_t without_gain = 0, done = 0;
     t->n = n;
-    while (done < most && without_gain < STARTS_WITHOUT_GAIN && value < upper &&
-           !murk_interrupted()) {
+    const uint64_t rows_most = murk_search_rows_most(t->search[0].oracle);
+    while (done < most && without_gain < MURK_STARTS_WITHOUT_GAIN &&
+           value < upper && t->all_rows <= rows_most && !murk_interrupted()) {
         const size_t left = most - done;
         const size_t wave = left < t->wave_most ? left : t->wave_most;
         t->first = done;
@@ -100,12 +112,14 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
             run_start(t, 0, 0);
         }
         for (size_t k = 0;
-             k < wave && without_gain < STARTS_WITHOUT_GAIN && value < upper;
+             k < wave && without_gain < MURK_STARTS_WITHOUT_GAIN &&
+             value < upper && t->all_rows <= rows_most;
              ++k) {
             ++done;
             ++without_gain;
             t->all_evaluations += t->evaluations[k];
             t->all_looks += t->looks[k];
+            t->all_rows += t->rows[k];
             if (t->value[k] > value) {
                 value = t->value[k];
                 *size = t->size[k];
@@ -116,5 +130,6 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
         murk_progress_add(wave);
     }
     *made += done;
+    t->is_cut = t->is_cut || t->all_rows > rows_most;
     return value;
 }

@@ -11,11 +11,14 @@ typedef struct murk_starts {
     size_t count;     /* sensors of a plan at most */
     uint32_t *plan;   /* [wave_most][count] */
     size_t *size;     /* [wave_most] sensors of each */
-    uint64_t *value, *evaluations, *looks; /* [wave_most] */
-    size_t n;                              /* sensors wanted now */
+    uint64_t *value, *evaluations, *looks, *rows; /* [wave_most] */
+    size_t n;                                     /* sensors wanted now */
     uint32_t seed;
     uint64_t first;                      /* start number of batch 0 */
-    uint64_t all_evaluations, all_looks; /* of all starts kept so far */
+    uint64_t all_evaluations, all_looks; /* of all starts kept so far, */
+    uint64_t all_rows;                   /* which end the starts where there
+                                            are too many, */
+    bool is_cut;                         /* as is said here */
 } murk_starts;
 
 /* For plans of at most `count` sensors. Release it also after a failure. */

@@ -261,6 +261,50 @@ static void test_target(uint32_t seed)
     }
 }
 
+/* The limit of branch and bound holds for all counts on the way to a target
+ * together, not for each; the bounds so far are valid, and it is said that the
+ * limit cut. */
+static void test_nodes_limit_all_counts_together(uint32_t seed)
+{
+    made_up *m = made_up_create(seed, 2000, 90, 0.1, 300, 7, 1);
+    murk_place_desc desc = murk_place_defaults();
+    desc.method = MURK_PLACE_EXACT;
+    desc.count = 90;
+    uint64_t whole = 0;
+    for (size_t i = 0; i < 2000; ++i) {
+        whole += (uint64_t)m->weight[i] * MURK_CLEAR;
+    }
+    desc.target = whole / 2;
+    desc.nodes = 40;
+    murk_place_result r = place_known(m, &desc);
+    CHECK(r.is_cut && r.value >= desc.target);
+    CHECK(r.fewest >= 3 && r.fewest <= r.count);
+    CHECK(r.nodes < 80); /* two counts are open */
+    murk_place_release(&r);
+    made_up_destroy(m);
+}
+
+/* Half of many candidates asked for: the search ends within its limit of
+ * work, with a bound that holds and a curve that rises. */
+static void test_search_ends_within_its_work(uint32_t seed)
+{
+    made_up *m = made_up_create(seed, 400, 100, 0.3, 65535, 5, 1);
+    murk_place_desc desc = murk_place_defaults();
+    desc.count = 50;
+    desc.nodes = 0;
+    desc.search_work = 50000 * (uint64_t)(4 * 400);
+    murk_place_result r = place_known(m, &desc);
+    CHECK(r.is_work_cut && r.evaluations < 3 * 50000 && !r.proven_optimal);
+    CHECK(r.count == 50 && r.curve_points == 50);
+    CHECK(r.value <= r.upper && r.upper <= r.ceiling);
+    for (size_t k = 1; k < r.curve_points; ++k) {
+        CHECK(r.curve[k].value >= r.curve[k - 1].value);
+        CHECK(r.curve[k].upper >= r.curve[k].value);
+    }
+    murk_place_release(&r);
+    made_up_destroy(m);
+}
+
 /* Teeth: some SPOQ ends lack the certificate that `best` always carries. */
 static void test_certificate_notices_a_bad_plan(void)
 {
@@ -427,6 +471,8 @@ int main(int argc, char **argv)
     test_greedy_looks_again_at_few(seed);
     test_exact(seed);
     test_target(seed);
+    test_nodes_limit_all_counts_together(seed);
+    test_search_ends_within_its_work(seed);
     test_certificate_notices_a_bad_plan();
     test_spoq_sweeps_until_nothing_gains();
     test_threads_change_nothing();
