@@ -1,5 +1,6 @@
 #include "study/plan.h"
 
+#include "base/log.h"
 #include "base/progress.h"
 #include "medium/acceptance.h"
 #include "study/dark.h"
@@ -118,8 +119,8 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
 /* Choosing ends here. */
 static void note_spent(murk_plan *plan, const murk_sight *sight)
 {
-    plan->queries = murk_sight_queries(sight);
-    plan->shadow_rays = murk_sight_shadow_rays(sight);
+    plan->queries = murk_sight_queries(sight) - plan->forecast_looks;
+    plan->shadow_rays = murk_sight_shadow_rays(sight) - plan->forecast_rays;
     plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
     plan->totally_reflected = murk_sight_totally_reflected(sight);
 }
@@ -148,6 +149,50 @@ static murk_status explore(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
+/* Looks of the forecast's sample, and the sweeps of one start: SPOQ's until one
+ * gains nothing, and relocation's. */
+#define FORECAST_LOOKS  16
+#define FORECAST_SWEEPS 4
+
+/* Before `best` looks again and again: what it takes at the least number of
+ * starts without gain, by the rays and the time of a sample of looks, against
+ * what a known environment takes. The sample's looks count for nothing else. */
+static void forecast_unknown(murk_plan *plan, murk_sight *sight,
+                             const murk_problem *problem,
+                             const murk_place_desc *desc)
+{
+    const size_t n = problem->candidates;
+    const size_t sample = n < FORECAST_LOOKS ? n : FORECAST_LOOKS;
+    const uint64_t rays = murk_sight_shadow_rays(sight);
+    const double begun_s = murk_clock_s();
+    if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
+        return;
+    }
+    for (size_t k = 0; k < sample; ++k) {
+        murk_look look;
+        problem->look(problem->context, 0, k * n / sample, &look);
+    }
+    plan->forecast_looks = sample;
+    plan->forecast_rays = murk_sight_shadow_rays(sight) - rays;
+    const double each = (double)plan->forecast_rays / (double)sample;
+    const double each_s =
+        (murk_clock_s() - begun_s) / (double)sample / (double)problem->threads;
+    const double starts = desc->restarts < MURK_STARTS_WITHOUT_GAIN
+                              ? (double)desc->restarts
+                              : (double)MURK_STARTS_WITHOUT_GAIN;
+    const double looks =
+        starts * FORECAST_SWEEPS * (double)desc->count * (double)n;
+    murk_note(
+        "placement.knowledge",
+        "unknown with method: best looks again at each evaluation: about "
+        "%.2g looks, %.2g shadow rays and %.2g s with %.0f starts (at "
+        "most %zu are made), where knowledge: known looks %zu times (%.2g "
+        "rays, %.2g s) for a plan that is no worse; method: greedy or "
+        "spoq and fewer restarts take less",
+        looks, looks * each, looks * each_s, starts, desc->restarts, n,
+        each * (double)n, each_s * (double)n);
+}
+
 /* Chooses, by matrix (known), by looking again and again (unknown), or step by
  * step (explore). */
 static murk_status choose(murk_plan *plan, const murk_stage *stage,
@@ -173,6 +218,7 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
         return status;
     }
     if (stage->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
+        forecast_unknown(plan, sight, &seen.problem, &desc);
         status = murk_place_unknown(&plan->place, &seen.problem, &desc, err);
         plan->place_s = murk_clock_s() - begun_s;
         note_spent(plan, sight);

@@ -93,7 +93,8 @@ typedef struct murk_plan {
     murk_robust robust;
     double power_radius_m;         /* of detection: power; 0: another */
     size_t power_neighbours;       /* likewise; 0: the radius is fixed */
-    uint64_t queries, shadow_rays; /* spent on choosing */
+    uint64_t queries, shadow_rays; /* spent on choosing, without those of */
+    uint64_t forecast_looks, forecast_rays;            /* a forecast's sample */
     uint64_t blocked_by_interfaces, totally_reflected; /* then, sightlines */
     double trace_s, map_s, sense_s, place_s;
 } murk_plan;
