@@ -204,8 +204,12 @@ static murk_status print_plan(const murk_session *session,
                    session->scene->sensors.budget);
     }
     if (!plan->is_dark) {
-        murk_print_bound(place, session->scene->sensors.budget > 0,
-                         murk_sample_of(session->scene));
+        if (session->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+            murk_over_print_bound(over, murk_sample_of(session->scene));
+        } else {
+            murk_print_bound(place, session->scene->sensors.budget > 0,
+                             murk_sample_of(session->scene));
+        }
         murk_print_explore(plan, session->results.folder);
     }
     if (repeat->runs > 0) {

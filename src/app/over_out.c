@@ -30,6 +30,17 @@ static murk_estimate best_known_of(const murk_over *over,
                : in_sample_of(over, plan, by, &worst);
 }
 
+static const char *const over_names[] = {[MURK_SCENE_OVER_MEAN] = "mean",
+                                         [MURK_SCENE_OVER_WORST] = "worst",
+                                         [MURK_SCENE_OVER_REGRET] = "regret"};
+
+/* By what one condition is named the worst. */
+static murk_scene_over judged_by(const murk_over *over)
+{
+    const murk_scene_over by = over->conditions->scene->placement.over;
+    return by == MURK_SCENE_OVER_REGRET ? by : MURK_SCENE_OVER_WORST;
+}
+
 static murk_estimate seen_in(const murk_over *over, const murk_over_plan *plan,
                              size_t c)
 {
@@ -214,11 +225,38 @@ static void add_item(cJSON *list, double value)
                                                : cJSON_CreateNull());
 }
 
+/* What was minimised, in sample, and what it is measured from. */
+static void add_largest_regret(cJSON *object, const murk_over *over)
+{
+    const murk_conditions *all = over->conditions;
+    if (all->scene->placement.over != MURK_SCENE_OVER_REGRET) {
+        return;
+    }
+    const bool is_lit = over->plans > 0;
+    cJSON_AddStringToObject(object, "measure",
+                            all->scene->placement.relative_regret ? "relative"
+                                                                  : "absolute");
+    murk_json_number(object, "largest", is_lit ? over->regret : NAN);
+    murk_json_number(object, "largest_at_least",
+                     is_lit ? over->regret_lower : NAN);
+    murk_json_number(object, "largest_to_optimum_at_most",
+                     is_lit ? over->regret_upper : NAN);
+    cJSON *known = add_list(object, "best_known");
+    cJSON *upper = add_list(object, "best_at_most");
+    for (size_t c = 0; c < all->n; ++c) {
+        const murk_condition *one = &all->condition[c];
+        const bool has_say = one->wish->weight > 0;
+        add_item(known, has_say ? one->best_known : NAN);
+        add_item(upper, has_say ? one->best_upper : NAN);
+    }
+}
+
 /* Rows are plans, columns the conditions in their order, but for dark ones. */
 static void add_regret(cJSON *root, const murk_over *over)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "regret");
     cJSON_AddBoolToObject(object, "held_out", over->has_held_out);
+    add_largest_regret(object, over);
     cJSON *plans = cJSON_AddArrayToObject(object, "plans");
     for (size_t p = 0; p < over->plans; ++p) {
         const murk_over_plan *plan = &over->plan[p];
@@ -252,12 +290,11 @@ static void add_regret(cJSON *root, const murk_over *over)
 void murk_over_json(cJSON *root, const murk_over *over)
 {
     const murk_over_plan *chosen = &over->plan[over->chosen];
-    const bool is_worst =
-        over->conditions->scene->placement.over == MURK_SCENE_OVER_WORST;
-    cJSON_AddStringToObject(root, "over", is_worst ? "worst" : "mean");
+    cJSON_AddStringToObject(
+        root, "over", over_names[over->conditions->scene->placement.over]);
     if (over->plans > 0) {
         size_t worst;
-        in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
+        in_sample_of(over, chosen, judged_by(over), &worst);
         cJSON_AddStringToObject(root, "worst_condition",
                                 over->conditions->condition[worst].wish->name);
     } else {
@@ -273,8 +310,14 @@ static void print_over(const murk_over *over)
 {
     size_t worst;
     const murk_over_plan *chosen = &over->plan[over->chosen];
-    in_sample_of(over, chosen, MURK_SCENE_OVER_WORST, &worst);
-    if (over->conditions->scene->placement.over == MURK_SCENE_OVER_WORST) {
+    in_sample_of(over, chosen, judged_by(over), &worst);
+    if (judged_by(over) == MURK_SCENE_OVER_REGRET) {
+        murk_print("over        the largest regret of %zu conditions, which is "
+                   "in %s: coverage below is of that condition\n",
+                   over->conditions->n,
+                   over->conditions->condition[worst].wish->name);
+    } else if (over->conditions->scene->placement.over ==
+               MURK_SCENE_OVER_WORST) {
         murk_print("over        the worst of %zu conditions: %s, of which all "
                    "below speaks\n",
                    over->conditions->n,
@@ -355,12 +398,27 @@ void murk_over_print(const murk_over *over)
     }
 }
 
+void murk_over_print_bound(const murk_over *over, const char *sample)
+{
+    const murk_conditions *all = over->conditions;
+    murk_print("bound       largest regret%s %.4f in sample, to the best plan "
+               "found for each condition alone; no plan has less than %.4f%s "
+               "on this %s; to the true optima it is %.4f at most; guarantee: "
+               "none\n",
+               all->scene->placement.relative_regret ? " (relative)" : "",
+               over->regret, over->regret_lower,
+               over->regret_lower < over->regret ? "" : " (proven optimal)",
+               sample, over->regret_upper);
+}
+
 void murk_over_print_asked(const murk_scene *scene)
 {
     static const char *const over[] = {
         [MURK_SCENE_OVER_NONE] = "placement is of the scene as it stands",
         [MURK_SCENE_OVER_MEAN] = "placement is over their mean",
-        [MURK_SCENE_OVER_WORST] = "placement is over the worst of them"};
+        [MURK_SCENE_OVER_WORST] = "placement is over the worst of them",
+        [MURK_SCENE_OVER_REGRET] = "placement is for the least largest regret "
+                                   "over them"};
     for (size_t c = 0; c < scene->n_conditions; ++c) {
         murk_print("%s%s", c ? ", " : "conditions  ",
                    scene->conditions[c].name);

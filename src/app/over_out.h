@@ -20,6 +20,9 @@ void murk_over_json(cJSON *root, const murk_over *over);
  * about. */
 void murk_over_print(const murk_over *over);
 
+/* With over: regret, in place of the bound's line. */
+void murk_over_print_bound(const murk_over *over, const char *sample);
+
 /* For check: the conditions that the scene names; nothing where it has none. */
 void murk_over_print_asked(const murk_scene *scene);
 

@@ -63,12 +63,15 @@ static void ask_sensors(FILE *to, const murk_yaml *plan, double n)
                         "places that are free");
     }
     if (murk_result_is(plan, "over", "mean") ||
-        murk_result_is(plan, "over", "worst")) {
+        murk_result_is(plan, "over", "worst") ||
+        murk_result_is(plan, "over", "regret")) {
         fputs(", over ", to);
         murk_page_count(to, (double)murk_result_count(plan, "conditions"),
                         "condition", "conditions");
-        fputs(murk_result_is(plan, "over", "mean")
-                  ? " in the mean"
+        fputs(murk_result_is(plan, "over", "mean") ? " in the mean"
+              : murk_result_is(plan, "over", "regret")
+                  ? ", so that the largest regret (what is lost to the best "
+                    "plan of a condition alone) is least"
                   : ", as judged by the worst of them",
               to);
     }
@@ -193,8 +196,40 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
         fprintf(to, ": chance in the %s.",
                 murk_answer_has_targets(plan) ? "targets drawn" : "photons");
     }
+    if (murk_result_is(plan, "over", "regret")) {
+        fputs(" This is the condition where the regret is largest: ", to);
+        murk_page_text(to, murk_result_text(plan, "worst_condition"));
+        fputc('.', to);
+    }
     say_thin(to, plan);
     murk_page_line_end(to);
+}
+
+/* Of a plan for the least largest regret. */
+static void limit_regret(FILE *to, const murk_yaml *plan)
+{
+    const double least = murk_result_number(plan, "regret.largest_at_least");
+    const bool is_proven = murk_result_is(plan, "bound.proven_optimal", "true");
+    fputs(is_proven ? "No: its largest regret is "
+                    : "Perhaps: its largest "
+                      "regret is ",
+          to);
+    strong_share(to, murk_result_number(plan, "regret.largest"), NAN);
+    fputs(murk_result_is(plan, "regret.measure", "relative")
+              ? " of what the best plan found for that condition alone covers"
+              : ", in coverage, to the best plan found for that condition "
+                "alone",
+          to);
+    fputs(is_proven ? ", and no plan has less, which is proven"
+                    : ", and no plan has less than ",
+          to);
+    if (!is_proven) {
+        murk_page_share(to, least, NAN);
+    }
+    fputs(". To the true optima it is ", to);
+    murk_page_share(
+        to, murk_result_number(plan, "regret.largest_to_optimum_at_most"), NAN);
+    fputs(" at most.", to);
 }
 
 static void limit_plan(FILE *to, const murk_yaml *plan)
@@ -205,7 +240,9 @@ static void limit_plan(FILE *to, const murk_yaml *plan)
         return;
     }
     murk_page_line_begin(to, "Could it be better?");
-    if (murk_result_is(plan, "bound.proven_optimal", "true")) {
+    if (murk_result_is(plan, "over", "regret")) {
+        limit_regret(to, plan);
+    } else if (murk_result_is(plan, "bound.proven_optimal", "true")) {
         fputs(is_matrix ? "No: none of this kind covers more, which is proven."
                         : "No: on the sample that it was chosen by, no plan of "
                           "this kind sees more, which is proven (",

@@ -19,6 +19,12 @@ uint64_t murk_share_units(uint64_t part, uint64_t whole)
     return (uint64_t)((wide)part * MURK_SHARE_ONE / whole);
 }
 
+uint64_t murk_block_worth(const murk_block_views *views, size_t c,
+                          uint64_t value)
+{
+    return murk_share_units(value, views->unit[c]) + views->offset[c];
+}
+
 static void gain_of_one(void *context, unsigned worker, uint64_t k)
 {
     const gaining *g = context;
@@ -57,7 +63,15 @@ static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
     }
     const murk_status status =
         murk_layout_reweigh(&v->layout[c], v->oracle->layout, weight, err);
-    v->whole[c] = v->layout[c].whole;
+    v->whole[c] = v->unit[c] = v->layout[c].whole;
+    const uint64_t reference = v->blocks->reference[c];
+    if (v->blocks->measure == MURK_BLOCK_REGRET && v->whole[c] > 0) {
+        v->offset[c] =
+            MURK_SHARE_ONE - murk_share_units(reference, v->whole[c]);
+    } else if (v->blocks->measure == MURK_BLOCK_REGRET_RELATIVE) {
+        v->unit[c] = reference > 0 ? reference : v->whole[c];
+        v->offset[c] = reference > 0 ? 0 : MURK_SHARE_ONE;
+    }
     return status || v->whole[c] > 0
                ? status
                : murk_fail(err, MURK_RUN_FAILED, "",

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-__extension__ typedef unsigned __int128 wide;
+typedef murk_wide wide;
 
 /* Scaled weights add up to less than this, and none reaches 2^32. */
 #define WEIGHT_SUM  0x1p46
@@ -16,6 +16,9 @@ __extension__ typedef unsigned __int128 wide;
 /* Blocks are weighed by whole factors below FACTOR_MOST, over 2^shift. */
 #define FACTOR_MOST 0x1p31
 #define SHIFT_MOST  31
+
+/* More than any plan's least worth, which may exceed 1 by its references. */
+#define WORTH_MOST (UINT64_C(1) << 60)
 
 /* No block is ever lost sight of. */
 #define LAMBDA_LEAST 1e-9
@@ -68,9 +71,15 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                              uint64_t *factor)
 {
     const size_t n = b->views->blocks->n;
-    double scale = WEIGHT_SUM * MURK_CLEAR, most = 0;
+    double sum = 0, most = 0;
     for (size_t c = 0; c < n; ++c) {
-        const double per_unit = lambda[c] / (double)b->views->whole[c];
+        sum +=
+            lambda[c] * (double)b->views->whole[c] / (double)b->views->unit[c];
+    }
+    /* shares add up to 1, but for rounding */
+    double scale = WEIGHT_SUM * MURK_CLEAR / fmax(1, sum * (1 - 0x1p-40));
+    for (size_t c = 0; c < n; ++c) {
+        const double per_unit = lambda[c] / (double)b->views->unit[c];
         scale = fmin(scale, WEIGHT_MOST / (per_unit * b->heaviest[c]));
         scale = fmin(scale, FACTOR_MOST / per_unit);
         most = fmax(most, per_unit);
@@ -81,7 +90,7 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                                             : (unsigned)(30 - exponent);
     for (size_t c = 0; c < n; ++c) {
         factor[c] = (uint64_t)ldexp(scale * (1 - 0x1p-50) * lambda[c] /
-                                        (double)b->views->whole[c],
+                                        (double)b->views->unit[c],
                                     (int)shift);
     }
     return shift;
@@ -94,13 +103,16 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
     const murk_problem *problem = views->oracle->problem;
     uint64_t factor[MURK_BLOCKS_MAX];
     const unsigned shift = find_factors(b, lambda, factor);
+    const uint64_t up = ((uint64_t)1 << shift) - 1;
     wide one = 0;
+    b->free = 0;
     for (size_t c = 0; c < views->blocks->n; ++c) {
         b->lambda[c] = lambda[c];
-        one += (wide)factor[c] * views->whole[c];
+        const wide unit = (wide)factor[c] * views->unit[c];
+        one += unit;
+        b->free += ((unit + up) >> shift) * views->offset[c];
         for (size_t i = views->blocks->first[c];
              i < views->blocks->first[c + 1]; ++i) {
-            const uint64_t up = ((uint64_t)1 << shift) - 1;
             b->weight[i] =
                 (uint32_t)((problem->weight[i] * factor[c] + up) >> shift);
         }
@@ -120,14 +132,17 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
 uint64_t murk_worst_bound_value(const murk_worst_bound *b, uint64_t share)
 {
     const wide needed = (wide)(share + 1) * b->one;
-    const uint64_t least = (uint64_t)((needed - 1) / MURK_SHARE_ONE + 1);
-    return least - 1;
+    if (needed <= b->free) { /* it takes no value at all */
+        return 0;
+    }
+    const wide least = (needed - b->free - 1) / MURK_SHARE_ONE + 1;
+    return (uint64_t)least - 1;
 }
 
 uint64_t murk_worst_bound_share(const murk_worst_bound *b, uint64_t value)
 {
-    const wide share = (wide)value * MURK_SHARE_ONE / b->one;
-    return share < MURK_SHARE_ONE ? (uint64_t)share : MURK_SHARE_ONE;
+    const wide share = ((wide)value * MURK_SHARE_ONE + b->free) / b->one;
+    return share < WORTH_MOST ? (uint64_t)share : WORTH_MOST;
 }
 
 /* What the bound at the present thresholds sees of each block, as a share. */
@@ -143,7 +158,8 @@ static void find_shares(murk_worst_bound *b, size_t n, double *share)
         for (size_t k = 0; k < chosen; ++k) {
             sum += (double)b->gains[k];
         }
-        share[c] = sum / (double)v->whole[c];
+        share[c] = sum / (double)v->unit[c] +
+                   (double)v->offset[c] / (double)MURK_SHARE_ONE;
     }
     t->oracle = &b->oracle;
 }

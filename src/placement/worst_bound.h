@@ -5,7 +5,10 @@
  * block; so its bound (placement/bound.h) bounds the least share, too. Lambda
  * goes down the bound by mirror steps: towards blocks of which the bound sees
  * less. Scaled weights are rounded up and their sum down, so the bound is
- * valid in spite of rounding.
+ * valid in spite of rounding. Where blocks count by their regret (worth =
+ * value / unit + offset, placement/blocks.h), the same holds of worths, with
+ * sum_c lambda_c offset_c, rounded up, added; a reference is a constant, so the
+ * bound is valid whether or not a better plan than the reference exists.
  *
  * Source: Krause et al., J. Mach. Learn. Res. 9 (2008) 2761 (the problem);
  * Beck and Teboulle, Oper. Res. Lett. 31 (2003) 167,
@@ -15,6 +18,8 @@
 
 #include "placement/blocks.h"
 #include "placement/bound.h"
+
+__extension__ typedef unsigned __int128 murk_wide;
 
 typedef struct murk_worst_bound {
     const murk_block_views *views;
@@ -27,7 +32,8 @@ typedef struct murk_worst_bound {
     double lambda[MURK_BLOCKS_MAX];         /* sum 1 */
     double lowest_lambda[MURK_BLOCKS_MAX];  /* where the bound was lowest */
     double average_lambda[MURK_BLOCKS_MAX]; /* of all steps */
-    uint64_t one;    /* what a least share of 1 is worth at least */
+    uint64_t one;    /* what a least share of 1 is worth at least, */
+    murk_wide free;  /* less what offsets give, times MURK_SHARE_ONE, at most */
     uint32_t *top;   /* [candidates] */
     uint64_t *gains; /* [candidates] */
 } murk_worst_bound;

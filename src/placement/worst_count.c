@@ -78,7 +78,7 @@ static void climb(murk_worst_run *w, const murk_climb *by, size_t n)
     }
 }
 
-/* Greedy towards one level in every block; MURK_SHARE_ONE: the mean. */
+/* Greedy towards one level in every block; MURK_NO_LEVEL: the mean. */
 static void climb_to(murk_worst_run *w, size_t n, uint64_t level)
 {
     murk_climb by = {.level = level};
@@ -91,7 +91,7 @@ static void climb_to(murk_worst_run *w, size_t n, uint64_t level)
 /* The highest level that greedy reaches in every block. */
 static void saturate(murk_worst_run *w, size_t n)
 {
-    climb_to(w, n, MURK_SHARE_ONE);
+    climb_to(w, n, MURK_NO_LEVEL);
     uint64_t low = w->has_plan ? w->value : 0, high = w->upper;
     for (int k = 0; k < LEVELS_MOST && high > low &&
                     high - low > LEVEL_FINEST && !murk_interrupted();
@@ -109,7 +109,7 @@ static void saturate(murk_worst_run *w, size_t n)
 static void climb_each_block(murk_worst_run *w, size_t n)
 {
     for (size_t c = 0; c < w->blocks && !murk_interrupted(); ++c) {
-        murk_climb by = {.level = MURK_SHARE_ONE};
+        murk_climb by = {.level = MURK_NO_LEVEL};
         by.factor[c] = 1;
         climb(w, &by, n);
     }
@@ -229,10 +229,10 @@ static murk_status find_spare(murk_worst_run *w, size_t n, murk_error *err)
 
 uint64_t murk_worst_ceiling(const murk_worst_run *w)
 {
-    uint64_t least = MURK_SHARE_ONE;
+    uint64_t least = UINT64_MAX;
     for (size_t c = 0; c < w->blocks; ++c) {
         const uint64_t share =
-            murk_share_units(w->views.ceiling[c], w->views.whole[c]);
+            murk_block_worth(&w->views, c, w->views.ceiling[c]);
         least = share < least ? share : least;
     }
     return least;

@@ -67,8 +67,8 @@ static murk_worth worth_with(const murk_worst_search *s,
 {
     murk_worth out = {climb->is_least ? UINT64_MAX : 0, 0};
     for (size_t c = 0; c < s->views->blocks->n; ++c) {
-        const uint64_t share = murk_share_units(
-            s->value[c] + (gain ? gain[c] : 0), s->views->whole[c]);
+        const uint64_t share =
+            murk_block_worth(s->views, c, s->value[c] + (gain ? gain[c] : 0));
         if (climb->is_least) {
             out.first = share < out.first ? share : out.first;
             out.second += share;

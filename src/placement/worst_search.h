@@ -19,11 +19,13 @@ typedef struct murk_worth {
     uint64_t first, second;
 } murk_worth;
 
+#define MURK_NO_LEVEL UINT64_MAX
+
 /* What a search climbs: sum_c factor[c] min(share_c, level); or, with is_least,
  * the least share, then the sum of all. Factors are at most 2^7. */
 typedef struct murk_climb {
     bool is_least;
-    uint64_t level; /* MURK_SHARE_ONE: none */
+    uint64_t level; /* MURK_NO_LEVEL: none */
     uint64_t factor[MURK_BLOCKS_MAX];
 } murk_climb;
 

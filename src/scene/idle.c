@@ -62,6 +62,11 @@ static bool has_over(const murk_scene *s)
     return s->placement.over != MURK_SCENE_OVER_NONE;
 }
 
+static bool has_regret(const murk_scene *s)
+{
+    return s->placement.over == MURK_SCENE_OVER_REGRET;
+}
+
 static bool has_budget(const murk_scene *s)
 {
     return s->sensors.budget > 0;
@@ -107,6 +112,7 @@ const murk_idle_rule murk_idle_rules[] = {
     {"placement.elsewhere", has_interest, WITHOUT "interest"},
     {"placement.jitter_draws", has_jitter, WITHOUT "jitter_m or jitter_deg"},
     {"placement.condition_weights", has_over, WITHOUT "over: mean or worst"},
+    {"placement.regret", has_regret, WITHOUT "over: regret"},
     {"sensors.types.*.aperture_m2", has_power, WITHOUT "detection: power"},
     {"sensors.types.*.quantum_efficiency", has_power,
      WITHOUT "detection: power"},

@@ -58,7 +58,8 @@ static murk_status check_name(murk_walk *walk, const murk_yaml *map,
                               "a name of other characters than letters, "
                               "digits, - and _");
     }
-    if (strcmp(name, "mean") == 0 || strcmp(name, "worst") == 0) {
+    if (strcmp(name, "mean") == 0 || strcmp(name, "worst") == 0 ||
+        strcmp(name, "regret") == 0) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, true,
                               "%s is a word of placement.over, must be "
                               "another name",

@@ -72,6 +72,13 @@ static const murk_word OVER_WORDS[] = {
     {"null", MURK_SCENE_OVER_NONE},
     {"mean", MURK_SCENE_OVER_MEAN},
     {"worst", MURK_SCENE_OVER_WORST},
+    {"regret", MURK_SCENE_OVER_REGRET},
+    WORDS_END,
+};
+
+static const murk_word REGRET_WORDS[] = {
+    {"absolute", 0},
+    {"relative", 1},
     WORDS_END,
 };
 
@@ -121,6 +128,8 @@ static const murk_key PLACEMENT_ROWS[] = {
         AT(murk_scene, placement.nodes)),
     ROW("over", WORD, .preset = "null", .words = OVER_WORDS,
         AT(murk_scene, placement.over)),
+    ROW("regret", WORD, .preset = "absolute", .words = REGRET_WORDS,
+        AT(murk_scene, placement.relative_regret)),
     ROW("condition_weights", MAP, .keys = &murk_condition_weight_keys,
         .preset = "{}"),
     END,

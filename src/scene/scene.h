@@ -432,7 +432,8 @@ typedef enum murk_scene_knowledge {
 typedef enum murk_scene_over {
     MURK_SCENE_OVER_NONE, /* the scene as it stands */
     MURK_SCENE_OVER_MEAN, /* of its conditions */
-    MURK_SCENE_OVER_WORST
+    MURK_SCENE_OVER_WORST,
+    MURK_SCENE_OVER_REGRET
 } murk_scene_over;
 
 typedef enum murk_scene_through {
@@ -473,6 +474,7 @@ typedef struct murk_scene_placement {
                                     asked */
     uint64_t jitter_draws;
     murk_scene_over over;
+    bool relative_regret; /* regret: relative */
 } murk_scene_placement;
 
 #define MURK_SCENE_CONDITIONS_MAX 16
@@ -480,7 +482,8 @@ typedef struct murk_scene_placement {
 typedef struct murk_scene murk_scene;
 
 typedef struct murk_scene_condition {
-    murk_scene_name name; /* letters, digits, - and _; not mean, worst */
+    murk_scene_name name; /* letters, digits, - and _; not mean,
+                             worst, regret */
     murk_scene_where where;
     double weight;     /* placement.condition_weights; 1 where none is given */
     murk_scene *scene; /* the scene with its overrides, without conditions; its

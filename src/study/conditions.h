@@ -21,6 +21,9 @@ typedef struct murk_condition {
     bool borrows_light;   /* an earlier condition's */
     murk_sight *sight;
     murk_target_facts targets; /* points 0: photons are seen */
+    /* With over: regret, once plans are chosen: the coverage of the best plan
+     * known for this condition alone, and what no plan exceeds there. */
+    double best_known, best_upper;
 } murk_condition;
 
 typedef struct murk_conditions {
@@ -31,6 +34,8 @@ typedef struct murk_conditions {
                     has a say is lit, all do */
     murk_condition condition[MURK_SCENE_CONDITIONS_MAX]; /* [n + dark], else in
                                                             the scene's order */
+    bool has_regret_at; /* over: regret, once the plan is measured in sample: */
+    size_t regret_at;   /* where its regret is largest; results speak of it */
     double trace_s, map_s;
 } murk_conditions;
 

@@ -163,11 +163,13 @@ void murk_joint_destroy(murk_joint *j)
     free(j);
 }
 
-uint32_t *murk_joint_weights_of(const murk_joint *j, size_t c)
+uint32_t *murk_joint_weights_of(const murk_joint *j, size_t c, bool as_joint)
 {
     uint32_t *out = calloc(j->problem.photons + 1, sizeof *out);
     if (out) {
-        memcpy(out + j->blocks.first[c], j->part[c].problem.weight,
+        memcpy(out + j->blocks.first[c],
+               as_joint ? j->weight + j->blocks.first[c]
+                        : j->part[c].problem.weight,
                j->part[c].problem.photons * sizeof *out);
     }
     return out;

@@ -29,9 +29,10 @@ murk_status murk_joint_create(murk_joint **out, murk_sight *const *sight,
                               murk_error *err);
 void murk_joint_destroy(murk_joint *joint); /* NULL is fine */
 
-/* Weights, for free(), of block c as its own sight counts them, 0 elsewhere;
- * NULL when out of memory. */
-uint32_t *murk_joint_weights_of(const murk_joint *joint, size_t c);
+/* Weights, for free(), of block c as its own sight counts them, or as the joint
+ * problem does, 0 elsewhere; NULL when out of memory. */
+uint32_t *murk_joint_weights_of(const murk_joint *joint, size_t c,
+                                bool as_joint);
 
 /* What a plan must be worth to cover a share, 0..1, of the mean or of the worst
  * block: the target of a placement. */

@@ -21,22 +21,41 @@ static void weights_of(const murk_conditions *all, double *weight)
     }
 }
 
+/* What a coverage lacks to the best that is known there. */
+static double regret_to_best(const murk_scene *scene, const murk_condition *c,
+                             double coverage)
+{
+    const double lack = c->best_known - coverage;
+    if (!scene->placement.relative_regret) {
+        return lack;
+    }
+    return c->best_known > 0 ? lack / c->best_known : 0;
+}
+
 murk_estimate murk_over_estimate(const murk_conditions *all,
                                  const murk_estimate *of, murk_scene_over over,
                                  bool are_independent, size_t *worst)
 {
     double weight[MURK_SCENE_CONDITIONS_MAX];
     weights_of(all, weight);
+    double least = 0;
     *worst = all->n;
     for (size_t c = 0; c < all->n; ++c) {
-        if (weight[c] > 0 &&
-            (*worst == all->n || of[c].value < of[*worst].value)) {
+        const murk_condition *one = &all->condition[c];
+        const double less = over == MURK_SCENE_OVER_REGRET
+                                ? -regret_to_best(all->scene, one, of[c].value)
+                                : of[c].value;
+        if (weight[c] > 0 && (*worst == all->n || less < least)) {
             *worst = c;
+            least = less;
         }
     }
-    return over == MURK_SCENE_OVER_WORST
-               ? of[*worst]
-               : murk_over_mean(of, weight, all->n, are_independent);
+    if (over == MURK_SCENE_OVER_REGRET && all->has_regret_at) {
+        *worst = all->regret_at;
+    }
+    return over == MURK_SCENE_OVER_MEAN
+               ? murk_over_mean(of, weight, all->n, are_independent)
+               : of[*worst];
 }
 
 double murk_over_regret(const murk_over *over, const murk_over_plan *plan,
@@ -60,11 +79,19 @@ murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
                          "over: knowledge explore goes through the scene as it "
                          "stands, so over must be null");
     }
-    if (wish->over == MURK_SCENE_OVER_WORST &&
+    const bool is_regret = wish->over == MURK_SCENE_OVER_REGRET;
+    if (wish->over != MURK_SCENE_OVER_MEAN &&
         wish->knowledge != MURK_SCENE_KNOWN) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "over: worst needs what every candidate sees, so "
-                         "knowledge must be known");
+                         "over: %s needs what every candidate sees, so "
+                         "knowledge must be known",
+                         is_regret ? "regret" : "worst");
+    }
+    if (is_regret && scene->sensors.target > 0) {
+        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+                         "over: regret compares plans of as many sensors, so "
+                         "sensors.target must not be given; give sensors.count "
+                         "or sensors.budget");
     }
     murk_progress_begin_over("build", 0, "");
     murk_status status = murk_conditions_create(&out->conditions, scene, err);
@@ -242,8 +269,12 @@ static murk_status sum_up(murk_coverage *out, const murk_over *over,
     for (size_t c = 0; c < all->n; ++c) {
         total[c] = of[c].total;
     }
-    murk_over_estimate(all, total, MURK_SCENE_OVER_WORST, true, &worst);
-    if (all->scene->placement.over == MURK_SCENE_OVER_WORST) {
+    murk_over_estimate(all, total, all->scene->placement.over, true, &worst);
+    if (all->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+        over->conditions->regret_at = worst;
+        over->conditions->has_regret_at = true;
+    }
+    if (all->scene->placement.over != MURK_SCENE_OVER_MEAN) {
         memset(weight, 0, sizeof weight);
         weight[worst] = 1;
     }
@@ -300,11 +331,49 @@ static murk_status confirm(murk_over *over, murk_plan *plan, unsigned threads,
 
 /* ---- all ---- */
 
+/* Of the least largest regret placement says 1 less it. What is kept of value
+ * and bound is the coverage where the regret is largest, and what it would be
+ * there were the regret as small as the bound lets it be. */
+static void read_regret(murk_over *over, murk_plan *plan)
+{
+    const murk_conditions *all = over->conditions;
+    const murk_over_plan *chosen = &over->plan[over->chosen];
+    murk_place_result *place = &plan->place;
+    const double one = (double)place->whole;
+    over->regret = 1 - (double)place->value / one;
+    over->regret_lower = 1 - (double)place->upper / one;
+    over->regret_upper = over->regret;
+    for (size_t c = 0; c < all->n; ++c) {
+        murk_condition at = all->condition[c];
+        at.best_known = at.best_upper;
+        const double most =
+            regret_to_best(all->scene, &at, chosen->in_sample[c].value);
+        if (at.wish->weight > 0 && most > over->regret_upper) {
+            over->regret_upper = most;
+        }
+    }
+    size_t at;
+    murk_over_estimate(all, chosen->in_sample, MURK_SCENE_OVER_REGRET, false,
+                       &at);
+    const double unit = all->scene->placement.relative_regret
+                            ? all->condition[at].best_known
+                            : 1;
+    const double seen = plan->in_sample.total.value;
+    const double more = unit * (over->regret - over->regret_lower);
+    place->value = (uint64_t)(seen * one);
+    place->upper = place->value + (uint64_t)(more * one);
+    place->ceiling = over->ceiling_of[at];
+}
+
 /* As the joint problem counts it, as do the bound and the curve: from the
  * conditions' own coverages it differs by what the rounding of weights moves,
  * which may be more than what is left to the bound. */
-static void read_in_sample(murk_plan *plan)
+static void read_in_sample(murk_over *over, murk_plan *plan)
 {
+    if (over->conditions->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+        read_regret(over, plan);
+        return;
+    }
     plan->in_sample.total.value =
         (double)plan->place.value / (double)plan->place.whole;
 }
@@ -351,7 +420,7 @@ static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
     }
     if (!status) {
         status = sum_up_jitter(over, plan, err);
-        read_in_sample(plan); /* losses compare what is measured alike */
+        read_in_sample(over, plan); /* losses compare what is measured alike */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
         status = confirm(over, plan, threads, err);

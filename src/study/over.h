@@ -1,5 +1,6 @@
-/* A plan over conditions: for their mean coverage or for the worst of them;
- * and what it costs to plan for one condition and meet another (regret).
+/* A plan over conditions: for their mean coverage, for the worst of them, or
+ * for the least largest regret; and what it costs to plan for one condition and
+ * meet another (regret).
  *
  * Each condition's coverage is measured in its own light; dark ones are left
  * out. Its held-out map is
@@ -14,20 +15,22 @@
 
 /* One plan, used in each condition. */
 typedef struct murk_over_plan {
-    murk_scene_name made_for; /* a condition, mean, or worst */
+    murk_scene_name made_for; /* a condition, mean, worst,
+                                regret */
     size_t count;
     murk_pose *sensor; /* [count] */
     murk_estimate in_sample[MURK_SCENE_CONDITIONS_MAX];
     murk_estimate held_out[MURK_SCENE_CONDITIONS_MAX];
 } murk_over_plan;
 
-#define MURK_OVER_PLANS_MAX (MURK_SCENE_CONDITIONS_MAX + 2)
+#define MURK_OVER_PLANS_MAX (MURK_SCENE_CONDITIONS_MAX + 3)
 
 typedef struct murk_over {
     murk_conditions *conditions;
     murk_over_plan plan[MURK_OVER_PLANS_MAX]; /* each condition's own, in their
                                                  order; mean; worst (known
-                                                 environment) */
+                                                 environment); regret, where it
+                                                 is asked for */
     size_t plans;                             /* 0: it is dark in all of them */
     size_t chosen;                            /* the one that was asked for */
     bool has_held_out;
@@ -36,12 +39,20 @@ typedef struct murk_over {
     murk_estimate *shaken; /* [conditions * draws] the chosen one's, by
                               condition, where jitter is asked for */
     size_t unmoved;        /* of each condition's draws */
+    /* With over: regret, of the sample that chose. The largest regret of the
+     * plan to the best plans known; the least that any plan has, to these and
+     * so to the true optima, which are not less; and the largest that this
+     * plan can have to the true optima. */
+    double regret, regret_lower, regret_upper;
+    uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX]; /* coverage by all
+                              candidates, over MURK_SHARE_ONE, likewise */
 } murk_over;
 
 /* What a plan is worth over conditions: the mean by weight, or the least of
- * those that have a say; *worst is which. Errors: of the least, its own; of
- * the mean, as of independent maps, or if not so, their mean, which is more
- * than it is. */
+ * those that have a say, or what it covers where its regret to best_known is
+ * largest; *worst is which (of the mean, the least). Errors: of the least, its
+ * own; of the mean, as of independent maps, or if not so, their mean, which is
+ * more than it is. */
 murk_estimate murk_over_estimate(const murk_conditions *conditions,
                                  const murk_estimate *of, murk_scene_over over,
                                  bool are_independent, size_t *worst);

@@ -15,6 +15,7 @@ _Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
                "every condition has a block");
 
 typedef struct choosing {
+    murk_blocks regret; /* the joint problem's, with references */
     murk_over *over;
     murk_plan *plan;
     const murk_scene *scene;
@@ -53,9 +54,10 @@ static murk_status place_over(choosing *ch, murk_place_result *out,
                               murk_error *err)
 {
     const murk_problem *problem = &ch->joint->problem;
-    if (over == MURK_SCENE_OVER_WORST) {
-        return murk_place_worst(out, problem, ch->matrix, &ch->joint->blocks,
-                                desc, err);
+    if (over != MURK_SCENE_OVER_MEAN) {
+        const murk_blocks *blocks =
+            over == MURK_SCENE_OVER_REGRET ? &ch->regret : &ch->joint->blocks;
+        return murk_place_worst(out, problem, ch->matrix, blocks, desc, err);
     }
     return ch->matrix ? murk_place_known(out, problem, ch->matrix, desc, err)
                       : murk_place_unknown(out, problem, desc, err);
@@ -68,7 +70,10 @@ static murk_status place_block(choosing *ch, murk_place_result *out,
 {
     murk_matrix *matrix = NULL;
     murk_problem problem = ch->joint->problem;
-    uint32_t *weight = murk_joint_weights_of(ch->joint, block);
+    /* of a reference, as the plan over all blocks counts them */
+    const bool is_reference =
+        ch->scene->placement.over == MURK_SCENE_OVER_REGRET;
+    uint32_t *weight = murk_joint_weights_of(ch->joint, block, is_reference);
     murk_status status =
         weight ? murk_matrix_reweigh(&matrix, ch->matrix, weight, err)
                : murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu photons",
@@ -123,25 +128,40 @@ static murk_status choose_main(choosing *ch, murk_error *err)
 {
     const murk_scene *scene = ch->scene;
     murk_place_desc *desc = &ch->desc;
-    *desc = murk_plan_desc(scene);
-    desc->rules = murk_poses_rules(ch->plan->poses);
     if (scene->sensors.target > 0) {
         desc->count = ch->plan->poses->count;
         desc->target =
             murk_joint_target(ch->joint, scene->sensors.target,
                               scene->placement.over == MURK_SCENE_OVER_WORST);
     }
-    const murk_status status =
-        place_over(ch, &ch->plan->place, scene->placement.over, desc, err);
-    if (!(scene->sensors.budget > 0)) {
-        desc->count = ch->plan->place.count; /* the others are to compare */
+    return place_over(ch, &ch->plan->place, scene->placement.over, desc, err);
+}
+
+/* The others are to compare. */
+static void choose_to_compare(choosing *ch)
+{
+    murk_place_desc *desc = &ch->desc;
+    if (ch->plan->place.count > 0 && !(ch->scene->sensors.budget > 0)) {
+        desc->count = ch->plan->place.count;
     }
     desc->target = 0;
     desc->with_curve = false;
     if (desc->method == MURK_PLACE_BEST) {
         desc->nodes /= NODES_TO_COMPARE;
     }
-    return status;
+}
+
+/* A condition's own plan is what its regret is measured from: the best found,
+ * though a better one may exist, and what none exceeds. */
+static void refer(choosing *ch, size_t c, size_t block,
+                  const murk_place_result *place)
+{
+    murk_condition *condition = &ch->over->conditions->condition[c];
+    const double whole = (double)place->whole;
+    condition->best_known = (double)place->value / whole;
+    condition->best_upper = (double)place->upper / whole;
+    ch->regret.reference[block] = place->value;
+    ch->over->ceiling_of[c] = murk_share_units(place->ceiling, place->whole);
 }
 
 /* Each condition's own plan, the mean's and the worst's, by one method and with
@@ -150,8 +170,16 @@ static murk_status choose_all(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->over->conditions;
     const murk_scene_over over = ch->scene->placement.over;
-    murk_status status = choose_main(ch, err);
+    const bool is_regret = over == MURK_SCENE_OVER_REGRET;
+    murk_status status = MURK_OK;
     size_t block = 0;
+    ch->desc = murk_plan_desc(ch->scene);
+    ch->desc.rules = murk_poses_rules(ch->plan->poses);
+    const murk_place_desc asked = ch->desc;
+    if (!is_regret) {
+        status = choose_main(ch, err);
+    }
+    choose_to_compare(ch);
     for (size_t c = 0; !status && c < all->n; ++c) {
         const murk_scene_condition *wish = all->condition[c].wish;
         const bool has_block = wish->weight > 0;
@@ -159,17 +187,30 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         status = has_block && ch->matrix
                      ? place_block(ch, &place, block, &ch->desc, err)
                      : place_alone(ch, &place, c, &ch->desc, err);
+        if (!status && is_regret && has_block) {
+            refer(ch, c, block, &place);
+        }
         block += has_block;
         if (!status) {
             status = keep(ch, wish->name, &place, err);
         }
         murk_place_release(&place);
     }
-    const char *const name[] = {
-        [MURK_SCENE_OVER_MEAN] = "mean", [MURK_SCENE_OVER_WORST] = "worst"};
-    for (murk_scene_over k = MURK_SCENE_OVER_MEAN;
-         !status && k <= MURK_SCENE_OVER_WORST; ++k) {
+    const char *const name[] = {[MURK_SCENE_OVER_MEAN] = "mean",
+                                [MURK_SCENE_OVER_WORST] = "worst",
+                                [MURK_SCENE_OVER_REGRET] = "regret"};
+    const murk_scene_over last =
+        is_regret ? MURK_SCENE_OVER_REGRET : MURK_SCENE_OVER_WORST;
+    for (murk_scene_over k = MURK_SCENE_OVER_MEAN; !status && k <= last; ++k) {
         murk_place_result place = {0};
+        if (k == over && is_regret) {
+            ch->desc = asked;
+            ch->desc.with_curve = false; /* references are of this count */
+            status = choose_main(ch, err);
+        }
+        if (status) {
+            break;
+        }
         if (k == over) {
             ch->over->chosen = ch->over->plans;
             status = keep(ch, name[k], &ch->plan->place, err);
@@ -189,6 +230,12 @@ murk_status murk_over_choose(murk_over *over, murk_plan *plan, murk_error *err)
     choosing ch = {
         .over = over, .plan = plan, .scene = over->conditions->scene};
     murk_status status = join(&ch, err);
+    if (!status) {
+        ch.regret = ch.joint->blocks;
+        ch.regret.measure = ch.scene->placement.relative_regret
+                                ? MURK_BLOCK_REGRET_RELATIVE
+                                : MURK_BLOCK_REGRET;
+    }
     const double begun_s = murk_clock_s();
     if (!status) {
         status = choose_all(&ch, err);

@@ -51,6 +51,8 @@ static const idle_case CASES[] = {
      "placement.jitter_draws=7", "placement.jitter_draws=100"},
     {"placement.condition_weights", "conditions={a: {}, b: {}}",
      "placement.over=mean", "placement.condition_weights={a: 2}", NULL},
+    {"placement.regret", "conditions={a: {}, b: {}}", "placement.over=regret",
+     "placement.regret=relative", "placement.regret=absolute"},
     {"sensors.types.*.aperture_m2", "placement.detection=weighted",
      "placement.detection=power", "sensors.types.0.aperture_m2=1",
      "sensors.types.0.aperture_m2=1e-4"},
@@ -140,7 +142,8 @@ static void test_each_rule(void)
         const idle_case *c = &CASES[i];
         check_idle(c);
         const bool is_over =
-            strcmp(c->rule, "placement.condition_weights") == 0;
+            strcmp(c->rule, "placement.condition_weights") == 0 ||
+            strcmp(c->rule, "placement.regret") == 0;
         const bool is_acting =
             idle_with(c->given, c->acts, is_over ? c->idle : NULL) == 0;
         CHECK(is_acting);

@@ -154,7 +154,7 @@ static const refusal REFUSALS[] = {
     {"placement: {over: worst}\n", VALUE, "fog.yaml:2:19: placement.over",
      "worst, but the scene has no conditions"},
     {"placement: {over: best}\n", VALUE, "fog.yaml:2:19: placement.over",
-     "best, must be null, mean, worst"},
+     "best, must be null, mean, worst, regret"},
     {"placement: {weights: {surface: 0, volume: 0}}\n", VALUE,
      "fog.yaml:2:13: placement.weights",
      "surface and volume are both 0, one must be more than 0"},

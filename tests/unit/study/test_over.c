@@ -152,6 +152,66 @@ static void test_mean_and_worst_are_the_best_of_all(void)
                       two);
 }
 
+/* The plan of the least largest regret, against all pairs: regret to each
+ * condition's own best pair, which the search proves. */
+static void test_regret_is_the_least_of_all(bool is_relative)
+{
+    made m;
+    must_make(&m, SCENE THREE "placement: {over: regret}\n",
+              is_relative ? "placement.regret=relative"
+                          : "placement.regret=absolute",
+              2);
+    const double equal[] = {1, 1, 1};
+    const optima best = try_all(&m, equal);
+    double least = 2, of_worst = 0, own = 0;
+    const size_t n = m.plan.poses->count;
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t j = 0; j < i; ++j) {
+            double largest = -1;
+            for (size_t c = 0; c < 3; ++c) {
+                const double lack = best.own[c] - see(&m, c, i, j);
+                largest =
+                    fmax(largest, is_relative ? lack / best.own[c] : lack);
+            }
+            least = fmin(least, largest);
+        }
+    }
+    const murk_over_plan *chosen = &m.over.plan[m.over.chosen];
+    const murk_over_plan *worst = &m.over.plan[m.over.chosen - 1];
+    CHECK_TEXT(chosen->made_for, "regret");
+    CHECK_TEXT(worst->made_for, "worst");
+    for (size_t c = 0; c < 3; ++c) {
+        const double unit = is_relative ? best.own[c] : 1;
+        const murk_condition *one = &m.over.conditions->condition[c];
+        CHECK_NEAR(one->best_known, best.own[c], ROUNDING);
+        CHECK(one->best_upper >= one->best_known);
+        own = fmax(own, (best.own[c] - chosen->in_sample[c].value) / unit);
+        of_worst =
+            fmax(of_worst, (best.own[c] - worst->in_sample[c].value) / unit);
+    }
+    CHECK_NEAR(own, least, ROUNDING);
+    CHECK_NEAR(m.over.regret, least, ROUNDING);
+    CHECK(m.plan.place.proven_optimal);
+    CHECK_NEAR(m.over.regret_lower, least, ROUNDING);
+    CHECK(m.over.regret_upper >= m.over.regret);
+    CHECK_NEAR(m.over.regret_upper, least, ROUNDING); /* all are proven */
+    CHECK(least <= of_worst);
+    printf("largest regret %.4f, of the plan for the worst %.4f\n", least,
+           of_worst);
+    /* coverage is that of the condition where the regret is largest */
+    size_t at;
+    const murk_estimate seen =
+        murk_over_estimate(m.over.conditions, chosen->in_sample,
+                           MURK_SCENE_OVER_REGRET, false, &at);
+    CHECK(m.plan.in_sample.total.value == seen.value);
+    CHECK_NEAR((best.own[at] - seen.value) / (is_relative ? best.own[at] : 1),
+               least, ROUNDING);
+    CHECK(m.plan.place.ceiling >= m.plan.place.upper);
+    /* and held out it is of the same condition */
+    CHECK(m.plan.held_out.value == chosen->held_out[at].value);
+    unmake(&m);
+}
+
 /* One condition that changes nothing is the scene as it stands: to the bit,
  * held-out light and all. */
 static void test_one_condition_is_the_plain_plan(void)
@@ -265,6 +325,11 @@ static void test_unknown_environment(void)
 static void test_refusals(void)
 {
     made m;
+    make(&m, SCENE THREE "placement: {over: regret}\n", "sensors.target=.5", 1);
+    CHECK(m.status == MURK_BAD_VALUE);
+    CHECK_MENTIONS(m.err.text,
+                   "over: regret compares plans of as many sensors");
+    unmake(&m);
     make(&m, SCENE "conditions: {a: {}, b: {photons.maps: none}}\n",
          "placement.over=mean", 1);
     CHECK(m.status == MURK_BAD_VALUE);
@@ -284,6 +349,8 @@ static void test_refusals(void)
 int main(void)
 {
     test_mean_and_worst_are_the_best_of_all();
+    test_regret_is_the_least_of_all(false);
+    test_regret_is_the_least_of_all(true);
     test_one_condition_is_the_plain_plan();
     test_light_alike_is_shared();
     test_candidates_are_usable_in_all();
