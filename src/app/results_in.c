@@ -1,4 +1,3 @@
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "app/results_in.h"
 
 #include "app/version.h"

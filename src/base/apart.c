@@ -1,5 +1,6 @@
 #include "base/apart.h"
 
+#include "base/c_locale.h"
 #include "base/pipe.h"
 #include "base/progress.h"
 
@@ -42,6 +43,7 @@ murk_status murk_apart_send(murk_apart *apart, const void *bytes, size_t size,
 static _Noreturn void be_apart(int fd, pid_t parent, murk_apart_work work,
                                void *context)
 {
+    (void)murk_c_locale_enter();
     signal(SIGINT, SIG_IGN); /* the parent decides, and kills */
     signal(SIGTERM, SIG_DFL);
 #ifdef __linux__

@@ -1,5 +1,6 @@
 #include "base/child.h"
 
+#include "base/c_locale.h"
 #include "base/pipe.h"
 #include "base/progress.h"
 
@@ -89,6 +90,7 @@ static _Noreturn void be_child(int fd, murk_child_work work, void *context,
         dup2(sink, STDOUT_FILENO);
         dup2(sink, STDERR_FILENO);
     }
+    (void)murk_c_locale_enter();
     signal(SIGINT, SIG_IGN); /* the parent decides, and kills */
     signal(SIGPIPE, SIG_DFL);
     set_limit(RLIMIT_CORE, 0);

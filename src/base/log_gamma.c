@@ -1,4 +1,3 @@
-#define _DEFAULT_SOURCE /* lgamma_r */
 #include "base/log_gamma.h"
 
 #include <assert.h>

@@ -13,6 +13,7 @@
  * that steps that were shortened on the way do not pass for an end either. */
 #include "fit/least_squares.h"
 
+#include "base/c_locale.h"
 #include "fit/ceres_bridge.h"
 
 #include <assert.h>
@@ -262,8 +263,10 @@ static murk_status search_on(murk_least_squares_found *found, search *s,
         s->is_refused = false;
         memcpy(x, s->best.x, run.n * sizeof *x);
         murk_ceres_found of_pass;
+        void *locale = murk_c_locale_enter(); /* Ceres prints numbers, too */
         const murk_status status =
             murk_ceres_minimise(&of_pass, x, s->is_held, &run, err);
+        murk_c_locale_leave(locale);
         if (status) {
             return status;
         }

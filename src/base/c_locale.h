@@ -1,0 +1,40 @@
+/* Numbers are read and printed with a decimal point, whatever locale the host
+ * program has set, and that locale stays as it is.
+ *
+ * The build includes this file first in every C file of src/ (CMakeLists.txt),
+ * so that no call can be forgotten: each of the functions below runs its
+ * namesake of the C library with this thread's locale set to "C" for the length
+ * of the call. One switch at the library's entries would not do: threads begin
+ * with the host's locale, and every murk_ function is an entry. */
+#ifndef MURK_BASE_C_LOCALE_H
+#define MURK_BASE_C_LOCALE_H
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+double murk_c_strtod(const char *text, char **end);
+int murk_c_printf(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
+int murk_c_fprintf(FILE *to, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+int murk_c_snprintf(char *out, size_t size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+int murk_c_vsnprintf(char *out, size_t size, const char *format, va_list args)
+    __attribute__((format(printf, 3, 0)));
+
+/* Makes "C" the locale of the calling thread, around calls of other libraries;
+ * leave() with what enter() gave. Child processes, where parsers of other
+ * libraries run, stay in it. */
+void *murk_c_locale_enter(void);
+void murk_c_locale_leave(void *before);
+
+#ifndef MURK_C_LOCALE_ITSELF /* base/c_locale.c needs the namesakes */
+#define strtod(...)    murk_c_strtod(__VA_ARGS__)
+#define printf(...)    murk_c_printf(__VA_ARGS__)
+#define fprintf(...)   murk_c_fprintf(__VA_ARGS__)
+#define snprintf(...)  murk_c_snprintf(__VA_ARGS__)
+#define vsnprintf(...) murk_c_vsnprintf(__VA_ARGS__)
+#endif
+
+#endif
