@@ -8,7 +8,7 @@ const murk_package murk_packages[] = {
     {"xxhash", MURK_BUILD_XXHASH}, {"libmd", MURK_BUILD_MD},
     {"cjson", MURK_BUILD_CJSON},   {"libnova", MURK_BUILD_NOVA},
     {"ceres", MURK_BUILD_CERES},   {"openexr", MURK_BUILD_OPENEXR},
-    {"libpng", MURK_BUILD_PNG},
+    {"libpng", MURK_BUILD_PNG},    {"libseccomp", MURK_BUILD_SECCOMP},
 };
 const size_t murk_packages_count = sizeof murk_packages / sizeof *murk_packages;
 

@@ -1,12 +1,15 @@
 #include "base/child.h"
 
 #include "base/c_locale.h"
+#include "base/confine.h"
+#include "base/log.h"
 #include "base/pipe.h"
 #include "base/progress.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,9 +29,13 @@
 #define MEGABYTE     UINT64_C(1000000)
 #define LEAST_MEMORY (2000 * MEGABYTE)
 
-/* What travels through the pipe, in order: chunks, then the end with the
- * child's status and error. */
-typedef enum kind { CHUNK = 0x6d75726b, END = 0x656e6421 } kind;
+/* What travels through the pipe, in order: FREE or nothing, chunks, then the
+ * end with the child's status and error. */
+typedef enum kind {
+    CHUNK = 0x6d75726b,
+    FREE = 0x66726565, /* first, where the kernel cannot confine the child */
+    END = 0x656e6421
+} kind;
 
 typedef struct head {
     uint32_t kind, status;
@@ -98,6 +105,11 @@ static _Noreturn void be_child(int fd, murk_child_work work, void *context,
 #ifndef UNDER_SANITIZER
     set_limit(RLIMIT_AS, address_space_now() + limits->memory_bytes);
 #endif
+    const head free_head = {FREE, MURK_OK, 0};
+    if (!murk_confine(fd) &&
+        !murk_pipe_write(fd, &free_head, sizeof free_head)) {
+        _exit(1);
+    }
     murk_child child = {fd};
     murk_error err = {0};
     const murk_status status = work(&child, context, &err);
@@ -139,6 +151,17 @@ static verdict make_room(inbox *in, uint64_t more, uint64_t most)
     return RECEIVED;
 }
 
+/* Once in a program: the kernel is the same for all files. */
+static void say_unconfined(void)
+{
+    static atomic_flag is_said = ATOMIC_FLAG_INIT;
+    if (!atomic_flag_test_and_set(&is_said)) {
+        murk_note("", "this kernel has no seccomp filter: the readers of mesh "
+                      "and OpenVDB files have limits on memory and time, but "
+                      "are not kept from the network and other files");
+    }
+}
+
 static verdict receive(int fd, inbox *in, const murk_child_limits *limits,
                        murk_error *err)
 {
@@ -151,6 +174,10 @@ static verdict receive(int fd, inbox *in, const murk_child_limits *limits,
         }
         if (h.kind == END && h.size == sizeof *err) {
             return (verdict)murk_pipe_read(fd, err, sizeof *err, deadline_s);
+        }
+        if (h.kind == FREE) {
+            say_unconfined();
+            continue;
         }
         if (h.kind != CHUNK) {
             return CUT_SHORT;

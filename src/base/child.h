@@ -1,6 +1,7 @@
 /* Untrusted files are parsed in a child process with limits on memory and
- * processor time, and handed over as plain bytes: whatever a broken file does
- * to the parser, the parent sees bytes or a clear error.
+ * processor time, confined to reading (base/confine.h; where the kernel cannot,
+ * a note says so once), and handed over as plain bytes: whatever a broken file
+ * does to the parser, the parent sees bytes or a clear error.
  *
  * Call it before any thread or ray device exists (fork). */
 #ifndef MURK_BASE_CHILD_H

@@ -323,8 +323,15 @@ static void one_line(char *text)
 murk_status murk_import_work(murk_child *child, void *context, murk_error *err)
 {
     const murk_import_order *order = context;
-    murk_import_source source = murk_import_source_of(order->path);
+    murk_import_source source;
+    murk_import_source_of(&source, order->path, order->import.allow);
     const struct aiScene *scene = read_scene(order, &source);
+    if (source.reach.refused[0]) { /* also where the mesh could do without it */
+        return murk_fail(err, MURK_BAD_FILE, order->where,
+                         "%s names %s, which is outside its folder: "
+                         "geometry.*.allow: DIR lets meshes open files in DIR",
+                         order->path, source.reach.refused);
+    }
     if (!scene || !scene->mRootNode) {
         char why[256];
         snprintf(why, sizeof why, "%s", aiGetErrorString());

@@ -4,6 +4,7 @@
 #include "geometry/import_shift.h"
 
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -93,18 +94,71 @@ static FILE *open_regular(const char *path)
     return stream;
 }
 
+/* Both without links; an empty folder holds nothing. */
+static bool is_in(const char *path, const char *folder)
+{
+    const size_t n = strlen(folder);
+    const bool is_root = strcmp(folder, "/") == 0;
+    return n > 0 && strncmp(path, folder, n) == 0 &&
+           (is_root || path[n] == '/');
+}
+
+static bool may_open(murk_import_reach *reach, const char *real)
+{
+    if (strcmp(real, reach->mesh) == 0 || is_in(real, reach->folder) ||
+        is_in(real, reach->allowed)) {
+        return true;
+    }
+    if (!reach->refused[0]) {
+        memcpy(reach->refused, real, strlen(real) + 1);
+    }
+    return false;
+}
+
+static void reach_of(murk_import_reach *out, const char *mesh,
+                     const char *allow)
+{
+    *out = (murk_import_reach){0};
+    char folder[PATH_MAX];
+    const char *slash = strrchr(mesh, '/');
+    const size_t n = slash ? (size_t)(slash - mesh) : 0;
+    if (n >= sizeof folder) {
+        return;
+    }
+    /* the folder in which the user named the mesh, which may be a link */
+    memcpy(folder, mesh, n);
+    folder[n] = '\0';
+    if (!realpath(n > 0 ? folder : slash ? "/" : ".", out->folder)) {
+        out->folder[0] = '\0';
+    }
+    if (!realpath(mesh, out->mesh)) {
+        out->mesh[0] = '\0';
+    }
+    if (allow && !realpath(allow, out->allowed)) {
+        out->allowed[0] = '\0';
+    }
+}
+
+/* Of what a mesh names: NULL where it is not there or not allowed. */
+static FILE *open_named(murk_import_reach *reach, const char *path)
+{
+    char real[PATH_MAX];
+    return realpath(path, real) && may_open(reach, real) ? open_regular(real)
+                                                         : NULL;
+}
+
 static struct aiFile *file_open(struct aiFileIO *io, const char *path,
                                 const char *mode)
 {
     (void)mode;
-    const murk_import_source *own = (const void *)io->UserData;
+    murk_import_source *own = (void *)io->UserData;
     const bool is_own = own->bytes && strcmp(path, own->path) == 0;
     source *from = calloc(1, sizeof *from);
     if (!from) {
         return NULL;
     }
-    from->stream =
-        is_own ? fmemopen(own->bytes, own->size, "rb") : open_regular(path);
+    from->stream = is_own ? fmemopen(own->bytes, own->size, "rb")
+                          : open_named(&own->reach, path);
     from->size = is_own ? own->size : 0;
     if (!from->stream) {
         free(from);
@@ -147,17 +201,20 @@ static char *read_whole(const char *path, size_t *size)
     return bytes;
 }
 
-murk_import_source murk_import_source_of(const char *path)
+void murk_import_source_of(murk_import_source *out, const char *path,
+                           const char *allow)
 {
-    murk_import_source own = {.path = path};
+    *out = (murk_import_source){.path = path};
+    reach_of(&out->reach, path, allow);
     size_t size = 0;
     char *bytes = murk_import_may_shift(path) ? read_whole(path, &size) : NULL;
-    if (bytes && !murk_import_shift(path, bytes, size, &own.bytes, &own.size,
-                                    own.shift)) {
-        own = (murk_import_source){.path = path};
+    if (bytes && !murk_import_shift(path, bytes, size, &out->bytes, &out->size,
+                                    out->shift)) {
+        out->bytes = NULL;
+        out->size = 0;
+        memset(out->shift, 0, sizeof out->shift);
     }
     free(bytes);
-    return own;
 }
 
 struct aiFileIO murk_import_files(murk_import_source *own)

@@ -44,6 +44,13 @@ static murk_status check_import(const murk_mesh_import *import,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "up is %c, must be x, y or z", import->up);
     }
+    struct stat is;
+    if (import->allow &&
+        !(stat(import->allow, &is) == 0 && S_ISDIR(is.st_mode))) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "allow: %s is no folder that can be looked into",
+                         import->allow);
+    }
     return MURK_OK;
 }
 

@@ -36,6 +36,9 @@ typedef struct murk_mesh_import {
     /* 'x', 'y', 'z': the file's up axis; 0: what the file or its format says
      * (Collada, glTF, FBX, IFC, 3DS, ASE, DXF, X3D), else z. */
     char up;
+    /* A folder in which the mesh may name other files (glTF's buffers, OBJ's
+     * mtllib), beside its own; NULL: its own alone. */
+    const char *allow;
 } murk_mesh_import;
 
 /* *out is the caller's: murk_mesh_destroy(). Fails with MURK_BAD_FILE (missing,

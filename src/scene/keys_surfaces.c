@@ -82,6 +82,8 @@ static const murk_key GEOMETRY_ROWS[] = {
     ROW("sphere", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_SPHERE),
     ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SCENE_FILE),
         AT(murk_scene_geometry, unit_m)),
+    ROW("allow", PATH, .variants = BIT(MURK_SCENE_FILE),
+        AT(murk_scene_geometry, allow)),
     ROW("up", WORD, .variants = BIT(MURK_SCENE_FILE), .words = murk_up_words,
         AT(murk_scene_geometry, up)),
     ROW("scale", NUMBER, .above = true, .most = 1e9, .preset = "1",

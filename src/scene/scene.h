@@ -36,6 +36,7 @@ typedef struct murk_scene_geometry {
     murk_scene_where where;
     murk_scene_shape shape;
     char *file;    /* as it is to be opened; NULL for the other shapes */
+    char *allow;   /* folder where `file` may open others; NULL: its own */
     double unit_m; /* 0: what the file says */
     char up;       /* 'x' 'y' 'z'; 0: what the file says */
     murk_box box;

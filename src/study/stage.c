@@ -76,13 +76,12 @@ static murk_status check_step(const murk_scene *scene, const murk_mesh *mesh,
 }
 
 static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
-                               const char *file, double unit_m, char up,
+                               const char *file, const murk_mesh_import *import,
                                double scale, const char *where, murk_error *err)
 {
-    const murk_mesh_import import = {.unit_m = unit_m, .up = up};
     murk_status status = sign_file(stage, file, where, err);
     if (!status) {
-        status = murk_mesh_read(out, file, &import, where, err);
+        status = murk_mesh_read(out, file, import, where, err);
     }
     return status ? status
                   : check_step(stage->scene, *out, file, scale, where, err);
@@ -96,15 +95,18 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     for (size_t i = 0; i < scene->geometries && !status; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
         if (g->shape == MURK_SCENE_FILE) {
-            status = import_mesh(stage, &stage->mesh[i], g->file, g->unit_m,
-                                 g->up, g->scale, g->where, err);
+            const murk_mesh_import import = {
+                .unit_m = g->unit_m, .up = g->up, .allow = g->allow};
+            status = import_mesh(stage, &stage->mesh[i], g->file, &import,
+                                 g->scale, g->where, err);
         }
     }
     for (size_t i = 0; i < scene->n_regions && !status; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (r->shape == MURK_SCENE_IN_MESH) {
+            const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
             status = import_mesh(stage, &stage->region_mesh[i], r->mesh,
-                                 r->unit_m, r->up, r->scale, r->where, err);
+                                 &import, r->scale, r->where, err);
         }
     }
     for (size_t i = 0; i < scene->n_media && !status; ++i) {

@@ -12,7 +12,7 @@
 
 static murk_mesh *read_mesh(const char *path, double unit_m, char up)
 {
-    const murk_mesh_import import = {unit_m, up};
+    const murk_mesh_import import = {.unit_m = unit_m, .up = up};
     murk_mesh *m = NULL;
     murk_error err = {0};
     murk_mesh_read(&m, path, &import, path, &err);

@@ -1,10 +1,15 @@
 /* A child's death, greed or silence becomes one clear error, and nothing
  * else. */
 #include "base/child.h"
+#include "base/log.h"
 #include "check.h"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static murk_status sends(murk_child *child, void *context, murk_error *err)
@@ -65,6 +70,13 @@ static murk_status floods(murk_child *child, void *context, murk_error *err)
     return MURK_OK;
 }
 
+#define ATTEMPTS 14
+
+typedef struct attempt_context {
+    char fresh[64], there[64];
+    int fd;
+} attempt_context;
+
 static murk_error run(murk_child_work work, void *context,
                       const murk_child_limits *limits, unsigned char **bytes,
                       size_t *size)
@@ -76,6 +88,85 @@ static murk_error run(murk_child_work work, void *context,
         murk_child_run(bytes, size, work, context, limits, "a.vdb", &err);
     CHECK(status == err.status);
     return err;
+}
+
+/* What a hostile file could try through its reader. Each attempt sends one
+ * letter: 'y' when it succeeded. */
+static murk_status tries(murk_child *child, void *context, murk_error *err)
+{
+    const attempt_context *c = context;
+    (void)err;
+    char *const arguments[] = {"true", NULL};
+    char done[ATTEMPTS + 1];
+    memset(done, 'n', ATTEMPTS);
+    done[ATTEMPTS] = '\0';
+    done[0] = open(c->fresh, O_WRONLY | O_CREAT, 0600) >= 0 ? 'y' : 'n';
+    done[1] = open(c->there, O_RDWR) >= 0 ? 'y' : 'n';
+    done[2] = unlink(c->there) == 0 ? 'y' : 'n';
+    done[3] = rename(c->there, c->fresh) == 0 ? 'y' : 'n';
+    done[4] = mkdir(c->fresh, 0700) == 0 ? 'y' : 'n';
+    done[5] = symlink(c->there, c->fresh) == 0 ? 'y' : 'n';
+    done[6] = socket(AF_INET, SOCK_STREAM, 0) >= 0 ? 'y' : 'n';
+    done[7] = write(c->fd, "x", 1) == 1 ? 'y' : 'n'; /* the parent's file */
+    done[8] = kill(getppid(), 0) == 0 ? 'y' : 'n';
+    const pid_t pid = fork();
+    if (pid == 0) {
+        _exit(0);
+    }
+    done[9] = pid > 0 ? 'y' : 'n';
+    done[10] = truncate(c->there, 0) == 0 ? 'y' : 'n';
+    done[11] = chmod(c->there, 0) == 0 ? 'y' : 'n';
+    /* and what a parser needs */
+    const int fd = open(c->there, O_RDONLY | O_CLOEXEC);
+    char byte = 0;
+    done[12] = fd >= 0 && read(fd, &byte, 1) == 1 && byte == 'a' ? 'Y' : 'N';
+    void *much = malloc(50000000);
+    done[13] = much ? 'Y' : 'N';
+    free(much);
+    const murk_status status = murk_child_send(child, done, sizeof done);
+    execv("/bin/true", arguments); /* success: the end below is not sent */
+    return status;
+}
+
+static int notes;
+
+static void count_note(const char *where, const char *text)
+{
+    (void)where;
+    notes += strstr(text, "seccomp") != NULL;
+}
+
+/* Fails without the filter: each attempt then succeeds. A kernel without it is
+ * told of, and the attempts are not judged. */
+static void test_hostile_readers_are_confined(const murk_child_limits *limits)
+{
+    char folder[] = "/tmp/murk_child_XXXXXX";
+    CHECK(mkdtemp(folder) != NULL);
+    attempt_context c = {0};
+    snprintf(c.fresh, sizeof c.fresh, "%s/fresh", folder);
+    snprintf(c.there, sizeof c.there, "%s/there", folder);
+    c.fd = open(c.there, O_RDWR | O_CREAT, 0600);
+    CHECK(c.fd >= 0 && write(c.fd, "abc", 3) == 3);
+    unsigned char *bytes;
+    size_t size;
+    murk_warn_to(count_note);
+    const murk_error err = run(tries, &c, limits, &bytes, &size);
+    murk_warn_to(murk_warn_to_stderr);
+    if (notes > 0) {
+        printf("this kernel confines nothing: not judged\n");
+    } else {
+        CHECK(err.status == MURK_OK);
+        CHECK(bytes && size == ATTEMPTS + 1);
+        CHECK_TEXT(bytes ? (const char *)bytes : "", "nnnnnnnnnnnnYY");
+        struct stat is;
+        CHECK(stat(c.there, &is) == 0 && is.st_size == 3);
+        CHECK(stat(c.fresh, &is) != 0);
+    }
+    free(bytes);
+    close(c.fd);
+    unlink(c.there);
+    unlink(c.fresh);
+    rmdir(folder);
 }
 
 int main(void)
@@ -116,5 +207,7 @@ int main(void)
     err = run(floods, NULL, &limits, &bytes, &size);
     CHECK(err.status == MURK_BAD_FILE && !bytes);
     CHECK_MENTIONS(err.text, "holds more than");
+
+    test_hostile_readers_are_confined(&limits);
     return check_done();
 }

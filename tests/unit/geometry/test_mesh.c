@@ -26,7 +26,7 @@ static const char *written(const char *name, const char *text)
 static murk_mesh *read_mesh(const char *file, double unit_m, char up,
                             murk_error *err)
 {
-    const murk_mesh_import import = {unit_m, up};
+    const murk_mesh_import import = {.unit_m = unit_m, .up = up};
     murk_mesh *m = NULL;
     *err = (murk_error){0};
     murk_mesh_read(&m, file, &import, "scene.yaml:3:5", err);
@@ -199,6 +199,84 @@ static void test_materials_are_found_by_name(void)
     murk_mesh_destroy(m);
 }
 
+/* One triangle that names `named`: an OBJ its materials, a glTF its buffer. */
+static const char *naming(const char *name, const char *named)
+{
+    static const char gltf[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{"
+        "\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"
+        "\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+        "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"buffers\":[{\"uri\":\"%s\",\"byteLength\":36}]}";
+    char text[1000];
+    if (strstr(name, ".gltf")) {
+        snprintf(text, sizeof text, gltf, named);
+    } else {
+        snprintf(text, sizeof text,
+                 "mtllib %s\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+                 named);
+    }
+    return written(name, text);
+}
+
+static void check_reach(const char *file, const char *allow, bool is_read)
+{
+    const murk_mesh_import import = {.allow = allow};
+    murk_mesh *m = NULL;
+    murk_error err = {0};
+    murk_mesh_read(&m, file, &import, "scene.yaml:3:5", &err);
+    if ((m != NULL) != is_read) {
+        printf("%s, allow %s: %s\n", file, allow ? allow : "-", err.text);
+    }
+    CHECK((m != NULL) == is_read);
+    if (!is_read) {
+        CHECK_MENTIONS(err.text, "outside its folder");
+        CHECK_MENTIONS(err.text, "geometry.*.allow");
+    }
+    murk_mesh_destroy(m);
+}
+
+/* Files outside the mesh's folder are opened only where that is allowed, by
+ * whatever path or link they are named. */
+static void test_files_that_a_mesh_names(void)
+{
+    static const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const char *const kinds[] = {"obj", "gltf"};
+    char inner[80], outside[100], link[120], name[40];
+    snprintf(inner, sizeof inner, "%s/inner", folder);
+    snprintf(outside, sizeof outside, "%s/outside.bin", folder);
+    snprintf(link, sizeof link, "%s/link.bin", inner);
+    CHECK(mkdir(inner, 0700) == 0);
+    const char *const places[] = {outside, inner};
+    for (int i = 0; i < 2; ++i) {
+        char file[120];
+        snprintf(file, sizeof file, i ? "%s/own.bin" : "%s", places[i]);
+        FILE *f = fopen(file, "wb");
+        CHECK(f && fwrite(triangle, 1, sizeof triangle, f) == sizeof triangle);
+        if (f) {
+            fclose(f);
+        }
+    }
+    CHECK(symlink(outside, link) == 0);
+    for (int k = 0; k < 2; ++k) {
+        snprintf(name, sizeof name, "inner/m.%s", kinds[k]);
+        check_reach(naming(name, "own.bin"), NULL, true);
+        check_reach(naming(name, "../outside.bin"), NULL, false);
+        check_reach(naming(name, "link.bin"), NULL, false);
+        check_reach(naming(name, "link.bin"), folder, true);
+        check_reach(naming(name, "../outside.bin"), folder, true);
+        check_reach(naming(name, "../outside.bin"), "/usr", false);
+    }
+    murk_mesh *m = NULL;
+    murk_error err = {0};
+    const murk_mesh_import nowhere = {.allow = "/nowhere/at/all"};
+    CHECK(murk_mesh_read(&m, naming("inner/m.obj", "own.bin"), &nowhere, "s",
+                         &err) == MURK_BAD_VALUE);
+    CHECK_MENTIONS(err.text, "allow: /nowhere/at/all is no folder");
+}
+
 int main(void)
 {
     if (!mkdtemp(folder)) {
@@ -209,6 +287,7 @@ int main(void)
     test_collada_unit_and_up_axis();
     test_what_is_no_mesh_is_refused();
     test_materials_are_found_by_name();
+    test_files_that_a_mesh_names();
     char clean[80];
     snprintf(clean, sizeof clean, "rm -r %s", folder);
     CHECK(system(clean) == 0);
