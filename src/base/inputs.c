@@ -5,7 +5,6 @@
  * are claimed by compare-and-swap and never freed, so no lock is needed, and a
  * process that is killed cannot leave one behind. Two files with one hash
  * would at worst make a run refuse to write: chance 2^-64 a pair. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "base/inputs.h"
 
 #include <stdatomic.h>

@@ -6,7 +6,6 @@
  *
  * Where the file system has no locks (some network ones), nothing is held and
  * nothing is removed. */
-#define _DEFAULT_SOURCE /* flock, mkdtemp */
 #include "base/staging.h"
 
 #include "base/file.h"
