@@ -144,8 +144,11 @@ static bool grow(murk_results *results)
 {
     murk_result *grown =
         realloc(results->file, (results->n + 1) * sizeof *grown);
-    results->file = grown ? grown : results->file;
-    return grown != NULL;
+    if (!grown) {
+        return false;
+    }
+    results->file = grown;
+    return true;
 }
 
 /* Takes a place for one more file: path and staged name. */

@@ -70,9 +70,12 @@ static void put(text *t, const char *bytes, size_t n)
     if (t->n + n > t->room) {
         const size_t room = 2 * (t->n + n) + 4096;
         char *grown = realloc(t->bytes, room);
-        t->failed = t->failed || !grown;
-        t->bytes = grown ? grown : t->bytes;
-        t->room = grown ? room : t->room;
+        if (grown) {
+            t->bytes = grown;
+            t->room = room;
+        } else {
+            t->failed = true;
+        }
     }
     if (!t->failed) {
         memcpy(t->bytes + t->n, bytes, n);
