@@ -44,9 +44,17 @@ static murk_status read_scene(murk_scene **out, const murk_options *options,
         return murk_scene_read(out, options->input, options->overrides,
                                options->n_overrides, err);
     }
-    status = murk_light_read_counts(&counts, options->light, err);
-    if (status) {
-        return status;
+    murk_error unread = {0};
+    if (murk_light_read_counts(&counts, options->light, &unread)) {
+        /* placement over conditions takes no file of light, whatever the file
+         * holds, and says so itself */
+        status = murk_scene_read(out, options->input, options->overrides,
+                                 options->n_overrides, err);
+        if (status || (*out)->placement.over != MURK_SCENE_OVER_NONE) {
+            return status;
+        }
+        *err = unread;
+        return unread.status;
     }
     murk_override *all = calloc(options->n_overrides + 2, sizeof *all);
     char seed[32], number[64];
