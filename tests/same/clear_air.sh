@@ -18,8 +18,10 @@ set -- --emit 20000 --set placement.restarts=5 --quiet --format text
     --set media.smoke.extinction_per_m=0 --set media.haze.extinction_per_m=0
 "$murk" place "$dir/without.yaml" "$@" -o "$dir/none"
 "$murk" place scenes/smoke-hall.yaml "$@" -o "$dir/smoke"
+# the plan without what names the run: scene, identity, checksums of its files
 plan() {
-    sed -e '/^  "run": {/,$d' -e '/"scene/d' "$1/plan.json"
+    sed -e '/^  "run": {/,$d' -e '/"scene/d' -e '/^  "identity": /d' \
+        -e '/^  "files": {/,/}/d' "$1/plan.json"
 }
 plan "$dir/zero" >"$dir/a"
 plan "$dir/none" >"$dir/b"
