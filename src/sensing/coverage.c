@@ -35,6 +35,8 @@ typedef struct measure {
     uint64_t *alone, *only; /* [sensors], in weight * clarity */
     bool is_again;          /* each looks once more, for what only it sees */
     uint64_t *seen_by;      /* [sensors + 1]: weight seen by that many */
+    size_t at_least;        /* 0, or: a photon that so many sensors see counts
+                               whole, any other not at all */
 } measure;
 
 /* What one map holds and how much of it is seen, times clarity: in the plan's
@@ -137,22 +139,29 @@ static uint32_t full_of(const measure *m)
     return (uint32_t)m->views.layers * MURK_CLEAR;
 }
 
+/* What is seen of photon i. */
+static uint32_t worth_of(const measure *m, size_t i)
+{
+    return m->at_least == 0                     ? murk_views_worth(&m->views, i)
+           : m->views.sensors[i] >= m->at_least ? full_of(m)
+                                                : 0;
+}
+
 /* The records of a map, the first being photon `first`. Power is summed in the
  * map's order, which does not depend on threads. */
-static share add_up(measure *m, const murk_photon_map *map, size_t first)
+static share add_up(const measure *m, const murk_photon_map *map, size_t first)
 {
     const size_t n = murk_photon_map_count(map);
     share sum = {0};
     for (size_t k = 0; k < n; ++k) {
         const size_t i = first + k;
-        const uint32_t worth = murk_views_worth(&m->views, i);
+        const uint32_t worth = worth_of(m, i);
         const double power_w = murk_sight_power_w(m->sight, i);
         sum.seen_w += power_w * worth;
         sum.whole_w += power_w * full_of(m);
         const uint64_t w = m->weight[i];
         sum.seen += w * worth;
         sum.whole += w * full_of(m);
-        m->seen_by[m->views.sensors[i]] += w;
     }
     return sum;
 }
@@ -171,6 +180,9 @@ static double own_fraction(const share *s)
 static void fill(murk_coverage *out, const measure *m, uint64_t whole)
 {
     uint64_t seen = 0;
+    for (size_t i = 0; i < m->photons; ++i) {
+        m->seen_by[m->views.sensors[i]] += m->weight[i];
+    }
     for (size_t k = m->sensors; k-- > 0;) {
         seen += m->seen_by[k + 1];
         out->seen_by_at_least[k] = ratio(seen * full_of(m), whole);
@@ -237,7 +249,7 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
             const size_t i = (size_t)(key[k] & UINT32_MAX);
             const int p = i >= m->surface_photons;
             const double power_w = murk_sight_power_w(m->sight, i);
-            const double worth = murk_views_worth(&m->views, i);
+            const double worth = worth_of(m, i);
             own[p] += power_w * (worth - c_power[p] * full_of(m));
             if (m->weight[i] > 0) {
                 const double x = (double)m->weight[i] * worth;
@@ -260,6 +272,29 @@ static double error_of(double squares, double whole, double emitted)
     return whole > 0 && emitted > 1
                ? sqrt(emitted / (emitted - 1) * squares) / whole
                : NAN;
+}
+
+/* The share that the sight's at_least sensors see, as seen_by_at_least counts
+ * it, with the error of a coverage that counts so. */
+static void find_at_least(murk_coverage *out, const measure *m,
+                          const uint64_t *sorted)
+{
+    const murk_sight_desc *desc = murk_sight_described(m->sight);
+    out->at_least = (murk_estimate){NAN, NAN};
+    if (desc->at_least == 0) {
+        return;
+    }
+    measure strict = *m;
+    strict.at_least = desc->at_least;
+    const share part[2] = {
+        add_up(&strict, desc->surface_map, 0),
+        add_up(&strict, desc->volume_map, m->surface_photons)};
+    const uint64_t whole = part[0].whole + part[1].whole;
+    out->at_least.value = ratio(part[0].seen + part[1].seen, whole);
+    const residuals sum =
+        square_residuals(&strict, sorted, part, out->at_least.value);
+    out->at_least.standard_error =
+        error_of(sum.total, (double)whole, (double)desc->photons_emitted);
 }
 
 static double seen_of(const void *context, size_t i)
@@ -306,6 +341,7 @@ static murk_status find_errors(murk_coverage *out, const measure *m,
         out->map[p].standard_error =
             error_of(sum.map[p], (double)whole, emitted);
     }
+    find_at_least(out, m, sorted);
     out->map[0].photons = m->surface_photons;
     out->map[1].photons = m->photons - m->surface_photons;
     if (out->region) {

@@ -38,6 +38,14 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
     return MURK_OK;
 }
 
+/* Of a photon, that anything asks for. */
+static unsigned most_views(const murk_sight_desc *desc)
+{
+    const unsigned most =
+        desc->redundancy > desc->at_least ? desc->redundancy : desc->at_least;
+    return most > 1 ? most : 1;
+}
+
 static murk_status check(const murk_sight_desc *desc, murk_error *err)
 {
     for (size_t k = 0; k < desc->types; ++k) {
@@ -224,10 +232,9 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     }
     find_regions(sight);
     const murk_photon_factors factors = {desc->interest, sight->regions};
-    status = murk_photon_weights(sight->weight, desc->surface_map,
-                                 desc->volume_map, &desc->weights, &factors,
-                                 desc->redundancy > 1 ? desc->redundancy : 1,
-                                 desc->where ? desc->where : "", err);
+    status = murk_photon_weights(
+        sight->weight, desc->surface_map, desc->volume_map, &desc->weights,
+        &factors, most_views(desc), desc->where ? desc->where : "", err);
     if (status) {
         goto done;
     }

@@ -67,6 +67,9 @@ typedef struct murk_sight_desc {
     unsigned redundancy;           /* views of a photon that count, 0 or 1: one;
                                       up to MURK_REDUNDANCY_MOST, and one with
                                       independent chances */
+    unsigned at_least;             /* coverage also says what so many sensors
+                                      or more see; 0: does not; up to
+                                      MURK_REDUNDANCY_MOST */
     murk_power_wish power;         /* by what is taken up, with combining
                                       INDEPENDENT: clarity is the chance of
                                       sensing/power.h. Not with a threshold */
@@ -109,8 +112,8 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
  * within a map, rounded; equal powers weigh the
  * same. Rounding moves a weight by half a unit, less than 2^-20 of its map's
  * mean weight up to 2^26 records, unless so few records carry a map's power
- * that theirs meet the end of 32 bits. Their sum, times the redundancy, is
- * below 2^47. */
+ * that theirs meet the end of 32 bits. Their sum, times the redundancy (or
+ * at_least, if more), is below 2^47. */
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
 
@@ -170,6 +173,8 @@ typedef struct murk_coverage {
     double *only_it_covers;   /* [n] total less total without it */
     double *seen_by_at_least; /* [n]: by 1, 2, .., n sensors, of the balanced
                                  weight, seen at all counting whole */
+    murk_estimate at_least;   /* seen_by_at_least of the sight's at_least,
+                                 with its error; NaN without */
     murk_region_coverage *region; /* [interest->n]; NULL without */
 } murk_coverage;
 
