@@ -25,7 +25,7 @@ static void add_candidates(cJSON *root, const murk_plan *plan)
                             (double)plan->place.after_presolve);
 }
 
-static void add_coverage(cJSON *root, const murk_plan *plan)
+static void add_coverage(cJSON *root, const murk_plan *plan, bool is_strict)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "coverage");
     murk_json_number(object, "in_sample", plan->in_sample.total.value);
@@ -41,9 +41,30 @@ static void add_coverage(cJSON *root, const murk_plan *plan)
     murk_json_number(object, "volume", plan->in_sample.volume.value);
     murk_json_number(object, "volume_standard_error",
                      plan->in_sample.volume.standard_error);
-    murk_json_number(object, "ceiling",
-                     murk_share(plan->place.ceiling, plan->place.whole));
+    murk_json_number(
+        object, "ceiling",
+        is_strict ? NAN : murk_share(plan->place.ceiling, plan->place.whole));
     murk_json_number(object, "sum_of_views", plan->in_sample.sum_of_views);
+}
+
+/* The strict question: asked, reached, and whether fewer cannot do. */
+static void add_strict(cJSON *target, const murk_plan *plan,
+                       const murk_scene *scene)
+{
+    const size_t at_least = murk_plan_at_least(scene);
+    if (at_least > 0) {
+        cJSON_AddNumberToObject(target, "at_least", (double)at_least);
+        murk_json_number(target, "reached",
+                         plan->is_dark ? NAN : plan->in_sample.at_least.value);
+        murk_json_number(
+            target, "reached_standard_error",
+            plan->is_dark ? NAN : plan->in_sample.at_least.standard_error);
+        murk_json_number(target, "ceiling",
+                         murk_share(plan->place.ceiling, plan->place.whole));
+        cJSON_AddBoolToObject(target, "proven_fewest",
+                              !plan->is_dark &&
+                                  plan->place.count <= plan->place.fewest);
+    }
 }
 
 static void add_target(cJSON *root, const murk_plan *plan,
@@ -54,6 +75,7 @@ static void add_target(cJSON *root, const murk_plan *plan,
         murk_json_number(object, "asked", scene->sensors.target);
         murk_json_number(object, "fewest_possible",
                          plan->is_dark ? NAN : (double)plan->place.fewest);
+        add_strict(object, plan, scene);
         murk_json_number(object, "confirmed", plan->confirmed.value);
         murk_json_number(object, "confirmed_standard_error",
                          plan->confirmed.standard_error);
@@ -133,7 +155,7 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
     add_candidates(root, plan);
     murk_json_sensors(root, session->scene, plan->sensor, plan->place.count,
                       &plan->in_sample);
-    add_coverage(root, plan);
+    add_coverage(root, plan, murk_plan_at_least(session->scene) > 0);
     murk_json_weights(root, session->scene, &plan->in_sample);
     murk_json_seen(root, &plan->in_sample, plan->place.count);
     murk_json_regions(root, session->scene, plan->in_sample.region,
@@ -173,8 +195,12 @@ static murk_status print_plan(const murk_session *session,
     } else {
         murk_print("coverage    %.4f in sample (", plan->in_sample.total.value);
         murk_print_maps(&plan->in_sample);
-        murk_print("); all candidates: %.4f\n",
-                   murk_share(place->ceiling, place->whole));
+        murk_print(")");
+        if (murk_plan_at_least(session->scene) == 0) {
+            murk_print("; all candidates: %.4f",
+                       murk_share(place->ceiling, place->whole));
+        }
+        murk_print("\n");
         murk_print_weights(session->scene, &plan->in_sample);
     }
     if (plan->has_held_out) {
@@ -187,8 +213,18 @@ static murk_status print_plan(const murk_session *session,
         murk_print("\n");
     }
     if (session->scene->sensors.target > 0 && !plan->is_dark) {
-        murk_print("target      %.4f takes %zu sensors, and no fewer than %zu",
-                   session->scene->sensors.target, place->count, place->fewest);
+        const size_t at_least = murk_plan_at_least(session->scene);
+        murk_print("target      %.4f ", session->scene->sensors.target);
+        if (at_least > 0) {
+            murk_print("seen by %zu or more ", at_least);
+        }
+        murk_print("takes %zu sensors, and no fewer than %zu", place->count,
+                   place->fewest);
+        if (at_least > 0) {
+            murk_print("; %.4f in sample, of all candidates %.4f",
+                       plan->in_sample.at_least.value,
+                       murk_share(place->ceiling, place->whole));
+        }
         if (isfinite(plan->confirmed.value)) {
             murk_print("; on a third map ");
             murk_print_estimate(plan->confirmed);
@@ -207,8 +243,12 @@ static murk_status print_plan(const murk_session *session,
         if (session->scene->placement.over == MURK_SCENE_OVER_REGRET) {
             murk_over_print_bound(over, murk_sample_of(session->scene));
         } else {
-            murk_print_bound(place, session->scene->sensors.budget > 0,
-                             murk_sample_of(session->scene));
+            const size_t at_least = murk_plan_at_least(session->scene);
+            char sample[80];
+            snprintf(sample, sizeof sample,
+                     at_least ? "%s by %zu or more" : "%s",
+                     murk_sample_of(session->scene), at_least);
+            murk_print_bound(place, session->scene->sensors.budget > 0, sample);
         }
         murk_print_explore(plan, session->results.folder);
     }
@@ -302,6 +342,12 @@ static murk_status check_repeat(const murk_session *session, murk_error *err)
                          "%llu seeds from %lu on, must end at 4294967295 at "
                          "most",
                          (unsigned long long)runs, (unsigned long)scene->seed);
+    }
+    if ((runs > 0 || session->options->exports & MURK_EXPORT_LP) &&
+        murk_plan_at_least(scene) > 0) {
+        return murk_fail(err, MURK_BAD_VALUE, scene->placement.where,
+                         "at_least is given, which is not supported with %s",
+                         runs > 0 ? "--repeat" : "--export lp");
     }
     const bool is_over = scene->placement.over != MURK_SCENE_OVER_NONE;
     for (size_t c = 0; runs > 0 && is_over && c < scene->n_conditions; ++c) {

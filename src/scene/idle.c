@@ -67,6 +67,11 @@ static bool has_regret(const murk_scene *s)
     return s->placement.over == MURK_SCENE_OVER_REGRET;
 }
 
+static bool has_target(const murk_scene *s)
+{
+    return s->sensors.target > 0;
+}
+
 static bool has_budget(const murk_scene *s)
 {
     return s->sensors.budget > 0;
@@ -109,6 +114,7 @@ const murk_idle_rule murk_idle_rules[] = {
     {"placement.restarts", restarts, WITHOUT "method: best"},
     {"placement.nodes", branches,
      WITHOUT "method: best or exact, and knowledge: known"},
+    {"placement.at_least", has_target, WITHOUT "sensors.target"},
     {"placement.elsewhere", has_interest, WITHOUT "interest"},
     {"placement.jitter_draws", has_jitter, WITHOUT "jitter_m or jitter_deg"},
     {"placement.condition_weights", has_over, WITHOUT "over: mean or worst"},

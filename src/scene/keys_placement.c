@@ -110,6 +110,8 @@ static const murk_key PLACEMENT_ROWS[] = {
         AT(murk_scene, placement.restarts)),
     ROW("redundancy", COUNT, .least = 1, .most = 16, .preset = "1",
         AT(murk_scene, placement.redundancy)),
+    ROW("at_least", COUNT, .least = 1, .most = 16,
+        AT(murk_scene, placement.at_least)),
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
         .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
     ROW("interest", LIST, .keys = &murk_interest_keys, .preset = "[]"),
@@ -135,6 +137,25 @@ static const murk_key PLACEMENT_ROWS[] = {
     END,
 };
 
+/* The strict question is asked of sets of photons that are all known, and of
+ * one light. */
+static murk_status check_at_least(murk_walk *walk, const murk_yaml *map,
+                                  const murk_scene_placement *placement)
+{
+    const bool by_chance = placement->detection == MURK_SCENE_INDEPENDENT ||
+                           placement->detection == MURK_SCENE_POWER;
+    const char *cause =
+        by_chance ? "detection: weighted or threshold"
+        : placement->method == MURK_SCENE_SPOQ ? "method: best, greedy or exact"
+        : placement->knowledge != MURK_SCENE_KNOWN ? "knowledge: known"
+        : placement->over != MURK_SCENE_OVER_NONE  ? "over: null"
+                                                   : NULL;
+    return placement->at_least > 0 && cause
+               ? murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                                "at_least is given, which needs %s", cause)
+               : MURK_OK;
+}
+
 /* Once the regions of interest are read. */
 static murk_status check_placement(murk_walk *walk, const murk_yaml *map,
                                    void *item)
@@ -158,7 +179,7 @@ static murk_status check_placement(murk_walk *walk, const murk_yaml *map,
                               (unsigned long long)placement->redundancy,
                               by_power ? "power" : "independent");
     }
-    return MURK_OK;
+    return check_at_least(walk, map, placement);
 }
 
 const murk_keys murk_placement_keys = {

@@ -458,6 +458,8 @@ typedef struct murk_scene_placement {
     double power_radius_m;     /* for detection: power; 0: not given */
     uint64_t power_neighbours; /* where no radius is given */
     uint64_t redundancy;       /* views of a photon that count */
+    uint64_t at_least;         /* with a target: sensors that are to see each
+                                  photon of it; 0: not asked */
     bool by_normal;            /* visibility: normal; false: ray */
     murk_scene_through through;
     murk_scene_knowledge knowledge;

@@ -83,6 +83,13 @@ static murk_status check_needs(const murk_outputs *out, const murk_scene *scene,
                          "and the scene %s has none",
                          scene->path);
     }
+    if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
+        scene->placement.at_least > 0 && scene->sensors.target > 0) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a best plan for placement.at_least is not supported "
+                         "in a study: %s has it",
+                         scene->path);
+    }
     const murk_scene_knowledge knows = scene->placement.knowledge;
     if (murk_outputs_plan_for_all(out) && knows == MURK_SCENE_EXPLORE) {
         return murk_fail(err, MURK_BAD_VALUE, where,

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "medium/acceptance.h"
+#include "placement/at_least.h"
 #include "study/dark.h"
 #include "study/few_photons.h"
 #include "study/machine.h"
@@ -224,18 +225,33 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
         note_spent(plan, sight);
         return status;
     }
-    status = murk_matrix_create(&matrix, &seen.problem,
-                                murk_plan_matrix_bytes(), err);
+    const size_t at_least = murk_plan_at_least(stage->scene);
+    murk_at_least strict;
+    murk_at_least_init(&strict, &seen.problem, (unsigned)at_least);
+    const murk_problem *problem = at_least ? &strict.problem : &seen.problem;
+    status =
+        murk_matrix_create(&matrix, problem, murk_plan_matrix_bytes(), err);
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
-    if (!status) {
-        status =
-            murk_place_known(&plan->place, &seen.problem, matrix, &desc, err);
+    if (!status && at_least) {
+        /* of weights, not of views */
+        desc.target =
+            murk_plan_value_of(stage->scene->sensors.target,
+                               &(murk_problem){.photons = problem->photons,
+                                               .weight = problem->weight});
+        status = murk_place_at_least(&plan->place, problem, matrix, &desc, err);
+    } else if (!status) {
+        status = murk_place_known(&plan->place, problem, matrix, &desc, err);
     }
     murk_matrix_destroy(matrix);
     plan->place_s = murk_clock_s() - begun_s;
     note_spent(plan, sight);
     return status;
+}
+
+size_t murk_plan_at_least(const murk_scene *scene)
+{
+    return scene->sensors.target > 0 ? (size_t)scene->placement.at_least : 0;
 }
 
 murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
@@ -286,7 +302,9 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
                                     &coverage, true, err);
     }
     if (!status) {
-        *out = coverage.total;
+        *out = stream == MURK_CONFIRM_STREAM && murk_plan_at_least(stage->scene)
+                   ? coverage.at_least
+                   : coverage.total;
         if (regions) {
             *regions = coverage.region;
             coverage.region = NULL;

@@ -47,6 +47,10 @@ size_t murk_plan_power_neighbours(const murk_stage *stage);
  * the whole; a share within rounding of a value means it. */
 uint64_t murk_plan_value_of(double share, const murk_problem *problem);
 
+/* How many sensors are to see each photon of the target; 0: not asked, or
+ * without a target. */
+size_t murk_plan_at_least(const murk_scene *scene);
+
 /* What can be wrong with the scene's wishes by themselves. */
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
@@ -89,7 +93,8 @@ typedef struct murk_plan {
     murk_estimate held_out;                /* on the second map */
     murk_region_coverage *held_out_region; /* [regions of interest] likewise;
                                               NULL: none held out */
-    murk_estimate confirmed;               /* with a target: on a third map */
+    murk_estimate confirmed;               /* with a target: on a third map,
+                                              of at_least the strict share */
     murk_robust robust;
     double power_radius_m;         /* of detection: power; 0: another */
     size_t power_neighbours;       /* likewise; 0: the radius is fixed */

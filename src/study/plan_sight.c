@@ -128,6 +128,7 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
     desc.interest = murk_goals_interest(stage->goals);
     desc.combining = murk_plan_combining(stage->scene);
     desc.redundancy = (unsigned)wish->redundancy;
+    desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
     desc.power = power_of(stage, traced);
     const murk_status status = murk_sight_create(out, &desc, err);
     if (!status) {

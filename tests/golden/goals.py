@@ -4,6 +4,7 @@ again in plain Python from light.murk and plan.ply. Standard library only.
 usage: goals.py MURK
 """
 
+import itertools
 import math
 import os
 import struct
@@ -195,6 +196,82 @@ def test_targets_by_power(murk):
     check(dark["held_out"] < 0.5 * plan["held_out"], "a fifth of the light:", dark)
 
 
+class SeenMap:
+    """One map's records, a bit each: which of them each sensor sees, and which
+    have the same power (one for each band)."""
+
+    def __init__(self, stored, sensors):
+        self.stored = stored
+        self.whole = sum(r[1] for r in stored)
+        self.masks = [0] * len(sensors)
+        self.alike = {}
+        for k, record in enumerate(stored):
+            self.alike[record[1]] = self.alike.get(record[1], 0) | 1 << k
+            views = light_file.clarities(record, sensors, RANGE_M, EXTINCTION_PER_M, None)
+            for j, view in enumerate(views):
+                self.masks[j] |= (view * 65535 >= 0.5) << k
+        check(len(self.alike) <= 2, "powers:", sorted(self.alike))
+
+    def by_two(self, chosen):
+        """The records that two or more of the chosen see."""
+        once = twice = 0
+        for j in chosen:
+            twice |= once & self.masks[j]
+            once |= self.masks[j]
+        return twice
+
+    def share_by_two(self, chosen):
+        seen = self.by_two(chosen)
+        return sum(power * (seen & alike).bit_count()
+                   for power, alike in self.alike.items()) / self.whole
+
+
+def share_by_two(maps, chosen):
+    return sum(one.share_by_two(chosen) for one in maps) / 2
+
+
+def error_by_two(maps, chosen, emitted):
+    residual = {}
+    for one in maps:
+        seen, share = one.by_two(chosen), one.share_by_two(chosen)
+        for k, record in enumerate(one.stored):
+            part = record[1] * ((seen >> k & 1) - share) / one.whole / 2
+            residual[record[2]] = residual.get(record[2], 0) + part
+    return math.sqrt(emitted / (emitted - 1) * sum(r * r for r in residual.values()))
+
+
+def test_at_least(murk):
+    """The fewest sensors so that a share is seen by two or more: against all
+    pairs and triples of the candidates."""
+    emitted = 400
+    scene = murk.write("room.yaml", ROOM)
+    options = ("--emit", str(emitted), "--set", "placement.at_least=2")
+    grid = [(0.5 + x, 0.5 + y, 0.5 + z) for z in range(3) for y in range(4) for x in range(4)]
+    murk.run("place", scene, *options, "--target", "0.01", "-o", murk.path("light"))
+    found = light_file.sections(murk.path("light", "light.murk"))
+    maps = [SeenMap(list(light_file.records(found[name])), grid)
+            for name in ("surface", "volume")]
+    best = {n: max(share_by_two(maps, c) for c in itertools.combinations(range(len(grid)), n))
+            for n in (2, 3)}
+    check(best[3] > best[2] + 0.05, "a third sensor brings little:", best)
+    for asked, takes in ((best[2] - 1e-4, 2), (best[2] + 1e-4, 3), (best[3] - 1e-4, 3),
+                         (best[3] + 1e-4, 4)):
+        plan = murk.run("place", scene, *options, "--target", repr(asked))
+        target = plan["target"]
+        check(plan["candidates"]["usable"] == len(grid), "candidates:", plan["candidates"])
+        check(len(plan["sensors"]) == target["fewest_possible"] == takes
+              and target["proven_fewest"], "fewest for", asked, target)
+        check(target["reached"] >= asked, "reached:", target)
+        near(target["reached"], plan["seen_by_at_least"][1], 1e-12, "one definition")
+        chosen = [grid.index(tuple(s["position_m"])) for s in plan["sensors"]]
+        near(target["reached"], share_by_two(maps, chosen), 1e-4, "recomputed share")
+        near(target["reached_standard_error"] / error_by_two(maps, chosen, emitted), 1, 1e-3,
+             "recomputed error")
+        apart = abs(target["confirmed"] - target["reached"])
+        error = math.hypot(target["confirmed_standard_error"], target["reached_standard_error"])
+        check(apart < 5 * error, "on a third map:", target)
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         murk = from_outside.Murk(os.path.abspath(sys.argv[1]), folder)
@@ -203,6 +280,7 @@ def main():
         test_listed_targets(murk)
         test_over_conditions(murk)
         test_targets_by_power(murk)
+        test_at_least(murk)
     print("all goals are as described" if not from_outside.failures
           else f"{from_outside.failures} failed")
     return from_outside.failures != 0

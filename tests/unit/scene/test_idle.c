@@ -44,6 +44,8 @@ static const idle_case CASES[] = {
     {"placement.nodes", "placement.knowledge=unknown",
      "placement.knowledge=known", "placement.nodes=7",
      "placement.nodes=1000000"},
+    {"placement.at_least", "sensors.count=1", "sensors.target=0.5",
+     "placement.at_least=2", NULL},
     {"placement.elsewhere", "placement.interest=[]",
      "placement.interest=[{name: a, medium: fog}]", "placement.elsewhere=0.5",
      "placement.elsewhere=1"},
