@@ -39,6 +39,17 @@ static void ask_matrix(FILE *to, const murk_yaml *plan, double n)
     fputs(", by their weights?", to);
 }
 
+/* Of the strict question, whose shares are of what so many see. */
+static void say_by_how_many(FILE *to, const murk_yaml *plan)
+{
+    const double at_least = murk_result_number(plan, "target.at_least");
+    if (isfinite(at_least)) {
+        fputs(", each part by ", to);
+        murk_page_number(to, at_least);
+        fputs(" or more", to);
+    }
+}
+
 static void ask_sensors(FILE *to, const murk_yaml *plan, double n)
 {
     const double target = murk_result_number(plan, "target.asked");
@@ -47,6 +58,7 @@ static void ask_sensors(FILE *to, const murk_yaml *plan, double n)
         fputs("How few sensors see ", to);
         murk_page_share(to, target, NAN);
         fprintf(to, " of the %s", object_of(plan));
+        say_by_how_many(to, plan);
     } else if (isfinite(budget)) {
         fputs("Which sensors, whose costs come to at most ", to);
         murk_page_number(to, budget);
@@ -258,8 +270,13 @@ static void limit_plan(FILE *to, const murk_yaml *plan)
             fputs("on the sample that it was chosen by, ", to);
         }
         fputs("the plan has ", to);
-        murk_page_share(to, murk_result_number(plan, "coverage.in_sample"),
+        const double reached = murk_result_number(plan, "target.reached");
+        murk_page_share(to,
+                        isfinite(reached)
+                            ? reached
+                            : murk_result_number(plan, "coverage.in_sample"),
                         NAN);
+        say_by_how_many(to, plan);
         fputs(", and no plan of this kind more than ", to);
         strong_share(to, upper, NAN);
         fputs(" (a gap of ", to);
