@@ -31,6 +31,9 @@ static const char *const ALLOWED[] = {
     /* memory */
     "mmap", "mmap2", "munmap", "mremap", "mprotect", "madvise", "brk",
     "mincore",
+    /* pipes within the process, by which the undefined-behaviour sanitizer
+     * finds out whether memory may be read */
+    "pipe", "pipe2",
     /* threads, signals, the end */
     "futex", "futex_time64", "set_robust_list", "get_robust_list", "rseq",
     "sched_yield", "sched_getaffinity", "set_tid_address", "membarrier",
