@@ -283,8 +283,8 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         c.results.strangers = murk_results_strangers(&c.results);
         if (c.results.strangers && *c.results.strangers) {
             murk_warn(options->input,
-                      "edited since, or of a run that was killed while it "
-                      "wrote them: %s",
+                      "edited since, of an earlier run, or of a run that was "
+                      "killed while it wrote them: %s",
                       c.results.strangers);
         }
     }

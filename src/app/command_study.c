@@ -173,7 +173,7 @@ static murk_status write_files(study_session *s, bool is_interrupted,
         status = note_fluence(s, err);
     }
     cJSON *root = murk_study_json(s->sweep, is_interrupted);
-    murk_json_identify(root, s->identity, &s->results);
+    murk_json_identify(root, s->identity, &s->results, "study.json");
     char *text = murk_json_end(root, &run);
     if (!text) {
         return murk_fail(err, MURK_NO_MEMORY, "study.json",

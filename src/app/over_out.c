@@ -63,7 +63,7 @@ static murk_status add_ledger(murk_session *session, const char *name,
                               .stage = condition->stage,
                               .traced = condition->traced};
     cJSON *root = murk_session_ledger(&one);
-    murk_json_identify(root, session->identity, NULL);
+    murk_json_identify(root, session->identity, NULL, NULL);
     char *text = murk_json_end(root, &session->run);
     const murk_status status =
         murk_results_add_text(&session->results, name, text, err);

@@ -1,3 +1,5 @@
+/* Ownership of result files: reads the lists of files that the main JSONs of a
+ * folder hold, and compares the listed SHA-256 with the file's own. */
 #include "app/ownership.h"
 
 #include "app/results.h"
@@ -28,7 +30,8 @@ static cJSON *read_json(const char *path, char **text)
         return NULL;
     }
     cJSON *root = cJSON_ParseWithLength(*text, size);
-    if (!cJSON_IsObject(cJSON_GetObjectItem(root, "murk"))) {
+    const cJSON *murk = cJSON_GetObjectItem(root, "murk");
+    if (!cJSON_IsString(cJSON_GetObjectItem(murk, "version"))) {
         cJSON_Delete(root);
         root = NULL;
     }
@@ -58,7 +61,7 @@ static bool is_own_json(const char *path)
 /* ---- the folder ---- */
 
 static void add_file(murk_owned *owned, const char *name, const char *sum,
-                     bool is_left)
+                     int json, bool is_earlier)
 {
     murk_owned_file *grown =
         realloc(owned->file, (owned->n + 1) * sizeof *grown);
@@ -67,28 +70,43 @@ static void add_file(murk_owned *owned, const char *name, const char *sum,
     }
     owned->file = grown;
     murk_owned_file *file = &owned->file[owned->n];
-    *file = (murk_owned_file){.name = strdup(name), .is_left = is_left};
+    *file = (murk_owned_file){
+        .name = strdup(name), .json = json, .is_earlier = is_earlier};
     if (file->name) {
         snprintf(file->sum, sizeof file->sum, "%s", sum);
         ++owned->n;
     }
 }
 
-static void add_json(murk_owned *owned, const char *folder, const char *name,
-                     bool is_left)
+/* Adds what one list of a main JSON holds; json and is_earlier as in the
+ * entries. */
+static void add_files(murk_owned *owned, const cJSON *list, int json,
+                      bool is_earlier)
 {
-    char *path = murk_results_path(folder, name), *text = NULL;
-    cJSON *root = path ? read_json(path, &text) : NULL;
-    if (root && !cJSON_GetObjectItem(root, "identity")) {
-        owned->is_older = true;
-    }
     const cJSON *file;
-    cJSON_ArrayForEach(file, cJSON_GetObjectItem(root, "files"))
+    cJSON_ArrayForEach(file, list)
     {
         if (cJSON_IsString(file)) {
-            add_file(owned, file->string, file->valuestring, is_left);
+            add_file(owned, file->string, file->valuestring, json, is_earlier);
         }
     }
+}
+
+static void add_json(murk_owned *owned, const char *folder, int json,
+                     bool is_left)
+{
+    char *text = NULL;
+    char *path = murk_results_path(folder, murk_main_jsons[json]);
+    cJSON *root = path ? read_json(path, &text) : NULL;
+    if (root && cJSON_GetObjectItem(root, "identity")) {
+        owned->is_newer = true;
+    } else if (root) {
+        owned->is_older = true;
+    }
+    const int by = is_left ? -1 : json;
+    const cJSON *run = cJSON_GetObjectItem(root, "run");
+    add_files(owned, cJSON_GetObjectItem(root, "files"), by, false);
+    add_files(owned, cJSON_GetObjectItem(run, "earlier"), by, true);
     cJSON_Delete(root);
     free(text);
     free(path);
@@ -96,15 +114,18 @@ static void add_json(murk_owned *owned, const char *folder, const char *name,
 
 static void add_leftover(void *context, const char *folder)
 {
-    for (size_t i = 0; murk_main_jsons[i]; ++i) {
-        add_json(context, folder, murk_main_jsons[i], true);
+    for (int i = 0; murk_main_jsons[i]; ++i) {
+        add_json(context, folder, i, true);
     }
 }
 
-static void read_folder(murk_owned *owned, const char *folder)
+void murk_owned_read(murk_owned *owned, const char *folder)
 {
-    for (size_t i = 0; murk_main_jsons[i]; ++i) {
-        add_json(owned, folder, murk_main_jsons[i], false);
+    if (owned->is_read) {
+        return;
+    }
+    for (int i = 0; murk_main_jsons[i]; ++i) {
+        add_json(owned, folder, i, false);
     }
     murk_staging_visit(folder, add_leftover, owned);
     owned->is_read = true;
@@ -130,18 +151,26 @@ static bool ends_in_json(const char *name)
 
 bool murk_owned_has(murk_owned *owned, const char *folder, const char *name)
 {
-    if (!owned->is_read) {
-        read_folder(owned, folder);
-    }
+    murk_owned_read(owned, folder);
     char sum[65];
     char *path = murk_results_path(folder, name);
     const bool has =
-        path && (owned->is_older      ? true
-                 : ends_in_json(name) ? is_own_json(path)
+        path && (owned->is_older && !owned->is_newer ? true
+                 : ends_in_json(name)                ? is_own_json(path)
                                       : !murk_file_sha256(path, sum, NULL) &&
                                             is_listed(owned, name, sum));
     free(path);
     return has;
+}
+
+bool murk_owned_is_there(const char *folder, const murk_owned_file *file)
+{
+    char sum[65];
+    char *path = murk_results_path(folder, file->name);
+    const bool is_there = path && !murk_file_sha256(path, sum, NULL) &&
+                          strcmp(sum, file->sum) == 0;
+    free(path);
+    return is_there;
 }
 
 murk_belonging murk_owned_look(const char *path)
@@ -151,8 +180,8 @@ murk_belonging murk_owned_look(const char *path)
     const char *slash = strrchr(path, '/');
     const char *name = slash ? slash + 1 : path;
     char *folder = murk_path_beside(path, ".");
-    for (size_t i = 0; folder && murk_main_jsons[i]; ++i) {
-        add_json(&owned, folder, murk_main_jsons[i], false);
+    for (int i = 0; folder && murk_main_jsons[i]; ++i) {
+        add_json(&owned, folder, i, false);
     }
     char sum[65] = "";
     for (size_t i = 0; i < owned.n && found != MURK_LISTED; ++i) {
@@ -160,8 +189,9 @@ murk_belonging murk_owned_look(const char *path)
             (!sum[0] && murk_file_sha256(path, sum, NULL))) {
             continue;
         }
-        found = strcmp(owned.file[i].sum, sum) == 0 ? MURK_LISTED
-                                                    : MURK_OF_ANOTHER_RUN;
+        const bool is_same = strcmp(owned.file[i].sum, sum) == 0;
+        found = is_same && !owned.file[i].is_earlier ? MURK_LISTED
+                                                     : MURK_OF_ANOTHER_RUN;
     }
     free(folder);
     murk_owned_release(&owned);

@@ -171,8 +171,8 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
     if (results->strangers && *results->strangers) {
         fputs("<p>Not as the run of this page wrote them: ", to);
         murk_page_text(to, results->strangers);
-        fputs(". They were edited since, or are of a run that was killed while "
-              "it wrote them.</p>\n",
+        fputs(". They were edited since, or are of an earlier run, or of one "
+              "that was killed while it wrote them.</p>\n",
               to);
     }
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {

@@ -94,9 +94,11 @@ typedef struct murk_run_facts {
 } murk_run_facts;
 
 /* Adds "identity", and "files" (where it is not there) with what was added so
- * far but for JSONs, whose `run` differs from run to run. */
+ * far but for JSONs, whose `run` differs from run to run. Under run.earlier
+ * come files of earlier runs that lie in the folder and that no other JSON
+ * there will list once `name` (the main JSON's) has been replaced. */
 void murk_json_identify(cJSON *root, const char *identity,
-                        const murk_results *results);
+                        murk_results *results, const char *name);
 
 /* SHA-256 of a printed JSON up to its line of `run`: run.checksum. */
 void murk_json_sum(char out[65], const char *text);

@@ -287,9 +287,14 @@ char *murk_results_strangers(const murk_results_in *results)
     FILE *to = open_memstream(&list, &size);
     bool is_whole = to && fflush(to) == 0;
     for (int i = 0; i < MURK_RESULT_FILES && is_whole; ++i) {
-        const murk_yaml *files = murk_result_at(results->json[i], "files");
-        if (files && files->kind == MURK_YAML_MAP) {
-            is_whole = add_strangers(to, results, files, &list);
+        /* files listed that have other checksums, and files of earlier runs */
+        const murk_yaml *const lists[] = {
+            murk_result_at(results->json[i], "files"),
+            murk_result_at(results->json[i], "run.earlier")};
+        for (int k = 0; k < 2 && is_whole; ++k) {
+            if (lists[k] && lists[k]->kind == MURK_YAML_MAP) {
+                is_whole = add_strangers(to, results, lists[k], &list);
+            }
         }
     }
     is_whole = to && fclose(to) == 0 && is_whole;

@@ -262,7 +262,7 @@ murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
     cJSON *root = murk_session_ledger(session);
-    murk_json_identify(root, session->identity, NULL);
+    murk_json_identify(root, session->identity, NULL, NULL);
     char *text = murk_json_end(root, &session->run);
     const murk_status status =
         murk_results_add_text(&session->results, "ledger.json", text, err);
@@ -274,7 +274,7 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
                         bool prints, murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
-    murk_json_identify(root, session->identity, &session->results);
+    murk_json_identify(root, session->identity, &session->results, name);
     char *text = murk_json_end(root, &session->run);
     murk_status status =
         text ? MURK_OK

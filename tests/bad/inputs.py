@@ -288,6 +288,36 @@ def says_whose():
         check(done.returncode == 0 and not done.stderr, "report of a whole folder:", done.stderr)
 
 
+def earlier_runs():
+    """A file that a later run does not write again stays murk's, and is named as of an earlier run."""
+    tally = "--set tallies=[{'name':'p','type':'sphere','center_m':[2,4,1],'radius_m':.3}]"
+    with Place() as p:
+        for first, second, file in ((f"trace scene.yaml {tally} -o out", "trace scene.yaml --seed 9 -o out", "tallies.csv"),
+                                    ("place scene.yaml --export photons -o out", "place scene.yaml -o out", "photons.ply"),
+                                    ("place scene.yaml --repeat 2 -o out", "place scene.yaml -o out", "repeat.csv")):
+            main = "ledger.json" if first.startswith("trace") else "plan.json"
+            p.well(first)
+            p.well(second)
+            check(file in json.loads(p.read("out", main))["run"].get("earlier", {}), file, "is not listed as earlier")
+            check(file in p.run("report out", quiet=False).stderr, "report is silent on", file)
+            p.well(second)  # the list goes on from run to run
+            p.well(first)
+            check("earlier" not in json.loads(p.read("out", main))["run"] or
+                  file not in json.loads(p.read("out", main))["run"]["earlier"], file, "is of this run")
+            p.well(second)
+            p.write("out/" + file, "mine\n")
+            check(p.run(first).returncode == 2 and p.read("out", file) == b"mine\n", "an edited", file, "is replaced")
+            os.remove(p.path("out", file))
+        # results beside others: what another main JSON lists is no earlier run's
+        p.write("s.csv", SENSORS)
+        p.well("sense scene.yaml --sensors s.csv -o out")
+        check("earlier" not in json.loads(p.read("out", "coverage.json"))["run"], "sense beside place")
+        # a JSON that is not murk's, or of an older version, gives away nothing of a newer run
+        p.write("out/predict.json", '{"murk": {"version": "0.1.0"}}')
+        p.write("out/sensors.csv", "mine\n")
+        check(p.run("place scene.yaml -o out").returncode == 2, "an old JSON gives away an edited file")
+
+
 def every_command():
     """The JSON that each command prints has identity and files, the same for any typing."""
     with Place(**{"data.csv": DATA, "sensors.csv": SENSORS, "p.csv": PROFILE,
@@ -331,6 +361,7 @@ inputs()
 same_bytes()
 owners()
 says_whose()
+earlier_runs()
 every_command()
 killed(12)
 print("inputs:", failures, "failures" if failures else "no failure")

@@ -2,7 +2,7 @@
 
 usage: whole.py DIR    (ends with 1 when there is one)
 
-Such a file was edited, or is of a run that was killed while it wrote over another's results.
+Such a file was edited, is of an earlier run, or is of a run that was killed while it wrote over another's results.
 """
 import hashlib
 import json
@@ -17,11 +17,13 @@ def strangers(folder):
     listed = {}
     for name in MAIN:
         try:
-            files = json.loads((folder / name).read_text(encoding="utf-8")).get("files", {})
+            root = json.loads((folder / name).read_text(encoding="utf-8"))
         except (OSError, ValueError):
             continue  # not there; what cannot be read lists nothing
-        for file, checksum in files.items():
+        for file, checksum in root.get("files", {}).items():
             listed.setdefault(file, set()).add(checksum)
+        for file in root.get("run", {}).get("earlier", {}):
+            listed.setdefault(file, set())  # of an earlier run
     return [name for name, sums in sorted(listed.items()) if (folder / name).is_file()
             and hashlib.sha256((folder / name).read_bytes()).hexdigest() not in sums]
 
@@ -29,7 +31,7 @@ def strangers(folder):
 def main():
     found = strangers(pathlib.Path(sys.argv[1]))
     for name in found:
-        print(f"{name}: edited since, or of a run that was killed while it wrote its results")
+        print(f"{name}: edited since, of an earlier run, or of a run that was killed while it wrote its results")
     return 1 if found else 0
 
 

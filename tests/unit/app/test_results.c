@@ -52,7 +52,7 @@ static murk_status add_all(murk_results *results, const char *text,
         status = murk_results_add_text(results, "b.csv", text, err);
     }
     cJSON *root = murk_json_begin_murk();
-    murk_json_identify(root, text, results);
+    murk_json_identify(root, text, results, "plan.json");
     char *json = murk_json_end(root, &run);
     if (!status) {
         status = murk_results_add_text(results, "plan.json", json, err);
