@@ -63,7 +63,7 @@ static void add_surfaces(cJSON *root, const findings *f)
     }
 }
 
-/* What the names in mesh files got. */
+/* The material that each material name in mesh files got. */
 static void add_mesh_materials(cJSON *root, const findings *f)
 {
     const murk_scene *scene = f->session->scene;

@@ -360,7 +360,7 @@ static murk_status check_repeat(const murk_session *session, murk_error *err)
     return MURK_OK;
 }
 
-/* What each condition has of its own. */
+/* Checks the result files that are written for each condition. */
 static murk_status expect_conditions(murk_session *session, murk_error *err)
 {
     static const char *const begin[] = {"light", "ledger", "plan", "scene"};
@@ -434,8 +434,8 @@ static murk_status place_over(murk_session *session, murk_plan *plan,
     if (options->light || options->exports) {
         return murk_fail(err, MURK_BAD_VALUE,
                          options->light ? "--light" : "--export",
-                         "not over conditions, of which each has its own "
-                         "light: placement.over must be null");
+                         "not over conditions: each condition has its own "
+                         "light; placement.over must be null");
     }
     murk_status status =
         murk_over_prepare(over, plan, session->scene, options->threads, err);

@@ -39,6 +39,7 @@ static part part_of(murk_option_id id)
     case MURK_OPTION_SCALE:
     case MURK_OPTION_STARTS:
     case MURK_OPTION_TRACES:
+    case MURK_OPTION_VOXEL:
     case MURK_OPTION_WIDTH:
         return TEXT;
     default: /* where results go, what is printed, keys of the scene */

@@ -34,7 +34,7 @@ static const char *const over_names[] = {[MURK_SCENE_OVER_MEAN] = "mean",
                                          [MURK_SCENE_OVER_WORST] = "worst",
                                          [MURK_SCENE_OVER_REGRET] = "regret"};
 
-/* By what one condition is named the worst. */
+/* The criterion that selects the worst condition. */
 static murk_scene_over judged_by(const murk_over *over)
 {
     const murk_scene_over by = over->conditions->scene->placement.over;

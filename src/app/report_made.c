@@ -34,7 +34,7 @@ static void write_file_of(FILE *to, const murk_results_in *results,
     free(path);
 }
 
-/* Of several runs, the light's is told, too. */
+/* In a folder that mixes runs, the run of the light is described as well. */
 static bool is_told(const murk_results_in *results, int which)
 {
     return results->json[which] &&

@@ -275,7 +275,8 @@ murk_status murk_results_note(murk_results *results, const char *name,
 
 /* ---- showing ---- */
 
-/* Whether all may be put in place: what was read meanwhile counts, too. */
+/* Refuses to replace files that this run has read: checked again here, because
+ * the run may have read more files since they were added. */
 static murk_status check_all(murk_results *results, murk_error *err)
 {
     for (size_t i = 0; i < results->n && !results->refused.status; ++i) {

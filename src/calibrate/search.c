@@ -292,7 +292,7 @@ static murk_status trace_at(murk_fit_search *s, const murk_fit_desk *d,
     return status;
 }
 
-/* What a search that ended has come to; true: to be traced anew at x. */
+/* Handles the end of a search. True if light must be traced again at x. */
 static bool ended(murk_fit_search *s, const murk_fit_desk *d, double *x,
                   const murk_least_squares_found *found,
                   murk_calibration_start *to)

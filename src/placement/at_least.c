@@ -139,9 +139,9 @@ static bool holds(const uint32_t *plan, size_t size, size_t but,
     return false;
 }
 
-/* Who, joining what stands (plan[size] but its entry `but`), makes it worth
- * most, the lowest number of equals; `now`, if it is one of them. False where
- * nobody may join. */
+/* The candidate that increases the value of the partial plan (plan[size]
+ * without the entry `but`) most. Ties go to `now`, then to the lowest index.
+ * False if the constraints allow no candidate. */
 static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
                       uint32_t *now)
 {
@@ -200,7 +200,7 @@ static void relocate(run *r)
         const uint32_t before = *moved;
         stand(r, r->trial, n, fixed + at, n);
         still = find_best(r, r->trial, n, fixed + at, moved) && *moved != before
-                    ? 1 /* who has just moved stands best */
+                    ? 1 /* the sensor just moved is at its best site */
                     : still + 1;
     }
 }

@@ -100,8 +100,8 @@ static void weigh_all(weighing *w, unsigned threads)
                           weigh_batch, w);
 }
 
-/* Rows of clarities, and of chances, take so many times as long as rows of
- * bits. */
+/* Time to weigh a row of visibility factors, or of detection probabilities,
+ * relative to a row of bits. */
 #define WORK_OF_CLARITIES 4
 #define WORK_OF_CHANCES   64
 

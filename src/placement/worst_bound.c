@@ -17,7 +17,8 @@ typedef murk_wide wide;
 #define FACTOR_MOST 0x1p31
 #define SHIFT_MOST  31
 
-/* More than any plan's least worth, which may exceed 1 by its references. */
+/* Above the smallest block value of any plan. With regret that value can exceed
+ * 1, because a plan may beat the reference. */
 #define WORTH_MOST (UINT64_C(1) << 60)
 
 /* No block is ever lost sight of. */
@@ -132,7 +133,7 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
 uint64_t murk_worst_bound_value(const murk_worst_bound *b, uint64_t share)
 {
     const wide needed = (wide)(share + 1) * b->one;
-    if (needed <= b->free) { /* it takes no value at all */
+    if (needed <= b->free) { /* the offsets alone reach it */
         return 0;
     }
     const wide least = (needed - b->free - 1) / MURK_SHARE_ONE + 1;

@@ -185,11 +185,11 @@ static void forecast_unknown(murk_plan *plan, murk_sight *sight,
         starts * FORECAST_SWEEPS * (double)desc->count * (double)n;
     murk_note(
         "placement.knowledge",
-        "unknown with method: best looks again at each evaluation: about "
-        "%.2g looks, %.2g shadow rays and %.2g s with %.0f starts (at "
-        "most %zu are made), where knowledge: known looks %zu times (%.2g "
-        "rays, %.2g s) for a plan that is no worse; method: greedy or "
-        "spoq and fewer restarts take less",
+        "unknown with method: best computes visibility anew at every "
+        "evaluation: about %.2g visibility queries, %.2g shadow rays and "
+        "%.2g s with %.0f starts (at most %zu are made). knowledge: known "
+        "needs %zu queries (%.2g rays, %.2g s) for a plan that is at least as "
+        "good; method: greedy or spoq, or fewer restarts, take less time",
         looks, looks * each, looks * each_s, starts, desc->restarts, n,
         each * (double)n, each_s * (double)n);
 }

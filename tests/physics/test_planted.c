@@ -74,7 +74,7 @@ static limits limits_of(unsigned n)
                 .within_1 = least_of(n, WITHIN_1, chance),
                 .within_1_most = most_of(n, WITHIN_1, chance),
                 .sigma = murk_normal_upper(chance / 2)};
-    if (n == SEEDS_NIGHTLY) { /* what is asked of it */
+    if (n == SEEDS_NIGHTLY) { /* required of it */
         l.within_2 = l.within_2 > 82 ? l.within_2 : 82;
         l.within_1 = l.within_1 > 45 ? l.within_1 : 45;
         l.within_1_most = l.within_1_most < 87 ? l.within_1_most : 87;

@@ -206,7 +206,7 @@ static void test_values_are_those_of_new_light(const followed_text *l)
     }
 }
 
-/* Teeth: light of slightly other fog is told from what is asked for. */
+/* Teeth: light of slightly other fog is told from required for. */
 static void test_would_notice_a_wrong_weight(const followed_text *l)
 {
     const char *const right[] = {"seed=2", EXTINCTION "2.4", NULL};

@@ -1,7 +1,7 @@
 /* The validation harness gives the verdicts it should: it passes what is
  * within the limit, and refuses a value that is off, a twin that is not, a run
  * without checks, errors too large for no reason, and light that is lost.
- * Errors come down to what is asked, and a joined run is the whole one.
+ * Errors come down to required, and a joined run is the whole one.
  * Deterministic but for one traced slab, whose only z-test has a 1e-3 chance of
  * a false alarm. */
 #include "check.h"
