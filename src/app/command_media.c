@@ -322,8 +322,8 @@ static cJSON *one_json(const resolved *r)
 static murk_status print_json(cJSON *root, const murk_options *options,
                               murk_error *err)
 {
-    const murk_status status =
-        murk_identify_alone(root, options, "", NULL, err);
+    const murk_status status = murk_identify_alone(
+        root, options, options->input ? options->input : "", NULL, err);
     if (status) {
         cJSON_Delete(root);
         return status;

@@ -2,6 +2,7 @@
 #include "app/images.h"
 #include "app/picture_coverage.h"
 #include "app/render_options.h"
+#include "app/run_files.h"
 #include "app/session.h"
 #include "app/summary.h"
 #include "app/viewpoint.h"
@@ -299,19 +300,6 @@ static void add_images(cJSON *root, const job *j)
     }
 }
 
-/* With their checksums, as results have them. */
-static void add_files(cJSON *root, const murk_images *images)
-{
-    const char *const path[] = {images->exr, images->png, images->false_colour};
-    cJSON *files = cJSON_AddObjectToObject(root, "files");
-    for (size_t i = 0; i < sizeof path / sizeof *path; ++i) {
-        char sum[65];
-        if (path[i] && !murk_file_sha256(path[i], sum, NULL)) {
-            cJSON_AddStringToObject(files, path[i], sum);
-        }
-    }
-}
-
 static cJSON *facts_json(const job *j)
 {
     const murk_picture *p = j->picture;
@@ -347,7 +335,9 @@ static cJSON *facts_json(const job *j)
                             is_all_round(j) ? "solid angle" : "pixels");
     murk_json_spectrum(root, "mean_radiance", &mean, p->bands);
     murk_json_spectrum(root, "mean_radiance_standard_error", &error, p->bands);
-    add_files(root, &j->images);
+    murk_json_file(root, j->images.exr);
+    murk_json_file(root, j->images.png);
+    murk_json_file(root, j->images.false_colour);
     return root;
 }
 

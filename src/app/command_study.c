@@ -1,5 +1,6 @@
 #include "app/identity.h"
 #include "app/results.h"
+#include "app/run_files.h"
 #include "app/study_print.h"
 #include "app/summary.h"
 #include "app/table_out.h"

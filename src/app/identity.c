@@ -1,8 +1,10 @@
 #include "app/identity.h"
 
 #include "app/option_table.h"
+#include "app/run_files.h"
 #include "app/version.h"
 #include "base/file.h"
+#include "study/file_sums.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,6 +49,16 @@ static part part_of(murk_option_id id)
     }
 }
 
+/* Prints all of a scene that results follow from, wherever it lies. */
+static bool write_scene(FILE *to, const murk_scene *scene)
+{
+    murk_file_sums sums = {0};
+    fputs(scene->whole_key, to);
+    const bool is_whole = murk_file_sums_scene(to, &sums, scene);
+    murk_file_sums_release(&sums);
+    return is_whole;
+}
+
 static murk_status write_option(FILE *to, const murk_option *option,
                                 const char *value, murk_error *err)
 {
@@ -84,18 +96,26 @@ static murk_status write_all(FILE *to, const murk_options *options,
     return status;
 }
 
-murk_status murk_identity(char out[65], const murk_options *options,
-                          const char *of, uint32_t seed, murk_error *err)
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+}
+
+/* Either scene or `of` says what the input is. */
+static murk_status identify(char out[65], const murk_options *options,
+                            const murk_scene *scene, const char *of,
+                            uint32_t seed, murk_error *err)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
     murk_status status =
-        to ? write_all(to, options, of, seed, err)
-           : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+        to ? write_all(to, options, of, seed, err) : no_memory(err);
+    if (!status && scene && !write_scene(to, scene)) {
+        status = no_memory(err);
+    }
     if (to && fclose(to) != 0 && !status) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+        status = no_memory(err);
     }
     if (!status) {
         murk_sha256_hex(text, size, out);
@@ -104,38 +124,38 @@ murk_status murk_identity(char out[65], const murk_options *options,
     return status;
 }
 
-static void write_alone(FILE *to, const murk_options *options, const char *of)
+murk_status murk_identity(char out[65], const murk_options *options,
+                          const char *of, uint32_t seed, murk_error *err)
 {
-    fprintf(to, "%s\n%s\n", options->input ? options->input : "", of);
-    for (size_t i = 0; i < options->n_overrides; ++i) {
-        fprintf(to, "%s\n", options->overrides[i].text);
-    }
+    return identify(out, options, NULL, of, seed, err);
+}
+
+murk_status murk_identity_scene(char out[65], const murk_options *options,
+                                const murk_scene *scene, murk_error *err)
+{
+    return identify(out, options, scene, "", scene->seed, err);
 }
 
 murk_status murk_identify_alone(cJSON *root, const murk_options *options,
                                 const char *of, const char *file,
                                 murk_error *err)
 {
-    char identity[65], sum[65], *text = NULL;
+    char identity[65], *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
     if (to) {
-        write_alone(to, options, of);
+        fprintf(to, "%s\n", of);
+        for (size_t i = 0; i < options->n_overrides; ++i) {
+            fprintf(to, "%s\n", options->overrides[i].text);
+        }
     }
-    murk_status status =
-        to && fclose(to) == 0
-            ? murk_identity(identity, options, text, 0, err)
-            : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+    const murk_status status =
+        to && fclose(to) == 0 ? murk_identity(identity, options, text, 0, err)
+                              : no_memory(err);
     free(text);
-    if (!status && file) {
-        status = murk_file_sha256(file, sum, err);
-    }
     if (!status) {
         cJSON_AddStringToObject(root, "identity", identity);
-        cJSON *files = cJSON_AddObjectToObject(root, "files");
-        if (file) {
-            cJSON_AddStringToObject(files, file, sum);
-        }
+        murk_json_file(root, file);
     }
     return status;
 }

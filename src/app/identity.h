@@ -4,19 +4,25 @@
 #define MURK_APP_IDENTITY_H
 
 #include "app/options.h"
+#include "scene/scene.h"
 
 #include <cjson/cJSON.h>
 #include <stddef.h>
 
 /* SHA-256 over version, command, what the command line asks beside the scene
- * (files by their contents), seed, and `of`: the resolved scene, or what else
- * says all of the input. MURK_NO_MEMORY, or a file that cannot be read. */
+ * (files by their contents), seed, and `of`, which says all of the input.
+ * MURK_NO_MEMORY, or a file that cannot be read. */
 murk_status murk_identity(char out[65], const murk_options *options,
                           const char *of, uint32_t seed, murk_error *err);
 
+/* The same of a scene: its keys, its seed, and the contents of the files that
+ * it names, so that it is the same in any folder and on any machine. */
+murk_status murk_identity_scene(char out[65], const murk_options *options,
+                                const murk_scene *scene, murk_error *err);
+
 /* Adds "identity" and "files" to the JSON of a command that has no scene: of
- * the argument, what --set gives, and `of`; file: the one that it wrote, or
- * NULL. */
+ * what --set gives and `of`, which says all other input; file: the one that it
+ * wrote, or NULL. */
 murk_status murk_identify_alone(cJSON *root, const murk_options *options,
                                 const char *of, const char *file,
                                 murk_error *err);

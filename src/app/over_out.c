@@ -2,6 +2,7 @@
 
 #include "app/coverage_out.h"
 #include "app/plan_ply.h"
+#include "app/run_files.h"
 #include "app/summary.h"
 
 #include <math.h>

@@ -177,8 +177,7 @@ murk_belonging murk_owned_look(const char *path)
 {
     murk_owned owned = {0};
     murk_belonging found = MURK_UNLISTED;
-    const char *slash = strrchr(path, '/');
-    const char *name = slash ? slash + 1 : path;
+    const char *name = murk_path_name(path);
     char *folder = murk_path_beside(path, ".");
     for (int i = 0; folder && murk_main_jsons[i]; ++i) {
         add_json(&owned, folder, i, false);

@@ -2,6 +2,7 @@
 #include "app/command_line.h"
 #include "app/page.h"
 #include "app/report.h"
+#include "base/file.h"
 
 #include <dirent.h>
 #include <math.h>
@@ -177,14 +178,14 @@ static int by_name(const struct dirent **a, const struct dirent **b)
 static const char *name_in(const char *folder, const char *page)
 {
     struct stat here, there;
-    const char *slash = strrchr(page, '/');
+    const char *name = murk_path_name(page);
     char *parent =
-        slash ? strndup(page, (size_t)(slash - page) + 1) : strdup(".");
+        name > page ? strndup(page, (size_t)(name - page)) : strdup(".");
     const bool is_in =
         parent && stat(folder, &here) == 0 && stat(parent, &there) == 0 &&
         here.st_dev == there.st_dev && here.st_ino == there.st_ino;
     free(parent);
-    return !is_in ? NULL : slash ? slash + 1 : page;
+    return is_in ? name : NULL;
 }
 
 /* But the page, which would tell of itself: two of one folder are the same. */

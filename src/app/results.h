@@ -11,14 +11,12 @@
 #ifndef MURK_APP_RESULTS_H
 #define MURK_APP_RESULTS_H
 
+#include "app/json_out.h"
 #include "app/options.h"
 #include "app/ownership.h"
 #include "base/file.h"
 #include "base/staging.h"
-#include "base/stats.h"
 #include "study/plan.h"
-
-#include <cjson/cJSON.h>
 
 #define MURK_LIGHT_NAME "light.murk"
 #define MURK_SCENE_NAME "scene.resolved.yaml"
@@ -78,50 +76,5 @@ murk_status murk_results_note(murk_results *results, const char *name,
  * More may be added and shown afterwards. */
 murk_status murk_results_show(murk_results *results, murk_error *err);
 void murk_results_end(murk_results *results); /* removes what is not shown */
-
-/* ---- JSON that all commands share; out of memory ends in a NULL text ---- */
-
-/* {"murk": .., "scene": .., "scene_sha256": .., "seed": ..} */
-cJSON *murk_json_begin(const murk_scene *scene);
-
-/* {"murk": ..} alone. */
-cJSON *murk_json_begin_murk(void);
-
-typedef struct murk_run_facts {
-    const char *command; /* as options->typed; NULL: not known */
-    unsigned threads;
-    double load_s, trace_s, map_s, sense_s, place_s, total_s;
-} murk_run_facts;
-
-/* Adds "identity", and "files" (where it is not there) with what was added so
- * far but for JSONs, whose `run` differs from run to run. Under run.earlier
- * come files of earlier runs that lie in the folder and that no other JSON
- * there will list once `name` (the main JSON's) has been replaced. */
-void murk_json_identify(cJSON *root, const char *identity,
-                        murk_results *results, const char *name);
-
-/* SHA-256 of a printed JSON up to its line of `run`: run.checksum. */
-void murk_json_sum(char out[65], const char *text);
-
-/* Adds "run", which alone may differ between two runs (to what is there under
- * that name), and returns the text:
- * indented, ending with a newline; the caller frees it with cJSON_free().
- * Deletes root. */
-char *murk_json_end(cJSON *root, const murk_run_facts *run);
-
-void murk_json_number(cJSON *object, const char *key, double value);
-void murk_json_vector(cJSON *object, const char *key, murk_vec3 v);
-/* {min_m, max_m}; null for an empty box. */
-void murk_json_box(cJSON *object, const char *key, const murk_box *box);
-/* A list, band by band. */
-void murk_json_spectrum(cJSON *object, const char *key,
-                        const murk_spectrum *spectrum, int bands);
-
-/* ledger.json's own fields. */
-void murk_json_ledger(cJSON *object, const murk_traced *traced,
-                      const murk_stage *stage);
-
-/* Watts of one ledger column, over all channels. */
-double murk_ledger_watts(const murk_traced *traced, const murk_tally *column);
 
 #endif

@@ -1,6 +1,8 @@
 #include "app/session.h"
 
 #include "app/identity.h"
+#include "app/ledger_out.h"
+#include "app/run_files.h"
 #include "app/summary.h"
 
 #include "base/log.h"
@@ -108,8 +110,7 @@ murk_status murk_session_scene(murk_session *session,
     }
     murk_units_note(session->scene);
     warn_of_idle(session->scene);
-    return murk_identity(session->identity, options, session->scene->resolved,
-                         session->scene->seed, err);
+    return murk_identity_scene(session->identity, options, session->scene, err);
 }
 
 murk_status murk_session_read(murk_session *session,

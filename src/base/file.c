@@ -358,6 +358,12 @@ char *murk_path_beside(const char *beside, const char *path)
     return out;
 }
 
+const char *murk_path_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 void murk_sha256_hex(const void *bytes, size_t size, char out[65])
 {
     SHA256Data(bytes, size, out);

@@ -61,6 +61,9 @@ void murk_folder_sync(const char *path);
  * it is absolute). The caller frees it; NULL when out of memory. */
 char *murk_path_beside(const char *beside, const char *path);
 
+/* The last part of a path, behind its last slash; borrowed. */
+const char *murk_path_name(const char *path);
+
 /* SHA-256 as 64 lower-case hex digits and '\0'. */
 void murk_sha256_hex(const void *bytes, size_t size, char out[65]);
 

@@ -106,8 +106,7 @@ static char *absolute(const char *path)
 /* The name alone: a scene may move with its files. */
 static murk_status drop_folder(murk_yaml *node)
 {
-    const char *slash = strrchr(node->text, '/');
-    char *name = strdup(slash ? slash + 1 : node->text);
+    char *name = strdup(murk_path_name(node->text));
     const bool is_set = name && murk_yaml_set_text(node, name);
     free(name);
     return is_set ? MURK_OK : MURK_NO_MEMORY;
@@ -137,7 +136,7 @@ static bool is_of_world(const char *key)
 }
 
 /* The texts that need the tree. Paths are rewritten on the way: first as the
- * resolved scene has them, then as the light's key does. */
+ * resolved scene has them, then as the keys do. */
 static murk_status print_resolved(const murk_walk *walk, murk_scene *scene)
 {
     scene->file = calloc(walk->n_paths + 1, sizeof *scene->file);
@@ -166,7 +165,28 @@ static bool append(char **text, const char *more)
     return grown != NULL;
 }
 
-static murk_status print_light_key(const murk_walk *walk, murk_scene *scene)
+/* Conditions name files, too: each has a key of its own. */
+static bool is_of_base(const char *key)
+{
+    return strcmp(key, "conditions") != 0;
+}
+
+static murk_status print_whole_key(const murk_walk *walk, const char *presets,
+                                   murk_scene *scene)
+{
+    scene->whole_key = murk_print_file(walk->root, is_of_base);
+    bool is_whole = scene->whole_key && append(&scene->whole_key, presets);
+    for (size_t i = 0; i < scene->n_conditions && is_whole; ++i) {
+        const murk_scene_condition *condition = &scene->conditions[i];
+        is_whole = append(&scene->whole_key, "condition ") &&
+                   append(&scene->whole_key, condition->name) &&
+                   append(&scene->whole_key, "\n") &&
+                   append(&scene->whole_key, condition->scene->whole_key);
+    }
+    return is_whole ? MURK_OK : MURK_NO_MEMORY;
+}
+
+static murk_status print_keys(const murk_walk *walk, murk_scene *scene)
 {
     for (size_t i = 0; i < walk->n_paths; ++i) {
         if (drop_folder(walk->paths[i])) {
@@ -179,10 +199,11 @@ static murk_status print_light_key(const murk_walk *walk, murk_scene *scene)
         return MURK_NO_MEMORY;
     }
     const size_t printed = strlen(scene->light_key);
-    return murk_medium_preset_sign(scene) &&
-                   append(&scene->world_key, scene->light_key + printed)
-               ? MURK_OK
-               : MURK_NO_MEMORY;
+    if (!murk_medium_preset_sign(scene) ||
+        !append(&scene->world_key, scene->light_key + printed)) {
+        return MURK_NO_MEMORY;
+    }
+    return print_whole_key(walk, scene->light_key + printed, scene);
 }
 
 /* ---- scenes ---- */
@@ -224,7 +245,7 @@ static murk_status read_condition(murk_scene_condition *condition,
     status = murk_walk_scene(&walk);
     if (!status && (print_resolved(&walk, condition->scene) ||
                     !murk_condition_put_back(root, condition->name, &values) ||
-                    print_light_key(&walk, condition->scene))) {
+                    print_keys(&walk, condition->scene))) {
         status = no_memory(base->path, err);
     }
 done:
@@ -260,7 +281,7 @@ static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
         status = no_memory(scene->path, err);
     }
     if (!status &&
-        (print_resolved(&r->walk, scene) || print_light_key(&r->walk, scene))) {
+        (print_resolved(&r->walk, scene) || print_keys(&r->walk, scene))) {
         status = no_memory(scene->path, err);
     }
     return status;
@@ -427,6 +448,7 @@ void murk_scene_destroy(murk_scene *scene)
     free(scene->idle);
     free(scene->resolved);
     free(scene->light_key);
+    free(scene->whole_key);
     free(scene->world_key);
     for (size_t i = 0; i < scene->files; ++i) {
         free(scene->file[i]);

@@ -549,6 +549,10 @@ struct murk_scene {
                         are equal */
     char *world_key; /* the light's key without its lights: where these are
                         equal, light differs by the lights alone */
+    char *whole_key; /* all of the scene as resolved, of each condition as well,
+                        files by their name without folder: with the checksums
+                        of those files, two scenes give the same results when
+                        these are equal */
     murk_scene_idle *idle; /* [idles] neither here nor in any condition */
     size_t idles;
     char **file; /* [files] that the scene names, by absolute path; a pattern of

@@ -27,7 +27,7 @@ static murk_status no_memory(const murk_sweep_desc *desc, murk_error *err)
 /* While rows are read. */
 typedef struct reading {
     murk_sweep *sweep;
-    murk_sweep_sums sums;
+    murk_file_sums sums;
     murk_sweep_keys *keys; /* [rows] */
     bool has_outputs;
     murk_error first; /* the first row's failure */
@@ -223,7 +223,7 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
             status = murk_sweep_check_fluence(sweep, i, err);
         }
     }
-    murk_sweep_sums_release(&r.sums);
+    murk_file_sums_release(&r.sums);
     free(r.keys);
     if (status) {
         murk_sweep_destroy(sweep);

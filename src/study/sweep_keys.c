@@ -6,96 +6,29 @@
 #include "study/gauges.h"
 #include "study/light_shapes.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define FILE_BYTES_MAX (UINT64_C(8) << 30)
 
 static murk_status no_memory(murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
 }
 
-void murk_sweep_sums_release(murk_sweep_sums *sums)
-{
-    for (size_t i = 0; i < sums->n; ++i) {
-        free(sums->path[i]);
-    }
-    free(sums->path);
-    free(sums->sum);
-    *sums = (murk_sweep_sums){0};
-}
-
-/* "-" where the file cannot be read: its reader will say so. NULL when out of
- * memory. */
-static const char *sum_of(murk_sweep_sums *sums, const char *path)
-{
-    for (size_t i = 0; i < sums->n; ++i) {
-        if (strcmp(sums->path[i], path) == 0) {
-            return sums->sum[i];
-        }
-    }
-    char **paths = realloc(sums->path, (sums->n + 1) * sizeof *paths);
-    sums->path = paths ? paths : sums->path;
-    char(*all)[33] = realloc(sums->sum, (sums->n + 1) * sizeof *all);
-    sums->sum = all ? all : sums->sum;
-    char *copy = strdup(path);
-    if (!paths || !all || !copy) {
-        free(copy);
-        return NULL;
-    }
-    uint64_t sum[2];
-    const bool is_read =
-        murk_file_checksum(path, FILE_BYTES_MAX, sum, NULL) == MURK_OK;
-    paths[sums->n] = copy;
-    if (is_read) {
-        snprintf(all[sums->n], sizeof *all, "%016" PRIx64 "%016" PRIx64, sum[1],
-                 sum[0]);
-    } else {
-        snprintf(all[sums->n], sizeof *all, "-");
-    }
-    return all[sums->n++];
-}
-
-static bool put_file(FILE *out, murk_sweep_sums *sums, const char *path)
-{
-    const char *sum = path ? sum_of(sums, path) : "-";
-    if (sum) {
-        fprintf(out, "file: %s\n", sum);
-    }
-    return sum != NULL;
-}
-
-static bool put_files(FILE *out, murk_sweep_sums *sums, const murk_scene *scene)
-{
-    bool is_whole = true;
-    for (size_t i = 0; i < scene->files && is_whole; ++i) {
-        is_whole = put_file(out, sums, scene->file[i]);
-    }
-    /* those that patterns of frames stand for */
-    for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
-        is_whole = put_file(out, sums, scene->media[i].vdb) &&
-                   put_file(out, sums, scene->media[i].albedo_vdb);
-    }
-    return is_whole;
-}
-
 static bool sign_world(FILE *out, const murk_scene *scene,
-                       const murk_outputs *outputs, murk_sweep_sums *sums)
+                       const murk_outputs *outputs, murk_file_sums *sums)
 {
     char *gauges = murk_gauges_sign(scene, outputs);
     fputs(scene->world_key, out);
     fputs(gauges ? gauges : "", out);
-    const bool is_whole = put_files(out, sums, scene) && gauges;
+    const bool is_whole = murk_file_sums_scene(out, sums, scene) && gauges;
     free(gauges);
     return is_whole;
 }
 
 static bool sign_row(FILE *out, const murk_scene *scene,
                      const murk_outputs *outputs, const char *version,
-                     murk_sweep_sums *sums)
+                     murk_file_sums *sums)
 {
     const murk_study_file *study = outputs->study;
     fprintf(out, "%s\n%d %d\n%zu %zu %zu\n", version, study->has_units,
@@ -104,9 +37,9 @@ static bool sign_row(FILE *out, const murk_scene *scene,
     for (int k = 0; k < MURK_OUTPUTS; ++k) {
         fputc(outputs->wants[k] ? '1' : '0', out);
     }
-    fputs(scene->resolved, out);
-    fputs(scene->light_key, out);
-    return put_file(out, sums, study->plan) && put_files(out, sums, scene);
+    fputs(scene->whole_key, out);
+    return murk_file_sums_put(out, sums, study->plan) &&
+           murk_file_sums_scene(out, sums, scene);
 }
 
 /* The text of a stream, as its hash. */
@@ -145,7 +78,7 @@ static murk_status sign_looks(char hash[65], const murk_scene *scene,
     return status;
 }
 
-murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_sweep_sums *sums,
+murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_scene *scene,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err)

@@ -3,6 +3,7 @@
 #ifndef MURK_STUDY_SWEEP_KEYS_H
 #define MURK_STUDY_SWEEP_KEYS_H
 
+#include "study/file_sums.h"
 #include "study/outputs.h"
 
 typedef struct murk_sweep_keys {
@@ -13,17 +14,9 @@ typedef struct murk_sweep_keys {
     char own[65];   /* all of the row, but for what others are in its group */
 } murk_sweep_keys;
 
-/* Checksums of the files met, which are read once. */
-typedef struct murk_sweep_sums {
-    size_t n;
-    char **path, (*sum)[33];
-} murk_sweep_sums;
-
-void murk_sweep_sums_release(murk_sweep_sums *sums);
-
 /* Of one row's scene. Files that are missing are left for later to refuse.
  * Fails as murk_sky_light(). */
-murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_sweep_sums *sums,
+murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_scene *scene,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err);

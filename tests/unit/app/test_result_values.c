@@ -1,6 +1,7 @@
 /* What result files share: power from quanta, numbers that JSON can hold, what
  * is read back from a folder. Expected values are worked out by hand. */
 #include "app/coverage_out.h"
+#include "app/ledger_out.h"
 #include "app/results.h"
 #include "app/results_in.h"
 #include "check.h"

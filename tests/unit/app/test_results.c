@@ -1,6 +1,7 @@
 /* A run that ends between two renames: whose the files are is still known. */
 #define _DEFAULT_SOURCE /* mkdtemp */
 #include "app/results.h"
+#include "app/run_files.h"
 #include "check.h"
 
 #include <dirent.h>
