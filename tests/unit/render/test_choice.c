@@ -126,8 +126,42 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
     test_world_unmade(&world);
 }
 
+/* An upright lamp in a periodic domain lights what lies close behind it by its
+ * image in the next period; a lamp that looks down has its images in its own
+ * plane, and lights nothing above: it has the blind share alone. */
+static void test_images_light_what_lies_behind(void)
+{
+    murk_light lamp[6];
+    for (int i = 0; i < 5; ++i) {
+        lamp[i] = lamp_at(1, 2, 2);
+    }
+    lamp[5] = (murk_light){.type = MURK_LIGHT_RECT,
+                           .position = {3, 1.5, 1.8},
+                           .edge1 = {0, 1, 0},
+                           .edge2 = {0, 0, 1}, /* it shines along x */
+                           .power_w = {{1}}};
+    test_setup setup = {.domain = {{{0, 0, 0}, {4, 4, 6}}, true},
+                        .lights = lamp,
+                        .n_lights = 6};
+    const murk_outlook behind = {.position = {2.7, 2, 2.3}};
+    const double blind = 0.25 * MURK_LIGHTS_AT_ONCE / 6;
+    double rays[MURK_LIGHTS_MAX];
+    for (int is_periodic = 1; is_periodic >= 0; --is_periodic) {
+        setup.domain.is_periodic = is_periodic;
+        test_world world = test_world_made(&setup);
+        murk_scenery scenery = scenery_of(&world);
+        murk_choice_rays(&scenery, &behind, rays);
+        CHECK_NEAR(rays[0], is_periodic ? blind : MURK_LIGHTS_AT_ONCE / 6.0,
+                   1e-12);
+        CHECK_NEAR(rays[5], MURK_LIGHTS_AT_ONCE - 5 * rays[0], 1e-12);
+        murk_scenery_release(&scenery);
+        test_world_unmade(&world);
+    }
+}
+
 int main(void)
 {
+    test_images_light_what_lies_behind();
     test_images_are_drawn_by_their_chances();
     test_rays_go_to_lamps_that_light_the_place();
     return check_done();
