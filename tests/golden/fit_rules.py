@@ -294,6 +294,29 @@ def test_a_kill_leaves_nothing(f):
     check(not os.path.exists(f.at("killed")), "a folder was left")
 
 
+def test_a_kill_in_the_pilot_leaves_nothing(f):
+    """In a fog whose 2048 photons of the pilot take minutes; --progress tells
+    that it is at work on them."""
+    done = subprocess.Popen(
+        f.command("light.csv", "--free", FOG, "-o", f.at("killed"), "--progress", "always",
+                  "--threads", "1", "--set", FOG + "=2000", "--set", "media.fog.albedo=0.99998"),
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        text=True,
+    )
+    lines = []
+    for line in done.stderr:
+        lines.append(line)
+        if "of 2048 photons" in line:
+            done.send_signal(signal.SIGINT)
+            break
+    asked = time.monotonic()
+    lines += done.stderr.readlines()
+    check(done.wait() == 130 and lines[-1] == "murk: interrupted\n", done.returncode, lines)
+    check(time.monotonic() - asked < 10, "it took long to stop")
+    check(not os.path.exists(f.at("killed")), "a folder was left")
+
+
 def main():
     f = Folder(os.path.abspath(sys.argv[1]))
     test_names_and_what_holds_between_them(f)
@@ -305,6 +328,7 @@ def main():
     test_a_layers_height_by_beams(f)
     test_voxels_are_no_cliffs(f)
     test_a_kill_leaves_nothing(f)
+    test_a_kill_in_the_pilot_leaves_nothing(f)
     return failures != 0
 
 

@@ -7,6 +7,7 @@ usage: goals.py MURK
 import itertools
 import math
 import os
+import re
 import struct
 import sys
 import tempfile
@@ -270,6 +271,30 @@ def test_at_least(murk):
         apart = abs(target["confirmed"] - target["reached"])
         error = math.hypot(target["confirmed_standard_error"], target["reached_standard_error"])
         check(apart < 5 * error, "on a third map:", target)
+    check_page(murk, scene, options, best[3] - 1e-4)
+
+
+def page_of(murk, out):
+    """The words of a report's page, without marks."""
+    murk.call("report", murk.path(out))
+    with open(murk.path(out, "report.html"), encoding="utf-8") as file:
+        return re.sub(r"\s+", " ", re.sub("<[^>]*>", "", file.read()))
+
+
+def check_page(murk, scene, options, asked):
+    """The page asks the strict question and answers it with the strict share,
+    not with the mean of what is seen; no other plan's page speaks of it."""
+    plan = murk.run("place", scene, *options, "--target", repr(asked), "-o", murk.path("strict"))
+    reached, mean = plan["target"]["reached"], plan["coverage"]["in_sample"]
+    check(abs(reached - mean) > 0.02, "both shares are alike:", reached, mean)
+    page = page_of(murk, "strict")
+    for before, share, after in (("How few sensors see ", asked, " of the light, each part by 2 or more"),
+                                 ("the plan has ", reached, ", each part by 2 or more")):
+        found = re.search(f"{before}([0-9.]+) %{after}", page)
+        check(found, "the page lacks:", before, after)
+        near(float(found.group(1)) if found else -1, 100 * share, 0.051, before)
+    murk.run("place", scene, "--emit", "400", "--target", repr(asked), "-o", murk.path("plain"))
+    check("each part by" not in page_of(murk, "plain"), "the page of a plain target")
 
 
 def main():

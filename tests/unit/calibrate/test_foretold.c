@@ -1,6 +1,7 @@
 /* Memory of fits, as foretold from few photons, against what is in use. The
  * one check by chance cries wolf once in a million seeds, and the seed is
  * fixed. */
+#include "base/interrupt.h"
 #include "base/stats.h"
 #include "calibrate/foretold.h"
 #include "check.h"
@@ -175,6 +176,36 @@ static void test_what_cannot_fit_is_refused_at_once(void)
     planted_close(&field);
 }
 
+/* Ctrl-C while the pilot is traced ends the fit there, with nothing foretold
+ * and no light. Last: the flag stays up. */
+static void test_interrupt_in_the_pilot(void)
+{
+    planted_field field;
+    CHECK(planted_open(&field, &planted_coverage));
+    murk_free_keys *keys = planted_keys(&field, MURK_FORETOLD_FROM, 1);
+    murk_model *model = keys ? planted_model(&field, keys) : NULL;
+    foretelling lit; /* its world is there, its light no longer */
+    const bool is_lit = foretell(&lit, &planted_coverage, MURK_FORETOLD_FROM);
+    CHECK(model && is_lit);
+    murk_interrupt_request();
+    if (model && is_lit) {
+        murk_error err = {0};
+        const double value = keys->key[0].start;
+        CHECK(murk_model_trace(model, &value, &err) == MURK_INTERRUPTED);
+        CHECK_TEXT(err.text, "interrupted");
+        CHECK(murk_model_traces(model) == 0);
+        CHECK(murk_model_memory_bytes(model) == 0);
+        err = (murk_error){0};
+        CHECK(murk_model_foretell(&lit.foretold, lit.model, &err) ==
+              MURK_INTERRUPTED);
+        CHECK_TEXT(err.text, "interrupted");
+    }
+    release(&lit);
+    murk_model_destroy(model);
+    murk_free_keys_destroy(keys);
+    planted_close(&field);
+}
+
 int main(void)
 {
     /* so that blocks are of their own size, not of whole pages */
@@ -182,5 +213,6 @@ int main(void)
     test_bytes_are_those_in_use();
     test_more_photons_are_guessed();
     test_what_cannot_fit_is_refused_at_once();
+    test_interrupt_in_the_pilot();
     return check_done();
 }

@@ -2,11 +2,13 @@
  * kept, and that the ledger is of just those; and the candidates that murk
  * lays when the scene gives none. */
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "check.h"
 #include "stage_text.h"
 #include "study/plan.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const char scene_text[] =
     "murk: 1\n"
@@ -135,6 +137,117 @@ static void test_refusals(void)
                    "were lost");
 }
 
+/* ---- forecast ---- */
+
+static murk_forecast foretold(const char *one, const char *two)
+{
+    const char *const overrides[] = {one, two, NULL};
+    murk_stage *stage = stage_text_create(scene_text, overrides);
+    murk_forecast forecast = {0};
+    murk_error err = {0};
+    CHECK(stage && !murk_light_forecast(&forecast, stage, 0, 2, &err));
+    stage_text_destroy(stage);
+    return forecast;
+}
+
+/* The pilot's photons are the first of the run: of a short run all is known, of
+ * a longer one as much as the pilot stands for. */
+static void test_a_forecast_is_the_pilot_many_times(void)
+{
+    const murk_forecast brief = foretold("photons.emit=500", NULL);
+    murk_traced *traced;
+    murk_stage *stage;
+    murk_error err = {0};
+    CHECK(!trace(&traced, &stage, "photons.emit=500", NULL, 2, &err));
+    CHECK(brief.pilot_photons == 500 && brief.emitted == 500);
+    if (traced) {
+        const double surface = (double)murk_photon_map_count(traced->surface);
+        const double volume = (double)murk_photon_map_count(traced->volume);
+        CHECK(surface > 100 && volume > 100 && surface != volume);
+        CHECK(brief.surface == surface && brief.volume == volume);
+        CHECK(brief.memory_bytes > sizeof(murk_photon) * (surface + volume));
+    }
+    release(traced, stage);
+    const murk_forecast whole = foretold("photons.emit=1000000", NULL);
+    const double n = (double)whole.pilot_photons;
+    CHECK(n > 500 && n < 1000000 && whole.emitted == 1000000);
+    const murk_forecast pilot = foretold("photons.emit=4000000000", NULL);
+    CHECK(pilot.pilot_photons == whole.pilot_photons);
+    CHECK_NEAR(pilot.surface / 4e9, whole.surface / 1e6, 1e-9);
+    CHECK_NEAR(pilot.volume / 4e9, whole.volume / 1e6, 1e-9);
+    CHECK_NEAR(whole.surface / 1e6, brief.surface / 500, 0.2);
+    CHECK_NEAR(whole.volume / 1e6, brief.volume / 500, 0.2);
+    /* store: as many photons as these records take */
+    const murk_forecast stored = foretold("photons.store=5000000", NULL);
+    CHECK_NEAR(stored.surface + stored.volume, 5e6, 1e-3);
+    CHECK_NEAR(stored.emitted * (whole.surface + whole.volume),
+               5e6 * whole.emitted, 1e-3 * whole.emitted);
+    CHECK_NEAR(stored.surface / stored.volume, whole.surface / whole.volume,
+               1e-9);
+}
+
+/* max_stored is of both maps together. */
+static void test_max_stored_counts_both_maps(void)
+{
+    const murk_forecast brief = foretold("photons.emit=500", NULL);
+    char most[64];
+    snprintf(most, sizeof most, "photons={emit: 500, max_stored: %.0f}",
+             brief.surface + brief.volume - 1);
+    expect_refusal(most, NULL, MURK_BAD_VALUE, "would be stored");
+    snprintf(most, sizeof most, "photons={emit: 500, max_stored: %.0f}",
+             brief.surface + brief.volume);
+    CHECK(foretold(most, NULL).surface == brief.surface);
+    murk_traced *traced;
+    murk_stage *stage;
+    murk_error err = {0};
+    CHECK(!trace(&traced, &stage, most, NULL, 2, &err));
+    release(traced, stage);
+}
+
+static char warning[512];
+
+static void keep_warning(const char *where, const char *text)
+{
+    (void)where;
+    snprintf(warning, sizeof warning, "%s", text);
+}
+
+/* One beam of so many watts leaves, one of a watt meets a black wall: photons
+ * are dealt by power, but their shares are known for each light. */
+static void check_escape(const char *watts, double share, const char *said)
+{
+    char beam[100];
+    snprintf(beam, sizeof beam, "lights.0.power_w=%s", watts);
+    const char *const overrides[] = {
+        "lights=[{type: beam, origin_m: [2, 2, 1], direction: [0, 0, 1], "
+        "power_w: 1}, {type: beam, origin_m: [2, 2, 1], direction: [0, 0, "
+        "-1], power_w: 1}]",
+        "geometry=[{rect: {corner_m: [0, 0, 0.5], edge1_m: [4, 0, 0], "
+        "edge2_m: [0, 4, 0]}, material: wall}]",
+        "materials.wall.diffuse=0",
+        "media.fog.extinction_per_m=0",
+        beam,
+        NULL};
+    murk_stage *stage = stage_text_create(scene_text, overrides);
+    murk_forecast forecast = {0};
+    murk_error err = {0};
+    CHECK(stage && !murk_light_forecast(&forecast, stage, 0, 2, &err));
+    CHECK_NEAR(forecast.escaped_share, share, 1e-12);
+    const murk_warn_sink before = murk_warn_to(keep_warning);
+    warning[0] = 0;
+    murk_warn_of_escape(stage, forecast.escaped_share);
+    (void)murk_warn_to(before);
+    CHECK(said ? strstr(warning, said) != NULL : warning[0] == 0);
+    stage_text_destroy(stage);
+}
+
+static void test_escaped_light_is_by_power(void)
+{
+    check_escape("3", 0.75, "75 % of the lamps' light escapes");
+    check_escape("1.1", 1.1 / 2.1, "52 % of the lamps' light escapes");
+    check_escape("0.9", 0.9 / 1.9, NULL);
+}
+
 static void test_laid_candidates(void)
 {
     murk_error err = {0};
@@ -176,6 +289,9 @@ int main(void)
     test_store_is_a_prefix();
     test_packets_add_up_to_the_lamps();
     test_refusals();
+    test_a_forecast_is_the_pilot_many_times();
+    test_max_stored_counts_both_maps();
+    test_escaped_light_is_by_power();
     test_laid_candidates();
     test_interrupt_in_the_pilot();
     return check_done();
