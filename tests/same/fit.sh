@@ -38,7 +38,7 @@ if cmp -s "$dir/1/calibrated.yaml" "$dir/other/calibrated.yaml"; then
     exit 1
 fi
 same smoke --emit 20000 --starts 2 --loss huber --free media.smoke.extinction_per_m,media.smoke.albedo
-same water --emit 20000 --free media.sea.extinction_per_m.1,media.sea.albedo.1
+same water --emit 20000 --starts 2 --free media.sea.extinction_per_m.1,media.sea.albedo.1
 same coverage --emit 500 --free media.fog.visibility_m --set placement.detection=independent
-same fog --emit 5000 --traces 3 --free media.fog.extinction_per_m,lights.0.divergence_deg
+same fog --emit 5000 --traces 3 --starts 2 --free media.fog.extinction_per_m,lights.0.divergence_deg
 [ "$compared" -eq 45 ] || { echo "only $compared comparisons"; exit 1; }
