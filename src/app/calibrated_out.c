@@ -1,6 +1,7 @@
 #include "app/fit_out.h"
 
 #include "app/coverage_out.h"
+#include "app/fit_refused.h"
 #include "base/log.h"
 #include "calibrate/key_place.h"
 #include "calibrate/verdict.h"
@@ -177,7 +178,7 @@ static murk_status write_calibrated(const char *path, const void *context,
     FILE *file = murk_file_stream(out);
     bool has_keys = false;
     fprintf(file, "# values found by murk fit; for --set @FILE\n");
-    fprintf(file, "# Does it fit? %s\n", f->found->verdict);
+    fprintf(file, MURK_CALIBRATED_VERDICT "%s\n", f->found->verdict);
     for (size_t k = 0; k < f->keys->n; ++k) {
         write_value(file, f, k, &p);
         has_keys = has_keys || f->keys->key[k].kind != MURK_FREE_GAIN;

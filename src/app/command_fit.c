@@ -1,4 +1,5 @@
 #include "app/fit_out.h"
+#include "app/fit_refused.h"
 #include "app/session.h"
 #include "app/summary.h"
 #include "calibrate/covered.h"
@@ -90,6 +91,13 @@ static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
     }
     *out = list;
     return MURK_OK;
+}
+
+static bool is_refused(const murk_yaml *root)
+{
+    const murk_yaml *accepted = murk_yaml_get(root, "accepted");
+    return accepted && accepted->kind == MURK_YAML_SCALAR &&
+           strcmp(accepted->text, "false") == 0;
 }
 
 /* "media.fog.visibility_m@dawn" was asked for as "..@each". */
@@ -204,6 +212,9 @@ static murk_status read_input(fit *f, const murk_session *session,
         if (!status) {
             status = ask_for(f, list, err);
         }
+        if (!status && is_refused(*values)) {
+            murk_fit_warn_refused(o->fit.predict);
+        }
     }
     if (!status) {
         status =
@@ -253,10 +264,11 @@ static murk_status write_files(const fit *f, murk_session *session,
             session, only_predicts ? "predict.json" : "fit.json",
             murk_fit_json(&facts), err);
     }
-    /* where no summary is printed, a warning carries the refusal */
+    /* where no summary is printed, a warning carries the refusal, with --quiet
+     * as well: who uses the values must know */
     if (!status && !only_predicts && !f->found.is_accepted &&
         !murk_session_speaks(session)) {
-        murk_warn("", "%s", f->found.verdict);
+        murk_message("warning: ", "", f->found.verdict);
     }
     if (!status && murk_session_speaks(session)) {
         murk_print_fit(&facts);

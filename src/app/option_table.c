@@ -131,7 +131,8 @@ const murk_option murk_option_table[] = {
      "what is printed on standard output: a summary, or the command's main "
      "JSON"},
     {MURK_OPTION_QUIET, "--quiet", "-q", NULL, NULL,
-     "no summary, no warnings, no progress"},
+     "no summary, no progress, and no warnings but that of a fit that the "
+     "data refuse"},
     {MURK_OPTION_PROGRESS, "--progress", NULL, "auto|always|never", NULL,
      "bars on standard error; auto: only on a terminal"},
     {MURK_OPTION_HELP, "--help", "-h", NULL, NULL, "this text"},

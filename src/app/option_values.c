@@ -1,5 +1,7 @@
 #include "app/option_values.h"
 
+#include "app/fit_refused.h"
+#include "base/file.h"
 #include "scene/yaml.h"
 
 #include <errno.h>
@@ -211,11 +213,17 @@ murk_status murk_option_values_of(murk_options *out, const char *file,
                                   murk_error *err)
 {
     murk_yaml *root = NULL;
+    char *text = NULL;
+    size_t size = 0;
     if (!*file) {
         return murk_fail(err, MURK_BAD_VALUE, "--set @",
                          "no name, must be --set @FILE");
     }
-    murk_status status = murk_yaml_read(&root, file, err);
+    murk_status status =
+        murk_file_read(&text, &size, file, MURK_YAML_MOST_BYTES, err);
+    if (!status) {
+        status = murk_yaml_parse(&root, text, size, file, err);
+    }
     if (!status && root->kind != MURK_YAML_MAP) {
         status = murk_fail(err, MURK_BAD_FILE, file,
                            "must be a map of KEY: VALUE, as calibrated.yaml");
@@ -223,6 +231,10 @@ murk_status murk_option_values_of(murk_options *out, const char *file,
     for (size_t i = 0; !status && i < root->n; ++i) {
         status = add_value(out, root, i, file, err);
     }
+    if (!status && murk_fit_refused_values(text)) {
+        murk_fit_warn_refused(file);
+    }
+    free(text);
     murk_yaml_destroy(root);
     return status;
 }

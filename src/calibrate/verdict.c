@@ -76,7 +76,8 @@ void murk_calibration_judge(murk_calibration *c, const murk_free_keys *keys)
                "whether the model fits.");
     } else if (!c->is_accepted) {
         say(c,
-            "No: the data refuse this model, chi2 is %.4g where %.0f +- %.0f "
+            MURK_VERDICT_REFUSED
+            "the data refuse this model, chi2 is %.4g where %.0f +- %.0f "
             "is due (chance %.1g). The values and their errors are not to be "
             "used.",
             c->chi2, n, sqrt(2 * n), c->p_value);

@@ -10,6 +10,9 @@
  * refused: of 10,000 fits of a right model with right errors, one. */
 #define MURK_FIT_REFUSED 1e-4
 
+/* The verdict of a refused model begins with this. */
+#define MURK_VERDICT_REFUSED "No: "
+
 /* Fills p_value, is_accepted and verdict from chi2, degrees_of_freedom,
  * converged, at_bound and standard_error; names are those of the keys. */
 void murk_calibration_judge(murk_calibration *calibration,

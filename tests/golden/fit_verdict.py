@@ -113,6 +113,23 @@ with tempfile.TemporaryDirectory() as made:
     check(page.index("No: the data refuse") < page.index("extinction_per_m ="), page[:600])
     check("No: the data refuse" in warned, "refused: no warning beside --format json:", warned)
 
+    # whoever uses the values of a refused fit is told in one line, --quiet or not
+    program = pathlib.Path(sys.argv[1]).resolve()
+    uses = {"predict": ["fit", "scene.yaml", "--data", "refused.csv", "--predict", "FIT/fit.json"],
+            "set": ["check", "scene.yaml", "--set", "@FIT/calibrated.yaml"],
+            "fit": ["fit", "scene.yaml", "--data", "FIT.csv", "--free", "media.fog.extinction_per_m"]}
+    for use, command in uses.items():
+        for name, is_told in (("agree", False), ("refused", True)):
+            for more in ([], ["--quiet"], ["--format", "json"]):
+                if use == "fit" and not more:
+                    continue  # its summary says it, as above
+                line = [word.replace("FIT", name) for word in command] + more
+                done = subprocess.run([program, *line], cwd=folder, capture_output=True, text=True)
+                check(done.returncode == 0, line, done.stderr)
+                told = [text for text in done.stderr.splitlines() if "refuse" in text]
+                check(len(told) == is_told, line, "says", done.stderr)
+                check(done.stdout == "" or "--quiet" not in more, line, done.stdout)
+
     fit_of_one = HEAD + "transmittance,1,1,1,3,1,1,fraction,0.5,0.01\n"
     *texts, warned = fit(folder, "one", fit_of_one, "--free", "media.fog.extinction_per_m")
     check_same("one", *texts)
