@@ -132,7 +132,9 @@ void murk_axis_write(FILE *to, const murk_axis *a, double value, double step)
     const double by = is_share ? 100 * step : step;
     const double most = fabs(shown);
     const int decimals = by > 0 ? -(int)floor(log10(by * 1.0001)) : 0;
-    if (most > 0 && (most >= 99999.5 || most < 1e-4)) {
+    /* five digits tell ticks apart, but not those of surveyed coordinates */
+    const bool tells_apart = !(by > 0 && by < 1e-4 * most);
+    if (most > 0 && ((most >= 99999.5 && tells_apart) || most < 1e-4)) {
         murk_page_power(to, shown, 5);
     } else if (by > 0 && decimals <= 8) {
         fprintf(to, "%.*f", decimals > 0 ? decimals : 0, shown);

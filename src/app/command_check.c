@@ -149,7 +149,7 @@ static void print_findings(const findings *f)
                domain->is_periodic ? "periodic" : "open");
     if (digits > 6) {
         murk_print("origin      %.*g %.*g %.*g m: the world is computed about "
-                   "this point; warnings count positions from it\n",
+                   "this point\n",
                    digits, scene->origin.x, digits, scene->origin.y, digits,
                    scene->origin.z);
     }

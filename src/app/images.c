@@ -1,6 +1,7 @@
 #include "app/images.h"
 
 #include "app/ownership.h"
+#include "app/summary.h"
 #include "app/version.h"
 #include "base/file.h"
 #include "render/exr.h"
@@ -204,8 +205,14 @@ static void say_all(texts *t, const murk_image_facts *facts)
     say(t, "murkProjection",
         c->projection == MURK_EQUIRECTANGULAR ? "equirectangular"
                                               : "perspective");
-    say_made(t, "murkFrom", "%.9g %.9g %.9g m", c->from.x, c->from.y,
-             c->from.z);
+    const murk_vec3 from = murk_scene_user(facts->scene, c->from);
+    const int digits = murk_coordinate_digits(facts->scene, 9);
+    say_made(t, "murkFrom", "%.*g %.*g %.*g m", digits, from.x, digits, from.y,
+             digits, from.z);
+    const murk_vec3 o = facts->scene->origin; /* of P, which floats hold */
+    if (o.x != 0 || o.y != 0 || o.z != 0) {
+        say_made(t, "murkOrigin", "%.17g %.17g %.17g m", o.x, o.y, o.z);
+    }
     say_made(t, "murkHeading", "%.6g degrees", v->heading_deg);
     say_made(t, "murkTilt", "%.6g degrees", v->tilt_deg);
     say(t, "murkMethod", facts->method);

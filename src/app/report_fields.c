@@ -3,6 +3,7 @@
 #include "app/chart.h"
 #include "app/chart_heat.h"
 #include "app/page.h"
+#include "app/summary.h"
 #include "base/log.h"
 #include "medium/grid.h"
 #include "study/units.h"
@@ -228,15 +229,17 @@ static void draw_map(FILE *to, const murk_report_fields *all,
                      bool is_log)
 {
     const slice s = slice_of(f->asked, which);
-    const murk_box *box = &f->asked->box;
+    const murk_box user = murk_scene_user_box(all->scene, f->asked->box);
+    const murk_box *box = &user;
     char name[TEXT_SIZE], title[2 * TEXT_SIZE];
     const char axis[2][5] = {{"xyz"[s.u], ',', ' ', 'm', 0},
                              {"xyz"[s.v], ',', ' ', 'm', 0}};
     const double low = along(box->min, s.w), high = along(box->max, s.w);
     const size_t n = f->asked->size[s.w];
     name_field(name, all, f);
-    snprintf(title, sizeof title, "Fluence rate %s at %c = %.4g m", name,
-             "xyz"[s.w], low + ((double)s.at + 0.5) / (double)n * (high - low));
+    snprintf(title, sizeof title, "Fluence rate %s at %c = %.*g m", name,
+             "xyz"[s.w], murk_coordinate_digits(all->scene, 4),
+             low + ((double)s.at + 0.5) / (double)n * (high - low));
     const murk_heat heat = {.title = title,
                             .x_title = axis[0],
                             .y_title = axis[1],
@@ -260,8 +263,9 @@ static bool draw_line(FILE *to, const murk_report_fields *all,
     const slice s = slice_of(f->asked, which);
     const int axis = s.size[0] > 1 ? s.u : s.v;
     const size_t n = s.size[0] * s.size[1];
-    const double low_m = along(f->asked->box.min, axis);
-    const double high_m = along(f->asked->box.max, axis);
+    const murk_box box = murk_scene_user_box(all->scene, f->asked->box);
+    const double low_m = along(box.min, axis);
+    const double high_m = along(box.max, axis);
     char name[TEXT_SIZE], title[2 * TEXT_SIZE];
     const char axis_title[] = {"xyz"[axis], ',', ' ', 'm', 0};
     double *x = malloc(3 * n * sizeof *x);

@@ -41,7 +41,8 @@ static murk_vec3 vector_at(const murk_yaml *root, const char *key)
     return murk_vec(v[0], v[1], v[2]);
 }
 
-/* The page draws about the scene's local origin, like the world. */
+/* The page draws about the scene's local origin, like the world; what it says
+ * of places has the origin added. */
 static murk_vec3 local_of(const murk_scene *scene, murk_vec3 place)
 {
     return scene ? murk_scene_local(scene, place) : place;

@@ -224,6 +224,8 @@ char *murk_view_data_json(const murk_view_data *data)
     const double size = murk_length(murk_sub(data->box.max, data->box.min));
     cJSON *root = cJSON_CreateObject();
     add_box(root, &data->box);
+    /* places here count from there */
+    add_vector(root, "origin", s->scene ? s->scene->origin : murk_vec(0, 0, 0));
     /* a single place has a view, too */
     add_number(root, "size_m", size > 0 ? size : 1);
     add_number(root, "dot_m", (size > 0 ? size : 1) / DOT_SHARE);

@@ -1,6 +1,7 @@
 #include "app/viewpoint.h"
 
 #include "base/log.h"
+#include "base/position.h"
 #include "render/render.h"
 #include "scene/words.h"
 #include "study/dark.h"
@@ -174,10 +175,10 @@ murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
     const murk_vec3 p = v->camera.from;
     if (!murk_box_contains(box, p)) {
         return murk_fail(err, MURK_BAD_VALUE, v->where,
-                         "from_m is [%g, %g, %g] m, must be within the "
-                         "domain, [%g, %g, %g]..[%g, %g, %g] m",
-                         p.x, p.y, p.z, box->min.x, box->min.y, box->min.z,
-                         box->max.x, box->max.y, box->max.z);
+                         "from_m is %s m, must be within the domain, %s..%s m",
+                         murk_position_show(p).text,
+                         murk_position_show(box->min).text,
+                         murk_position_show(box->max).text);
     }
     return MURK_OK;
 }
@@ -191,9 +192,8 @@ murk_status murk_viewpoint_judge(const murk_viewpoint *v,
     const murk_vec3 p = v->camera.from;
     if (murk_surfaces_solid_at(stage->surfaces, p) > 0) {
         murk_warn(v->where,
-                  "%s stands at [%g, %g, %g] m inside a solid of transmitting "
-                  "material",
-                  v->name, p.x, p.y, p.z);
+                  "%s stands at %s m inside a solid of transmitting material",
+                  v->name, murk_position_show(p).text);
         return MURK_OK;
     }
     if (murk_stage_is_dark(stage)) { /* nothing leads to a light */
@@ -204,10 +204,9 @@ murk_status murk_viewpoint_judge(const murk_viewpoint *v,
         murk_stage_free_space(&space, stage, threads, err);
     if (!status && !murk_open_space_holds(space, p, murk_vec(0, 0, 0))) {
         murk_warn(v->where,
-                  "%s stands at [%g, %g, %g] m, from where no open way to any "
-                  "light was found: it may be inside something or behind a "
-                  "wall",
-                  v->name, p.x, p.y, p.z);
+                  "%s stands at %s m, from where no open way to any light was "
+                  "found: it may be inside something or behind a wall",
+                  v->name, murk_position_show(p).text);
     }
     murk_open_space_destroy(space);
     return status;

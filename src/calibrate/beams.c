@@ -1,5 +1,6 @@
 #include "calibrate/beams.h"
 
+#include "base/position.h"
 #include "medium/acceptance.h"
 #include "sensing/passage.h"
 #include "study/stage_media.h"
@@ -47,24 +48,27 @@ static murk_status check_reading(const murk_stage *stage,
     if (murk_surfaces_solid_at(stage->surfaces, a) ||
         murk_surfaces_solid_at(stage->surfaces, b)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "the segment (%g, %g, %g) to (%g, %g, %g) m ends "
+                         "the segment %s to %s m ends "
                          "inside a solid, must be outside of all",
-                         a.x, a.y, a.z, b.x, b.y, b.z);
+                         murk_position_show(a).text,
+                         murk_position_show(b).text);
     }
     if (is_blocked(stage->surfaces, r)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "a surface stands across the segment (%g, %g, %g) to "
-                         "(%g, %g, %g) m, which must be open",
-                         a.x, a.y, a.z, b.x, b.y, b.z);
+        return murk_fail(
+            err, MURK_BAD_VALUE, where,
+            "a surface stands across the segment %s to %s m, which "
+            "must be open",
+            murk_position_show(a).text, murk_position_show(b).text);
     }
     const murk_passages way =
         murk_passages_from(stage->media, stage->hulls, domain, a);
     if (murk_passage_bends(&way, b)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "the index of refraction changes on the segment "
-                         "(%g, %g, %g) to (%g, %g, %g) m, which must be "
+                         "%s to %s m, which must be "
                          "straight for light",
-                         a.x, a.y, a.z, b.x, b.y, b.z);
+                         murk_position_show(a).text,
+                         murk_position_show(b).text);
     }
     return isnan(r->acceptance_rad)
                ? MURK_OK

@@ -1,6 +1,7 @@
 #include "calibrate/posts.h"
 
 #include "base/log.h"
+#include "base/position.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -107,10 +108,10 @@ void murk_posts_warn_of_cut(const murk_posts *posts,
         snprintf(where, sizeof where, "%s:%zu", measured->path,
                  measured->reading[measured->row[row].first].line);
         murk_warn(where,
-                  "a surface cuts the receiver of %g m around (%g, %g, %g) m, "
-                  "behind which it is dark: it reads low; take a smaller "
+                  "a surface cuts the receiver of %g m around %s m, behind "
+                  "which it is dark: it reads low; take a smaller "
                   "radius_m, or a place farther from the surface",
-                  r->radius_m, r->center.x, r->center.y, r->center.z);
+                  r->radius_m, murk_position_show(r->center).text);
     }
     if (cut > CUT_NAMED) {
         murk_warn(measured->path,

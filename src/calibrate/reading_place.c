@@ -1,5 +1,7 @@
 #include "calibrate/reading_place.h"
 
+#include "base/position.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,16 +14,12 @@ static murk_status outside(const murk_reading_row *at,
                            murk_reading_column column, const char *what,
                            murk_vec3 p)
 {
-    const murk_scene *scene = at->source->scene;
-    const murk_box user = murk_scene_user_box(scene, at->source->domain->box);
-    const murk_box *box = &user;
+    const murk_box *box = &at->source->domain->box;
     char text[320];
-    p = murk_scene_user(scene, p);
-    snprintf(text, sizeof text,
-             "%s [%.9g, %.9g, %.9g] m is outside the domain, "
-             "[%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
-             what, p.x, p.y, p.z, box->min.x, box->min.y, box->min.z,
-             box->max.x, box->max.y, box->max.z);
+    snprintf(text, sizeof text, "%s %s m is outside the domain, %s to %s m",
+             what, murk_position_show(p).text,
+             murk_position_show(box->min).text,
+             murk_position_show(box->max).text);
     return murk_reading_fail(at, column, text);
 }
 

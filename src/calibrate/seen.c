@@ -2,6 +2,7 @@
 
 #include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/position.h"
 #include "base/tally.h"
 #include "medium/acceptance.h"
 #include "medium/alone.h"
@@ -261,10 +262,11 @@ static murk_status check_poses(const murk_seen_desc *desc, murk_error *err)
         const murk_vec3 p = desc->pose[j].position;
         if (!murk_box_contains(box, p)) {
             return murk_fail(err, MURK_BAD_VALUE, "sensors",
-                             "sensor %zu at [%g, %g, %g] m is outside the "
-                             "domain, [%g, %g, %g] to [%g, %g, %g] m",
-                             j + 1, p.x, p.y, p.z, box->min.x, box->min.y,
-                             box->min.z, box->max.x, box->max.y, box->max.z);
+                             "sensor %zu at %s m is outside the domain, %s to "
+                             "%s m",
+                             j + 1, murk_position_show(p).text,
+                             murk_position_show(box->min).text,
+                             murk_position_show(box->max).text);
         }
     }
     return MURK_OK;

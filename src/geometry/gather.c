@@ -1,5 +1,7 @@
 #include "geometry/gather.h"
 
+#include "base/position.h"
+
 #include <assert.h>
 #include <ctype.h>
 #include <stdlib.h>
@@ -267,10 +269,11 @@ static murk_status check_coordinates(const murk_gathering *g,
         bad = fits ? NULL : &g->ball[i].center;
     }
     if (bad) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "a point is at (%g, %g, %g) m, coordinates must be "
-                         "within %g m of the origin",
-                         bad->x, bad->y, bad->z, COORDINATE_MAX_M);
+        return murk_fail(
+            err, MURK_BAD_VALUE, where,
+            "a point is at %s m, coordinates must be within %g m of "
+            "the origin",
+            murk_position_show(*bad).text, COORDINATE_MAX_M);
     }
     return MURK_OK;
 }

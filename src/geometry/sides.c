@@ -6,6 +6,7 @@
  * only where the mesh does not cross itself, so all edges are held against all
  * triangles first. */
 #include "base/log.h"
+#include "base/position.h"
 #include "geometry/gather.h"
 #include "geometry/hull.h"
 #include "geometry/triangle.h"
@@ -179,9 +180,9 @@ murk_status murk_hull_find_sides(murk_hull *b, const char *where,
     if (b->crossings > 0) {
         murk_warn(where,
                   "the mesh crosses itself: %zu of its edges pass through its "
-                  "triangles, the first near (%.6g, %.6g, %.6g) m; where parts "
-                  "of it overlap, twice inside counts as outside",
-                  b->crossings, first.x, first.y, first.z);
+                  "triangles, the first near %s m; where parts of it overlap, "
+                  "twice inside counts as outside",
+                  b->crossings, murk_position_show(first).text);
     }
     if (b->crossings == 0 && p.are_orientable) {
         status = learn_sides(b, &p, where, err);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/position.h"
 #include "base/rng.h"
 #include "light/deal.h"
 #include "light/source.h"
@@ -31,9 +32,9 @@ static murk_status check_set(size_t n_lights, const murk_domain *domain,
     if (!(murk_is_finite(a) && murk_is_finite(b) && a.x < b.x && a.y < b.y &&
           a.z < b.z)) {
         return murk_fail(err, MURK_BAD_VALUE, "domain",
-                         "[%g, %g, %g] .. [%g, %g, %g] m, min must be below "
-                         "max on each axis",
-                         a.x, a.y, a.z, b.x, b.y, b.z);
+                         "%s .. %s m, min must be below max on each axis",
+                         murk_position_show(a).text,
+                         murk_position_show(b).text);
     }
     return MURK_OK;
 }

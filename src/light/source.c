@@ -1,5 +1,7 @@
 #include "light/source.h"
 
+#include "base/position.h"
+
 #include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,11 +67,10 @@ static murk_status check_inside(const murk_domain *domain, murk_vec3 p,
     }
     return murk_fail(
         err, MURK_BAD_VALUE, where,
-        "%s at [%g, %g, %g] m %s the domain [%g, %g, %g] .. "
-        "[%g, %g, %g] m, must be inside",
-        what, p.x, p.y, p.z,
-        murk_box_contains(box, p) ? "reaches out of" : "is outside", box->min.x,
-        box->min.y, box->min.z, box->max.x, box->max.y, box->max.z);
+        "%s at %s m %s the domain %s .. %s m, must be inside", what,
+        murk_position_show(p).text,
+        murk_box_contains(box, p) ? "reaches out of" : "is outside",
+        murk_position_show(box->min).text, murk_position_show(box->max).text);
 }
 
 static murk_status prepare_direction(murk_source *s, murk_error *err)

@@ -1,6 +1,7 @@
 #include "medium/media.h"
 
 #include "base/log.h"
+#include "base/position.h"
 #include "medium/albedo.h"
 #include "medium/parts.h"
 #include "medium/tree.h"
@@ -180,9 +181,10 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
         b->min.y >= domain->max.y || b->max.y <= domain->min.y ||
         b->min.z >= domain->max.z || b->max.z <= domain->min.z) {
         murk_warn(where,
-                  "the region fills (%g, %g, %g) to (%g, %g, %g) m and lies "
-                  "outside of the domain: no light meets it",
-                  b->min.x, b->min.y, b->min.z, b->max.x, b->max.y, b->max.z);
+                  "the region fills %s to %s m and lies outside of the domain: "
+                  "no light meets it",
+                  murk_position_show(b->min).text,
+                  murk_position_show(b->max).text);
     }
 }
 

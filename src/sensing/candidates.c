@@ -2,6 +2,7 @@
 
 #include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/position.h"
 #include "sensing/listed.h"
 #include "sensing/reach.h"
 #include "sensing/segment.h"
@@ -97,12 +98,11 @@ static murk_status check_place(const murk_candidate_grid *grid,
     for (size_t i = 0; i < n; ++i) {
         const murk_vec3 p = murk_candidate_grid_point(grid, i);
         if (!murk_box_contains(&domain->box, p)) {
-            const murk_vec3 min = domain->box.min, max = domain->box.max;
             return murk_fail(err, MURK_BAD_VALUE, where,
-                             "candidate [%g, %g, %g] m is outside the domain, "
-                             "[%g, %g, %g] to [%g, %g, %g] m",
-                             p.x, p.y, p.z, min.x, min.y, min.z, max.x, max.y,
-                             max.z);
+                             "candidate %s m is outside the domain, %s to %s m",
+                             murk_position_show(p).text,
+                             murk_position_show(domain->box.min).text,
+                             murk_position_show(domain->box.max).text);
         }
     }
     return MURK_OK;
@@ -117,8 +117,8 @@ static murk_status check_listed(const murk_candidate_desc *desc,
         const murk_vec3 p = desc->point[i];
         if (!murk_box_contains(&domain->box, p)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
-                             "point %zu, [%g, %g, %g] m, is outside the domain",
-                             i, p.x, p.y, p.z);
+                             "point %zu, %s m, is outside the domain", i,
+                             murk_position_show(p).text);
         }
     }
     const double least_m = 2 * murk_hair(surfaces, domain);

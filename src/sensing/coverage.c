@@ -10,6 +10,7 @@
 
 #include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/position.h"
 #include "sensing/region_coverage.h"
 #include "sensing/views.h"
 
@@ -359,14 +360,14 @@ static murk_status check(const murk_sight_desc *desc, const murk_pose *pose,
                          size_t n, murk_error *err)
 {
     for (size_t j = 0; j < n; ++j) {
-        const murk_vec3 p = pose[j].position, min = desc->domain.box.min,
-                        max = desc->domain.box.max;
-        if (!murk_box_contains(&desc->domain.box, p)) {
+        const murk_box *box = &desc->domain.box;
+        if (!murk_box_contains(box, pose[j].position)) {
             return murk_fail(err, MURK_BAD_VALUE, "sensors",
-                             "sensor %zu at [%g, %g, %g] m is outside the "
-                             "domain, [%g, %g, %g] to [%g, %g, %g] m",
-                             j + 1, p.x, p.y, p.z, min.x, min.y, min.z, max.x,
-                             max.y, max.z);
+                             "sensor %zu at %s m is outside the domain, %s to "
+                             "%s m",
+                             j + 1, murk_position_show(pose[j].position).text,
+                             murk_position_show(box->min).text,
+                             murk_position_show(box->max).text);
         }
     }
     return MURK_OK;

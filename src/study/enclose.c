@@ -1,5 +1,7 @@
 #include "study/enclose.h"
 
+#include "base/position.h"
+
 /* Faces that are none are put this many times further than all else. */
 #define FAR_TIMES 4
 
@@ -84,9 +86,9 @@ static murk_status check_pairs(const murk_hulls *hulls, const murk_scene *scene,
             if (cross(hulls, scene, i, later, domain, &p)) {
                 return murk_fail(
                     err, MURK_BAD_VALUE, scene->regions[later].where,
-                    "crosses %s near (%.6g, %.6g, %.6g) m, must lie in it, "
-                    "hold it or lie apart: both have an index of refraction",
-                    scene->regions[i].where, p.x, p.y, p.z);
+                    "crosses %s near %s m, must lie in it, hold it or lie "
+                    "apart: both have an index of refraction",
+                    scene->regions[i].where, murk_position_show(p).text);
             }
         }
     }

@@ -1,5 +1,6 @@
 /* Where exploring begins. */
 #include "base/interrupt.h"
+#include "base/position.h"
 #include "sensing/outlook.h"
 #include "study/explore.h"
 
@@ -45,7 +46,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
 {
     const murk_scene_placement *wish = &stage->scene->placement;
     const murk_domain *domain = &stage->world.domain;
-    const murk_vec3 x = wish->start, a = domain->box.min, b = domain->box.max;
+    const murk_vec3 x = wish->start;
     if (!wish->has_start && poses->fixed == 0) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
                          "start_m: not given, but knowledge is explore, which "
@@ -58,9 +59,10 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     }
     if (!murk_box_contains(&domain->box, x)) {
         return murk_fail(err, MURK_BAD_VALUE, wish->where,
-                         "start_m: [%.9g, %.9g, %.9g] m lies outside the "
-                         "domain, [%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
-                         x.x, x.y, x.z, a.x, a.y, a.z, b.x, b.y, b.z);
+                         "start_m: %s m lies outside the domain, %s to %s m",
+                         murk_position_show(x).text,
+                         murk_position_show(domain->box.min).text,
+                         murk_position_show(domain->box.max).text);
     }
     far_place *order = calloc(sites->usable + 1, sizeof *order);
     if (!order) {
@@ -75,9 +77,8 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     free(order);
     return is_found ? MURK_OK
                     : murk_fail(err, MURK_BAD_VALUE, wish->where,
-                                "start_m: no straight open way leads from "
-                                "[%.9g, %.9g, %.9g] m to any of the %zu usable "
-                                "candidates: inside of something, or out of "
-                                "their sight",
-                                x.x, x.y, x.z, sites->usable);
+                                "start_m: no straight open way leads from %s m "
+                                "to any of the %zu usable candidates: inside "
+                                "of something, or out of their sight",
+                                murk_position_show(x).text, sites->usable);
 }

@@ -1,5 +1,6 @@
 #include "study/goals.h"
 
+#include "base/position.h"
 #include "geometry/hulls.h"
 #include "geometry/mesh.h"
 
@@ -140,10 +141,10 @@ static murk_status check_place(const murk_goals *goals, size_t i,
     const murk_box box = box_of(goals, i);
     if (!overlap(&box, domain)) {
         return murk_fail(err, MURK_BAD_VALUE, r->where,
-                         "%s is empty: it spans [%.6g, %.6g, %.6g] to [%.6g, "
-                         "%.6g, %.6g] m, outside of the domain",
-                         r->name, box.min.x, box.min.y, box.min.z, box.max.x,
-                         box.max.y, box.max.z);
+                         "%s is empty: it spans %s to %s m, outside of the "
+                         "domain",
+                         r->name, murk_position_show(box.min).text,
+                         murk_position_show(box.max).text);
     }
     if (r->material >= 0 &&
         !(murk_surfaces_material_area(surfaces, (size_t)r->material) > 0)) {

@@ -69,6 +69,12 @@ static murk_section section_of(const char *name, const void *bytes, size_t size)
     return section;
 }
 
+static bool has_origin(const murk_scene *scene)
+{
+    const murk_vec3 o = scene->origin;
+    return o.x != 0 || o.y != 0 || o.z != 0;
+}
+
 murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
                             const char *path, murk_error *err)
 {
@@ -89,7 +95,9 @@ murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
     int64_t *absorbed = energy + LEDGER_COLUMNS * channels;
     absorbed_cells(traced->ledger, absorbed);
     const facts f = facts_of(traced);
+    const murk_vec3 o = stage->scene->origin;
     const murk_section sections[] = {
+        section_of("origin_m", &o, sizeof o),
         section_of("key", stage->light_key, strlen(stage->light_key)),
         section_of("facts", &f, sizeof f),
         section_of("packet_w", traced->packet_w,
@@ -103,8 +111,10 @@ murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
         section_of("volume", murk_photon_map_photons(traced->volume),
                    murk_photon_map_count(traced->volume) *
                        sizeof(murk_photon))};
-    const murk_status status = murk_light_file_write(
-        path, sections, sizeof sections / sizeof *sections, err);
+    const size_t first = has_origin(stage->scene) ? 0 : 1;
+    const murk_status status =
+        murk_light_file_write(path, sections + first,
+                              sizeof sections / sizeof *sections - first, err);
     free(energy);
     return status;
 }
@@ -135,6 +145,28 @@ static murk_status check_key(const murk_section *key, const char *light_key,
         b += b_length + (b + b_length < b_end);
     }
     return MURK_OK;
+}
+
+/* Records count from the local origin of the scene that they were traced for.
+ * Where that scene has no domain, its origin follows from its sensors as well,
+ * of which the key says nothing. */
+static murk_status check_origin(const murk_section *origin,
+                                const murk_scene *scene, const char *path,
+                                murk_error *err)
+{
+    murk_vec3 of = {0, 0, 0};
+    const murk_vec3 due = scene->origin;
+    if (origin && origin->size == sizeof of) {
+        memcpy(&of, origin->bytes, sizeof of);
+    }
+    if (of.x == due.x && of.y == due.y && of.z == due.z) {
+        return MURK_OK;
+    }
+    return murk_fail(err, MURK_BAD_VALUE, path,
+                     "its positions count from [%.12g, %.12g, %.12g] m, the "
+                     "scene is computed about [%.12g, %.12g, %.12g] m: give "
+                     "the scene a domain, or trace its light again",
+                     of.x, of.y, of.z, due.x, due.y, due.z);
 }
 
 static murk_status bad_section(const char *path, const char *name,
@@ -211,6 +243,10 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
         return bad_section(path, "key", err);
     }
     murk_status status = check_key(key, stage->light_key, path, err);
+    if (!status) {
+        status = check_origin(murk_light_file_find(sections, n, "origin_m"),
+                              stage->scene, path, err);
+    }
     if (status) {
         return status;
     }

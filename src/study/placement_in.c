@@ -1,5 +1,6 @@
 #include "study/placement_in.h"
 
+#include "base/position.h"
 #include "scene/table.h"
 #include "scene/yaml.h"
 
@@ -31,8 +32,8 @@ static murk_status read_sensor(murk_pose *out, const char *where,
     const murk_vec3 local = murk_scene_local(scene, p);
     if (!murk_box_contains(&domain->box, local)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "sensor at %.6g %.6g %.6g m lies outside the domain",
-                         p.x, p.y, p.z);
+                         "sensor at %s m lies outside the domain",
+                         murk_position_show(local).text);
     }
     *out = (murk_pose){.type = (uint32_t)k, .position = local};
     if (wish->type[k].view == MURK_SCENE_VIEW_SPHERE) {

@@ -1,5 +1,7 @@
 #include "study/poses.h"
 
+#include "base/position.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -138,14 +140,14 @@ static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
     const size_t first = p->count - p->fixed;
     for (size_t k = 0; k < p->fixed; ++k) {
         const murk_scene_fixed_sensor *fixed = &wish->fixed[k];
-        const murk_vec3 x = fixed->position, a = domain->box.min,
-                        b = domain->box.max;
+        const murk_vec3 x = fixed->position;
         if (!murk_box_contains(&domain->box, x)) {
             return murk_fail(err, MURK_BAD_VALUE, fixed->where,
-                             "position_m: [%.9g, %.9g, %.9g] m lies outside "
-                             "the domain, [%.9g, %.9g, %.9g] to [%.9g, %.9g, "
-                             "%.9g] m",
-                             x.x, x.y, x.z, a.x, a.y, a.z, b.x, b.y, b.z);
+                             "position_m: %s m lies outside the domain, %s to "
+                             "%s m",
+                             murk_position_show(x).text,
+                             murk_position_show(domain->box.min).text,
+                             murk_position_show(domain->box.max).text);
         }
         p->fixed_number[k] = first + k;
         p->pose[first + k] = (murk_pose){.type = (uint32_t)fixed->type,

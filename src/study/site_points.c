@@ -1,23 +1,18 @@
 #include "study/site_points.h"
 
+#include "base/position.h"
 #include "scene/table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 static murk_status refuse_outside(const char *where, murk_vec3 p,
-                                  murk_vec3 origin, const murk_box *local,
-                                  murk_error *err)
+                                  const murk_box *box, murk_error *err)
 {
-    const murk_box user = {murk_add(local->min, origin),
-                           murk_add(local->max, origin)};
-    const murk_box *box = &user;
-    p = murk_add(p, origin);
-    return murk_fail(err, MURK_BAD_VALUE, where,
-                     "[%.9g, %.9g, %.9g] m is outside the domain, "
-                     "[%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g] m",
-                     p.x, p.y, p.z, box->min.x, box->min.y, box->min.z,
-                     box->max.x, box->max.y, box->max.z);
+    return murk_fail(
+        err, MURK_BAD_VALUE, where, "%s m is outside the domain, %s to %s m",
+        murk_position_show(p).text, murk_position_show(box->min).text,
+        murk_position_show(box->max).text);
 }
 
 static murk_status read_row(const murk_table *table, size_t row,
@@ -38,7 +33,7 @@ static murk_status read_row(const murk_table *table, size_t row,
         char where[MURK_SCENE_WHERE_SIZE];
         snprintf(where, sizeof where, "%.300s:%d", table->path,
                  table->line[row]);
-        return refuse_outside(where, *out, origin, box, err);
+        return refuse_outside(where, *out, box, err);
     }
     return MURK_OK;
 }
@@ -92,7 +87,7 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
 }
 
 static murk_status add_listed(murk_vec3 **point, size_t *n,
-                              const murk_scene_points *points, murk_vec3 origin,
+                              const murk_scene_points *points,
                               const murk_box *box, size_t most, murk_error *err)
 {
     if (points->positions > most - *n) {
@@ -108,8 +103,7 @@ static murk_status add_listed(murk_vec3 **point, size_t *n,
     *point = grown;
     for (size_t i = 0; i < points->positions; ++i) {
         if (!murk_box_contains(box, points->position[i])) {
-            return refuse_outside(points->where, points->position[i], origin,
-                                  box, err);
+            return refuse_outside(points->where, points->position[i], box, err);
         }
         grown[(*n)++] = points->position[i];
     }
@@ -136,7 +130,7 @@ murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
         murk_table_destroy(table);
     }
     if (!status) {
-        status = add_listed(&point, n, points, origin, &domain->box, most, err);
+        status = add_listed(&point, n, points, &domain->box, most, err);
     }
     if (status) {
         free(point);

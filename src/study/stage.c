@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/log.h"
+#include "base/position.h"
 #include "medium/interfaces.h"
 #include "study/enclose.h"
 #include "study/extent.h"
@@ -282,6 +283,7 @@ static murk_status import(murk_stage **out, const murk_scene *scene,
                          "no memory for the world");
     }
     stage->scene = scene;
+    murk_position_origin(scene->origin);
     stage->mesh = calloc(scene->geometries + 1, sizeof *stage->mesh);
     stage->region_mesh =
         calloc(scene->n_regions + 1, sizeof *stage->region_mesh);
@@ -320,24 +322,10 @@ murk_status murk_stage_import_beside(murk_stage **out, const murk_scene *scene,
     return import(out, scene, other, err);
 }
 
-/* Messages of the rooms that know of no origin count positions from it. A
- * condition has its scene's. */
-static void note_of_origin(const murk_scene *scene)
-{
-    const murk_vec3 o = scene->origin;
-    if ((o.x != 0 || o.y != 0 || o.z != 0) && !scene->where[0]) {
-        murk_note(scene->path,
-                  "the scene lies far from 0: it is computed about "
-                  "[%.12g, %.12g, %.12g] m, and positions in messages count "
-                  "from there; results are in the scene's own coordinates",
-                  o.x, o.y, o.z);
-    }
-}
-
 murk_status murk_stage_build(murk_stage *stage, murk_error *err)
 {
     const murk_scene *scene = stage->scene;
-    note_of_origin(scene);
+    murk_position_origin(scene->origin);
     murk_status status = make_phases(stage, err);
     if (!status) {
         status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,

@@ -1,6 +1,7 @@
 #include "study/stage_notes.h"
 
 #include "base/log.h"
+#include "base/position.h"
 #include "study/dark.h"
 #include "study/extent.h"
 #include "study/mesh_materials.h"
@@ -12,10 +13,10 @@ static void warn_if_cut(const char *where, const murk_box *box,
     if (box->min.x <= box->max.x && (!murk_box_contains(domain, box->min) ||
                                      !murk_box_contains(domain, box->max))) {
         murk_warn(where,
-                  "reaches out of the domain and is cut off there: it spans "
-                  "%.6g %.6g %.6g to %.6g %.6g %.6g m",
-                  box->min.x, box->min.y, box->min.z, box->max.x, box->max.y,
-                  box->max.z);
+                  "reaches out of the domain and is cut off there: it spans %s "
+                  "to %s m",
+                  murk_position_show(box->min).text,
+                  murk_position_show(box->max).text);
     }
 }
 

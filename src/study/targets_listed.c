@@ -1,4 +1,5 @@
 /* Targets from a list. */
+#include "base/position.h"
 #include "study/target_pile.h"
 
 #include "scene/table.h"
@@ -51,15 +52,13 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
                              murk_vec3 normal, double weight, murk_error *err)
 {
     const murk_box *box = &l->stage->world.domain.box;
-    const murk_vec3 user = murk_scene_user(l->stage->scene, place);
     char where[320];
     snprintf(where, sizeof where, "%.300s:%d", l->table->path,
              l->table->line[row]);
     if (!murk_box_contains(box, place)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "target at %.6g %.6g %.6g m lies outside of the "
-                         "domain",
-                         user.x, user.y, user.z);
+                         "target at %s m lies outside of the domain",
+                         murk_position_show(place).text);
     }
     if (!(weight >= 0 && weight <= WEIGHT_MAX)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -73,9 +72,9 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
     if (!(length > 0) && murk_surfaces_near(l->stage->surfaces, place,
                                             ON_SURFACE_STEPS * l->step_m)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "target at %.6g %.6g %.6g m lies on a surface, must "
-                         "have a normal to the side it is seen from",
-                         user.x, user.y, user.z);
+                         "target at %s m lies on a surface, must have a normal "
+                         "to the side it is seen from",
+                         murk_position_show(place).text);
     }
     return MURK_OK;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/position.h"
 #include "transport/tallies.h"
 
 /* What adding or subtracting two lengths rounds off: a sphere that touches a
@@ -100,10 +101,9 @@ static murk_status outside(const murk_tally_desc *desc, const murk_box *box,
                            const char *what, murk_error *err)
 {
     return murk_fail(err, MURK_BAD_VALUE, desc->where,
-                     "%s outside the domain, which is %.6g %.6g %.6g to %.6g "
-                     "%.6g %.6g m",
-                     what, box->min.x, box->min.y, box->min.z, box->max.x,
-                     box->max.y, box->max.z);
+                     "%s outside the domain, which is %s to %s m", what,
+                     murk_position_show(box->min).text,
+                     murk_position_show(box->max).text);
 }
 
 static murk_status check_plane(const murk_tally_desc *d, const murk_box *box,

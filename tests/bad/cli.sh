@@ -210,7 +210,7 @@ meshes 'mesh: open.obj, ior: 1.3'
 place 2 "bad.yaml:12:5: regions.0: the mesh is open: 3 of its edges belong to an odd number of its 3 triangles"
 place 2 "unit_m" --set regions.0.unit_m=0
 meshes 'below_z_m: 1.5, ior: 1.3' 'mesh: closed.obj, ior: 1.5'
-place 2 "bad.yaml:13:5: regions.1: crosses $dir/bad.yaml:12:5: regions.0 near (1, 1, 1) m, must lie in it"
+place 2 "bad.yaml:13:5: regions.1: crosses $dir/bad.yaml:12:5: regions.0 near [1, 1, 1] m, must lie in it"
 meshes 'sphere: {center_m: [1, 1, 1], radius_m: 0.9}, ior: 1.3' 'mesh: closed.obj, ior: 1.5'
 place 2 "regions.1: crosses"
 meshes 'mesh: closed.obj, ior: 1.5' 'mesh: closed.obj, translate_m: [0.2, 0, 0], ior: 1.5'

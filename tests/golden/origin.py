@@ -9,6 +9,7 @@ usage: origin.py MURK
 
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -82,6 +83,105 @@ def crate(offset):
         stl += "facet normal 0 0 1\nouter loop\n"
         stl += "".join("vertex %r %r %r\n" % tuple(at[i]) for i in f) + "endloop\nendfacet\n"
     return {"crate.obj": obj, "crate.stl": stl + "endsolid a\n"}
+
+
+def numbers(text):
+    return [float(n) for n in re.findall(r"-?[0-9][0-9.]*(?:e[-+][0-9]+)?", text)]
+
+
+def check_messages(far):
+    """Each names a position of the user's, and none that counts from the origin."""
+    x, y, z = far.offset
+    outside = "[%r, %r, %r]" % (x + 100, y + 4, z + 1)
+    data = "kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error\n" \
+           "transmittance,%r,%r,%r,%r,%r,%r,fraction,0.5,0.01\n"
+    with open(far.path("across.csv"), "w", encoding="utf-8") as file:
+        file.write(data % (x + 2, y + 2.75, z + 1, x + 6, y + 2.75, z + 1))
+    fit = ["fit", "room.yaml", "--data", "across.csv", "--free", "media.fog.extinction_per_m"]
+    told = {"lamp": ["check", "room.yaml", "--set", "lights.0.center_m=" + outside],
+            "tally": ["check", "room.yaml", "--set", "tallies.1.center_m=" + outside],
+            "fixed": ["check", "room.yaml", "--set", "sensors.fixed=[{type: node, position_m: %s}]" % outside],
+            "start": ["place", "room.yaml", "--set", "placement.knowledge=explore",
+                      "--set", "placement.start_m=" + outside],
+            "candidate": ["check", "room.yaml", "--set", "sensors.candidates.grid.max_m=" + outside],
+            "listed": ["check", "room.yaml", "--set", "sensors.candidates.points=[%s]" % outside],
+            "interest": ["check", "room.yaml", "--set", "placement.interest.0.box={min_m: %s, max_m: "
+                         "[%r, %r, %r]}" % (outside, x + 101, y + 5, z + 2)],
+            "camera": ["render", "room.yaml", "--set", "cameras.0.from_m=" + outside],
+            "region": ["check", "room.yaml", "--set", "regions.2.box={min_m: %s, max_m: [%r, %r, %r]}" % (
+                outside, x + 101, y + 5, z + 2)],
+            "segment": fit}
+    for what, words in told.items():
+        done = far.run(*words, want=0 if what == "region" else 2)
+        # what is said, without the option that it is said of
+        text = " ".join(line.rsplit(": ", 1)[-1] if what != "region" else line.split("the region fills ")[-1]
+                        for line in done.stderr.splitlines() if "note:" not in line)
+        said = re.findall(r"\[([^][]*)\]", text)
+        check(said, what, "names no position:", done.stderr)
+        for position in said:
+            off = [abs(a - b) for a, b in zip(numbers(position), far.offset)]
+            check(len(off) == 3 and max(off) <= 110, what, "counts from the origin:", done.stderr)
+        check("count from" not in done.stderr, what, done.stderr)
+
+
+def section(path, wanted):
+    """Of light.murk; None where it has no such section."""
+    with open(path, "rb") as file:
+        data = file.read()
+    count, = struct.unpack_from("<I", data, 20)
+    at = 64 + 48 * count
+    for i in range(count):
+        name, size = struct.unpack_from("<16sQ", data, 64 + 48 * i)
+        if name.rstrip(b"\0").decode() == wanted:
+            return data[at:at + size]
+        at += size
+    return None
+
+
+def check_files(far, home):
+    """What single precision cannot hold counts from an origin that the file states;
+    the page says the scene's own coordinates."""
+    view = json.loads(re.search(r'id="view-data"[^>]*>(.*?)</script>', far.text("page.html"), re.S).group(1))
+    origin = struct.unpack("<3d", section(far.path("out", "light.murk"), "origin_m"))
+    check(list(origin) == view["origin"], origin, view["origin"])
+    check(section(home.path("out", "light.murk"), "origin_m") is None, "an origin of 0 is written")
+    lamp = [a + b for a, b in zip(view["lamps"][0]["place"], view["origin"])]
+    check(near([lamp], [[a + b for a, b in zip((5, 4, 3), far.offset)]]), lamp, view["origin"])
+    with open(far.path("eye.exr"), "rb") as file:
+        head = file.read(20000).split(b"murkOrigin\0string\0", 1)[1]
+    size, = struct.unpack_from("<i", head)
+    check(tuple(numbers(head[4:4 + size].decode()[:-2])) == origin, head[4:4 + size])
+    eye = [a + b for a, b in zip((1, 4, 2), far.offset)]
+    with open(far.path("eye.exr"), "rb") as file:
+        head = file.read(20000).split(b"murkFrom\0string\0", 1)[1]
+    size, = struct.unpack_from("<i", head)
+    check(near([numbers(head[4:4 + size].decode()[:-2])], [eye]), head[4:4 + size])
+    # the grid of a tally, drawn with axes
+    drawn = re.findall(r"Fluence rate cells[^<]* at [xyz] = ([-0-9.e+]+) m", far.text("page.html"))
+    check(drawn and all(any(abs(float(v) - o) <= 10 for o in far.offset) for v in drawn), drawn)
+    ticks = [t.replace("\u2212", "-") for t in re.findall(r"<text[^>]*>([^<]*)</text>", far.text("page.html"))]
+    check(any(t.isdigit() and 0 <= float(t) - far.offset[0] <= 10 for t in ticks), "no tick in x:", ticks[:50])
+
+
+def check_light_of_other_sensors(far):
+    """Without a domain, where a mesh is all there is, sensors have a say in the
+    origin: light whose positions count from another one is not taken."""
+    x, y, z = far.offset
+    corners = [(x + a, y + b, z) for a, b in ((0, 0), (40, 0), (40, 40), (0, 40))]
+    with open(far.path("floor.obj"), "w", encoding="utf-8") as file:
+        file.write("".join("v %r %r %r\n" % c for c in corners) + "f 1 2 3\nf 1 3 4\nv %r %r %r\nf 1 2 5\n" % (
+            x, y, z + 10))
+    with open(far.path("floor.yaml"), "w", encoding="utf-8") as file:
+        file.write("murk: 1\ngeometry: [{file: floor.obj}]\nphotons: {emit: 100}\n"
+                   "lights: [{type: point, position_m: [%r, %r, %r], power_w: 1}]\n"
+                   "sensors: {types: [{name: node, range_m: 9}], count: 1, candidates: {grid: "
+                   "{min_m: [%r, %r, %r], max_m: [%r, %r, %r], size: [2, 2, 2]}}}\n" % (
+                       x + 1, y + 2, z + 3, x + 1, y + 1, z + 1, x + 3, y + 3, z + 4))
+    far.run("trace", "floor.yaml", "-o", "floor")
+    sense = ["place", "floor.yaml", "--light", "floor/light.murk"]
+    far.run(*sense)
+    done = far.run(*sense, "--set", "sensors.candidates.grid.max_m=[%r, %r, %r]" % (x + 35, y + 35, z + 4), want=2)
+    check("its positions count from" in done.stderr, done.stderr)
 
 
 class Place:
@@ -184,6 +284,12 @@ def main():
                   which)
         far.run("render", "room.yaml", "--light", "out/light.murk", "-o", "eye.exr")
         far.run("report", "out", "-o", "page.html")
+        survey.run("render", "room.yaml", "--light", "out/light.murk", "-o", "eye.exr")
+        survey.run("report", "out", "-o", "page.html")
+        check_files(survey, home)
+        check_light_of_other_sensors(survey)
+        check_messages(survey)
+        check_messages(far)
         check("warning" not in far.run("check", "room.yaml").stderr)
         # Grids that were written lie where the scene has them; bounds are those
         # of lit cells, and beyond the walls there are none.

@@ -76,16 +76,17 @@ export function frame(data) {
   for (let k = 0; k < 3; ++k) {
     // short sides have finer ones
     const step = Math.min(longest, stepOf(5 * Math.max(half[k], data.size_m / 25)));
-    const last = Math.floor(data.high[k] / step + 1e-9);
+    const user = (v) => (v + data.origin[k]) / step; // steps are whole in the user's coordinates
+    const last = Math.floor(user(data.high[k]) + 1e-9);
     const put = (at, far) => new Vector3(...at.map((v, j) => v + far * tick * away[k][j]));
     let n = 0;
-    for (let i = Math.ceil(data.low[k] / step - 1e-9); i <= last; ++i, ++n) {
+    for (let i = Math.ceil(user(data.low[k]) - 1e-9); i <= last; ++i, ++n) {
       const at = [...begins[k]];
-      at[k] = i * step - data.middle[k];
+      at[k] = i * step - data.origin[k] - data.middle[k];
       edge(at, put(at, 1).toArray());
       // at its foot the upright would write over the floor's
       if (k === 2 && at[2] + z < 2 * tick) continue;
-      group.add(label(String(Number((i * step).toPrecision(8))), put(at, 2.6)));
+      group.add(label(String(Number((i * step).toPrecision(12))), put(at, 2.6)));
     }
     const name = [...begins[k]];
     name[k] = k === 2 ? z + 3 * tick : half[k] / Math.max(n, 2);

@@ -52,7 +52,8 @@ export function sayKey(box, data, state, photons, picked, medium, hidden) {
   box.replaceChildren(...out);
 }
 
-const place = (at) => at.map((v) => v.toFixed(2)).join(", ");
+// In the user's coordinates.
+const place = (data, at) => at.map((v, k) => (v + data.origin[k]).toFixed(2)).join(", ");
 
 function aim(sensor) {
   if (sensor.heading_deg === null) return "";
@@ -77,12 +78,12 @@ export function sayPicked(data, state, photons, picked) {
   const dots = photons.n === 0 ? "" : photons.knows(picked)
     ? ` Of the ${count(photons.n)} photons drawn it sees ${count(seen)}, ${count(photons.counts.alone)} of them alone.`
     : " Which photons it sees is known of the first 32 sensors only.";
-  return `Sensor ${picked + 1} (${sensor.type}) at ${place(sensor.place)} m${aim(sensor)}${light}.${dots}${reach(sensor)}`;
+  return `Sensor ${picked + 1} (${sensor.type}) at ${place(data, sensor.place)} m${aim(sensor)}${light}.${dots}${reach(sensor)}`;
 }
 
-export function sayReading(r) {
+export function sayReading(data, r) {
   const where = r.condition ? `, ${r.condition}` : "", use = r.held_out ? "held out" : "fitted";
   const off = r.residual === null ? "" : `, so the reading is ${number(Math.abs(r.residual))} standard errors ${r.residual > 0 ? "above" : "below"} it`;
-  return `Reading of line ${number(r.line)} (${r.kind}${where}, ${use}) at ${place(r.place)} m: measured ${number(r.value)} ± ` +
+  return `Reading of line ${number(r.line)} (${r.kind}${where}, ${use}) at ${place(data, r.place)} m: measured ${number(r.value)} ± ` +
     `${number(r.standard_error)} ${r.unit}; the model says ${number(r.predicted)}${off}.`;
 }

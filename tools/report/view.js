@@ -193,7 +193,7 @@ class View {
     const state = this.data.states[this.state];
     sayKey(element("view-key"), this.data, state, this.photons, this.picked, this.medium, this.hidden);
     element("view-picked").textContent = this.reading >= 0
-      ? sayReading(this.data.readings[this.reading])
+      ? sayReading(this.data, this.data.readings[this.reading])
       : sayPicked(this.data, state, this.photons, this.picked);
   }
 

@@ -181,8 +181,8 @@ static void test_refusals(void)
     murk_error err = refusal(walled, segment(0, 0, 0, 3, 0, 0));
     CHECK(err.status == MURK_BAD_VALUE);
     CHECK_TEXT(err.where, "beams.csv:7");
-    CHECK_TEXT(err.text, "a surface stands across the segment (0, 0, 0) to "
-                         "(3, 0, 0) m, which must be open");
+    CHECK_TEXT(err.text, "a surface stands across the segment [0, 0, 0] to "
+                         "[3, 0, 0] m, which must be open");
     err = refusal(walled, segment(0, 0, 0, -3, 0, 0)); /* a sheet */
     CHECK_MENTIONS(err.text, "a surface stands across");
     err = refusal(walled, segment(0, 0, 0, 0, 0, -4));
