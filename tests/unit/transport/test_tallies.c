@@ -370,7 +370,8 @@ static void test_bad_tallies_are_named(void)
     d[0].normal.x = NAN;
     refuses(d, 1, "normal is [nan, 0, 0]");
     d[0] = plane(3, 1);
-    refuses(d, 1, "point_m is outside the domain, which is [0, 0, 0] to [2, 2, 2] m");
+    refuses(d, 1,
+            "point_m is outside the domain, which is [0, 0, 0] to [2, 2, 2] m");
     d[0] = plane(NAN, 1);
     refuses(d, 1, "outside the domain");
     d[0] = plane(1, 1);
