@@ -1,25 +1,31 @@
+/* Shows words of the user in messages, and finds the word that was meant by the
+ * least number of changed letters (optimal string alignment). */
 #include "scene/words.h"
 
+#include "base/utf8.h"
+
+#include <assert.h>
 #include <stdbool.h>
 #include <string.h>
 
 #define MOST_LETTERS 64 /* longer words are not compared */
 
+#define SHOWN_MOST  512 /* bytes of a copy */
+#define ESCAPE_MOST 16  /* bytes of one character, escaped */
+
 void murk_words_show(char *out, size_t size, const char *text)
 {
-    size_t length = strlen(text);
-    const bool is_cut = length >= size;
-    if (is_cut) {
-        length = size - 4;
-        while (length > 0 && ((unsigned char)text[length] & 0xC0) == 0x80) {
-            --length;
-        }
+    static const char cut[] = "...";
+    char longer[SHOWN_MOST + ESCAPE_MOST];
+    assert(out != text && size >= sizeof cut && size <= SHOWN_MOST);
+    /* one more character than fits: the text is longer than the copy */
+    const size_t whole = murk_utf8_escape(longer, size + ESCAPE_MOST, text);
+    if (whole < size) {
+        memcpy(out, longer, whole + 1);
+        return;
     }
-    for (size_t i = 0; i < length; ++i) {
-        const unsigned char c = (unsigned char)text[i];
-        out[i] = c < 0x20 || c == 0x7F ? '?' : text[i];
-    }
-    strcpy(out + length, is_cut ? "..." : "");
+    const size_t length = murk_utf8_escape(out, size - (sizeof cut - 1), text);
+    memcpy(out + length, cut, sizeof cut);
 }
 
 static size_t least(size_t a, size_t b)

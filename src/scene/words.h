@@ -4,8 +4,9 @@
 
 #include <stddef.h>
 
-/* Copies text for a message: control characters as '?', cut at a whole
- * character with "..." when it is longer than size - 1 bytes (size > 4). */
+/* Copies text for a message: control characters escaped as murk_utf8_escape()
+ * does, cut at a whole character with "..." when it is longer than size - 1
+ * bytes (4 < size <= 512). `out` is not `text`. */
 void murk_words_show(char *out, size_t size, const char *text);
 
 /* Of `known[n]` (NULL entries are passed over) the word that was most likely

@@ -18,7 +18,7 @@ static bool is_option(const char *source)
 void murk_yaml_show_place(const char *source, int line, int column, char *out,
                           size_t size)
 {
-    char name[MOST_SOURCE + 4];
+    char name[MOST_SOURCE + 4], shown[MOST_SOURCE + 32];
     const size_t length = strlen(source);
     if (length <= MOST_SOURCE) {
         snprintf(name, sizeof name, "%s", source);
@@ -27,11 +27,11 @@ void murk_yaml_show_place(const char *source, int line, int column, char *out,
     } else { /* the end of a path says more than its beginning */
         snprintf(name, sizeof name, "...%s", source + length - MOST_SOURCE + 3);
     }
-    murk_words_show(name, sizeof name, name);
+    murk_words_show(shown, sizeof shown, name);
     if (line == 0 || is_option(source)) {
-        snprintf(out, size, "%s", name);
+        snprintf(out, size, "%s", shown);
     } else {
-        snprintf(out, size, "%s:%d:%d", name, line, column);
+        snprintf(out, size, "%s:%d:%d", shown, line, column);
     }
 }
 

@@ -77,6 +77,23 @@ def check_names(scene):
             check(SHOWN in done.stdout.decode(), words, "does not show the name:", done.stdout)
 
 
+def check_keys(folder):
+    """Keys of a file and of --set are shown with the same escapes as all else."""
+    path = os.path.join(folder, "keys.yaml")
+    for text in (f"murk: 1\n{YAML_NASTY}: 3\n", SCENE.replace("murk: 1", "murk: 1\nmaterials: {default: {%s: 1}}" % YAML_NASTY),
+                 SCENE.replace("count: 2", f"count: 2\n  {YAML_NASTY}: 1")):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        done = run("check", path)
+        check(SHOWN in done.stderr.decode() and done.returncode == 2, text, "says", done.stderr)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(SCENE.replace("NASTY", "node"))
+    for key in (NASTY, f"sensors.types.0.{NASTY}", f"lights.{NASTY}.power_w"):
+        done = run("check", path, "--set", f"{key}=1")
+        reason = done.stderr.decode().split("=1: ", 1)[-1]
+        check(SHOWN in reason and done.returncode == 2, key, "says", done.stderr)
+
+
 def check_closed_output(scene):
     """What is asked for is written, and nothing is said."""
     for words in (["check", scene, "--format", "json"], ["check", scene], ["--help"]):
@@ -161,6 +178,7 @@ with tempfile.TemporaryDirectory() as temporary:
     with open(path, "w", encoding="utf-8") as file:
         file.write(SCENE.replace("NASTY", YAML_NASTY))
     check_names(path)
+    check_keys(temporary)
     check_closed_output(path)
     check_end_of_options(temporary)
     check_folders(path, temporary)
