@@ -177,21 +177,37 @@ static murk_status expect_all(murk_results *results, const char *const *names,
     return status;
 }
 
+static murk_status expect_grid(murk_session *session, const char *tally,
+                               murk_error *err)
+{
+    static const struct {
+        const char *ending;
+        unsigned of; /* the export that writes it; 0: always written */
+    } files[] = {{".vdb", 0},
+                 {"_error.vdb", 0},
+                 {"_photons.vdb", MURK_EXPORT_FIELDS},
+                 {".vti", MURK_EXPORT_FIELDS}};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
+        char name[MURK_SCENE_NAME_SIZE + 16];
+        snprintf(name, sizeof name, "%s%s", tally, files[i].ending);
+        if (!files[i].of || session->options->exports & files[i].of) {
+            status = murk_results_expect(&session->results, name, NULL, err);
+        }
+    }
+    return status;
+}
+
 static murk_status expect_tallies(murk_session *session, murk_error *err)
 {
-    static const char *const endings[] = {".vdb", "_error.vdb"};
     const murk_scene *scene = session->scene;
-    murk_results *results = &session->results;
     murk_status status =
         scene->n_tallies > 0
-            ? murk_results_expect(results, "tallies.csv", NULL, err)
+            ? murk_results_expect(&session->results, "tallies.csv", NULL, err)
             : MURK_OK;
-    for (size_t i = 0; i < 2 * scene->n_tallies && !status; ++i) {
-        const murk_scene_tally *tally = &scene->tallies[i / 2];
-        char name[sizeof tally->name + 16];
-        snprintf(name, sizeof name, "%s%s", tally->name, endings[i % 2]);
-        if (tally->type == MURK_SCENE_TALLY_GRID) {
-            status = murk_results_expect(results, name, NULL, err);
+    for (size_t i = 0; i < scene->n_tallies && !status; ++i) {
+        if (scene->tallies[i].type == MURK_SCENE_TALLY_GRID) {
+            status = expect_grid(session, scene->tallies[i].name, err);
         }
     }
     return status;
