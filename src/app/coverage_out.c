@@ -225,13 +225,65 @@ static void show_share(char out[16], double share)
     }
 }
 
+/* Widths of the table of sensors. */
+typedef struct columns {
+    int type, place[3], decimals, total;
+} columns;
+
+static int widest_coordinate(const murk_scene *scene, const murk_pose *sensor,
+                             size_t n, int axis, int decimals)
+{
+    int widest = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
+        const double x[3] = {p.x, p.y, p.z};
+        const int width = snprintf(NULL, 0, "%.*f", decimals, x[axis]);
+        widest = width > widest ? width : widest;
+    }
+    return widest;
+}
+
+static columns columns_of(const murk_scene *scene, const murk_pose *sensor,
+                          size_t n, int decimals, int least)
+{
+    columns c = {.decimals = decimals, .type = least < 4 ? 4 : least};
+    for (size_t i = 0; i < n; ++i) {
+        const int length =
+            (int)strlen(scene->sensors.type[sensor[i].type].name);
+        c.type = length > c.type ? length : c.type;
+    }
+    c.total = 12 + c.type + 14 + 9 + 9;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int width = widest_coordinate(scene, sensor, n, axis, decimals);
+        c.place[axis] = width > least ? width : least;
+        c.total += 1 + c.place[axis];
+    }
+    return c;
+}
+
+/* Columns of 8 where these are enough. Else, as for surveyed coordinates, as
+ * wide as what they hold, and coordinates with fewer decimals where the line
+ * would not fit: sensors.csv has all of them. */
+static columns choose_columns(const murk_scene *scene, const murk_pose *sensor,
+                              size_t n)
+{
+    columns c = columns_of(scene, sensor, n, 3, 8);
+    for (int decimals = 3; c.total > 80 && decimals >= 0; --decimals) {
+        c = columns_of(scene, sensor, n, decimals, 3);
+    }
+    return c;
+}
+
 void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
                         size_t n, const murk_coverage *coverage,
                         const char *folder)
 {
-    murk_print("sensors     %-8s %8s %8s %8s %7s %5s %8s %8s\n", "type", "x m",
-               "y m", "z m", "heading", "tilt", "covers", "only it");
-    for (size_t i = 0; i < n && i < MURK_PRINTED_ROWS; ++i) {
+    const size_t shown = n < MURK_PRINTED_ROWS ? n : MURK_PRINTED_ROWS;
+    const columns c = choose_columns(scene, sensor, shown);
+    murk_print("sensors     %-*s %*s %*s %*s %7s %5s %8s %8s\n", c.type, "type",
+               c.place[0], "x m", c.place[1], "y m", c.place[2], "z m",
+               "heading", "tilt", "covers", "only it");
+    for (size_t i = 0; i < shown; ++i) {
         const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
         char way[20] = "all round";
         if (!is_all_round(scene, &sensor[i])) {
@@ -242,9 +294,10 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
         char covers[16], only[16];
         show_share(covers, coverage->covers[i]);
         show_share(only, coverage->only_it_covers[i]);
-        murk_print("%10zu  %-8s %8.3f %8.3f %8.3f %13s %8s %8s\n", i + 1,
-                   scene->sensors.type[sensor[i].type].name, p.x, p.y, p.z, way,
-                   covers, only);
+        murk_print("%10zu  %-*s %*.*f %*.*f %*.*f %13s %8s %8s\n", i + 1,
+                   c.type, scene->sensors.type[sensor[i].type].name, c.place[0],
+                   c.decimals, p.x, c.place[1], c.decimals, p.y, c.place[2],
+                   c.decimals, p.z, way, covers, only);
     }
     murk_print_more(n, folder, "coverage.csv");
 }

@@ -11,6 +11,12 @@
 
 #define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16)
 
+/* Of tables on the terminal: the column of names, and the mark of this plan. */
+#define NAME_LEAST  16
+#define NAME_MOST   32
+#define MARK_LENGTH 2
+#define COLUMN      17 /* " 0.8010 (+0.0000)" */
+
 static murk_estimate in_sample_of(const murk_over *over,
                                   const murk_over_plan *plan,
                                   murk_scene_over by, size_t *worst)
@@ -330,25 +336,46 @@ static void print_over(const murk_over *over)
     }
 }
 
+/* The column of names: as wide as the longest, within reason. */
+static int name_width(const murk_over *over)
+{
+    size_t width = NAME_LEAST;
+    const size_t every = over->conditions->n + over->conditions->dark;
+    for (size_t c = 0; c < every; ++c) {
+        const size_t length =
+            strlen(over->conditions->condition[c].wish->name) + MARK_LENGTH;
+        width = length > width ? length : width;
+    }
+    return width < NAME_MOST ? (int)width : NAME_MOST;
+}
+
+/* Two tables, since one with all columns is wider than a terminal. */
 static void print_conditions(const murk_over *over)
 {
     const murk_over_plan *chosen = &over->plan[over->chosen];
-    murk_print("conditions  %-16s %8s %9s %9s %9s  %s\n", "", "weight",
-               "emitted", "surface", "volume", "covered in sample, held out");
+    const int width = name_width(over);
+    murk_print("conditions  %-*s %8s %9s %9s %9s\n", width, "", "weight",
+               "emitted", "surface", "volume");
     const size_t lit = over->conditions->n;
     for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
         const murk_condition *condition = &over->conditions->condition[c];
         const murk_traced *traced = condition->traced;
-        murk_print("            %-16s %8.4g %9llu %9zu %9zu",
+        murk_print("            %-*s %8.4g %9llu %9zu %9zu\n", width,
                    condition->wish->name, condition->wish->weight,
                    (unsigned long long)traced->emitted,
                    murk_photon_map_count(traced->surface),
                    murk_photon_map_count(traced->volume));
+    }
+    murk_print("covered     %-*s %9s  %s\n", width, "", "in sample",
+               over->has_held_out ? "held out" : "");
+    for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
+        murk_print("            %-*s ", width,
+                   over->conditions->condition[c].wish->name);
         if (c >= lit) {
-            murk_print("  nothing to see: it counts for nothing\n");
+            murk_print("nothing to see: it counts for nothing\n");
             continue;
         }
-        murk_print("  %.4f", chosen->in_sample[c].value);
+        murk_print("%9.4f", chosen->in_sample[c].value);
         if (over->has_held_out) {
             murk_print("  ");
             murk_print_estimate(chosen->held_out[c]);
@@ -357,34 +384,58 @@ static void print_conditions(const murk_over *over)
     }
 }
 
-static void print_regret(const murk_over *over)
+/* Columns [first, end) of the table: the conditions', and behind them the mean
+ * and the worst. */
+static void print_regret_columns(const murk_over *over, int width, size_t first,
+                                 size_t end)
 {
-    double largest = 0;
-    murk_print("regret      coverage%s of a plan made for one condition (down) "
-               "and used in each (across),\n"
-               "            and what it loses there to that condition's own "
-               "plan\n"
-               "            %-16s",
-               over->has_held_out ? ", held out," : "", "");
-    for (size_t c = 0; c < over->conditions->n; ++c) {
+    const size_t n = over->conditions->n;
+    murk_print("            %-*s", width, "");
+    for (size_t c = first; c < end && c < n; ++c) {
         murk_print(" %16.16s", over->conditions->condition[c].wish->name);
     }
-    murk_print(" %8s %8s\n", "mean", "worst");
+    murk_print("%s\n", end > n ? "    mean    worst" : "");
     for (size_t p = 0; p < over->plans; ++p) {
         const murk_over_plan *plan = &over->plan[p];
-        char name[MURK_SCENE_NAME_SIZE + 2];
+        char name[MURK_SCENE_NAME_SIZE + MARK_LENGTH];
         snprintf(name, sizeof name, "%s%s", plan->made_for,
                  p == over->chosen ? " *" : "");
-        murk_print("            %-16s", name);
-        for (size_t c = 0; c < over->conditions->n; ++c) {
-            const murk_estimate seen = seen_in(over, plan, c);
-            largest = fmax(largest, seen.standard_error);
-            murk_print("  %.4f (%+.4f)", seen.value,
+        murk_print("            %-*s", width, name);
+        for (size_t c = first; c < end && c < n; ++c) {
+            murk_print(" %.4f (%+.4f)", seen_in(over, plan, c).value,
                        murk_over_regret(over, plan, c));
         }
-        murk_print(" %8.4f %8.4f\n",
-                   best_known_of(over, plan, MURK_SCENE_OVER_MEAN).value,
-                   best_known_of(over, plan, MURK_SCENE_OVER_WORST).value);
+        if (end > n) {
+            murk_print(" %7.4f %8.4f",
+                       best_known_of(over, plan, MURK_SCENE_OVER_MEAN).value,
+                       best_known_of(over, plan, MURK_SCENE_OVER_WORST).value);
+        }
+        murk_print("\n");
+    }
+}
+
+/* As many columns below each other as the line has room for. */
+static void print_regret(const murk_over *over)
+{
+    murk_print("regret      coverage%s of a plan made for one condition (down) "
+               "and used in each (across), and what it loses there to that "
+               "condition's own plan\n",
+               over->has_held_out ? ", held out," : "");
+    const int width = name_width(over);
+    const int room = (80 - 12 - width) / COLUMN;
+    const size_t across = room > 1 ? (size_t)room : 1;
+    /* the last column has mean and worst */
+    const size_t columns = over->conditions->n + 1;
+    for (size_t first = 0; first < columns; first += across) {
+        const size_t end = first + across;
+        print_regret_columns(over, width, first, end < columns ? end : columns);
+    }
+    double largest = 0;
+    for (size_t p = 0; p < over->plans; ++p) {
+        for (size_t c = 0; c < over->conditions->n; ++c) {
+            largest =
+                fmax(largest, seen_in(over, &over->plan[p], c).standard_error);
+        }
     }
     murk_print("            * this plan; standard errors up to %.4f\n",
                largest);
@@ -402,13 +453,16 @@ void murk_over_print(const murk_over *over)
 void murk_over_print_bound(const murk_over *over, const char *sample)
 {
     const murk_conditions *all = over->conditions;
+    const bool is_below_0 = over->regret_lower < 0;
     murk_print("bound       largest regret%s %.4f in sample, to the best plan "
                "found for each condition alone; no plan has less than %.4f%s "
                "on this %s; to the true optima it is %.4f at most; guarantee: "
                "none\n",
                all->scene->placement.relative_regret ? " (relative)" : "",
-               over->regret, over->regret_lower,
-               over->regret_lower < over->regret ? "" : " (proven optimal)",
+               over->regret, is_below_0 ? 0 : over->regret_lower,
+               is_below_0                          ? " to the true optima"
+               : over->regret_lower < over->regret ? ""
+                                                   : " (proven optimal)",
                sample, over->regret_upper);
 }
 

@@ -220,7 +220,8 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
 /* Of a plan for the least largest regret. */
 static void limit_regret(FILE *to, const murk_yaml *plan)
 {
-    const double least = murk_result_number(plan, "regret.largest_at_least");
+    const double bound = murk_result_number(plan, "regret.largest_at_least");
+    const double least = fmax(bound, 0); /* to the true optima, no plan wins */
     const bool is_proven = murk_result_is(plan, "bound.proven_optimal", "true");
     fputs(is_proven ? "No: its largest regret is "
                     : "Perhaps: its largest "

@@ -138,6 +138,40 @@ def section(path, wanted):
     return None
 
 
+CONDITIONS = """conditions: {clear: {}, haze: {media.fog.extinction_per_m: 0.3}, fog: {media.fog.extinction_per_m: 0.6},
+  smoke: {media.fog.albedo: 0.5}}
+placement: {over: regret, method: greedy}
+"""
+
+
+def check_tables(far):
+    """Tables of a plan over conditions, and of sensors at surveyed coordinates, have a
+    row a line within 80 columns."""
+    with open(far.path("room.yaml"), encoding="utf-8") as file:
+        text = [line for line in file if not line.startswith("placement:")]
+    with open(far.path("four.yaml"), "w", encoding="utf-8") as file:
+        file.write("".join(text) + CONDITIONS)
+    for scene in ("four.yaml", "room.yaml"):
+        turned = ["--set", "sensors.types=[{name: camera, range_m: 12, view: {cone_deg: 90}, headings: 4}]"]
+        for more in ([], turned):
+            printed = far.run("place", scene, *more).stdout.splitlines()
+            check(max(len(line) for line in printed) <= 80, scene, "has long lines")
+            first = [line.split()[:1] for line in printed].index(["sensors"])
+            rows = [line.split() for line in printed[first + 1:first + 4]]
+            places = [[float(v) for v in row[2:5]] for row in rows]
+            check([row[0] for row in rows] == ["1", "2", "3"] and near(
+                [[o + 5, p + 4, q + 2] for o, p, q in [far.offset]] * 3, places, 10), printed[first:first + 5])
+            check(all(len(row) == 9 for row in rows), rows)
+    printed = far.run("place", "four.yaml").stdout.splitlines()
+    rows = {}
+    for line in printed:
+        if line.startswith("            ") and line.split()[0] in ("clear", "haze", "fog", "smoke"):
+            rows.setdefault(line.split()[0], []).append(len(re.findall(r"[0-9][.0-9]*", line)))
+    check(len(rows) == 4 and all(v[:2] == [4, 3] for v in rows.values()), "conditions:", rows)
+    # as many numbers in all blocks of the regret: a coverage and a loss each, mean and worst
+    check(all(sum(v[2:]) == 2 * 4 + 2 for v in rows.values()), "regret:", rows)
+
+
 def check_files(far, home):
     """What single precision cannot hold counts from an origin that the file states;
     the page says the scene's own coordinates."""
@@ -238,8 +272,8 @@ class Place:
         return {key: self.plan.get(key) for key in keep}
 
 
-def near(one, other):
-    return all(abs(a - b) <= 1e-3 for p, q in zip(one, other) for a, b in zip(p, q))
+def near(one, other, within=1e-3):
+    return all(abs(a - b) <= within for p, q in zip(one, other) for a, b in zip(p, q))
 
 
 def first_vertex(place):
@@ -288,6 +322,7 @@ def main():
         survey.run("report", "out", "-o", "page.html")
         check_files(survey, home)
         check_light_of_other_sensors(survey)
+        check_tables(survey)
         check_messages(survey)
         check_messages(far)
         check("warning" not in far.run("check", "room.yaml").stderr)
