@@ -346,8 +346,11 @@ static murk_status check_repeat(const murk_session *session, murk_error *err)
     if ((runs > 0 || session->options->exports & MURK_EXPORT_LP) &&
         murk_plan_at_least(scene) > 0) {
         return murk_fail(err, MURK_BAD_VALUE, scene->placement.where,
-                         "at_least is given, which is not supported with %s",
-                         runs > 0 ? "--repeat" : "--export lp");
+                         "at_least is given, which %s does not take: %s",
+                         runs > 0 ? "--repeat" : "--export lp",
+                         runs > 0 ? "run place once for each --seed, or use "
+                                    "placement.redundancy"
+                                  : "use --export matrix or or-library");
     }
     const bool is_over = scene->placement.over != MURK_SCENE_OVER_NONE;
     for (size_t c = 0; runs > 0 && is_over && c < scene->n_conditions; ++c) {

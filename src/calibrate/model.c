@@ -169,7 +169,7 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
              * paths that are weighed anew do not know */
             return murk_fail(err, MURK_UNSUPPORTED, w->scene->domain_where,
                              "outside: continued does not go with fits, use "
-                             "sides: periodic");
+                             "sides: periodic or outside: empty");
         }
         if (w->posts.lit && emit < m->batches) {
             m->batches = (size_t)emit;

@@ -86,8 +86,9 @@ static murk_status check_needs(const murk_outputs *out, const murk_scene *scene,
     if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
         scene->placement.at_least > 0 && scene->sensors.target > 0) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "a best plan for placement.at_least is not supported "
-                         "in a study: %s has it",
+                         "a best plan for placement.at_least, which %s has, is "
+                         "not supported in a study: run place for each row, or "
+                         "use placement.redundancy",
                          scene->path);
     }
     const murk_scene_knowledge knows = scene->placement.knowledge;

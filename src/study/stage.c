@@ -254,8 +254,10 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
             murk_media_bends(stage->media)) {
             /* the way to a portal is straight, and would have to be bent */
             status = murk_fail(err, MURK_UNSUPPORTED, scene->lights[i].where,
-                               "aim: portals beside a region with an ior need "
-                               "domain.outside: empty");
+                               "aim: portals beside a region with an ior do "
+                               "not go with domain.outside: continued, use "
+                               "outside: empty or sides: periodic, or leave "
+                               "aim out");
             break;
         }
         status = murk_sky_light(&light[i], &stage->sky[i], scene, i, err);

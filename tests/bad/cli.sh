@@ -315,6 +315,10 @@ grep -q "domain.sides: periodic, or domain.outside: continued" "$dir/stderr" ||
     fail "light through an open side of water is not warned of"
 within_limits check "$dir/sea.yaml" --set domain.outside=continued >/dev/null 2>"$dir/stderr"
 [ ! -s "$dir/stderr" ] || fail "a continued domain is warned of: $(cat "$dir/stderr")"
+# Ways to portals would have to be bent.
+expect 2 "lights.0: aim: portals beside a region with an ior do not go with domain.outside: continued, use outside: empty or sides: periodic, or leave aim out" \
+    trace "$dir/sea.yaml" -o "$dir/out" --emit 1000 --set domain.outside=continued --set regions.0.ior=1.34 \
+    --set 'lights.0.aim=[{corner_m: [0, 0, 10], edge1_m: [0, 10, 0], edge2_m: [10, 0, 0]}]'
 
 [ -e /dev/full ] && { within_limits check "$dir/good.yaml" >/dev/full 2>"$dir/stderr"
     [ $? -eq 1 ] || fail "a full standard output went unnoticed"; }
@@ -351,7 +355,13 @@ expect 2 "--repeat: not an option of murk sense" sense "$dir/good.yaml" --repeat
 expect 2 "--repeat: 3 seeds from 4294967294 on" place "$dir/good.yaml" --seed 4294967294 --repeat 3 -o "$dir/out"
 expect 2 "conditions.clear: seed: one of its own" place "$dir/good.yaml" --repeat 2 \
     --set 'conditions={clear: {seed: 8}}' --set placement.over=mean
+expect 2 "at_least is given, which --repeat does not take: run place once for each --seed, or use placement.redundancy" \
+    place "$dir/good.yaml" --repeat 2 --target 0.1 --set placement.at_least=2 -o "$dir/out"
+expect 2 "at_least is given, which --export lp does not take: use --export matrix or or-library" \
+    place "$dir/good.yaml" --export lp --target 0.1 --set placement.at_least=2 -o "$dir/out"
 printf '1,1\n1,0\n' >"$dir/matrix.csv"
+expect 2 "--set placement.at_least: with --matrix there is no such key; there are seed" \
+    place --matrix "$dir/matrix.csv" --target 0.9 --set placement.at_least=2 -o "$dir/out"
 expect 2 "--repeat: a matrix is one sample" place --matrix "$dir/matrix.csv" --count 1 --repeat 2
 
 # kept_after FOLDER: its plan is whole, with as many runs as repeat.csv has rows

@@ -189,6 +189,10 @@ coverage='kind,x_m,y_m,z_m,sensor,value,standard_error
 coverage,1,1,1,node,.4,.01'
 refused 'threshold' "$coverage" --free $fog --set placement.detection=threshold
 
+# light that enters through the outside
+refused 'domain: outside: continued does not go with fits, use sides: periodic or outside: empty' \
+    "$lights" --free $fog --set domain.outside=continued
+
 # singular: said, with the combination that is free; no error bar of what has none
 said 'undetermined 1.00 media.fog.albedo' "$beams" --free media.fog.albedo
 said 'media.fog.albedo = 0.9 (not determined by these data)' "$beams" --free $fog,media.fog.albedo

@@ -51,6 +51,9 @@ base: scene.yaml'
 power='lights.0.power_w'
 refused 'bad.yaml:1:1: murk_study' 'base: scene.yaml
 axes: {}'
+refused 'a best plan for placement.at_least, which' "$head
+axes: {placement.redundancy: [1, 2]}
+outputs: [coverage_best]" --set 'sensors={types: [{name: node, range_m: 3}], target: 0.1}' --set placement.at_least=2
 refused 'murk_study: 2, must be 1' 'murk_study: 2
 base: scene.yaml
 axes: {}'
