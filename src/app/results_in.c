@@ -280,11 +280,32 @@ static bool add_strangers(FILE *to, const murk_results_in *results,
     return fflush(to) == 0;
 }
 
+/* Whether ledger.json is neither a trace's, which lists files, nor of the run
+ * of one of the other JSONs: those of another run lie beside it, or none, since
+ * the main JSON of a run comes last. */
+static bool has_stray_ledger(const murk_results_in *results)
+{
+    const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];
+    const char *identity = murk_result_text(ledger, "identity");
+    if (!identity || murk_result_at(ledger, "files")) {
+        return false;
+    }
+    bool is_known = false;
+    for (int i = 0; i < MURK_RESULT_LEDGER; ++i) {
+        is_known =
+            is_known || murk_result_is(results->json[i], "identity", identity);
+    }
+    return !is_known;
+}
+
 char *murk_results_strangers(const murk_results_in *results)
 {
     char *list = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&list, &size);
+    if (to && has_stray_ledger(results)) {
+        fputs(names[MURK_RESULT_LEDGER], to);
+    }
     bool is_whole = to && fflush(to) == 0;
     for (int i = 0; i < MURK_RESULT_FILES && is_whole; ++i) {
         /* files listed that have other checksums, and files of earlier runs */

@@ -289,6 +289,25 @@ def says_whose():
         check("Not as the run of this page wrote them: light.murk." in p.read("a", "report.html").decode(), "page is silent")
         done = p.run("place scene.yaml --seed 8 --light a/light.murk", quiet=False)
         check(done.returncode == 0 and "of another run" in done.stderr, "--light is silent:", done.stderr)
+        # whatever file is another run's, report and tools/view name it
+        whole = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "viewers", "whole.py")
+        p.well("place scene.yaml -o a --force")
+        for file in sorted(set(os.listdir(p.path("c"))) - {"plan.json", "report.html"}):
+            if p.read("a", file) == p.read("c", file):
+                continue
+            shutil.copytree(p.path("a"), p.path("mixed"))
+            shutil.copy(p.path("c", file), p.path("mixed", file))
+            done = p.run("report mixed", quiet=False)
+            check(file in done.stderr, "report is silent on", file, done.stderr)
+            seen = subprocess.run([sys.executable, "-B", whole, p.path("mixed")], capture_output=True, text=True)
+            check(seen.returncode == 1 and seen.stdout.startswith(file + ":"), "tools/view is silent on", file, seen.stdout)
+            shutil.rmtree(p.path("mixed"))
+        for line in ("place", "sense --sensors a/sensors.csv", "render --pixels 4x3 -o x.exr"):
+            shutil.copy(p.path("c", "light.murk"), p.path("a", "light.murk"))
+            done = p.run(line + " scene.yaml --seed 8 --light a/light.murk", quiet=False)
+            check(done.returncode == 0 and "of another run" in done.stderr, line, "--light is silent:", done.stderr)
+        seen = subprocess.run([sys.executable, "-B", whole, p.path("c")], capture_output=True, text=True)
+        check(seen.returncode == 0 and not seen.stdout, "a whole folder:", seen.stdout)
         done = p.run("report c", quiet=False)
         check(done.returncode == 0 and not done.stderr, "report of a whole folder:", done.stderr)
 

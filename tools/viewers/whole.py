@@ -14,17 +14,21 @@ MAIN = ("plan.json", "coverage.json", "study.json", "fit.json", "predict.json", 
 
 def strangers(folder):
     """Names that some main JSON lists and none with the checksum that the file has."""
-    listed = {}
+    listed, roots = {}, {}
     for name in MAIN:
         try:
-            root = json.loads((folder / name).read_text(encoding="utf-8"))
+            root = roots[name] = json.loads((folder / name).read_text(encoding="utf-8"))
         except (OSError, ValueError):
             continue  # not there; what cannot be read lists nothing
         for file, checksum in root.get("files", {}).items():
             listed.setdefault(file, set()).add(checksum)
         for file in root.get("run", {}).get("earlier", {}):
             listed.setdefault(file, set())  # of an earlier run
-    return [name for name, sums in sorted(listed.items()) if (folder / name).is_file()
+    # a ledger that is no trace's is of the run of one of the others
+    ledger = roots.pop("ledger.json", {})
+    of_others = [root.get("identity") for root in roots.values()]
+    stray = "identity" in ledger and "files" not in ledger and ledger["identity"] not in of_others
+    return stray * ["ledger.json"] + [name for name, sums in sorted(listed.items()) if (folder / name).is_file()
             and hashlib.sha256((folder / name).read_bytes()).hexdigest() not in sums]
 
 
