@@ -16,7 +16,8 @@
     X(cube)                  \
     X(grids)                 \
     X(enclosures)            \
-    X(views)
+    X(views)                 \
+    X(pixels)
 
 #define X(name) void cases_##name(validation *v);
 VALIDATION_GROUPS(X)
