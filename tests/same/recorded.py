@@ -49,7 +49,7 @@ ONE_RUN = [
     (re.compile(r"^time {2,}.*\n(?: .*\n)*", re.M), ""),
     (re.compile(r"\b[\d.]+ (?:s|min|h) on \d+ threads? and [\d.]+ [kMG]B of memory"), "TIME"),
     (re.compile(r'<td class="text">[\d.e-]+ (?:s|min|h)</td>'), "TIME"),
-    (re.compile(r"\b[0-9a-f]{64}\b"), "CHECKSUM"),
+    (re.compile(r"\b[0-9a-f]{64}\b|sha256-[A-Za-z0-9+/]{43}="), "CHECKSUM"),
     # sizes of files that hold times
     (re.compile(r'(<th scope="row">[\w.-]+\.json</th><td>)\d+'), r"\1SIZE"),
     (re.compile(r"murk \d+\.\d+\.\d+, on \d{4}-\d\d-\d\d, \d\d:\d\d UTC"), "DATE"),
@@ -89,10 +89,11 @@ def plain_text(data, folder):
     return NUMBER.sub(rounded, text)
 
 
-def comparable(path, folder):
+def comparable(path, folder, commit):
     """The bytes of a result file that are compared."""
     with open(path, "rb") as f:
-        data = f.read()
+        data = BINARY.get(os.path.splitext(path)[1], lambda bytes: bytes)(f.read())
+    data = without_commit(data, commit)
     if path.endswith(".json"):
         data = json_text(data)
     if path.endswith(".html"):
@@ -104,7 +105,7 @@ def comparable(path, folder):
         data = re.sub(rb"(<th[^>]*>[^<]*</th>)?<td class=\"text\">(?:DATE|[\d.]+ [kMG]B|\d+)</td>", b"RUN", data)
     if path.endswith((".json", ".html", ".csv", ".yaml", ".lp", ".txt")):
         return plain_text(data, folder).encode()
-    return BINARY.get(os.path.splitext(path)[1], lambda bytes: bytes)(data)
+    return data
 
 
 def exr_data(data):
@@ -132,8 +133,8 @@ def png_data(data):
 
 
 def vdb_data(data):
-    """The grids of an OpenVDB file with their names, without the file's own metadata and without the text
-    that names the program, whose length moves everything behind it."""
+    """The grids of an OpenVDB file with their names, without the file's own metadata and the places that
+    they stand at."""
     at = 8 + 4 + 4 + 4 + 1 + 36  # magic, versions, flag, identifier
 
     def text():
@@ -153,13 +154,17 @@ def vdb_data(data):
         kept += text() + text()
         text()
         first, _, end = struct.unpack_from("<3q", data, at)
-        grid, at = data[first:end], end
-        maker = grid.find(b"murk 0.")
-        if maker >= 4:
-            size, = struct.unpack_from("<I", grid, maker - 4)
-            grid = grid[:maker - 4] + grid[maker + size:]
-        kept += grid
+        kept += data[first:end]
+        at = end
     return kept
+
+
+def without_commit(data, commit):
+    """The bytes without the commit that the program was built from, be it text, text behind its length
+    in four bytes, or the codes of its characters."""
+    text = commit.encode()
+    return (data.replace(struct.pack("<I", len(text)) + text, b"COMMIT").replace(text, b"COMMIT")
+            .replace(" ".join(str(c) for c in text).encode(), b"COMMIT"))
 
 
 BINARY = {".exr": exr_data, ".png": png_data, ".vdb": vdb_data}
@@ -189,6 +194,8 @@ def run_case(murk, commands, kept=None):
         shutil.copytree(os.path.join(HERE, "scenes"), os.path.join(work, "small"))
         inputs = {os.path.join(at, n) for at, _, names in os.walk(work) for n in names}
         found = {}
+        version = subprocess.run([murk, "--version"], capture_output=True, text=True, check=True).stdout
+        commit = re.search(r"commit ([^,]+),", version).group(1)
 
         def keep(what, data):
             found[what] = hashlib.sha256(data).hexdigest()[:16]
@@ -213,7 +220,7 @@ def run_case(murk, commands, kept=None):
             for name in sorted(names):
                 path = os.path.join(at, name)
                 if path not in inputs:
-                    keep(os.path.relpath(path, work), comparable(path, work))
+                    keep(os.path.relpath(path, work), comparable(path, work, commit))
         return found
     finally:
         shutil.rmtree(work)
