@@ -50,8 +50,8 @@ ONE_RUN = [
     (re.compile(r"\b[\d.]+ (?:s|min|h) on \d+ threads? and [\d.]+ [kMG]B of memory"), "TIME"),
     (re.compile(r'<td class="text">[\d.e-]+ (?:s|min|h)</td>'), "TIME"),
     (re.compile(r"\b[0-9a-f]{64}\b|sha256-[A-Za-z0-9+/]{43}="), "CHECKSUM"),
-    # sizes of files that hold times
-    (re.compile(r'(<th scope="row">[\w.-]+\.json</th><td>)\d+'), r"\1SIZE"),
+    # sizes of files, which hold times and the commit
+    (re.compile(r'(<th scope="row">[\w.-]+\.\w+</th><td>)\d+'), r"\1SIZE"),
     (re.compile(r"murk \d+\.\d+\.\d+, on \d{4}-\d\d-\d\d, \d\d:\d\d UTC"), "DATE"),
     # what a forecast says of this machine's speed
     (re.compile(r"[\d.e+-]+ (?:s|min|h)(?= with \d+ starts|\) for a plan)"), "TIME"),
