@@ -100,7 +100,7 @@ axes: {$power: [1, 2, 3], seed: [1, 2]}"
 refused 'mode: pair, must be grid or paired' "$head
 mode: pair
 axes: {}"
-refused 'axes.a?b: a name with control characters' "$head
+refused 'axes.a\x01b: a name with control characters' "$head
 axes: {\"a\\x01b\": [1]}"
 refused 'a name with control characters' "$head
 axes: {lamp: {on: {\"a\\x01b\": 1}}}"

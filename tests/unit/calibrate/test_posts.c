@@ -69,7 +69,7 @@ static void test_cut_receivers_are_named(void)
     look_at((const double[]){1, 1.775, 3}, 3);
     CHECK_TEXT(noted,
                "yard.csv:3: a surface cuts the receiver of 0.25 m around "
-               "(1.775, 1, 1) m, behind which it is dark: it reads low; take "
+               "[1.775, 1, 1] m, behind which it is dark: it reads low; take "
                "a smaller radius_m, or a place farther from the surface\n");
 }
 
