@@ -249,8 +249,25 @@ static void test_drop_one(void)
     tear_down(&w);
 }
 
+/* Of no sensor, of one, and of equal losses, of which the first is named. */
+static void test_drop_one_of_few(void)
+{
+    double without[] = {0.25, 0.125, 0.125};
+    murk_robust r = {.without = without, .total = 0.5};
+    murk_drop_one drop = murk_robust_drop_one(&r);
+    CHECK(isnan(drop.worst_loss) && isnan(drop.mean_loss));
+    r.sensors = 1;
+    drop = murk_robust_drop_one(&r);
+    CHECK(drop.worst == 0 && drop.worst_loss == 0.25 && drop.mean_loss == 0.25);
+    r.sensors = 3;
+    drop = murk_robust_drop_one(&r);
+    CHECK(drop.worst == 1 && drop.worst_loss == 0.375);
+    CHECK_NEAR(drop.mean_loss, 1. / 3, 1e-15);
+}
+
 int main(void)
 {
+    test_drop_one_of_few();
     test_a_lens();
     test_a_cap();
     test_small_and_same();
