@@ -32,6 +32,11 @@ static inline int murk_photon_class(const murk_photon *p)
 {
     return p->kind & 3;
 }
+static inline murk_vec3 murk_photon_place(const murk_photon *p)
+{
+    return murk_vec((double)p->position_m[0], (double)p->position_m[1],
+                    (double)p->position_m[2]);
+}
 
 /* A unit vector as two 16-bit octahedral coordinates: axis directions are
  * exact, the others within MURK_DIRECTION_ERROR_RAD, 3 / (sqrt(2) 32767)

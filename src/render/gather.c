@@ -41,12 +41,9 @@ size_t murk_gather_nearest(size_t records)
 static bool is_in_solid(const murk_scenery *scenery, const murk_photon *p)
 {
     const murk_surfaces *surfaces = scenery->world->surfaces;
-    const murk_vec3 place =
-        murk_vec((double)p->position_m[0], (double)p->position_m[1],
-                 (double)p->position_m[2]);
     return !murk_photon_is_volume(p) &&
            murk_surfaces_solid_at(
-               surfaces, murk_along(place, scenery->margin_m,
+               surfaces, murk_along(murk_photon_place(p), scenery->margin_m,
                                     murk_direction_unpack(p->normal))) > 0;
 }
 
@@ -126,11 +123,8 @@ static void lay(void *context, uint64_t batch)
         n < first + RECORDS_AT_ONCE ? n : first + RECORDS_AT_ONCE;
     for (size_t i = first; i < end; ++i) {
         const murk_photon *p = &photons[i];
-        const murk_vec3 place =
-            murk_vec((double)p->position_m[0], (double)p->position_m[1],
-                     (double)p->position_m[2]);
-        const size_t there =
-            murk_photon_map_nearest(map, place, k, found, square_m2);
+        const size_t there = murk_photon_map_nearest(map, murk_photon_place(p),
+                                                     k, found, square_m2);
         const double radius =
             fmax(l->least_m, there > 0 ? sqrt(square_m2[there - 1]) : 0);
         murk_kernel *kernel = &l->layer->kernel[i];

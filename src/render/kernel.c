@@ -24,13 +24,6 @@
  * common with how many there are, so that each has one. */
 #define SHELLS 29
 
-static murk_vec3 place_of(const murk_photon *photon)
-{
-    return murk_vec((double)photon->position_m[0],
-                    (double)photon->position_m[1],
-                    (double)photon->position_m[2]);
-}
-
 static murk_inside meshes_at(const murk_world *world, murk_vec3 place)
 {
     return world->hulls ? murk_hulls_at(world->hulls, place) : 0;
@@ -158,7 +151,7 @@ static murk_kernel on_surface(const murk_probing *probing,
 {
     const murk_scenery *scenery = probing->scenery;
     const murk_world *world = scenery->world;
-    const murk_vec3 from = place_of(photon);
+    const murk_vec3 from = murk_photon_place(photon);
     const murk_vec3 up = murk_direction_unpack(photon->normal);
     murk_kernel kernel = {
         .radius_m = radius_m,
@@ -244,7 +237,7 @@ static murk_kernel in_medium(const murk_probing *probing,
     const murk_scenery *scenery = probing->scenery;
     murk_vec3 axis[3];
     turned_frame(u, axis);
-    const murk_vec3 from = place_of(photon);
+    const murk_vec3 from = murk_photon_place(photon);
     murk_kernel kernel = {.radius_m = radius_m,
                           .index = index_at(scenery, from)};
     kernel.is_cut =
@@ -291,7 +284,7 @@ bool murk_kernel_holds(const murk_scenery *scenery, const murk_photon *photon,
     if (!kernel->is_cut) {
         return true;
     }
-    const murk_vec3 from = place_of(photon);
+    const murk_vec3 from = murk_photon_place(photon);
     return is_volume
                ? !murk_surfaces_blocked(scenery->world->surfaces, from, place,
                                         false)

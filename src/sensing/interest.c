@@ -4,13 +4,6 @@
 
 #define BATCH_PHOTONS 4096
 
-static murk_vec3 position_of(const murk_photon *photon)
-{
-    return murk_vec((double)photon->position_m[0],
-                    (double)photon->position_m[1],
-                    (double)photon->position_m[2]);
-}
-
 static bool is_of_kind(const murk_interest_region *region,
                        const murk_photon *photon)
 {
@@ -34,7 +27,7 @@ static bool box_holds(const murk_box *box, murk_vec3 p, double slack_m)
 static uint64_t hulls_around(const murk_interest *interest,
                              const murk_photon *photon, double slack_m)
 {
-    const murk_vec3 p = position_of(photon);
+    const murk_vec3 p = murk_photon_place(photon);
     if (!interest->hulls) {
         return 0;
     }
@@ -50,7 +43,7 @@ static uint64_t hulls_around(const murk_interest *interest,
 uint64_t murk_interest_at(const murk_interest *interest,
                           const murk_photon *photon, double slack_m)
 {
-    const murk_vec3 p = position_of(photon);
+    const murk_vec3 p = murk_photon_place(photon);
     const double slack = murk_photon_is_volume(photon) ? 0 : slack_m;
     const uint64_t hulls = hulls_around(interest, photon, slack_m);
     uint64_t regions = 0;

@@ -26,13 +26,6 @@ typedef struct look {
     bool all_clear;
 } look;
 
-static murk_vec3 position_of(const murk_photon *photon)
-{
-    return murk_vec((double)photon->position_m[0],
-                    (double)photon->position_m[1],
-                    (double)photon->position_m[2]);
-}
-
 static void test_surfaces(const look *l, const murk_vec3 *from, size_t n,
                           bool *blocked)
 {
@@ -197,7 +190,7 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
     size_t filled = 0;
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = &photon[found[i]];
-        murk_vec3 at = position_of(p);
+        murk_vec3 at = murk_photon_place(p);
         const murk_vec3 sensor =
             is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
                         : l->sensor;

@@ -99,9 +99,7 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
 {
     assert(neighbours->k >= 2 && neighbours->most_m > 0);
     const murk_photon *photon = murk_photon_map_photons(neighbours->map);
-    const murk_vec3 place = {(double)of->position_m[0],
-                             (double)of->position_m[1],
-                             (double)of->position_m[2]};
+    const murk_vec3 place = murk_photon_place(of);
     const double most2_m2 = neighbours->most_m * neighbours->most_m;
     const size_t last = LAST_LOOK * neighbours->k;
     for (size_t m = FIRST_LOOK * neighbours->k;; m *= 2) {

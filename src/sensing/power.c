@@ -45,13 +45,6 @@ static size_t end_of(const murk_photon_map *map, size_t first)
     return n - first < BATCH_PHOTONS ? n : first + BATCH_PHOTONS;
 }
 
-static murk_vec3 place_of(const murk_photon *photon)
-{
-    return murk_vec((double)photon->position_m[0],
-                    (double)photon->position_m[1],
-                    (double)photon->position_m[2]);
-}
-
 /* ---- what lies around ---- */
 
 /* The radius within which all count. Where the neighbours decide, that is where
@@ -106,7 +99,7 @@ static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
         }
     }
     const murk_around a =
-        murk_vicinity_find(vicinity, place_of(of), path, found);
+        murk_vicinity_find(vicinity, murk_photon_place(of), path, found);
     const murk_photon *photon = murk_vicinity_photons(vicinity, a.level);
     gathered g = {
         .level = a.level, .radius_m = within_m(desc), .factor = a.factor};

@@ -128,9 +128,7 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
           (double)p->power_w <= packet_w[channel] * (1 + POWER_TOLERANCE))) {
         return "a power that is not 0 to its photon packet's";
     }
-    if (!murk_box_contains(within, murk_vec((double)p->position_m[0],
-                                            (double)p->position_m[1],
-                                            (double)p->position_m[2]))) {
+    if (!murk_box_contains(within, murk_photon_place(p))) {
         return "a position outside the domain";
     }
     if (p->direction == 0 || (p->normal == 0) != is_volume) {

@@ -87,6 +87,13 @@ static void test_kinds_say_map_and_class(void)
     }
 }
 
+static void test_place_is_the_position(void)
+{
+    const murk_photon p = {.position_m = {1.5F, -2.25F, 3}};
+    const murk_vec3 at = murk_photon_place(&p);
+    CHECK(at.x == 1.5 && at.y == -2.25 && at.z == 3);
+}
+
 int main(void)
 {
     test_axes_are_exact();
@@ -95,5 +102,6 @@ int main(void)
     test_folds_and_signs();
     test_nothing_packs_to_zero();
     test_kinds_say_map_and_class();
+    test_place_is_the_position();
     return check_done();
 }
