@@ -12,10 +12,10 @@ static size_t toggle(uint16_t *open, size_t n, uint16_t solid)
 {
     for (size_t i = 0; i < n; ++i) {
         if (open[i] == solid) {
-            for (; i + 1 < n; ++i) {
+            for (--n; i < n; ++i) {
                 open[i] = open[i + 1];
             }
-            return n - 1;
+            return n;
         }
     }
     if (n < OPEN_SOLIDS_MAX) {

@@ -25,7 +25,7 @@ static void list(char text[MOST_LISTED], const murk_grid_entry *entry, size_t n)
     size_t used = 0;
     for (size_t i = 0; i < n; ++i) {
         if (used > ENOUGH_LISTED) {
-            snprintf(text + used, MOST_LISTED - used, ", ...");
+            memcpy(text + used, ", ...", sizeof ", ...");
             return;
         }
         const int length =

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 typedef struct even_box {
     float value[8];  /* of the nodes, by the axes along which they lie behind */
@@ -141,9 +142,7 @@ static void skip_to_root_cell(murk_linear *m)
     for (int axis = 0; axis < 3; ++axis) {
         m->low[axis] = m->at[axis];
     }
-    for (int which = 0; which < 8; ++which) {
-        m->corner[which] = 0;
-    }
+    memset(m->corner, 0, sizeof m->corner);
     if (nearest) {
         const int32_t *f = nearest->first;
         const int32_t first[3] = {f[0] - 1, f[1] - 1, f[2] - 1};

@@ -119,8 +119,7 @@ static bool is_same(void *context, size_t number)
 static size_t nearest_index(double min, double max, size_t n, double x)
 {
     const double step = n > 1 ? (max - min) / (double)(n - 1) : 1;
-    const double at = n > 1 ? round((x - min) / step) : 0;
-    return (size_t)fmin(fmax(at, 0), (double)(n - 1));
+    return (size_t)fmin(fmax(round((x - min) / step), 0), (double)(n - 1));
 }
 
 static void nearest_of_grid(const murk_candidate_grid *g, murk_vec3 p,
