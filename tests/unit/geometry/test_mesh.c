@@ -269,6 +269,13 @@ static void test_files_that_a_mesh_names(void)
         check_reach(naming(name, "../outside.bin"), folder, true);
         check_reach(naming(name, "../outside.bin"), "/usr", false);
     }
+    /* the mesh itself may be a link; what it names is of the link's folder */
+    char elsewhere[80], linked[110];
+    snprintf(elsewhere, sizeof elsewhere, "%s/elsewhere", folder);
+    snprintf(linked, sizeof linked, "%s/m.obj", elsewhere);
+    CHECK(mkdir(elsewhere, 0700) == 0);
+    CHECK(symlink(naming("inner/m.obj", "own.bin"), linked) == 0);
+    check_reach(linked, NULL, true);
     murk_mesh *m = NULL;
     murk_error err = {0};
     const murk_mesh_import nowhere = {.allow = "/nowhere/at/all"};

@@ -103,10 +103,158 @@ static void test_bad_indices_are_named(void)
     CHECK_MENTIONS(err.text, "must keep its shape");
 }
 
+static size_t warnings;
+
+static void count_warning(const char *where, const char *text)
+{
+    (void)where;
+    warnings += strstr(text, "lies wholly in") != NULL;
+}
+
+typedef enum relation { APART, CROSSING, IN, HOLDS, SAME } relation;
+
+/* How a lies to b: two that cross are refused, and of what is hidden by one
+ * that is listed later there is a warning. */
+static void check_relation(relation expected, murk_region a, murk_region b)
+{
+    murk_error err;
+    warnings = 0;
+    CHECK(is_allowed(a, b, &err) == (expected != CROSSING));
+    CHECK(warnings == (expected == IN || expected == SAME));
+    warnings = 0;
+    CHECK(is_allowed(b, a, &err) == (expected != CROSSING));
+    CHECK(warnings == (expected == HOLDS || expected == SAME));
+}
+
+/* So they do when both are turned, enlarged and moved. */
+static void check_relations(relation expected, murk_region a, murk_region b)
+{
+    const murk_vec3 turn = {20, -35, 50}, to = {1, -2, 3};
+    check_relation(expected, a, b);
+    check_relation(expected, moved(a, turn, 2, to), moved(b, turn, 2, to));
+    check_relation(expected, moved(a, turn, 0.5, to), moved(b, turn, 0.5, to));
+}
+
+static murk_vec3 on_axis(int axis, double value)
+{
+    return murk_vec(axis == 0 ? value : 0, axis == 1 ? value : 0,
+                    axis == 2 ? value : 0);
+}
+
+static murk_region cube(murk_vec3 center, double half)
+{
+    return box(murk_along(center, -half, murk_vec(1, 1, 1)),
+               murk_along(center, half, murk_vec(1, 1, 1)), 1.5);
+}
+
+/* Along each axis both ways. Overlaps of less than 2e-11 m, 1e-12 of the
+ * farthest coordinate of the domain, do not count. */
+static void test_relations_along_the_axes(void)
+{
+    static const struct {
+        double off; /* more than where they touch */
+        bool is_apart;
+    } table[] = {{0.03, true}, {0, true}, {-5e-12, true}, {-1e-10, false}};
+    for (int side = 0; side < 6; ++side) {
+        const double sign = side % 2 ? -1 : 1;
+        for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
+            const relation apart = table[i].is_apart ? APART : CROSSING;
+            const relation in = table[i].is_apart ? IN : CROSSING;
+            const murk_vec3 far =
+                on_axis(side / 2, sign * (1.5 + table[i].off));
+            const murk_vec3 near =
+                on_axis(side / 2, sign * (0.5 - table[i].off));
+            const murk_vec3 none = {0, 0, 0};
+            check_relations(apart, cube(far, 0.5), cube(none, 1));
+            check_relations(apart, ball(far, 0.5, 1.3), cube(none, 1));
+            check_relations(apart, cube(far, 0.5), ball(none, 1, 1.3));
+            check_relations(apart, ball(far, 0.5, 1.3), ball(none, 1, 1.3));
+            check_relations(in, cube(near, 0.5), cube(none, 1));
+            check_relations(in, ball(near, 0.5, 1.3), cube(none, 1));
+            check_relations(in, ball(near, 0.5, 1.3), ball(none, 1, 1.3));
+            const double corner = hypot(1, sqrt(0.5));
+            check_relations(in, cube(near, 0.5), ball(none, corner, 1.3));
+        }
+    }
+}
+
+/* From corner to corner and from edge to edge. */
+static void test_relations_of_corners(void)
+{
+    const murk_vec3 none = {0, 0, 0};
+    for (int i = 0; i < 8; ++i) {
+        const murk_vec3 corner = {i & 4 ? -1 : 1, i & 2 ? -1 : 1,
+                                  i & 1 ? -1 : 1};
+        const murk_vec3 at = murk_scale(2, corner);
+        check_relations(APART, ball(at, sqrt(3) * 0.999, 1.3), cube(none, 1));
+        check_relations(CROSSING, ball(at, sqrt(3) * 1.001, 1.3),
+                        cube(none, 1));
+        check_relations(HOLDS, ball(corner, 2 * sqrt(3) * 1.001, 1.3),
+                        cube(none, 1));
+        check_relations(CROSSING, ball(corner, 2 * sqrt(3) * 0.999, 1.3),
+                        cube(none, 1));
+    }
+    check_relations(SAME, cube(none, 1), cube(none, 1));
+    check_relations(SAME, ball(none, 1, 1.3), ball(none, 1, 1.5));
+    check_relation(SAME, everywhere(1.3), everywhere(1.3));
+    check_relation(HOLDS, everywhere(1.3), ball(none, 1, 1.5));
+    check_relation(IN, below(1, 1.3), below(1.1, 1.3));
+    check_relation(IN, below(1, 1.3), below(1.2, 1.4));
+}
+
+/* A turned cube meets the faces of another with one corner alone. */
+static void test_relations_of_turned_cubes(void)
+{
+    const murk_vec3 turn[] = {{20, -35, 50}, {-25, 30, 140}, {70, 15, -20}};
+    for (size_t k = 0; k < sizeof turn / sizeof *turn; ++k) {
+        const murk_affine turned =
+            murk_affine_place(turn[k], 1, murk_vec(0, 0, 0));
+        for (int side = 0; side < 6; ++side) {
+            const double *row = turned.matrix[side / 2];
+            const double sign = side % 2 ? -1 : 1;
+            const double half =
+                0.4 * (fabs(row[0]) + fabs(row[1]) + fabs(row[2]));
+            for (int is_off = 0; is_off < 2; ++is_off) {
+                const double off = is_off ? 0.001 : -0.001;
+                const murk_region big = cube(murk_vec(0, 0, 0), 1),
+                                  small = cube(murk_vec(0, 0, 0), 0.4);
+                const murk_vec3 in = on_axis(side / 2, sign * (1 - half + off)),
+                                out =
+                                    on_axis(side / 2, sign * (1 + half + off));
+                check_relation(is_off ? CROSSING : IN,
+                               moved(small, turn[k], 1, in), big);
+                check_relation(is_off ? APART : CROSSING,
+                               moved(small, turn[k], 1, out), big);
+            }
+        }
+    }
+}
+
+/* A long box that is turned a little keeps its faces, as they lie in no side
+ * of the domain, and lies in a half space as far as it reaches. */
+static void test_what_reaches_far(void)
+{
+    const murk_region sea = below(0, 1.3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const murk_vec3 turn = on_axis((axis + 2) % 3, 0.5);
+        const double height = axis == 2 ? -1005 : -15;
+        const murk_vec3 end =
+            murk_along(murk_vec(1, 1, 1), 999, on_axis(axis, 1));
+        const murk_region bar = box(murk_scale(-1, end), end, 1.5);
+        check_relation(IN, moved(bar, turn, 1, murk_vec(0, 0, height)), sea);
+        check_relation(IN, ball(on_axis(axis, -3000), 2990, 1.5),
+                       ball(on_axis(axis, -3000), 2995, 1.5));
+    }
+}
+
 int main(void)
 {
-    murk_warn_to(NULL); /* of what lies in a region listed later */
+    murk_warn_to(count_warning); /* of what lies in a region listed later */
     test_crossing_is_refused();
+    test_relations_along_the_axes();
+    test_relations_of_corners();
+    test_relations_of_turned_cubes();
+    test_what_reaches_far();
     test_bad_indices_are_named();
     return check_done();
 }

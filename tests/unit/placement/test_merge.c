@@ -89,8 +89,29 @@ static void test_prints_are_checked(void)
     made_up_destroy(m);
 }
 
+/* Of n photons that all are seen alike those that stay stand for 1, 2, 4, ..
+ * each: as many as n has binary digits that are 1. */
+static void test_as_few_stay_as_possible(void)
+{
+    static const uint8_t stay[] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2};
+    for (size_t n = 1; n < sizeof stay; ++n) {
+        made_up *m = made_up_create(1, n, 2, 1, 1, 1, 1);
+        for (size_t i = 0; i < 2 * n; ++i) {
+            m->clarity[i] = MURK_CLEAR;
+        }
+        murk_matrix *matrix = NULL;
+        murk_error err = {0};
+        CHECK(murk_matrix_make(&matrix, &m->problem, UINT64_MAX,
+                               MURK_MERGE_ALWAYS, &err) == MURK_OK);
+        CHECK(matrix && matrix->layout.photons == stay[n]);
+        murk_matrix_destroy(matrix);
+        made_up_destroy(m);
+    }
+}
+
 int main(void)
 {
+    test_as_few_stay_as_possible();
     static const struct {
         uint32_t levels, weights;
         murk_combining combining;

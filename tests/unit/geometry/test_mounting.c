@@ -1,0 +1,149 @@
+/* What a mount stands near to, face by face and sphere by sphere, against
+ * points drawn on them. Nothing here is random. */
+#include "geometry/mounting.h"
+
+#include "check.h"
+
+#define FINE 200 /* points along each side */
+
+static murk_mounting upright(double above_m, double slack_m)
+{
+    return (murk_mounting){.foot = {0, 0, 0},
+                           .normal = {0, 0, 1},
+                           .above_m = above_m,
+                           .slack_m = slack_m};
+}
+
+/* A face that rises with `slope` from its low edge, which is at height `rise`
+ * and 1 m off along x or y, either way round. */
+static murk_triangle rising(double slope, double rise, bool along_y,
+                            bool turned)
+{
+    murk_vec3 a = {1, -3, rise}, b = {1, 3, rise}, c = {3, 0, rise + 2 * slope};
+    if (along_y) {
+        a = murk_vec(-3, 1, rise);
+        b = murk_vec(3, 1, rise);
+        c = murk_vec(0, 3, rise + 2 * slope);
+    }
+    return turned ? (murk_triangle){b, a, c} : (murk_triangle){a, b, c};
+}
+
+/* A surface that bends as far as its slope says goes on; one that bends more,
+ * or stands at more than 45 degrees, is another. */
+static void test_smooth_surfaces_go_on(void)
+{
+    static const struct {
+        double slope, rise, slack_m;
+        bool counts;
+    } table[] = {
+        {0.5, 0.49, 0, false}, {0.5, 0.51, 0, true},   {0.5, 0.59, .1, false},
+        {0.5, 0.61, .1, true}, {0.2, 0.199, 0, false}, {0.2, 0.201, 0, true},
+        {0, 0.099, .1, false}, {0, 0.101, .1, true},   {0.99, 0.1, 0, false},
+        {1.01, 0.1, 0, true},  {30, 0.1, 0, true},
+    };
+    for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
+        const murk_mounting m = upright(0, table[i].slack_m);
+        for (int way = 0; way < 4; ++way) {
+            const murk_triangle t =
+                rising(table[i].slope, table[i].rise, way & 1, way & 2);
+            const double got =
+                murk_mounting_from_face(&m, &t, murk_vec(0, 0, 0));
+            const double edge = hypot(1, table[i].rise);
+            CHECK(table[i].counts ? fabs(got - edge) < 1e-12 : isinf(got));
+        }
+    }
+}
+
+static double least_of_face(const murk_mounting *m, const murk_triangle *t,
+                            murk_vec3 point)
+{
+    double least = INFINITY;
+    for (int i = 0; i <= FINE; ++i) {
+        for (int j = 0; i + j <= FINE; ++j) {
+            murk_vec3 p =
+                murk_along(t->a, (double)i / FINE, murk_sub(t->b, t->a));
+            p = murk_along(p, (double)j / FINE, murk_sub(t->c, t->a));
+            if (p.z >= m->above_m) {
+                least = fmin(least, murk_length(murk_sub(p, point)));
+            }
+        }
+    }
+    return least;
+}
+
+/* Of a steep face what is above the floor counts. */
+static void test_faces_by_points_on_them(void)
+{
+    const murk_triangle t = {{2, -1, -1}, {2, 2, -0.5}, {2.25, 0, 3}};
+    const double above_m[] = {-2, -0.75, 0, 0.5, 2.5};
+    const murk_vec3 point[] = {{0, 0, 0},    {0, 0, 1},  {1, 3, 0.5},
+                               {2, -4, 0.5}, {3, 0, 5},  {2.1, 0, 0.25},
+                               {5, 1, 1},    {2, 0, -3}, {2, 2, -0.5}};
+    for (size_t i = 0; i < sizeof above_m / sizeof *above_m; ++i) {
+        const murk_mounting m = upright(above_m[i], 1e-9);
+        for (size_t k = 0; k < sizeof point / sizeof *point; ++k) {
+            const double least = least_of_face(&m, &t, point[k]);
+            const double got = murk_mounting_from_face(&m, &t, point[k]);
+            CHECK(got <= least + 1e-12 && got >= least - 0.025);
+            const murk_triangle turned = {t.c, t.b, t.a};
+            CHECK(fabs(murk_mounting_from_face(&m, &turned, point[k]) - got) <
+                  1e-12);
+        }
+    }
+    const murk_mounting over = upright(3.01, 1e-9);
+    CHECK(isinf(murk_mounting_from_face(&over, &t, point[0])));
+}
+
+static double least_of_ball(const murk_mounting *m, const murk_ball *b,
+                            murk_vec3 point)
+{
+    double least = INFINITY;
+    for (int i = 0; i <= FINE; ++i) {
+        for (int j = 0; j < FINE; ++j) {
+            const murk_vec3 p =
+                murk_along(b->center, b->radius,
+                           murk_about(murk_vec(0, 0, 1), -1 + 2.0 * i / FINE,
+                                      2 * MURK_PI * j / FINE));
+            if (p.z >= m->above_m) {
+                least = fmin(least, murk_length(murk_sub(p, point)));
+            }
+        }
+    }
+    return least;
+}
+
+/* So it does of a sphere on which the mount does not stand. */
+static void test_balls_by_points_on_them(void)
+{
+    const murk_ball b = {.center = {0.5, -0.25, 1}, .radius = 1.5};
+    const double above_m[] = {-1, -0.25, 0.25, 1, 1.75, 2.25};
+    const murk_vec3 point[] = {{0, 0, 0},        {0.5, -0.25, 1}, {4, 2, 1},
+                               {0.5, -0.25, -3}, {0, 3, -1},      {1, 0, 5},
+                               {0.5, 0.25, 1.5}, {2.25, 0, 0.5}};
+    for (size_t i = 0; i < sizeof above_m / sizeof *above_m; ++i) {
+        const murk_mounting m = upright(above_m[i], 1e-9);
+        for (size_t k = 0; k < sizeof point / sizeof *point; ++k) {
+            const double least = least_of_ball(&m, &b, point[k]);
+            const double got = murk_mounting_from_ball(&m, &b, point[k]);
+            CHECK(fabs(got - least) < 0.025);
+        }
+    }
+    const murk_mounting over = upright(2.51, 1e-9);
+    CHECK(isinf(murk_mounting_from_ball(&over, &b, point[0])));
+    const murk_ball own[] = {{.center = {0, 0, -2}, .radius = 2},
+                             {.center = {0, 0, -2}, .radius = 2.099},
+                             {.center = {0, 0, -2}, .radius = 2.101}};
+    const murk_mounting slack = upright(-1, 0.1);
+    CHECK(isinf(murk_mounting_from_ball(&slack, &own[0], murk_vec(0, 0, 1))));
+    CHECK(isinf(murk_mounting_from_ball(&slack, &own[1], murk_vec(0, 0, 1))));
+    CHECK(fabs(murk_mounting_from_ball(&slack, &own[2], murk_vec(0, 0, 1)) -
+               0.899) < 1e-12);
+}
+
+int main(void)
+{
+    test_smooth_surfaces_go_on();
+    test_faces_by_points_on_them();
+    test_balls_by_points_on_them();
+    return check_done();
+}
