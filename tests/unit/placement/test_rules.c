@@ -309,6 +309,72 @@ static void test_presolve_leaves_who_fills_the_plan(void)
     made_up_destroy(m);
 }
 
+/* Of candidates a and b, of which a sees all that b does: whether b may be left
+ * out beforehand, under each rule. */
+static void test_who_may_be_dropped(void)
+{
+    /* 0 and 1 exclude each other */
+    static const size_t conflict_first[] = {0, 1, 2, 2, 2};
+    static const uint32_t conflict[] = {1, 0};
+    static const struct {
+        uint32_t class_of[4];
+        size_t least;    /* of class 0 */
+        int64_t cost[4]; /* no costs where the first is 0 */
+        bool has_conflict;
+        uint32_t a, b;
+        bool may;
+    } table[] = {
+        {{0, 0, 0, 0}, 0, {0}, false, 0, 1, true},
+        {{0, 1, 0, 0}, 0, {0}, false, 0, 1, false}, /* of another class */
+        {{0, 0, 0, 1}, 1, {0}, false, 0, 1, true},  /* others may fill up */
+        {{0, 0, 0, 0}, 0, {0}, true, 0, 1, true},   /* never stand together */
+        {{0, 0, 0, 0}, 0, {0}, true, 2, 3, false},  /* who fills up may lack */
+        {{0, 0, 0, 0}, 0, {0}, true, 2, 0, false},
+        {{0, 0, 0, 0}, 0, {0}, true, 0, 2, false}, /* less free */
+        {{0, 0, 0, 0}, 0, {2, 2, 3, 1}, false, 0, 1, true},
+        {{0, 0, 0, 0}, 0, {2, 2, 3, 1}, false, 0, 2, true},
+        {{0, 0, 0, 0}, 0, {2, 2, 3, 1}, false, 0, 3, false}, /* dearer */
+        {{0, 0, 0, 0}, 1, {2, 2, 3, 1}, false, 0, 1, false}, /* least count */
+        {{1, 1, 0, 0}, 1, {2, 2, 3, 1}, false, 0, 1, true},  /* another's */
+        {{0, 0, 0, 0}, 1, {2, 2, 3, 1}, true, 0, 1, true},
+        {{0, 0, 0, 0}, 0, {2, 2, 3, 1}, true, 3, 2, true},
+    };
+    for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
+        const bool has_costs = table[i].cost[0] > 0;
+        const size_t least[] = {table[i].least, 0}, most[] = {4, 4};
+        murk_rules rules = {.classes = 2,
+                            .class_of = table[i].class_of,
+                            .least = least,
+                            .most = most};
+        if (has_costs) {
+            rules.cost = table[i].cost;
+            rules.budget = 8;
+        }
+        if (table[i].has_conflict) {
+            rules.conflict_first = conflict_first;
+            rules.conflict = conflict;
+        }
+        murk_rulebook book = {0};
+        murk_error err = {0};
+        CHECK(murk_rulebook_init(&book, &rules, 4, 2, has_costs, &err) ==
+              MURK_OK);
+        CHECK_TEXT(err.text, "");
+        const bool may = murk_rulebook_may_drop(&book, table[i].a, table[i].b);
+        if (may != table[i].may) {
+            printf("row %zu of the table\n", i);
+        }
+        CHECK(may == table[i].may);
+        murk_rulebook_release(&book);
+    }
+    const size_t fixed[] = {1};
+    const murk_rules rules = {.fixed = fixed, .fixed_count = 1};
+    murk_rulebook book = {0};
+    CHECK(murk_rulebook_init(&book, &rules, 4, 2, false, NULL) == MURK_OK);
+    CHECK(!murk_rulebook_may_drop(&book, 0, 1));
+    CHECK(murk_rulebook_may_drop(&book, 1, 0));
+    murk_rulebook_release(&book);
+}
+
 /* Threads, rules of every kind, and more candidates than brute force can try:
  * the same plan, and the same bound. */
 static void test_threads_change_nothing_under_rules(void)
@@ -367,6 +433,7 @@ int main(int argc, char **argv)
     test_guarantees_are_named();
     test_budget_is_not_spent_on_crumbs();
     test_presolve_leaves_who_fills_the_plan();
+    test_who_may_be_dropped();
     test_threads_change_nothing_under_rules();
     return check_done();
 }

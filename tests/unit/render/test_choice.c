@@ -35,6 +35,32 @@ static murk_scenery scenery_of(const test_world *world)
     return scenery;
 }
 
+/* The image in the middle of those that are weighed is the nearest one, along
+ * sides of different lengths. */
+static void test_the_nearest_image_is_in_the_middle(void)
+{
+    const murk_light lamp = lamp_at(1, 2, 4);
+    test_world world =
+        test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {7, 3, 6}}, true},
+                                      .lights = &lamp,
+                                      .n_lights = 1});
+    murk_scenery scenery = scenery_of(&world);
+    for (double x = 0.1; x < 7; x += 0.3) {
+        for (double y = 0.1; y < 3; y += 0.3) {
+            const murk_images m =
+                murk_images_of(&scenery, 0, murk_vec(x, y, 1));
+            CHECK(m.period_m[0] == 7 && m.period_m[1] == 3);
+            for (int axis = 0; axis < 2; ++axis) {
+                CHECK(
+                    fabs(m.away_m[axis] + m.nearest[axis] * m.period_m[axis]) <=
+                    0.5 * m.period_m[axis] + 1e-12);
+            }
+        }
+    }
+    murk_scenery_release(&scenery);
+    test_world_unmade(&world);
+}
+
 /* The chances of all images add up to 1: what is beyond REACH is the solid
  * angle outside of a square about the place, at most
  * height / (nearest side of the square). */
@@ -161,6 +187,7 @@ static void test_images_light_what_lies_behind(void)
 
 int main(void)
 {
+    test_the_nearest_image_is_in_the_middle();
     test_images_light_what_lies_behind();
     test_images_are_drawn_by_their_chances();
     test_rays_go_to_lamps_that_light_the_place();
