@@ -119,8 +119,8 @@ static void add_placement(cJSON *root, const murk_plan *plan,
     murk_json_number(object, "power_radius_m",
                      plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
     murk_json_number(object, "power_neighbours",
-                     plan->power_neighbours > 0 ? (double)plan->power_neighbours
-                                                : NAN);
+                     plan->power_neighbours ? (double)plan->power_neighbours
+                                            : NAN);
     cJSON_AddNumberToObject(object, "redundancy", (double)wish->redundancy);
     cJSON_AddStringToObject(object, "visibility",
                             wish->by_normal ? "normal" : "ray");

@@ -143,6 +143,9 @@ const murk_option murk_option_table[] = {
 
 const size_t murk_option_table_size =
     sizeof murk_option_table / sizeof *murk_option_table;
+_Static_assert(sizeof murk_option_table / sizeof *murk_option_table <=
+                   MURK_OPTIONS_MAX,
+               "lists of options have room for all");
 
 const murk_option *murk_option_find(const char *text, size_t length)
 {

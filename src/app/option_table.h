@@ -61,6 +61,8 @@ typedef struct murk_option {
     const char *help;     /* NULL: not shown */
 } murk_option;
 
+#define MURK_OPTIONS_MAX 96 /* of the table */
+
 extern const murk_option murk_option_table[];
 extern const size_t murk_option_table_size;
 

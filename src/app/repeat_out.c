@@ -4,9 +4,8 @@
 #include "app/summary.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
-
-#define CSV_LINE_MAX 256
 
 /* ---- JSON ---- */
 
@@ -70,14 +69,14 @@ murk_status murk_json_repeat(cJSON *root, const murk_repeat *repeat,
 
 /* ---- CSV ---- */
 
-/* ",VALUE", or "," where there is none; returns the characters written. */
-static size_t put(char *to, size_t room, double value)
+/* ",VALUE", or "," where there is none. */
+static void put(FILE *to, double value)
 {
     char text[32] = "";
     if (isfinite(value)) {
         murk_number_text(text, value);
     }
-    return (size_t)snprintf(to, room, ",%s", text);
+    fprintf(to, ",%s", text);
 }
 
 murk_status murk_add_repeat_csv(murk_results *results,
@@ -86,31 +85,29 @@ murk_status murk_add_repeat_csv(murk_results *results,
     if (!results->folder) {
         return MURK_OK;
     }
-    const size_t room = (repeat->runs + 1) * CSV_LINE_MAX;
-    char *text = malloc(room);
-    size_t at = 0;
-    if (text) {
-        at = (size_t)snprintf(text, room,
-                              "seed,sensors,in_sample,held_out,"
-                              "held_out_standard_error,upper,proven_optimal,"
-                              "plan,plan_standard_error\n");
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (to) {
+        fputs("seed,sensors,in_sample,held_out,held_out_standard_error,upper,"
+              "proven_optimal,plan,plan_standard_error\n",
+              to);
     }
-    for (size_t i = 0; text && i < repeat->runs; ++i) {
+    for (size_t i = 0; to && i < repeat->runs; ++i) {
         const murk_repeat_run *run = &repeat->run[i];
-        at += (size_t)snprintf(text + at, room - at, "%lu,%zu",
-                               (unsigned long)run->seed, run->sensors);
-        at += put(text + at, room - at, run->in_sample);
-        at += put(text + at, room - at, run->held_out.value);
-        at += put(text + at, room - at, run->held_out.standard_error);
-        at += put(text + at, room - at, run->upper);
-        at += (size_t)snprintf(text + at, room - at, ",%s",
-                               run->proven_optimal ? "true" : "false");
-        at += put(text + at, room - at, run->plan.value);
-        at += put(text + at, room - at, run->plan.standard_error);
-        at += (size_t)snprintf(text + at, room - at, "\n");
+        fprintf(to, "%lu,%zu", (unsigned long)run->seed, run->sensors);
+        put(to, run->in_sample);
+        put(to, run->held_out.value);
+        put(to, run->held_out.standard_error);
+        put(to, run->upper);
+        fprintf(to, ",%s", run->proven_optimal ? "true" : "false");
+        put(to, run->plan.value);
+        put(to, run->plan.standard_error);
+        fputc('\n', to);
     }
-    const murk_status status =
-        murk_results_add_text(results, "repeat.csv", text, err);
+    const bool is_whole = to && fclose(to) == 0;
+    const murk_status status = murk_results_add_text(
+        results, "repeat.csv", is_whole ? text : NULL, err);
     free(text);
     return status;
 }

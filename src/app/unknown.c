@@ -7,7 +7,6 @@
 #include <string.h>
 
 #define COMMANDS_MOST 32
-#define OPTIONS_MOST  96
 
 murk_status murk_unknown_command(const char *name, murk_error *err)
 {
@@ -44,21 +43,19 @@ murk_status murk_unknown_command(const char *name, murk_error *err)
 murk_status murk_unknown_option(const char *text, size_t length,
                                 const murk_command *command, murk_error *err)
 {
-    const char *known[OPTIONS_MOST] = {NULL};
+    const char *known[MURK_OPTIONS_MAX];
+    size_t n = 0;
     char word[64], shown[64];
-    for (size_t i = 0; i < murk_option_table_size && i < OPTIONS_MOST; ++i) {
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
         const murk_option *option = &murk_option_table[i];
         if (option->help &&
             (!command || murk_option_belongs(option, command->name))) {
-            known[i] = option->name;
+            known[n++] = option->name;
         }
     }
     snprintf(word, sizeof word, "%.*s", (int)(length < 63 ? length : 63), text);
     murk_words_show(shown, sizeof shown, word);
-    const char *meant = murk_words_meant(word, known,
-                                         murk_option_table_size < OPTIONS_MOST
-                                             ? murk_option_table_size
-                                             : OPTIONS_MOST);
+    const char *meant = murk_words_meant(word, known, n);
     if (meant) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%s: no such option, did you mean %s?", shown, meant);
