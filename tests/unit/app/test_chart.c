@@ -284,8 +284,33 @@ static void test_a_field_says_where_its_most_is(void)
     CHECK(count("stroke=\"#fde725\" d=\"M0 1.5h1\"") == 1);
 }
 
+/* A row of cells is drawn low, a column of them as high as any field. */
+static void test_a_row_of_cells_is_low(void)
+{
+    const double value[] = {1, 2, 3};
+    murk_heat heat = {.title = "t",
+                      .x_title = "x",
+                      .y_title = "y",
+                      .value_title = "W",
+                      .x = {0, 3},
+                      .y = {0, 1},
+                      .size = {3, 1},
+                      .value = value,
+                      .least = NAN,
+                      .most = NAN};
+    WRITTEN(murk_heat_draw(to, &heat));
+    CHECK(cells_drawn() == 3);
+    CHECK(count("scale(143.33 -40)") == 1);
+    heat.size[0] = 1;
+    heat.size[1] = 3;
+    WRITTEN(murk_heat_draw(to, &heat));
+    CHECK(cells_drawn() == 3);
+    CHECK(count("scale(430 -107.5)") == 1);
+}
+
 int main(void)
 {
+    test_a_row_of_cells_is_low();
     test_ticks_are_round();
     test_places();
     test_a_gap_breaks_a_line_and_its_band();

@@ -68,6 +68,10 @@ static void test_longer_lines_go_on_under_their_text(void)
     snprintf(want, sizeof want, "    %s\n    %s\n", word('a', 40),
              word('b', 40));
     CHECK_TEXT(shown(), want);
+    begin(); /* neither blanks nor a label before it */
+    murk_print("%s %s\n", word('a', 40), word('b', 40));
+    snprintf(want, sizeof want, "%s\n  %s\n", word('a', 40), word('b', 40));
+    CHECK_TEXT(shown(), want);
     begin(); /* a word that no line holds has a line of its own */
     murk_print("label       %s end\n", word('a', 90));
     snprintf(want, sizeof want, "label       %s\n            end\n",

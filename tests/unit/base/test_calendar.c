@@ -50,6 +50,17 @@ static void test_reading(void)
     CHECK(murk_clock_read("06:30", &s) && s == 23400);
     CHECK(murk_clock_read("23:59:59.25", &s) && s == 86399.25);
     CHECK(murk_clock_read("24:00", &s) && s == 86400);
+    CHECK(murk_clock_read("00:00", &s) && s == 0);
+    CHECK(murk_clock_read("00:59:59.5", &s) && s == 3599.5);
+    CHECK(murk_clock_read("24:00:00", &s) && s == 86400);
+    CHECK(murk_zone_read("z", &zone) && zone == 0);
+    CHECK(murk_zone_read("+18:59", &zone) && zone == 1139);
+    CHECK(murk_zone_read("-18", &zone) && zone == -1080);
+    CHECK(murk_time_read("2024-02-29T00:00:00z", &s, &has_zone, &zone) &&
+          has_zone && zone == 0);
+    CHECK(murk_date_read("2000-02-29", &d) && d.month == 2 && d.day == 29);
+    CHECK(murk_date_read("2026-12-31", &d) && d.month == 12 && d.day == 31);
+    CHECK(murk_date_read("0001-01-01", &d) && d.year == 1);
     CHECK(murk_zone_read("Z", &zone) && zone == 0);
     CHECK(murk_zone_read("+02:00", &zone) && zone == 120);
     CHECK(murk_zone_read("-0330", &zone) && zone == -210);
@@ -83,6 +94,28 @@ static void test_refusals(void)
     for (size_t i = 0; i < sizeof times / sizeof *times; ++i) {
         CHECK(!murk_time_read(times[i], &s, &has_zone, &zone));
     }
+    static const char *const dates[] = {
+        "1900-02-29", "2026-04-31", "2026-00-01",  "2026-01-00",
+        "2026-13-01", "2026-01-32", "2026/01-01",  "2026-01/01",
+        "2026-01-1",  "26-01-01",   "2026-01-01 ", "2026-1-01"};
+    for (size_t i = 0; i < sizeof dates / sizeof *dates; ++i) {
+        murk_date d = {-1, -1, -1};
+        CHECK(!murk_date_read(dates[i], &d) && d.year == -1);
+    }
+    static const char *const clocks[] = {
+        "",         "06",     "06:",      "06.30",     "06:3",
+        "06:60",    "06:30:", "06:30:60", "06:30:5",   "06:30:05.",
+        "24:00:01", "24:01",  "25:00",    "06:30:05.x"};
+    for (size_t i = 0; i < sizeof clocks / sizeof *clocks; ++i) {
+        CHECK(!murk_clock_read(clocks[i], &s));
+    }
+    static const char *const zones[] = {
+        "",       "ZZ",    "+19", "+02:",    "+02:6",
+        "+02:60", "+0260", "2",   "+02:000", "-x"};
+    for (size_t i = 0; i < sizeof zones / sizeof *zones; ++i) {
+        CHECK(!murk_zone_read(zones[i], &zone));
+    }
+    CHECK(!murk_time_read("2026-06-21x12:00", &s, &has_zone, &zone));
     CHECK(!murk_clock_read("6:00", &s));
     CHECK(!murk_clock_read("06:00 ", &s));
     CHECK(!murk_zone_read("02:00", &zone));

@@ -48,6 +48,18 @@ static void test_between_the_values(void)
     for (size_t i = 0; i < sizeof nm / sizeof *nm; ++i) {
         CHECK_NEAR(murk_luminous_efficiency(nm[i]), v[i], 2e-4);
     }
+    /* at both ends, and between the last values, where they fall */
+    CHECK_NEAR(murk_luminous_efficiency(380), 0.000039, 1e-12);
+    CHECK_NEAR(murk_luminous_efficiency(385), 0.000064, 1e-12);
+    CHECK_NEAR(murk_luminous_efficiency(765), 0.000042, 1e-12);
+    CHECK_NEAR(murk_luminous_efficiency(770), 0.000030, 1e-12);
+    CHECK_NEAR(murk_luminous_efficiency(775), 0.000021, 1e-12);
+    CHECK_NEAR(murk_luminous_efficiency(780), 0.000015, 1e-12);
+    for (double x = 381; x < 780; x += x < 384 ? 1 : x > 760 ? 1 : 376) {
+        const double before = murk_luminous_efficiency(x - 1),
+                     here = murk_luminous_efficiency(x);
+        CHECK(x < 400 ? here > before : here < before);
+    }
     CHECK(murk_luminous_efficiency(379.9) == 0);
     CHECK(murk_luminous_efficiency(780.1) == 0);
     CHECK(murk_luminous_efficiency(NAN) == 0);

@@ -12,6 +12,14 @@ static void test_ratio(void)
     CHECK_NEAR(e.standard_error, sqrt(0.75 / 16), 1e-15);
     const murk_estimate none = murk_ratio_estimate(x, y, 0, 3);
     CHECK(isnan(none.value));
+    const murk_estimate one = murk_ratio_estimate(x, y, 1, 1);
+    CHECK(one.value == 1 && isnan(one.standard_error));
+    const double zero[2] = {0, 0};
+    CHECK(isnan(murk_ratio_estimate(x, zero, 2, 2).value));
+    /* two units, of which one is left out: it counts as nothing */
+    const murk_estimate two = murk_ratio_estimate(x + 1, y + 1, 2, 2);
+    CHECK_NEAR(two.value, 1. / 3, 1e-15);
+    CHECK_NEAR(two.standard_error, sqrt(2. * 2 / 9) / 3, 1e-15);
 }
 
 static void test_mean(void)
@@ -20,6 +28,11 @@ static void test_mean(void)
     const murk_estimate e = murk_mean_estimate(x, 4);
     CHECK(e.value == 2.5);
     CHECK_NEAR(e.standard_error, sqrt(5.0 / 12), 1e-15);
+    const murk_estimate one = murk_mean_estimate(x + 2, 1);
+    CHECK(one.value == 3 && isnan(one.standard_error));
+    const murk_estimate two = murk_mean_estimate(x, 2);
+    CHECK(two.value == 1.5 && two.standard_error == 0.5);
+    CHECK(isnan(murk_mean_estimate(x, 0).value));
 }
 
 /* Two-sided 5 % is 1.959964; eleven checks within 1e-6 give 5.34 (style). */

@@ -67,6 +67,12 @@ static void test_schedules(void)
                   "nigt" SCHEDULES);
     CHECK_REFUSED(LAMP_BY "[[06:00]]}\n", VALUE,
                   "fog.yaml:3:65: lights.0.schedule", "a list" SCHEDULES);
+    CHECK_REFUSED(LAMP_BY "[[06:00, [1]]]}\n", VALUE,
+                  "fog.yaml:3:65: lights.0.schedule", "a list" SCHEDULES);
+    CHECK_REFUSED(LAMP_BY "[[[1], 06:00]]}\n", VALUE,
+                  "fog.yaml:3:65: lights.0.schedule", "a list" SCHEDULES);
+    CHECK_REFUSED(LAMP_BY "[[06:00, 07:00, 08:00]]}\n", VALUE,
+                  "fog.yaml:3:65: lights.0.schedule", "a list" SCHEDULES);
     CHECK_REFUSED(LAMP_BY "[[06:00, 24:01]]}\n", VALUE,
                   "fog.yaml:3:65: lights.0.schedule", "a list" SCHEDULES);
     CHECK_REFUSED(LAMP_BY "[[06:00, 06:00]]}\n", VALUE,
