@@ -60,6 +60,9 @@ static void test_between_the_values(void)
                      here = murk_luminous_efficiency(x);
         CHECK(x < 400 ? here > before : here < before);
     }
+    /* by hand: t = 0.4 and 2.6 of the first and the last four values */
+    CHECK_NEAR(murk_luminous_efficiency(382), 4.592e-05, 1e-12);
+    CHECK_NEAR(murk_luminous_efficiency(778), 1.704e-05, 1e-12);
     CHECK(murk_luminous_efficiency(379.9) == 0);
     CHECK(murk_luminous_efficiency(780.1) == 0);
     CHECK(murk_luminous_efficiency(NAN) == 0);

@@ -193,6 +193,27 @@ static void test_refusals(void)
     }
 }
 
+static void test_versions(void)
+{
+    static const char *const texts[] = {
+        "murk_study: 2\nbase: a.yaml\naxes: {}\n",
+        "murk_study: 0\nbase: a.yaml\naxes: {}\n",
+        "murk_study: one\nbase: a.yaml\naxes: {}\n",
+        "base: a.yaml\naxes: {}\n"};
+    static const char *const wrong[] = {
+        "2, must be 1, the format's version",
+        "0, must be 1, the format's version",
+        "one, must be 1, the format's version",
+        "nothing, must be 1, the format's version"};
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; ++k) {
+        murk_study_file *study;
+        murk_error err;
+        CHECK(study_of(&study, texts[k], &err) == MURK_BAD_VALUE);
+        CHECK_TEXT(err.text, wrong[k]);
+        murk_study_file_destroy(study);
+    }
+}
+
 /* ---- at the limits ---- */
 
 static void test_largest(void)
@@ -259,6 +280,7 @@ int main(void)
     CHECK(folder_enter());
     test_ranges();
     test_refusals();
+    test_versions();
     test_largest();
     test_rows();
     folder_leave(files);

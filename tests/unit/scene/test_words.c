@@ -24,6 +24,8 @@ static void test_what_was_meant(void)
         {"hpsae", NULL},       /* two pairs */
         {"gird", "grid"},      /* of three or four, one */
         {"girt", NULL},
+        {"hpase", "phase"}, /* at either end */
+        {"phaes", "phase"},
         {"vbd", "vdb"},
         {"vd", "vdb"}, /* one of two, too */
         {"z", NULL},   /* two of one letter is too far */
