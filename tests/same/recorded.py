@@ -90,7 +90,8 @@ def plain_text(data, folder):
 def comparable(path, folder, commit):
     """The bytes of a result file that are compared."""
     with open(path, "rb") as f:
-        data = BINARY.get(os.path.splitext(path)[1], lambda bytes: bytes)(f.read())
+        data = f.read()
+    data = BINARY.get(data[:4], lambda bytes: bytes)(data)
     data = without_commit(data, commit)
     if path.endswith(".json"):
         data = json_text(data)
@@ -165,7 +166,8 @@ def without_commit(data, commit):
             .replace(" ".join(str(c) for c in text).encode(), b"COMMIT"))
 
 
-BINARY = {".exr": exr_data, ".png": png_data, ".vdb": vdb_data}
+# By the first bytes of a file, as a picture may have any name.
+BINARY = {b"\x76\x2f\x31\x01": exr_data, b"\x89PNG": png_data, b" BDV": vdb_data}
 
 
 def read_cases():
