@@ -472,8 +472,8 @@ void murk_over_print_asked(const murk_scene *scene)
         [MURK_SCENE_OVER_NONE] = "placement is of the scene as it stands",
         [MURK_SCENE_OVER_MEAN] = "placement is over their mean",
         [MURK_SCENE_OVER_WORST] = "placement is over the worst of them",
-        [MURK_SCENE_OVER_REGRET] = "placement is for the least largest regret "
-                                   "over them"};
+        [MURK_SCENE_OVER_REGRET] =
+            "placement is for the least largest regret over them"};
     for (size_t c = 0; c < scene->n_conditions; ++c) {
         murk_print("%s%s", c ? ", " : "conditions  ",
                    scene->conditions[c].name);

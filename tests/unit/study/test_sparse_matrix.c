@@ -63,8 +63,7 @@ static void test_all_formats_hold_the_same_matrix(void)
 {
     const char *const dense = "1,0,1,0\n0,1,0,0\n0,0,0,0\n";
     static const char *const same[] = {
-        "\xef\xbb\xbf"
-        "1,0,1,0\n0,1,0,0\n0,0,0,0", /* a mark, no end of line */
+        "\357\273\2771,0,1,0\n0,1,0,0\n0,0,0,0", /* a mark, no end of line */
         "# said\r\n1, 0 ,\t1,0.0\r\n\r\n+0,1e0,0,0\r\n  # more\n0,0,0,0\r\n",
         "a,b,c,d\n1,0,1,0\n0,1,0,0\n0,0,0,0\n",
         "row,a,b,c,d\nx,1,0,1,0\ny,0,1,0,0\nz,0,0,0,0\n",
