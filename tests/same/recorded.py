@@ -53,6 +53,7 @@ ONE_RUN = [
     # sizes of files, which hold times and the commit
     (re.compile(r'(<th scope="row">[\w.-]+\.\w+</th><td>)\d+'), r"\1SIZE"),
     (re.compile(r"murk \d+\.\d+\.\d+, on \d{4}-\d\d-\d\d, \d\d:\d\d UTC"), "DATE"),
+    (re.compile(r"\b(?:gcc|clang) \d+\.\d+\.\d+ ?"), "COMPILER"),
     # the bundled script and style, which are sources and not results
     (re.compile(r"<(script|style)(?: type=\"module\")?>.*?</\1>", re.S), ""),
     (re.compile(r"\x1b\[[0-9;]*m"), ""),
