@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every result file is the same for 1, 2 and 5 threads and for a second run,
+# Every result file is the same for 1, 2 and 5 threads, in runs of their own,
 # but for the object "run", which stands last in each JSON.
 # usage: threads.sh MURK SCENE [OPTIONS...]
 set -eu
@@ -11,13 +11,13 @@ trap 'rm -rf "$dir"' EXIT
 without_run() {
     sed '/^  "run": {/,$d' "$1"
 }
-for variant in 1 2 5 5again; do
-    "$murk" place "$scene" --threads "${variant%again}" --quiet -o "$dir/$variant" "$@"
+for variant in 1 2 5; do
+    "$murk" place "$scene" --threads "$variant" --quiet -o "$dir/$variant" "$@"
 done
 compared=0
 for file in "$dir"/1/*; do
     name=$(basename "$file")
-    for variant in 2 5 5again; do
+    for variant in 2 5; do
         case "$name" in
         *.json)
             without_run "$file" >"$dir/a"
@@ -32,7 +32,7 @@ for file in "$dir"/1/*; do
         compared=$((compared + 1))
     done
 done
-[ "$compared" -ge 21 ] || { echo "only $compared comparisons of 7 files"; ls "$dir/1"; exit 1; }
+[ "$compared" -ge 14 ] || { echo "only $compared comparisons of 7 files"; ls "$dir/1"; exit 1; }
 # teeth: another seed must not give the same light
 "$murk" place "$scene" --threads 2 --quiet -o "$dir/other" "$@" --seed 12345
 if cmp -s "$dir/1/light.murk" "$dir/other/light.murk"; then

@@ -2,7 +2,7 @@
  *
  * A case is a world, the quantities that one emitted photon scores to, and the
  * reference values. Photons go on in blocks until the standard error of every
- * quantity is at most 0.1 % of its reference or 3e-5 (nightly form), or three
+ * quantity is at most 0.1 % of its reference or 3e-5 (nightly form), or four
  * times that (quick form), and at least VALIDATION_SCORERS photons scored to
  * each. Errors are by emitted photon. The number of photons depends on errors
  * and references only, never on the difference of the two.

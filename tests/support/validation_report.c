@@ -207,7 +207,7 @@ void validation_markdown(const validation *v, FILE *out)
     fprintf(out,
             "# murk against its references, %s form\n\n"
             "Seed %" PRIu32 ". Photons go on until each standard error is at "
-            "most 0.1 %% of the reference or 3e-05, in the quick form three "
+            "most 0.1 %% of the reference or 3e-05, in the quick form four "
             "times that (* where a case's photons end before: the quick form "
             "lets that pass, the nightly form for a reason only, see the "
             "notes); errors are by emitted photon. Sigmas off: murk less "

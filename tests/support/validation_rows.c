@@ -6,7 +6,7 @@
 
 #define RELATIVE_ERROR 1e-3
 #define ABSOLUTE_ERROR 3e-5
-#define QUICK_FACTOR   3
+#define QUICK_FACTOR   4
 
 validation_row *validation_add_row(validation *v, const char *name,
                                    const char *source, const char *is_wrong,
