@@ -15,6 +15,7 @@
  * smoke hall and the room. All is by fixed seeds, so there is no chance of a
  * false alarm. */
 #include "check.h"
+#include "pictures.h"
 #include "render/render.h"
 #include "stage_text.h"
 
@@ -87,22 +88,13 @@ static murk_picture *taken(const view *v, const murk_stage *stage,
 {
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
-    const murk_render render = {.trace = &trace,
-                                .camera = murk_camera_look(v->from, v->to,
-                                                           murk_vec(0, 0, 1), 1,
-                                                           WIDTH, HEIGHT),
-                                .samples = samples,
-                                .method = MURK_BY_PATHS,
-                                .from_nm = {550},
-                                .to_nm = {550},
-                                .threads = 2};
-    murk_error err = {0};
-    murk_picture *picture = NULL;
-    if (murk_render_run(&picture, &render, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return picture;
+    return picture_of_trace(
+        (murk_render){.camera = murk_camera_look(
+                          v->from, v->to, murk_vec(0, 0, 1), 1, WIDTH, HEIGHT),
+                      .samples = samples,
+                      .method = MURK_BY_PATHS,
+                      .threads = 2},
+        &trace);
 }
 
 /* Over all pixels and seeds. */

@@ -15,9 +15,9 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "cases/groups.h"
+#include "pictures.h"
 #include "render/render.h"
 #include "stage_text.h"
 
@@ -69,21 +69,14 @@ static murk_picture *taken(const validation *v, const view *of,
 {
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
-    const murk_render render = {.trace = &trace,
-                                .camera = murk_camera_look(of->from, of->to,
-                                                           murk_vec(0, 0, 1), 1,
-                                                           WIDTH, HEIGHT),
-                                .samples = SAMPLES,
-                                .method = MURK_BY_PATHS,
-                                .from_nm = {550},
-                                .to_nm = {550},
-                                .threads = validation_threads(v)};
-    murk_error err = {0};
-    murk_picture *picture = NULL;
-    if (murk_render_run(&picture, &render, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-    }
-    return picture;
+    return picture_of_trace(
+        (murk_render){.camera =
+                          murk_camera_look(of->from, of->to, murk_vec(0, 0, 1),
+                                           1, WIDTH, HEIGHT),
+                      .samples = SAMPLES,
+                      .method = MURK_BY_PATHS,
+                      .threads = validation_threads(v)},
+        &trace);
 }
 
 /* Of one seed's picture: squares of what is off, over those of the errors. */
@@ -132,9 +125,7 @@ static void compare(validation *v, const view *of, const char *is_wrong,
     for (int k = 0; stage && k < seeds; ++k) {
         murk_picture *p =
             taken(v, of, stage, validation_seed(v) + 500 + (uint32_t)k);
-        if (p) {
-            take_ratios(&of_pixels[k], &of_mean[k], p, of->radiance, larger);
-        }
+        take_ratios(&of_pixels[k], &of_mean[k], p, of->radiance, larger);
         murk_picture_destroy(p);
     }
     stage_text_destroy(stage);

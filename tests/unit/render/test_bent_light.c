@@ -11,6 +11,7 @@
 #include "base/stats.h"
 #include "check.h"
 #include "photonmap/map.h"
+#include "pictures.h"
 #include "render/render.h"
 #include "worlds.h"
 
@@ -37,20 +38,9 @@ static murk_light lamp_at(double z)
 
 static murk_picture *taken(const test_world *world, const murk_render *wanted)
 {
-    murk_trace trace = murk_trace_defaults();
-    trace.world = &world->world;
-    trace.seed = 1;
     murk_render render = *wanted;
-    render.trace = &trace;
-    render.from_nm[0] = render.to_nm[0] = 550;
     render.threads = 2;
-    murk_picture *picture = NULL;
-    murk_error err = {0};
-    if (murk_render_run(&picture, &render, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return picture;
+    return picture_of_world(render, world);
 }
 
 /* Share of the azimuths at which a circle of that radius about the middle of

@@ -5,10 +5,9 @@
 #include "base/rng.h"
 #include "base/stats.h"
 #include "check.h"
+#include "pictures.h"
 #include "render/choice.h"
 #include "worlds.h"
-
-#include <stdlib.h>
 
 #define DRAWS  200000
 #define REACH  60 /* images to either side whose chances are added up */
@@ -24,17 +23,6 @@ static murk_light lamp_at(double x, double y, double z)
                         .power_w = {{1}}};
 }
 
-static murk_scenery scenery_of(const test_world *world)
-{
-    murk_scenery scenery;
-    murk_error err = {0};
-    if (murk_scenery_prepare(&scenery, &world->world, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return scenery;
-}
-
 /* The image in the middle of those that are weighed is the nearest one, along
  * sides of different lengths. */
 static void test_the_nearest_image_is_in_the_middle(void)
@@ -44,7 +32,7 @@ static void test_the_nearest_image_is_in_the_middle(void)
         test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {7, 3, 6}}, true},
                                       .lights = &lamp,
                                       .n_lights = 1});
-    murk_scenery scenery = scenery_of(&world);
+    murk_scenery scenery = scenery_of_world(&world);
     for (double x = 0.1; x < 7; x += 0.3) {
         for (double y = 0.1; y < 3; y += 0.3) {
             const murk_images m =
@@ -71,7 +59,7 @@ static void check_images(murk_vec3 place, double *beyond)
         test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {5, 4, 6}}, true},
                                       .lights = &lamp,
                                       .n_lights = 1});
-    murk_scenery scenery = scenery_of(&world);
+    murk_scenery scenery = scenery_of_world(&world);
     const murk_images images = murk_images_of(&scenery, 0, place);
     double sum = 0;
     for (int i = -REACH; i <= REACH; ++i) {
@@ -130,7 +118,7 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
         &(test_setup){.domain = {{{0, 0, 0}, {20, 4, 5}}, false},
                       .lights = lamp,
                       .n_lights = 10});
-    murk_scenery scenery = scenery_of(&world);
+    murk_scenery scenery = scenery_of_world(&world);
     murk_outlook outlook = {
         .position = {5, 2, 1}, .is_surface = true, .normal = {0, 0, 1}};
     double rays[MURK_LIGHTS_MAX], sum = 0;
@@ -175,7 +163,7 @@ static void test_images_light_what_lies_behind(void)
     for (int is_periodic = 1; is_periodic >= 0; --is_periodic) {
         setup.domain.is_periodic = is_periodic;
         test_world world = test_world_made(&setup);
-        murk_scenery scenery = scenery_of(&world);
+        murk_scenery scenery = scenery_of_world(&world);
         murk_choice_rays(&scenery, &behind, rays);
         CHECK_NEAR(rays[0], is_periodic ? blind : MURK_LIGHTS_AT_ONCE / 6.0,
                    1e-12);

@@ -3,10 +3,10 @@
  * The z-tests share a 1e-6 chance of a false alarm (Sidak). */
 #include "base/stats.h"
 #include "check.h"
+#include "pictures.h"
 #include "render/render.h"
 #include "worlds.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #define ZTESTS 4
@@ -14,23 +14,11 @@
 static murk_picture *taken(const test_world *world, murk_camera camera,
                            size_t samples, unsigned threads)
 {
-    murk_trace trace = murk_trace_defaults();
-    trace.world = &world->world;
-    trace.seed = 1;
-    const murk_render render = {.trace = &trace,
-                                .camera = camera,
-                                .samples = samples,
-                                .method = MURK_BY_PATHS,
-                                .from_nm = {550},
-                                .to_nm = {550},
-                                .threads = threads};
-    murk_picture *picture = NULL;
-    murk_error err = {0};
-    if (murk_render_run(&picture, &render, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return picture;
+    return picture_of_world((murk_render){.camera = camera,
+                                          .samples = samples,
+                                          .method = MURK_BY_PATHS,
+                                          .threads = threads},
+                            world);
 }
 
 static test_world hollow_ball(double diffuse)

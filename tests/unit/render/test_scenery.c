@@ -1,11 +1,10 @@
 /* Straight ways through periodic domains: thin sheets and surfaces stand in
  * every period, media go on, and a way is as long as it is. No randomness. */
+#include "pictures.h"
 #include "render/scenery.h"
 
 #include "check.h"
 #include "worlds.h"
-
-#include <stdlib.h>
 
 #define SIDE   5.0
 #define SOOT   0.1
@@ -47,17 +46,6 @@ static murk_surface_desc upright_at(bool is_turned, double along, double top,
                      material);
 }
 
-static murk_scenery prepared(const test_world *world)
-{
-    murk_scenery scenery;
-    murk_error err = {0};
-    if (murk_scenery_prepare(&scenery, &world->world, &err)) {
-        printf("%s: %s\n", err.where, err.text);
-        exit(1);
-    }
-    return scenery;
-}
-
 /* Ways across the sheets, from one period into the third: each sheet that is
  * passed takes its part, once. */
 static void test_every_sheet_of_a_way_takes_its_part(bool is_turned)
@@ -71,7 +59,7 @@ static void test_every_sheet_of_a_way_takes_its_part(bool is_turned)
     const murk_region all = test_everywhere(0);
     const test_setup setup = with_two(sheet, glass, &soot, &all);
     test_world world = test_world_made(&setup);
-    murk_scenery scenery = prepared(&world);
+    murk_scenery scenery = scenery_of_world(&world);
     const murk_vec3 ahead = turned(is_turned, 1, 0, 0);
     const struct {
         double from_m, length_m;
@@ -116,7 +104,7 @@ static void test_walls_stand_in_every_period(bool is_turned)
     const murk_region all = test_everywhere(0);
     const test_setup setup = with_two(wall, black, &soot, &all);
     test_world world = test_world_made(&setup);
-    murk_scenery scenery = prepared(&world);
+    murk_scenery scenery = scenery_of_world(&world);
     const murk_vec3 way = murk_unit(turned(is_turned, 4, 0, 1));
     const murk_vec3 low = turned(is_turned, 4.5, 2.5, 1);
     const murk_vec3 high = turned(is_turned, 4.5, 2.5, 2);
@@ -154,7 +142,7 @@ static void test_endless_ways_are_lost(void)
     const murk_region all = test_everywhere(0);
     const test_setup setup = with_two(wall, black, &clear, &all);
     test_world world = test_world_made(&setup);
-    murk_scenery scenery = prepared(&world);
+    murk_scenery scenery = scenery_of_world(&world);
     const murk_vec3 from = {2.5, 2.5, 1.9}, way = {0, 1, 0};
     CHECK(murk_scenery_through(&scenery, 0, from, way, 1000 * SIDE, true) == 1);
     CHECK(murk_scenery_through(&scenery, 0, from, way, 1e5 * SIDE, true) == 0);
