@@ -1,15 +1,25 @@
+/* Warnings and notes: to standard error, to another sink, or nowhere. On
+ * standard error the same words for the same place stand once in a run of the
+ * program, since scenes are read, and worlds built, for each condition, start
+ * and seed. */
 #include "base/log.h"
 
+#include "base/file.h"
 #include "base/progress.h"
 #include "base/utf8.h"
 
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #define TEXT_SIZE 640
 /* Four bytes for each of a text and of a place as long. */
 #define SHOWN_SIZE (4 * TEXT_SIZE + 1)
+/* Messages that are remembered; of more, the oldest are forgotten. */
+#define SAID_MAX 256
 
 void murk_message(const char *kind, const char *where, const char *text)
 {
@@ -22,9 +32,39 @@ void murk_message(const char *kind, const char *where, const char *text)
     murk_progress_show();
 }
 
+/* True for the second message of the same words, and from then on. */
+static bool is_said_before(const char *kind, const char *where,
+                           const char *text)
+{
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    static uint64_t said[SAID_MAX][2];
+    static size_t count;
+    char whole[3 * TEXT_SIZE];
+    (void)snprintf(whole, sizeof whole, "%s%s: %s", kind, where, text);
+    uint64_t sum[2];
+    murk_checksum(whole, strlen(whole), sum);
+    bool found = false;
+    (void)pthread_mutex_lock(&lock);
+    for (size_t i = 0; i < count && i < SAID_MAX; ++i) {
+        found = found || memcmp(said[i], sum, sizeof sum) == 0;
+    }
+    if (!found) {
+        memcpy(said[count++ % SAID_MAX], sum, sizeof sum);
+    }
+    (void)pthread_mutex_unlock(&lock);
+    return found;
+}
+
+static void message_once(const char *kind, const char *where, const char *text)
+{
+    if (!is_said_before(kind, where, text)) {
+        murk_message(kind, where, text);
+    }
+}
+
 static void note_to_stderr(const char *where, const char *text)
 {
-    murk_message("note: ", where, text);
+    message_once("note: ", where, text);
 }
 
 static murk_warn_sink current = murk_warn_to_stderr;
@@ -73,5 +113,5 @@ bool murk_warn_hush(bool is_silent)
 
 void murk_warn_to_stderr(const char *where, const char *text)
 {
-    murk_message("warning: ", where, text);
+    message_once("warning: ", where, text);
 }

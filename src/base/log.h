@@ -5,7 +5,8 @@
 
 #include <stdbool.h>
 
-/* One line: "murk: warning: WHERE: TEXT" on standard error by default. */
+/* One line: "murk: warning: WHERE: TEXT" on standard error by default, where
+ * the same line is printed once in a run of the program. */
 void murk_warn(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
