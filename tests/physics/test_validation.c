@@ -260,9 +260,9 @@ static void test_unsound_stays_so_when_joined(void)
 static void test_errors_wanted(void)
 {
     validation *v = validation_create(&quick);
-    CHECK_NEAR(validation_error_wanted(v, .5, 0), 1.5e-3, 1e-18);
-    CHECK_NEAR(validation_error_wanted(v, 1e-3, 0), 9e-5, 1e-19);
-    CHECK_NEAR(validation_error_wanted(v, 1e-3, .1), 9e-6, 1e-20);
+    CHECK_NEAR(validation_error_wanted(v, .5, 0), 2e-3, 1e-18);
+    CHECK_NEAR(validation_error_wanted(v, 1e-3, 0), 1.2e-4, 1e-19);
+    CHECK_NEAR(validation_error_wanted(v, 1e-3, .1), 1.2e-5, 1e-20);
     validation_destroy(v);
 }
 
