@@ -178,6 +178,12 @@ def read_cases():
     return cases
 
 
+def commit_of(murk):
+    """What the program says that it was built from."""
+    version = subprocess.run([murk, "--version"], capture_output=True, text=True, check=True).stdout
+    return re.search(r"commit ([^,]+),", version).group(1)
+
+
 def run_case(murk, commands, kept=None):
     """{what: checksum} of all that the commands print and write."""
     work = tempfile.mkdtemp(prefix="murk-recorded-")
@@ -188,8 +194,7 @@ def run_case(murk, commands, kept=None):
         shutil.copytree(os.path.join(HERE, "scenes"), os.path.join(work, "small"))
         inputs = {os.path.join(at, n) for at, _, names in os.walk(work) for n in names}
         found = {}
-        version = subprocess.run([murk, "--version"], capture_output=True, text=True, check=True).stdout
-        commit = re.search(r"commit ([^,]+),", version).group(1)
+        commit = commit_of(murk)
 
         def keep(what, data):
             found[what] = hashlib.sha256(data).hexdigest()[:16]
@@ -309,6 +314,9 @@ def main():
     name = words[0]
     if bits != last_bits():
         print("skipped: the table was recorded on a processor with other last bits")
+        return SKIPPED
+    if commit_of(murk) == "unknown":
+        print("skipped: the program does not know its commit, which results name")
         return SKIPPED
     found = run_case(murk, cases[name])
     wanted = table.get(name, {})

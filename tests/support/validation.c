@@ -180,7 +180,8 @@ static double photons_needed(const validation *v, const sums *s, size_t q)
     const validation_case *c = s->c;
     const double n = (double)s->photons;
     const double wanted =
-        validation_error_wanted(v, c->reference[q].value, c->error_scale);
+        validation_error_wanted(v, c->reference[q].value, c->error_scale) /
+        (c->exactness > 0 ? c->exactness : 1);
     const murk_estimate e = estimate_of(s, q);
     const double over = e.standard_error / wanted;
     const double scorers = fmax(1, scorers_of(s, q, e));

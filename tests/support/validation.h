@@ -83,6 +83,7 @@ typedef struct validation_case {
     double least_weight;   /* 0: 1, roulette alone */
     double error_scale;    /* references are in units of this; 0: 1. The
                               absolute bound on errors is 3e-5 of it */
+    double exactness;      /* errors asked for are divided by this; 0: 1 */
     uint64_t photons_most; /* 0: 2^32. Rows whose errors are not reached then
                               are marked */
     const char *why_short; /* they may be in the nightly form, too, for this
