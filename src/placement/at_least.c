@@ -169,11 +169,13 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
     size_t best = n;
     for (size_t k = 0; k < n; ++k) {
         const worth w = {r->strict[k], r->sum[k]};
-        const worth most =
-            best < n ? (worth){r->strict[best], r->sum[best]} : (worth){0, 0};
-        const bool is_equal = best < n && !is_more(w, most) &&
-                              !is_more(most, w) && r->open[k] == *now;
-        if (best == n || is_more(w, most) || is_equal) {
+        bool is_better = best == n;
+        if (!is_better) { /* of equals, the sensor that stands there stays */
+            const worth most = {r->strict[best], r->sum[best]};
+            is_better =
+                is_more(w, most) || (!is_more(most, w) && r->open[k] == *now);
+        }
+        if (is_better) {
             best = k;
         }
     }

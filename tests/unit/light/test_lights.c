@@ -363,6 +363,8 @@ static void test_bad_lights_are_named(void)
     l = light_of(MURK_LIGHT_DIRECTIONAL);
     l.direction = murk_vec(1, 0, 0.1);
     refused(&l, &slab, "must go down");
+    l.direction = murk_vec(1, 0, 0); /* along the top never comes in */
+    refused(&l, &slab, "must go down");
     l.direction = murk_vec(1, 0, INFINITY);
     refused(&l, &hall, "must be finite and not zero");
     l = light_of(MURK_LIGHT_DIRECTIONAL);

@@ -140,6 +140,40 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
     test_world_unmade(&world);
 }
 
+/* Rays to point sources in the open air, in closed form: a quarter is shared
+ * out blindly, the rest by 1 / distance^2, in a periodic domain to the nearest
+ * image. */
+static void test_rays_to_points_go_by_distance(bool is_periodic)
+{
+    enum { POINTS = 7 };
+    const double width = 20, here = 2;
+    murk_light point[POINTS];
+    double due[POINTS], sum = 0;
+    for (int i = 0; i < POINTS; ++i) {
+        point[i] = test_point(murk_vec(2.5 * i + 3, 2, 3));
+        const double straight = 2.5 * i + 3 - here;
+        const double away =
+            is_periodic ? fmin(straight, width - straight) : straight;
+        due[i] = 1 / (away * away + 4);
+        sum += due[i];
+    }
+    test_world world = test_world_made(
+        &(test_setup){.domain = {{{0, 0, 0}, {width, 4, 5}}, is_periodic},
+                      .lights = point,
+                      .n_lights = POINTS});
+    murk_scenery scenery = scenery_of_world(&world);
+    const murk_outlook outlook = {.position = {here, 2, 1}};
+    double rays[MURK_LIGHTS_MAX];
+    murk_choice_rays(&scenery, &outlook, rays);
+    for (int i = 0; i < POINTS; ++i) {
+        CHECK_NEAR(rays[i],
+                   MURK_LIGHTS_AT_ONCE * (0.75 * due[i] / sum + 0.25 / POINTS),
+                   1e-9);
+    }
+    murk_scenery_release(&scenery);
+    test_world_unmade(&world);
+}
+
 /* An upright lamp in a periodic domain lights what lies close behind it by its
  * image in the next period; a lamp that looks down has its images in its own
  * plane, and lights nothing above: it has the blind share alone. */
@@ -176,6 +210,8 @@ static void test_images_light_what_lies_behind(void)
 int main(void)
 {
     test_the_nearest_image_is_in_the_middle();
+    test_rays_to_points_go_by_distance(false);
+    test_rays_to_points_go_by_distance(true);
     test_images_light_what_lies_behind();
     test_images_are_drawn_by_their_chances();
     test_rays_go_to_lamps_that_light_the_place();
