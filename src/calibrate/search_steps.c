@@ -55,9 +55,8 @@ static void reach_of(const murk_fit_search *s, const double *from,
     for (size_t k = 0; k < s->n; ++k) {
         const murk_free_key *key = &s->desc->keys->key[k];
         const double low = murk_free_lowest(key), high = murk_free_highest(key);
-        const double reach = key->is_log            ? log(LEAP_FACTOR)
-                             : isfinite(high - low) ? LEAP_SHARE * (high - low)
-                                                    : INFINITY;
+        const double reach = /* infinite where a bound is */
+            key->is_log ? log(LEAP_FACTOR) : LEAP_SHARE * (high - low);
         lower[k] = fmax(low, from[k] - reach);
         upper[k] = fmin(high, from[k] + reach);
     }

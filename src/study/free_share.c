@@ -43,14 +43,6 @@ static void ask(void *context, uint64_t layer)
     murk_tally_add(&j->free, is_free);
 }
 
-double murk_part_volume(const murk_part *part)
-{
-    const murk_vec3 size = murk_sub(part->box.max, part->box.min);
-    const double r = part->radius_m;
-    return part->is_ball ? 4. / 3 * MURK_PI * r * r * r
-                         : size.x * size.y * size.z;
-}
-
 murk_estimate murk_free_share(const murk_part *part,
                               const murk_open_space *space, uint32_t seed,
                               unsigned threads)

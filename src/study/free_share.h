@@ -13,9 +13,6 @@ typedef struct murk_part {
     uint32_t number; /* random numbers are apart by it */
 } murk_part;
 
-/* The part's volume [m3], free or not. */
-double murk_part_volume(const murk_part *part);
-
 /* The share 0..1 of the part that lies in free space, by places drawn one in
  * each of equal cells; the error is that of independent places, which is more.
  * space NULL: nothing is in the way, so all of it. */
