@@ -69,6 +69,17 @@ note(const struct aiScene *scene, const char *key, enum aiMetadataType type)
     return NULL;
 }
 
+/* A number; Assimp 5.2 keeps FBX's unit in single precision. */
+static double number_noted(const struct aiScene *scene, const char *key,
+                           double otherwise)
+{
+    const struct aiMetadataEntry *wide = note(scene, key, AI_DOUBLE);
+    const struct aiMetadataEntry *narrow = note(scene, key, AI_FLOAT);
+    return wide     ? *(const double *)wide->mData
+           : narrow ? (double)*(const float *)narrow->mData
+                    : otherwise;
+}
+
 /* What Assimp's coordinates are, as the file says: up axis; metres a unit;
  * the up axis of the file itself where Assimp has turned it; and metres a unit
  * of the file itself where Assimp has scaled it. */
@@ -95,12 +106,10 @@ static customs customs_of(const struct aiScene *scene)
         c.up = c.own_up = 'y';
     } else if (strstr(name, "FBX")) {
         const struct aiMetadataEntry *up = note(scene, "UpAxis", AI_INT32);
-        const struct aiMetadataEntry *cm =
-            note(scene, "UnitScaleFactor", AI_DOUBLE);
         const int32_t axis = up ? *(const int32_t *)up->mData : 1;
-        const double factor = cm ? *(const double *)cm->mData : 1;
         c.up = c.own_up = axis == 0 ? 'x' : axis == 2 ? 'z' : 'y';
-        c.unit_m = c.own_unit_m = 0.01 * factor;
+        c.unit_m = c.own_unit_m =
+            0.01 * number_noted(scene, "UnitScaleFactor", 1);
     }
     return c;
 }

@@ -138,6 +138,72 @@ static void test_collada_unit_and_up_axis(void)
     murk_mesh_destroy(m);
 }
 
+/* An FBX file of one triangle; its unit is a number of centimetres. */
+static const char *fbx(int up_axis, double cm)
+{
+    char text[2000];
+    snprintf(text, sizeof text,
+             "; FBX 7.3.0 project file\n"
+             "FBXHeaderExtension: {\nFBXHeaderVersion: 1003\n"
+             "FBXVersion: 7300\n}\n"
+             "GlobalSettings: {\nVersion: 1000\nProperties70: {\n"
+             "P: \"UpAxis\", \"int\", \"Integer\", \"\",%d\n"
+             "P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",%g\n"
+             "}\n}\n"
+             "Objects: {\nGeometry: 1001, \"Geometry::g\", \"Mesh\" {\n"
+             "Vertices: *9 {\na: 0,0,0,1,0,0,0,2,3\n}\n"
+             "PolygonVertexIndex: *3 {\na: 0,1,-3\n}\n"
+             "GeometryVersion: 124\n}\n"
+             "Model: 1002, \"Model::m\", \"Mesh\" {\nVersion: 232\n}\n}\n"
+             "Connections: {\nC: \"OO\",1001,1002\nC: \"OO\",1002,0\n}\n",
+             up_axis, cm);
+    return written("a.fbx", text);
+}
+
+/* Axis 0 is x, 1 is y, 2 is z, and is turned up as a scene's own `up` is. */
+static void test_fbx_unit_and_up_axis(void)
+{
+    const murk_box turned[3] = {{{-2, -3, 0}, {0, 0, 1}},
+                                {{0, -3, 0}, {1, 0, 2}},
+                                {{0, 0, 0}, {1, 2, 3}}};
+    for (int axis = 0; axis < 3; ++axis) {
+        murk_error err;
+        murk_mesh *m = read_mesh(fbx(axis, 100), 0, 0, &err);
+        CHECK_TEXT(err.text, "");
+        check_box(m, turned[axis].min, turned[axis].max);
+        murk_mesh_destroy(m);
+        m = read_mesh(fbx(axis, 2), 0, 0, &err); /* 2 cm */
+        check_box(m, murk_scale(0.02, turned[axis].min),
+                  murk_scale(0.02, turned[axis].max));
+        murk_mesh_destroy(m);
+        m = read_mesh(fbx(axis, 2), 1, 'z', &err); /* as the scene says */
+        check_box(m, turned[2].min, turned[2].max);
+        murk_mesh_destroy(m);
+    }
+}
+
+/* Coordinates of a map, which single precision would round to half a metre,
+ * keep their millimetres: they are counted from the mesh's own origin. */
+static void test_far_meshes_keep_their_digits(void)
+{
+    static const char text[] = "v 500000.125 5500002.25 1000000.5\n"
+                               "v 500001.125 5500002.25 1000000.5\n"
+                               "v 500000.125 5500004.25 1000003.5\n"
+                               "f 1 2 3\n";
+    murk_error err;
+    murk_mesh *m = read_mesh(written("map.obj", text), 0, 0, &err);
+    CHECK_TEXT(err.text, "");
+    CHECK(m && m->origin_m.x == 500000 && m->origin_m.y == 5500000 &&
+          m->origin_m.z == 1000000);
+    check_box(m, murk_vec(500000.125, 5500002.25, 1000000.5),
+              murk_vec(500001.125, 5500004.25, 1000003.5));
+    CHECK(m && m->vertex_m[3] == 1.125f && m->vertex_m[7] == 4.25f &&
+          m->vertex_m[8] == 3.5f);
+    /* the last place of a float between 4 and 8 m */
+    CHECK(m && m->step_m == 0x1p-21);
+    murk_mesh_destroy(m);
+}
+
 static void check_refused(const char *file, const char *part)
 {
     murk_error err;
@@ -292,6 +358,8 @@ int main(void)
     test_obj_is_metres_with_z_up();
     test_unit_and_up_axis_as_asked();
     test_collada_unit_and_up_axis();
+    test_fbx_unit_and_up_axis();
+    test_far_meshes_keep_their_digits();
     test_what_is_no_mesh_is_refused();
     test_materials_are_found_by_name();
     test_files_that_a_mesh_names();
