@@ -88,7 +88,9 @@ double murk_outside_share(const murk_world *world, int band, murk_vec3 place,
     if (is_bent) {
         *is_bent = false;
     }
-    if (!world->continues || !(height_m > 0) || !murk_media_any(world->media)) {
+    const murk_media *media = world->media;
+    if (!world->continues || !(height_m > 0) ||
+        !(murk_media_any(media) || murk_media_bends(media))) {
         return 1;
     }
     /* the column stands a little inside of the side */

@@ -170,6 +170,35 @@ static void test_shares_by_hand(void)
     CHECK(murk_outside_share(w, 0, murk_vec(0, 5, 3), &level, NULL) == 0);
     CHECK(murk_outside_share(w, 0, murk_vec(0, 5, 7), &level, NULL) == 1);
     test_world_unmade(&made);
+
+    /* Clear water below 6 m: of a beam at 60 degrees that enters the side
+     * below, Fresnel's share is lost, and the side gets the tangent of the
+     * bent beam instead of the straight one's. */
+    const murk_medium clear = test_medium(0, 0, 0);
+    murk_region water = test_everywhere(0);
+    water.shape = MURK_REGION_BELOW;
+    water.below_z_m = 6;
+    water.ior = 1.34;
+    made = test_world_made(&(test_setup){.domain = {.box = cube},
+                                         .lights = &light,
+                                         .n_lights = 1,
+                                         .media = &clear,
+                                         .n_media = 1,
+                                         .regions = &water,
+                                         .n_regions = 1});
+    made.world.continues = true;
+    murk_vec3 bent = {0, sqrt(0.75), -0.5};
+    double cosine;
+    const double lost = murk_fresnel(1, 1.34, 0.5, &cosine);
+    CHECK(lost > 0.05);
+    const double sine = sqrt(0.75) / 1.34; /* Snell */
+    CHECK_NEAR(cosine, sqrt(1 - sine * sine), 1e-12);
+    CHECK_NEAR(murk_outside_share(w, 0, murk_vec(0, 5, 3), &bent, &is_bent),
+               (1 - lost) * sine / cosine / (sqrt(0.75) / 0.5), 1e-12);
+    CHECK(is_bent && bent.x == 0);
+    CHECK_NEAR(bent.y, sine, 1e-12);
+    CHECK_NEAR(bent.z, -cosine, 1e-12);
+    test_world_unmade(&made);
 }
 
 int main(int argc, char **argv)
