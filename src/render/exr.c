@@ -51,7 +51,7 @@ static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
     if (!result && exr->is_all_round) {
         result = exr_attr_set_envmap(file, part, "envmap", EXR_ENVMAP_LATLONG);
     }
-    if (!result && exr->pixel_aspect > 0) {
+    if (!result) {
         result =
             exr_set_pixel_aspect_ratio(file, part, (float)exr->pixel_aspect);
     }
