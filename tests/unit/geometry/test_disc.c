@@ -95,7 +95,6 @@ static void test_only_whole_discs_are_filled(void)
 }
 
 /* What lies twice in one place is not a disc's area once. */
-/* What lies twice in one place is not a disc's area once. */
 static void test_a_floor_that_lies_twice_is_not_whole(void)
 {
     const murk_surface_desc floor = {.shape = MURK_SHAPE_RECT,
@@ -111,10 +110,34 @@ static void test_a_floor_that_lies_twice_is_not_whole(void)
     }
 }
 
+/* A disc whose center is 1 m from the floor's edge reaches over it by a segment
+ * of the share (acos(1 / r) - sqrt(r^2 - 1) / r^2) / pi of its area: a
+ * thousandth may be missing. */
+static void test_a_thousandth_may_be_missing(void)
+{
+    const murk_surface_desc floor = {.shape = MURK_SHAPE_RECT,
+                                     .edge1 = {9, 0, 0},
+                                     .edge2 = {0, 9, 0},
+                                     .to_world = murk_affine_identity()};
+    murk_surfaces *surfaces = made(&floor, 1);
+    const double radius_m[2] = {1.0141, 1.0144};
+    double missing[2];
+    for (int i = 0; i < 2; ++i) {
+        const double r = radius_m[i];
+        missing[i] = (acos(1 / r) - sqrt(r * r - 1) / (r * r)) / MURK_PI;
+        CHECK(murk_surfaces_fill_disc(surfaces, murk_vec(1, 4, 0),
+                                      murk_vec(0, 0, 1), r) == (i == 0));
+    }
+    CHECK(missing[0] > 0.98e-3 && missing[0] < 1e-3);
+    CHECK(missing[1] > 1e-3 && missing[1] < 1.02e-3);
+    murk_surfaces_destroy(surfaces);
+}
+
 int main(void)
 {
     test_areas_are_those_of_counting();
     test_only_whole_discs_are_filled();
     test_a_floor_that_lies_twice_is_not_whole();
+    test_a_thousandth_may_be_missing();
     return check_done();
 }

@@ -337,6 +337,64 @@ static void test_great_surfaces_are_cut_off(void)
     murk_surfaces_destroy(s);
 }
 
+/* Floors that lie in one place share their feet. Each floor is 10 m squared of
+ * a larger triangle, so 25 squares of the spacing, and gets 25 feet; 25 feet
+ * may stand for 7.4 times as many squares, which is 7 floors and not 8. */
+static void test_area_beyond_all_feet_is_refused(void)
+{
+    enum { FLOORS = 8 };
+    murk_mesh *m = closed_mesh_empty(3, 1);
+    closed_mesh_vertex(m, murk_vec(-50, -50, 0));
+    closed_mesh_vertex(m, murk_vec(150, -50, 0));
+    closed_mesh_vertex(m, murk_vec(-50, 150, 0));
+    closed_mesh_triangle(m, 0, 1, 2);
+    murk_surface_desc desc[FLOORS];
+    for (int i = 0; i < FLOORS; ++i) {
+        desc[i] = (murk_surface_desc){.shape = MURK_SHAPE_MESH,
+                                      .mesh = m,
+                                      .to_world = murk_affine_identity()};
+    }
+    for (size_t floors = FLOORS - 1; floors <= FLOORS; ++floors) {
+        murk_surfaces *s = create(desc, floors);
+        murk_lay lay = lay_of(2);
+        lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
+        lay.most = 25;
+        murk_foot *foot = NULL;
+        size_t n = 0;
+        CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", NULL) ==
+              (floors == FLOORS ? MURK_BAD_VALUE : MURK_OK));
+        CHECK(n == (floors == FLOORS ? 0 : 25));
+        free(foot);
+        murk_surfaces_destroy(s);
+    }
+    murk_mesh_destroy(m);
+}
+
+/* Of a stack of small sheets within one spacing, each gets a foot until one
+ * would have to be compared with more than 4096 others. */
+static void test_stacks_are_cut_off(void)
+{
+    enum { SHEETS = 4200, MOST = 4097 };
+    murk_mesh *m = closed_mesh_empty(3 * SHEETS, SHEETS);
+    for (uint32_t i = 0; i < SHEETS; ++i) {
+        const double z = 1e-4 * i;
+        const uint32_t first = closed_mesh_vertex(m, murk_vec(0, 0, z));
+        closed_mesh_vertex(m, murk_vec(0.02, 0, z));
+        closed_mesh_vertex(m, murk_vec(0, 0.02, z));
+        closed_mesh_triangle(m, first, first + 1, first + 2);
+    }
+    const murk_surface_desc desc = {.shape = MURK_SHAPE_MESH,
+                                    .mesh = m,
+                                    .to_world = murk_affine_identity()};
+    murk_surfaces *s = create(&desc, 1);
+    const murk_lay lay = lay_of(1);
+    size_t n;
+    free(feet_of(s, &lay, &n));
+    CHECK(n == MOST);
+    murk_surfaces_destroy(s);
+    murk_mesh_destroy(m);
+}
+
 /* ---- near a mount ---- */
 
 static bool is_near(const murk_surfaces *s, murk_vec3 at, murk_vec3 normal,
@@ -436,6 +494,8 @@ int main(void)
     test_neighbours_and_small_parts_get_feet();
     test_what_is_not_wanted_gets_none();
     test_great_surfaces_are_cut_off();
+    test_area_beyond_all_feet_is_refused();
+    test_stacks_are_cut_off();
     test_own_wall_does_not_count();
     test_own_curved_wall_does_not_count();
     test_own_sphere_does_not_count();

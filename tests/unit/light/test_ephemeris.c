@@ -138,6 +138,34 @@ static void test_the_moon_is_near(void)
     CHECK(body.diameter_deg > 0.48 && body.diameter_deg < 0.58);
 }
 
+/* Refraction lifts what touches the horizon: down to .5667 degrees and half of
+ * the sun's disc (.2666 to .2667 degrees in March) below it, and nothing lower.
+ * The evening is halved until the sun stands as low as is asked. */
+static void test_what_is_below_the_horizon_is_not_raised(void)
+{
+    const murk_observer here = {.latitude_deg = 40, .temperature_c = 11};
+    const double noon = 2451623.0; /* 2000-03-19, 12 h */
+    const double low_deg[2] = {-0.82, -0.845};
+    for (int i = 0; i < 2; ++i) {
+        double from = noon, to = noon + 0.5;
+        for (int k = 0; k < 60; ++k) {
+            const double middle = 0.5 * (from + to);
+            const bool is_low =
+                sun(&here, middle).geometric_elevation_deg < low_deg[i];
+            *(is_low ? &to : &from) = middle;
+        }
+        const murk_body body = sun(&here, from);
+        CHECK_NEAR(body.geometric_elevation_deg, low_deg[i], 1e-4);
+        CHECK_NEAR(body.diameter_deg, 0.5355, 0.002);
+        const double lift = body.elevation_deg - body.geometric_elevation_deg;
+        /* Saemundsson's formula at -.82 degrees, for 1013.25 hPa and 284 K */
+        const double turned = (-0.82 + 10.3 / (-0.82 + 5.11)) / DEG;
+        const double want =
+            1013.25 / 1010 * 283 / 284 * 1.02 / 60 / tan(turned);
+        CHECK_NEAR(lift, i == 0 ? want : 0, 1e-4);
+    }
+}
+
 static void test_bad_input_is_named(void)
 {
     const murk_body untouched = {.azimuth_deg = -1};
@@ -217,6 +245,7 @@ static void test_threads_and_history(void)
 
 int main(void)
 {
+    test_what_is_below_the_horizon_is_not_raised();
     test_the_example_of_spa();
     test_that_a_step_left_out_would_show();
     test_the_sun_of_meeus();

@@ -333,6 +333,22 @@ static void test_bad_lights_are_named(void)
             "[4, 3, 5] m, must be inside");
     l.position.z = NAN;
     refused(&l, &hall, "is outside the domain");
+    /* past each face of the hall in turn, and upon it */
+    const murk_box *box = &hall.box;
+    const double face[3][2] = {{box->min.x, box->max.x},
+                               {box->min.y, box->max.y},
+                               {box->min.z, box->max.z}};
+    for (int i = 0; i < 6; ++i) {
+        l = light_of(MURK_LIGHT_POINT);
+        const double at = face[i / 2][i % 2], past = i % 2 ? 0.01 : -0.01;
+        double *const axis[3] = {&l.position.x, &l.position.y, &l.position.z};
+        *axis[i / 2] = at + past;
+        refused(&l, &hall, "is outside the domain");
+        *axis[i / 2] = at;
+        murk_lights *lights = NULL;
+        CHECK(murk_lights_create(&lights, &l, 1, 1, &hall, NULL) == MURK_OK);
+        murk_lights_destroy(lights);
+    }
 
     l = light_of(MURK_LIGHT_SPHERE);
     l.position.z = 0.4;

@@ -374,6 +374,15 @@ static void test_bad_values_are_named(void)
 
     murk_region region = box(0, 2, 1);
     refuses(&good, &region, at.where, "min below max");
+    double *const high[3] = {&region.box.max.x, &region.box.max.y,
+                             &region.box.max.z};
+    for (int axis = 0; axis < 3; ++axis) { /* flat, and a little inside out */
+        region = box(0, 1, 2);
+        *high[axis] = 1;
+        refuses(&good, &region, at.where, "min below max");
+        *high[axis] = 0.99;
+        refuses(&good, &region, at.where, "min below max");
+    }
     region = sphere(0, murk_vec(0, 0, 0), 0);
     refuses(&good, &region, at.where, "radius 0 m");
     region = box(1, 0, 1);

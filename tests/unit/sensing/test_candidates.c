@@ -2,6 +2,7 @@
  *
  * Deterministic: never cries wolf. */
 #include "candidates_room.h"
+#include "geometry/polygon.h"
 
 static void test_an_empty_room_keeps_all_in_order(void)
 {
@@ -360,6 +361,44 @@ static void test_doubt_is_counted(void)
     murk_candidates_destroy(c);
 }
 
+/* The same with gaps along an edge of the pocket, for each pair of axes: the
+ * point's only way out is one diagonal step across both. Walls without a gap
+ * leave no doubt. */
+static void test_doubt_is_counted_across_each_pair_of_axes(void)
+{
+    for (int third = 0; third < 3; ++third) {
+        for (int has_gap = 0; has_gap < 2; ++has_gap) {
+            murk_surface_desc d[N_MAX];
+            size_t n = add_room(d, 0);
+            const double s = has_gap ? 0.8 : 1;
+            const int axis[2] = {(third + 1) % 3, (third + 2) % 3};
+            murk_vec3 beyond = {0, 0, 0};
+            murk_component_set(&beyond, third, 10);
+            for (int i = 0; i < 2; ++i) {
+                murk_vec3 corner = {0, 0, 0}, across = {0, 0, 0};
+                murk_component_set(&corner, axis[i], 1);
+                murk_component_set(&across, axis[1 - i], s);
+                d[n++] = a_rect(corner, across, beyond, 0);
+            }
+            murk_candidate_grid grid = {.min = {0.5, 0.5, 0.5},
+                                        .max = {3.5, 3.5, 3.5},
+                                        .size = {4, 4, 4}};
+            murk_component_set(&grid.min, third, 2);
+            murk_component_set(&grid.max, third, 2);
+            grid.size[third] = 1;
+            murk_vec3 far_lamp = {0, 0, 0}; /* does not see the pocket */
+            murk_component_set(&far_lamp, axis[0], 3.1);
+            murk_component_set(&far_lamp, axis[1], 1.2);
+            murk_component_set(&far_lamp, third, 2.2);
+            const murk_reach reach = {
+                .lamps = &far_lamp, .n_lamps = 1, .domain = room};
+            murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
+            CHECK(c && c->unreached == 1 && c->doubtful == (size_t)has_gap);
+            murk_candidates_destroy(c);
+        }
+    }
+}
+
 static void test_threads_change_nothing(void)
 {
     murk_surface_desc d[N_MAX];
@@ -442,6 +481,7 @@ int main(void)
     test_distant_light_enters_by_open_sides();
     test_a_periodic_domain_is_one_space();
     test_doubt_is_counted();
+    test_doubt_is_counted_across_each_pair_of_axes();
     test_threads_change_nothing();
     test_bad_grids_are_refused();
     return check_done();

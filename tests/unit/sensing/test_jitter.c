@@ -106,6 +106,29 @@ static void test_walls(void)
         wrapped += out.position.x < 1;
     }
     CHECK(wrapped > 150 && wrapped < 350);
+
+    /* The same in a domain that does not begin at 0: a step over a side comes
+     * in again as far behind the other side. */
+    const murk_box away = {{20, 30, 0}, {25, 34, 4}};
+    const murk_domain still = {.box = {{10, 10, 0}, {40, 50, 4}}};
+    const murk_domain tiled = {.box = away, .is_periodic = true};
+    const murk_jitter through = of(none, &tiled, 1, 0);
+    const murk_jitter free_step = of(none, &still, 1, 0);
+    const murk_pose corner = {.position = {24.9, 30.1, 2}};
+    int around[2] = {0};
+    for (uint64_t d = 0; d < 500; ++d) {
+        murk_pose out, straight;
+        CHECK(murk_jitter_draw(&out, &corner, 1, TYPES, &through, d) == 0);
+        CHECK(murk_jitter_draw(&straight, &corner, 1, TYPES, &free_step, d) ==
+              0);
+        const double dx = straight.position.x - out.position.x;
+        const double dy = straight.position.y - out.position.y;
+        around[0] += dx > 1;
+        around[1] += dy < -1;
+        CHECK_NEAR(dx, straight.position.x > 25 ? 5 : 0, 1e-12);
+        CHECK_NEAR(dy, straight.position.y < 30 ? -4 : 0, 1e-12);
+    }
+    CHECK(around[0] > 150 && around[1] > 150);
     murk_surfaces_destroy(none);
 }
 

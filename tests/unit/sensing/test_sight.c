@@ -87,6 +87,20 @@ static void test_grazing_is_not_seen(void)
     }
 }
 
+/* A position is off by 2^-20 of the domain's largest coordinate at most: in a
+ * domain of 16 km, 1.6 cm. A sensor that stands less than this above the plane
+ * of a photon may be behind it. */
+static void test_grazing_is_a_matter_of_the_domains_size(void)
+{
+    const murk_domain valley = {.box = {{0, 0, 0}, {0x1p14, 8, 4}}};
+    const murk_photon photon =
+        a_photon(murk_vec(5, 4, 2), murk_vec(0, 0, 1), 0);
+    world w = build(NULL, 0, clear_air(&valley), &photon, 1, plain(&valley));
+    CHECK(seen_from(&w, murk_vec(6, 4, 2 + 0.97 * 0x1p-6), 0) == 0);
+    CHECK(seen_from(&w, murk_vec(6, 4, 2 + 1.03 * 0x1p-6), 0) == MURK_CLEAR);
+    tear_down(&w);
+}
+
 static void test_range_is_inclusive(void)
 {
     const murk_photon photon[2] = {
@@ -301,6 +315,7 @@ int main(void)
     test_a_wall_hides_what_is_behind();
     test_a_surface_photon_is_seen_from_its_own_side();
     test_grazing_is_not_seen();
+    test_grazing_is_a_matter_of_the_domains_size();
     test_range_is_inclusive();
     test_mist_dims_by_band_and_distance();
     test_regions_dim_where_they_are();
