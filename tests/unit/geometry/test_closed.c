@@ -280,10 +280,20 @@ static void test_impossible_shapes_are_refused(void)
     check_refused(box(murk_vec(0, 0, 0), murk_vec(1, 0, 1), 0), "maximum");
     check_refused(box(murk_vec(0, NAN, 0), murk_vec(1, 1, 1), 0), "maximum");
     check_refused(box(murk_vec(0, 0, 0), murk_vec(1e30, 1, 1), 0), "within");
+    for (int axis = 0; axis < 3; ++axis) { /* flat, and a little inside out */
+        for (int k = 0; k < 2; ++k) {
+            murk_vec3 top = {2, 2, 2};
+            double *const high[3] = {&top.x, &top.y, &top.z};
+            *high[axis] = k ? 0.99 : 1;
+            check_refused(box(murk_vec(1, 1, 1), top, 0), "maximum");
+        }
+    }
     murk_surface_desc shape = {.shape = MURK_SHAPE_SPHERE,
                                .radius_m = 0,
                                .to_world = murk_affine_identity()};
     check_refused(shape, "radius is 0 m");
+    shape.radius_m = 1.01e9;
+    check_refused(shape, "at most 1e+09");
     shape.radius_m = 1;
     shape.to_world.matrix[0][0] = 2;
     check_refused(shape, "scaled alike");

@@ -240,6 +240,24 @@ static void test_what_is_no_mesh_is_refused(void)
     murk_mesh_destroy(m);
 }
 
+/* A unit of 0 is none; an unknown axis and a negative or huge unit are bad. */
+static void test_bad_units_and_axes_are_named(void)
+{
+    murk_error err;
+    const char *file = written("a.obj", OBJ);
+    murk_mesh *m = read_mesh(file, 1e9, 'z', &err);
+    CHECK(m && m->bounds_m.max.x == 1e9);
+    murk_mesh_destroy(m);
+    const double bad[] = {-0.01, 1.01e9, NAN};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(!read_mesh(file, bad[i], 0, &err));
+        CHECK(err.status == MURK_BAD_VALUE);
+        CHECK_MENTIONS(err.text, "must be above 0 and at most 1e9 m");
+    }
+    CHECK(!read_mesh(file, 1, 'w', &err));
+    CHECK_TEXT(err.text, "up is w, must be x, y or z");
+}
+
 static void test_materials_are_found_by_name(void)
 {
     murk_error err;
@@ -361,6 +379,7 @@ int main(void)
     test_fbx_unit_and_up_axis();
     test_far_meshes_keep_their_digits();
     test_what_is_no_mesh_is_refused();
+    test_bad_units_and_axes_are_named();
     test_materials_are_found_by_name();
     test_files_that_a_mesh_names();
     char clean[80];

@@ -4,6 +4,7 @@
 #include "light/geocentric.h"
 
 #include <pthread.h>
+#include <stddef.h>
 
 #define DEG                (180 / MURK_PI)
 #define ASTRONOMICAL_M     149597870700.0
@@ -191,6 +192,31 @@ static void test_bad_input_is_named(void)
     CHECK(body.azimuth_deg == untouched.azimuth_deg);
 }
 
+/* The ends of what is allowed are allowed, and a hundredth beyond is not. */
+static void test_ends_of_ranges(void)
+{
+    const struct {
+        size_t at;
+        double least, most;
+    } range[] = {{offsetof(murk_observer, latitude_deg), -90, 90},
+                 {offsetof(murk_observer, longitude_deg), -180, 360},
+                 {offsetof(murk_observer, altitude_m), -500, 20000},
+                 {offsetof(murk_observer, pressure_hpa), 0, 1200},
+                 {offsetof(murk_observer, temperature_c), -100, 100}};
+    for (size_t i = 0; i < sizeof range / sizeof *range; ++i) {
+        const double by = 0.01 * range[i].most;
+        const double value[4] = {range[i].least, range[i].most,
+                                 range[i].least - by, range[i].most + by};
+        for (int k = 0; k < 4; ++k) {
+            murk_observer observer = golden;
+            memcpy((char *)&observer + range[i].at, &value[k], sizeof *value);
+            murk_body body;
+            CHECK(murk_sun_at(&body, &observer, golden_time, NULL) ==
+                  (k < 2 ? MURK_OK : MURK_BAD_VALUE));
+        }
+    }
+}
+
 static void test_poles_and_the_date_line(void)
 {
     const murk_observer pole = {.latitude_deg = 90};
@@ -245,6 +271,7 @@ static void test_threads_and_history(void)
 
 int main(void)
 {
+    test_ends_of_ranges();
     test_what_is_below_the_horizon_is_not_raised();
     test_the_example_of_spa();
     test_that_a_step_left_out_would_show();

@@ -393,6 +393,38 @@ static void test_bad_lights_are_named(void)
     refused(&l, &hall, "irradiance_w_per_m2 is -1 W/m2");
 }
 
+/* The ends of what is allowed are allowed, and a hundredth beyond is not. */
+static void test_ends_of_ranges(void)
+{
+    const struct {
+        murk_light_type type;
+        double divergence_rad, angular_radius_rad, radius_m;
+        bool is_allowed;
+    } cases[] = {
+        {MURK_LIGHT_BEAM, 0, 0, 0, true},
+        {MURK_LIGHT_BEAM, MURK_PI, 0, 0.5, true},
+        {MURK_LIGHT_BEAM, 1.01 * MURK_PI, 0, 0, false},
+        {MURK_LIGHT_BEAM, -0.01, 0, 0, false},
+        {MURK_LIGHT_BEAM, 0, 0, -0.01, false},
+        {MURK_LIGHT_DIRECTIONAL, 0, MURK_DISC_RAD_MAX, 0, true},
+        {MURK_LIGHT_DIRECTIONAL, 0, 1.01 * MURK_DISC_RAD_MAX, 0, false},
+        {MURK_LIGHT_DIRECTIONAL, 0, -0.01, 0, false},
+        {MURK_LIGHT_SPHERE, 0, 0, 2, true}, /* touches the hall at y = -1 */
+        {MURK_LIGHT_SPHERE, 0, 0, 2.02, false},
+        {MURK_LIGHT_SPHERE, 0, 0, -0.01, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        murk_light l = light_of(cases[i].type);
+        l.divergence_rad = cases[i].divergence_rad;
+        l.angular_radius_rad = cases[i].angular_radius_rad;
+        l.radius_m = cases[i].radius_m;
+        murk_lights *lights = NULL;
+        CHECK((murk_lights_create(&lights, &l, 1, 1, &hall, NULL) == MURK_OK) ==
+              cases[i].is_allowed);
+        murk_lights_destroy(lights);
+    }
+}
+
 static void test_no_lights_are_refused(void)
 {
     murk_lights *lights = NULL;
@@ -417,6 +449,7 @@ int main(int argc, char **argv)
     test_channels_have_their_power();
     test_all_may_be_dark();
     test_bad_lights_are_named();
+    test_ends_of_ranges();
     test_no_lights_are_refused();
     return check_done();
 }

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "check.h"
 #include "medium/grid.h"
+#include "medium/grid_choice.h"
 
 #include <unistd.h>
 
@@ -282,6 +283,80 @@ static void test_samples_are_checked_like_files(void)
     murk_grid_destroy(NULL);
 }
 
+/* Of some grids: the only density, or that called so; by name the only one of
+ * that name, or of that unique name. */
+static void test_the_grid_that_is_meant(void)
+{
+    const murk_grid_entry density[2] = {
+        {"density[0]", "density", "float", false, true},
+        {"density[1]", "density", "float", false, true}};
+    const murk_grid_entry smoke = {"smoke", "smoke", "double", false, true};
+    const murk_grid_entry shape = {"shape", "shape", "float", true, true};
+    const murk_grid_entry wind = {"wind", "wind", "vec3s", false, true};
+    const murk_grid_entry fan = {"fan", "fan", "float", false, false};
+    const murk_grid_entry none = {0};
+    const struct {
+        murk_grid_entry entry[3];
+        size_t n;
+        const char *name;
+        size_t chosen; /* 9: none */
+        const char *why;
+    } cases[] = {
+        {{wind, shape, smoke}, 3, NULL, 2, NULL},
+        {{smoke, wind, density[1]}, 3, NULL, 2, NULL},
+        {{smoke, wind, density[1]}, 3, "smoke", 0, NULL},
+        {{wind, density[0], density[1]}, 3, "density[1]", 2, NULL},
+        {{none}, 0, NULL, 9, "holds no grids: empty, or cut off in its header"},
+        {{wind, shape},
+         2,
+         NULL,
+         9,
+         "no float grid; there are wind (vec3s), shape (level set)"},
+        {{smoke, fan},
+         2,
+         NULL,
+         9,
+         "several grids, choose one by name (such as smoke) among smoke "
+         "(double), fan (float)"},
+        {{smoke, density[0], density[1]},
+         3,
+         NULL,
+         9,
+         "several grids, choose one by name (such as density[0]) among smoke "
+         "(double), density[0] (float), density[1] (float)"},
+        {{smoke, density[0], density[1]},
+         3,
+         "density",
+         9,
+         "(such as density[0])"},
+        {{smoke, wind},
+         2,
+         "fog",
+         9,
+         "no grid named fog; there are smoke (double), wind (vec3s)"},
+        {{wind},
+         1,
+         NULL,
+         9,
+         "grid wind holds vec3s, must be float, half or double"},
+        {{shape}, 1, NULL, 9, "grid shape is a level set"},
+        {{fan}, 1, NULL, 9, "grid fan has a frustum transform"},
+        {{smoke, shape}, 2, "shape", 9, "grid shape is a level set"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        size_t chosen = 9;
+        murk_error err = {0};
+        CHECK((murk_grid_choose(&chosen, cases[i].entry, cases[i].n,
+                                cases[i].name, "here", &err) == MURK_OK) ==
+              (cases[i].chosen != 9));
+        if (cases[i].why) {
+            CHECK_MENTIONS(err.text, cases[i].why);
+        } else {
+            CHECK(chosen == cases[i].chosen);
+        }
+    }
+}
+
 int main(void)
 {
     murk_warn_to(keep_warning);
@@ -290,6 +365,7 @@ int main(void)
     test_transforms_and_half_floats();
     test_what_is_not_active_counts_as_nothing();
     test_names();
+    test_the_grid_that_is_meant();
     test_double_precision_is_read_as_floats();
     test_albedos_have_a_background();
     test_what_is_no_density_is_refused();

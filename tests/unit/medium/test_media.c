@@ -411,6 +411,66 @@ static void test_bad_values_are_named(void)
     CHECK_MENTIONS(err.text, "at most 256 and 64");
 }
 
+/* The ends of what is allowed are allowed, and a hundredth beyond is not. */
+static void test_ends_of_ranges(void)
+{
+    const struct {
+        double extinction, albedo, ior, slope;
+        bool is_allowed;
+    } cases[] = {
+        {0, 0, 0, 0, true},        {1e30, 1, 1, 0, true},
+        {0, 0, 10, 1, true},       {-0.01, 0, 0, 0, false},
+        {1.01e30, 0, 0, 0, false}, {1, -0.01, 0, 0, false},
+        {1, 1.01, 0, 0, false},    {1, 0, 0.99, 0, false},
+        {1, 0, -0.01, 0, false},   {1, 0, 10.1, 0, false},
+        {1, 0, 2, -0.01, false},   {1, 0, 2, 1.01, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const murk_medium medium = even(cases[i].extinction, cases[i].albedo);
+        murk_region region = everywhere(0);
+        region.shape = MURK_REGION_BELOW;
+        region.below_z_m = 0;
+        region.ior = cases[i].ior;
+        region.mean_square_slope = cases[i].slope;
+        murk_media *out = NULL;
+        CHECK((murk_media_create(&out, &medium, 1, &region, 1, &DOMAIN, NULL) ==
+               MURK_OK) == cases[i].is_allowed);
+        murk_media_destroy(out);
+    }
+    /* heights given twice are a jump, three times are a mistake */
+    const struct {
+        double z_m[4];
+        size_t n;
+        double value;
+        bool is_allowed;
+    } profiles[] = {
+        {{0, 1, 1, 2}, 4, 1, true},  {{0, 0, 1}, 3, 1, true},
+        {{0, 1, 1}, 3, 1, true},     {{0, 1}, 2, 1e30, true},
+        {{0, 1}, 2, 0, true},        {{1, 1, 1, 2}, 4, 1, false},
+        {{0, 1, 1, 1}, 4, 1, false}, {{0, 2, 1}, 3, 1, false},
+        {{1, 0.99}, 2, 1, false},    {{1, 1}, 2, 1, false},
+        {{0}, 1, 1, false},          {{0, 1}, 2, -0.01, false},
+        {{0, 1}, 2, 1.01e30, false}, {{0, INFINITY}, 2, 1, false},
+    };
+    for (size_t i = 0; i < sizeof profiles / sizeof *profiles; ++i) {
+        murk_spectrum extinction[4];
+        for (size_t k = 0; k < 4; ++k) {
+            extinction[k] = murk_spectrum_flat(k == 1 ? profiles[i].value : 0.5,
+                                               MURK_BANDS_MAX);
+        }
+        const murk_profile profile = {.n = profiles[i].n,
+                                      .z_m = profiles[i].z_m,
+                                      .extinction_per_m = extinction};
+        murk_medium medium = even(1, 1);
+        medium.profile = &profile;
+        const murk_region region = everywhere(0);
+        murk_media *out = NULL;
+        CHECK((murk_media_create(&out, &medium, 1, &region, 1, &DOMAIN, NULL) ==
+               MURK_OK) == profiles[i].is_allowed);
+        murk_media_destroy(out);
+    }
+}
+
 static int warnings;
 
 static void count_warning(const char *where, const char *text)
@@ -444,6 +504,7 @@ int main(int argc, char **argv)
     test_bands_are_apart();
     test_odd_rays_end();
     test_bad_values_are_named();
+    test_ends_of_ranges();
     test_outside_of_the_domain_is_told();
     return check_done();
 }

@@ -441,6 +441,12 @@ static void test_bad_grids_are_refused(void)
     grid.max.x = 10.5;
     check_refused(grid, "candidate [10.5, 0.5, 0.5] m is outside the domain");
     grid = half_metres();
+    grid.min.y = 9.6; /* a hundredth farther than where it ends */
+    check_refused(grid, "y runs from 9.6 to 9.5 m, must rise");
+    grid = half_metres();
+    grid.min.x = grid.max.x; /* a line of several points has a length */
+    check_refused(grid, "x runs from 9.5 to 9.5 m, must rise");
+    grid = half_metres();
     grid.size[1] = 0;
     check_refused(grid, "size is [19, 0, 7]");
     grid = half_metres();

@@ -310,6 +310,47 @@ static void test_bad_input_is_refused(void)
     check_refused(desc, bad, MURK_RUN_FAILED, "nothing to see");
 }
 
+/* The ends of what is allowed are allowed, and a hundredth beyond is not. */
+static void test_ends_of_ranges(void)
+{
+    const murk_photon photon = a_photon(murk_vec(1, 1, 1), none, 0);
+    const struct {
+        double threshold, acceptance_rad, least_range_m;
+        murk_combining combining;
+        unsigned redundancy;
+        bool is_allowed;
+    } cases[] = {
+        {0, 0, 0, MURK_COMBINE_CLEAREST, 1, true},
+        {1, MURK_PI, 1.98, MURK_COMBINE_CLEAREST, MURK_REDUNDANCY_MOST, true},
+        {-0.01, 0, 0, MURK_COMBINE_CLEAREST, 1, false},
+        {1.01, 0, 0, MURK_COMBINE_CLEAREST, 1, false},
+        {0, -0.01, 0, MURK_COMBINE_CLEAREST, 1, false},
+        {0, 1.01 * MURK_PI, 0, MURK_COMBINE_CLEAREST, 1, false},
+        {0, 0, -0.01, MURK_COMBINE_CLEAREST, 1, false},
+        {0, 0, 2.02, MURK_COMBINE_CLEAREST, 1, false},
+        {0, 0, 0, MURK_COMBINE_CLEAREST, MURK_REDUNDANCY_MOST + 1, false},
+        {0, 0, 0, MURK_COMBINE_INDEPENDENT, 1, true},
+        {0, 0, 0, MURK_COMBINE_INDEPENDENT, 2, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const murk_sensor_type type = {.range_m = 2,
+                                       .least_range_m = cases[i].least_range_m,
+                                       .acceptance_rad =
+                                           cases[i].acceptance_rad};
+        murk_sight_desc desc = plain(&hall);
+        desc.type = &type;
+        desc.threshold = cases[i].threshold;
+        desc.combining = cases[i].combining;
+        desc.redundancy = cases[i].redundancy;
+        if (cases[i].is_allowed) {
+            world w = build(NULL, 0, clear_air(&hall), &photon, 1, desc);
+            tear_down(&w);
+        } else {
+            check_refused(desc, photon, MURK_BAD_VALUE, "must be");
+        }
+    }
+}
+
 int main(void)
 {
     test_a_wall_hides_what_is_behind();
@@ -322,5 +363,6 @@ int main(void)
     test_light_bends_out_of_sight();
     test_sheets_dim_or_block();
     test_bad_input_is_refused();
+    test_ends_of_ranges();
     return check_done();
 }

@@ -362,6 +362,43 @@ static void refuses(const murk_tally_desc *descs, size_t n, const char *part)
     CHECK_MENTIONS(err.text, part);
 }
 
+/* In a domain from 1 to 2 m: what reaches a hundredth past a face, on each axis
+ * and either side, is refused, and what ends at the face is not. */
+static void test_each_face_of_the_domain_bounds(void)
+{
+    const murk_domain domain = {.box = {{1, 1, 1}, {2, 2, 2}}};
+    for (int i = 0; i < 6; ++i) {
+        const int axis = i / 2;
+        const double face = 1 + i % 2, past = face + (i % 2 ? 0.01 : -0.01);
+        for (int is_past = 0; is_past < 2; ++is_past) {
+            const double at = is_past ? past : face;
+            murk_tally_desc d[3] = {plane(1.5, 1), grid_tally(), probe()};
+            d[0].point = d[2].center = murk_vec(1.5, 1.5, 1.5);
+            d[1].box = (murk_box){{1.4, 1.4, 1.4}, {1.6, 1.6, 1.6}};
+            d[2].radius_m = 0.1;
+            const murk_vec3 to = {axis == 0, axis == 1, axis == 2};
+            d[0].point = murk_along(d[0].point, at - 1.5, to);
+            murk_vec3 *corner = i % 2 ? &d[1].box.max : &d[1].box.min;
+            *corner = murk_along(*corner, at - (i % 2 ? 1.6 : 1.4), to);
+            d[2].center =
+                murk_along(d[2].center, at - 1.5 + (i % 2 ? -0.1 : 0.1), to);
+            for (int k = 0; k < 3; ++k) {
+                CHECK(murk_tallies_check(&d[k], 1, &domain, NULL) ==
+                      (is_past ? MURK_BAD_VALUE : MURK_OK));
+            }
+        }
+        /* turned inside out by a hundredth, and flat */
+        murk_tally_desc d = grid_tally();
+        d.box = domain.box;
+        murk_vec3 *top = &d.box.max;
+        double *const high[3] = {&top->x, &top->y, &top->z};
+        *high[axis] = i % 2 ? 1 : 0.99;
+        murk_error err = {0};
+        CHECK(murk_tallies_check(&d, 1, &domain, &err) == MURK_BAD_VALUE);
+        CHECK_MENTIONS(err.text, "min_m must be less than max_m");
+    }
+}
+
 static void test_bad_tallies_are_named(void)
 {
     murk_tally_desc d[MURK_TALLIES_MAX + 1] = {plane(1, 1)};
@@ -466,6 +503,7 @@ int main(void)
     test_nothing_is_lost_at_a_plane(1);
     test_nothing_is_lost_at_a_plane(1. / 1024);
     test_shared_sums();
+    test_each_face_of_the_domain_bounds();
     test_bad_tallies_are_named();
     test_memory_is_said_before_it_is_taken();
     test_a_sphere_may_touch();
