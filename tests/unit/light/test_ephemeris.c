@@ -204,9 +204,9 @@ static void test_ends_of_ranges(void)
                  {offsetof(murk_observer, pressure_hpa), 0, 1200},
                  {offsetof(murk_observer, temperature_c), -100, 100}};
     for (size_t i = 0; i < sizeof range / sizeof *range; ++i) {
-        const double by = 0.01 * range[i].most;
-        const double value[4] = {range[i].least, range[i].most,
-                                 range[i].least - by, range[i].most + by};
+        const double least = range[i].least, most = range[i].most;
+        const double value[4] = {least, most, least + 0.01 * least - 1e-9,
+                                 1.01 * most};
         for (int k = 0; k < 4; ++k) {
             murk_observer observer = golden;
             memcpy((char *)&observer + range[i].at, &value[k], sizeof *value);

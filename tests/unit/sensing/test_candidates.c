@@ -446,6 +446,8 @@ static void test_bad_grids_are_refused(void)
     grid = half_metres();
     grid.min.x = grid.max.x; /* a line of several points has a length */
     check_refused(grid, "x runs from 9.5 to 9.5 m, must rise");
+    grid.size[0] = 2;
+    check_refused(grid, "x runs from 9.5 to 9.5 m, must rise");
     grid = half_metres();
     grid.size[1] = 0;
     check_refused(grid, "size is [19, 0, 7]");
