@@ -62,14 +62,6 @@ static void wait_for_calm(void)
     }
 }
 
-/* OpenVDB starts a thread in the forked child, which is sound: the child has
- * called nothing of it before. TSan would end it there. */
-const char *__tsan_default_options(void);
-const char *__tsan_default_options(void)
-{
-    return "die_after_fork=0";
-}
-
 /* TSan knows threads by where their stack lies, and ends a child whose first
  * thread gets the stack that one of the parent's had. A larger stack lies
  * elsewhere. */
