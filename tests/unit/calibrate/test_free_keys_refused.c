@@ -87,7 +87,12 @@ static void test_counts_and_bounds_are_refused(void)
     f.all.held_out = 8;
     refused_with(&f, "media.plain.albedo", NULL, "field.csv",
                  "0 rows to be fitted (8 held out) for 1 parameters");
+    f.all.held_out = 7; /* one row for one parameter is enough */
+    CHECK(create(&keys, &f, twice, 1, NULL, &err) == MURK_OK);
+    murk_free_keys_destroy(keys);
     f.all.held_out = 0;
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.9:.9",
+                 "--bounds", "less than the second");
     refused_with(&f, "media.plain.albedo", "media.plain.albdo=0:1", "--bounds",
                  "no free key, did you mean media.plain.albedo?");
     refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5", "--bounds",

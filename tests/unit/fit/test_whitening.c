@@ -133,6 +133,21 @@ static void test_refusals(void)
     refuse(1, NAN, 1, "rows 1 and 2 have a covariance of nan");
     refuse(1, 1, 1, "is not positive definite");
     refuse(1, 2, 1, "is not positive definite");
+    /* of three rows, each pair by itself */
+    static const size_t pair[][2] = {{0, 1}, {0, 2}, {1, 2}};
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t i = pair[k][0], j = pair[k][1];
+        double covariance[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+        covariance[3 * i + j] = covariance[3 * j + i] = INFINITY;
+        murk_whitening *whitening = NULL;
+        murk_error err = {0};
+        char text[80];
+        CHECK(murk_whitening_create(&whitening, covariance, 3, &err) ==
+              MURK_RUN_FAILED);
+        snprintf(text, sizeof text, "rows %zu and %zu have a covariance of inf",
+                 i + 1, j + 1);
+        CHECK_MENTIONS(err.text, text);
+    }
 }
 
 /* Batches of two rows: (1, 10), (2, 14), (6, 12); means 3, 12; off by

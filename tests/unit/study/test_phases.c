@@ -41,6 +41,33 @@ static void test_tables_are_shared(void)
     murk_scene_destroy(scene);
 }
 
+/* What differs in one number alone is another table. */
+static void test_other_tables_are_not_shared(void)
+{
+    static const struct {
+        const char *text;
+        size_t n;
+    } cases[] = {
+        {SCENE("[{fournier_forand: [1.1, 3.5]}, {fournier_forand: [1.1, "
+               "3.5]}]"),
+         1},
+        {SCENE("[{fournier_forand: [1.1, 3.5]}, {fournier_forand: [1.2, "
+               "3.5]}]"),
+         2},
+        {SCENE("[{fournier_forand: [1.1, 3.5]}, {fournier_forand: [1.1, "
+               "3.6]}]"),
+         2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        murk_scene *scene;
+        murk_stage *stage;
+        murk_error err;
+        CHECK(stage_of(&scene, &stage, cases[i].text, &err) == MURK_OK);
+        CHECK(stage && stage->phases->n == cases[i].n);
+        murk_stage_destroy(stage);
+        murk_scene_destroy(scene);
+    }
+}
+
 /* Each kind in one band or the other, as medium/phase.h makes it. */
 static void test_kinds_and_bands(void)
 {
@@ -174,6 +201,7 @@ int main(void)
     test_kinds_and_bands();
     test_tables();
     test_tables_are_shared();
+    test_other_tables_are_not_shared();
     test_bad_tables();
     folder_leave((const char *const[]){"fog.yaml", "p.csv", NULL});
     return check_done();
