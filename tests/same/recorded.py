@@ -24,6 +24,7 @@ is skipped.
     recorded.py --differences A B    the files in which two kept folders differ,
                                      and by how much their numbers do
 """
+import base64
 import ctypes
 import hashlib
 import json
@@ -54,9 +55,14 @@ ONE_RUN = [
     (re.compile(r'(<th scope="row">[\w.-]+\.\w+</th><td>)\d+'), r"\1SIZE"),
     (re.compile(r"murk \d+\.\d+\.\d+, on \d{4}-\d\d-\d\d, \d\d:\d\d UTC"), "DATE"),
     (re.compile(r"\b(?:gcc|clang) \d+\.\d+\.\d+ ?"), "COMPILER"),
+    # the date and the program version of a manual page
+    (re.compile(r'^(\.TH \S+ 1) [\d-]+ "murk [\d.]+"', re.M), r"\1"),
     # the bundled script and style, which are sources and not results
     (re.compile(r"<(script|style)(?: type=\"module\")?>.*?</\1>", re.S), ""),
     (re.compile(r"\x1b\[[0-9;]*m"), ""),
+    # a picture in a page: its pixels count, its texts name the commit
+    (re.compile(r"data:image/png;base64,([\w+/=]+)"),
+     lambda found: hashlib.sha256(png_data(base64.b64decode(found.group(1)))).hexdigest()[:16]),
 ]
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.\d*|\.\d+|\d+)(?:[eE][-+]?\d+)?(?![\w.])")
 
