@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#define SHOWN_SIZE (4 * NAME_MOST + 8)
+
 /* In user units, which the page scales. */
 #define WIDTH     640.0
 #define RIGHT     92.0 /* room for the values */
@@ -55,7 +57,7 @@ static size_t characters_of(const char *text)
 /* The name, with dots for what is too long. */
 static void write_name(FILE *to, const char *name)
 {
-    char shown[4 * NAME_MOST + 8];
+    char shown[SHOWN_SIZE];
     size_t at = 0, n = 0;
     const size_t all = characters_of(name);
     const size_t most = all > NAME_MOST ? NAME_MOST - 1 : NAME_MOST;

@@ -17,6 +17,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
+
 static void add_candidates(cJSON *root, const murk_plan *plan)
 {
     cJSON *object = murk_json_candidates(root, plan->candidates);
@@ -373,7 +375,7 @@ static murk_status expect_conditions(murk_session *session, murk_error *err)
     for (size_t i = 0; i < 4 * scene->n_conditions && !status; ++i) {
         const murk_scene_condition *condition = &scene->conditions[i / 4];
         const size_t k = i % 4;
-        char name[sizeof condition->name + 16];
+        char name[FILE_SIZE];
         snprintf(name, sizeof name, "%s-%s%s", begin[k], condition->name,
                  end[k]);
         status = murk_results_expect(&session->results, name,
@@ -497,7 +499,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     if (!status && murk_session_speaks(&session)) {
         status = print_plan(&session, &plan, over, &repeat, err);
     }
-    if (!status && late.status) { /* the plan is written, this is not */
+    if (!status) { /* the plan is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     if (over) {

@@ -214,7 +214,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     if (!status && murk_session_speaks(&session)) {
         print_coverage(&session, sensor, n, &of);
     }
-    if (!status && late.status) { /* the coverage is written, this is not */
+    if (!status) { /* the coverage is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_robust_release(&of.robust);

@@ -38,7 +38,7 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
         murk_print_time(&session.run, NULL, 0);
         murk_print_files(&session);
     }
-    if (!status && late.status) { /* the light is written, this is not */
+    if (!status) { /* the light is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_session_end(&session);

@@ -7,7 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Each byte may be a quote; two quotes stand around; and the end. */
+#define QUOTED_SIZE (2 * MURK_SCENE_NAME_SIZE + 3)
+
 #define CSV_LINE_MAX 512
+#define HEADING_SIZE 256
 
 void murk_json_photons(cJSON *root, const murk_traced *traced)
 {
@@ -110,7 +114,7 @@ void murk_number_text(char out[32], double value)
 }
 
 /* A text as one CSV cell: quoted where it must be (RFC 4180). */
-static void quote(char out[2 * MURK_SCENE_NAME_SIZE + 3], const char *text)
+static void quote(char out[QUOTED_SIZE], const char *text)
 {
     if (!strpbrk(text, ",\"\r\n")) {
         strcpy(out, text);
@@ -131,7 +135,7 @@ void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
                      const murk_pose *pose)
 {
     const murk_vec3 p = murk_scene_user(scene, pose->position);
-    char type[2 * MURK_SCENE_NAME_SIZE + 3];
+    char type[QUOTED_SIZE];
     char x[32], y[32], z[32], heading[32] = "", tilt[32] = "";
     quote(type, scene->sensors.type[pose->type].name);
     murk_number_text(x, p.x);
@@ -169,7 +173,7 @@ static murk_status add_csv(murk_results *results, const char *name,
     }
     for (size_t i = 0; text && i < n; ++i) {
         const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
-        char type[2 * MURK_SCENE_NAME_SIZE + 3];
+        char type[QUOTED_SIZE];
         char x[32], y[32], z[32], covers[32], only[32];
         char heading[32] = "", tilt[32] = "";
         quote(type, scene->sensors.type[sensor[i].type].name);
@@ -227,8 +231,16 @@ static void show_share(char out[16], double share)
 
 /* Widths of the table of sensors. */
 typedef struct columns {
-    int type, place[3], decimals, total;
+    int type, place[3], decimals;
 } columns;
+
+/* The table's heading, and how wide it is; out NULL: how wide it is alone. */
+static int print_heading(char *out, size_t size, const columns *c)
+{
+    return snprintf(out, size, "sensors     %-*s %*s %*s %*s %7s %5s %8s %8s",
+                    c->type, "type", c->place[0], "x m", c->place[1], "y m",
+                    c->place[2], "z m", "heading", "tilt", "covers", "only it");
+}
 
 static int widest_coordinate(const murk_scene *scene, const murk_pose *sensor,
                              size_t n, int axis, int decimals)
@@ -252,11 +264,9 @@ static columns columns_of(const murk_scene *scene, const murk_pose *sensor,
             (int)strlen(scene->sensors.type[sensor[i].type].name);
         c.type = length > c.type ? length : c.type;
     }
-    c.total = 12 + c.type + 14 + 9 + 9;
     for (int axis = 0; axis < 3; ++axis) {
         const int width = widest_coordinate(scene, sensor, n, axis, decimals);
         c.place[axis] = width > least ? width : least;
-        c.total += 1 + c.place[axis];
     }
     return c;
 }
@@ -268,7 +278,8 @@ static columns choose_columns(const murk_scene *scene, const murk_pose *sensor,
                               size_t n)
 {
     columns c = columns_of(scene, sensor, n, 3, 8);
-    for (int decimals = 3; c.total > 80 && decimals >= 0; --decimals) {
+    for (int decimals = 3; print_heading(NULL, 0, &c) > 80 && decimals >= 0;
+         --decimals) {
         c = columns_of(scene, sensor, n, decimals, 3);
     }
     return c;
@@ -280,9 +291,9 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
 {
     const size_t shown = n < MURK_PRINTED_ROWS ? n : MURK_PRINTED_ROWS;
     const columns c = choose_columns(scene, sensor, shown);
-    murk_print("sensors     %-*s %*s %*s %*s %7s %5s %8s %8s\n", c.type, "type",
-               c.place[0], "x m", c.place[1], "y m", c.place[2], "z m",
-               "heading", "tilt", "covers", "only it");
+    char heading[HEADING_SIZE];
+    print_heading(heading, sizeof heading, &c);
+    murk_print("%s\n", heading);
     for (size_t i = 0; i < shown; ++i) {
         const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
         char way[20] = "all round";

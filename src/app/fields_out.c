@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FIELDS_MAX (FIELDS_OF_A_BAND * MURK_BANDS_MAX) /* of all bands */
+
 #define VOXELS_USUAL     100000
 #define VALUES_USUAL     400000 /* voxels times bands */
 #define EDGE_MOST_M      1e9
@@ -242,7 +244,7 @@ static void add_files(murk_session *session, const domain_fields *f,
     } file[] = {{"extinction.vdb", extinction, MURK_FIELD_AS_IT_IS},
                 {"coverage.vdb", coverage, MURK_FIELD_SCALED},
                 {"optical_depth.vdb", depth, MURK_FIELD_SCALED}};
-    murk_voxel_field picked[FIELDS_OF_A_BAND * MURK_BANDS_MAX];
+    murk_voxel_field picked[FIELDS_MAX];
     for (size_t i = 0; i < sizeof file / sizeof *file; ++i) {
         const size_t n = pick(picked, f, file[i].begins);
         if (n > 0) {
@@ -260,7 +262,7 @@ static void add_files(murk_session *session, const domain_fields *f,
 void murk_fields_add(murk_session *session, const murk_sight *sight,
                      const murk_pose *sensor, size_t n, murk_error *late)
 {
-    murk_voxel_field field[FIELDS_OF_A_BAND * MURK_BANDS_MAX];
+    murk_voxel_field field[FIELDS_MAX];
     domain_fields f = {.stage = session->stage, .field = field};
     murk_error told = {0};
     murk_status status = murk_fields_box(&f.box, session, &told);

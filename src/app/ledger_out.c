@@ -7,6 +7,8 @@
 
 #include <stdio.h>
 
+#define EMITTERS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
+
 /* Of quanta whose packet is worth that much. */
 static double worth(int64_t quanta, double packet)
 {
@@ -48,7 +50,7 @@ static void add_column(cJSON *object, const char *key,
                        const murk_traced *traced, const murk_tally *column,
                        int bands)
 {
-    int64_t quanta[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    int64_t quanta[EMITTERS_MAX];
     for (size_t c = 0; c < traced->channels; ++c) {
         quanta[c] = murk_tally_read(&column[c]);
     }
@@ -61,7 +63,7 @@ add_absorber(cJSON *object, const char *name, const murk_traced *traced,
              int64_t (*absorbed)(const murk_ledger *, size_t, size_t),
              size_t number, int bands)
 {
-    int64_t quanta[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    int64_t quanta[EMITTERS_MAX];
     for (size_t c = 0; c < traced->channels; ++c) {
         quanta[c] = absorbed(traced->ledger, c, number);
     }
@@ -93,8 +95,8 @@ static void add_emitted(cJSON *object, const murk_traced *traced,
     }
     const murk_units units = murk_units_of(scene->units);
     char key[40];
-    double packet[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
-    int64_t quanta[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    double packet[EMITTERS_MAX];
+    int64_t quanta[EMITTERS_MAX];
     murk_units_packets(packet, scene->units, stage, traced->packet_w);
     for (size_t c = 0; c < traced->channels; ++c) {
         quanta[c] = murk_tally_read(&traced->ledger->emitted[c]);

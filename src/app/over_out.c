@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define MARKED_SIZE (MURK_SCENE_NAME_SIZE + MARK_LENGTH)
+
 #define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16)
 
 /* Of tables on the terminal: the column of names, and the mark of this plan. */
@@ -397,7 +399,7 @@ static void print_regret_columns(const murk_over *over, int width, size_t first,
     murk_print("%s\n", end > n ? "    mean    worst" : "");
     for (size_t p = 0; p < over->plans; ++p) {
         const murk_over_plan *plan = &over->plan[p];
-        char name[MURK_SCENE_NAME_SIZE + MARK_LENGTH];
+        char name[MARKED_SIZE];
         snprintf(name, sizeof name, "%s%s", plan->made_for,
                  p == over->chosen ? " *" : "");
         murk_print("            %-*s", width, name);

@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#define RECORD_MAX (MURK_PLACE_BYTES_MAX + 6) /* bytes of a vertex */
+
 #define LINE_SIZE 0.001 /* half its thickness, of the world's size */
 #define SIDES     3
 
@@ -35,7 +37,7 @@ static void put_vertex(FILE *to, const path *p, murk_vec3 at, vertex_kind kind,
     static const double first[3] = {60, 175, 90}, last[3] = {150, 60, 200};
     const double share = p->legs ? (double)stop / (double)p->legs : 0;
     const uint16_t step = (uint16_t)(step_of(p->explore, stop) + 1);
-    uint8_t bytes[MURK_PLACE_BYTES_MAX + 6];
+    uint8_t bytes[RECORD_MAX];
     const size_t place = murk_place_bytes(p->scene);
     uint8_t *rest = bytes + place;
     murk_place_put(p->scene, at, bytes);

@@ -7,6 +7,8 @@
 
 #include <stdlib.h>
 
+#define FILE_SIZE (MURK_TALLY_NAME_SIZE + 16)
+
 /* A tally's values in one unit, all bands. */
 typedef struct values {
     const murk_session *session;
@@ -129,7 +131,7 @@ static void add_tally(murk_session *session, size_t i, murk_error *late)
         f->scene = session->scene;
         const values photons = values_in(MURK_PHOTONS, session, i, cells);
         const values own = values_in(session->scene->units, session, i, cells);
-        char name[MURK_TALLY_NAME_SIZE + 16];
+        char name[FILE_SIZE];
         has_room = put_density(f, &photons);
         if (has_room) {
             snprintf(name, sizeof name, "%s_photons.vdb", d->name);

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define RECORD_MAX (MURK_PLACE_BYTES_MAX + RECORD) /* bytes of a vertex */
+
 #define SHOWN_EVERY 65536 /* photons between two looks at the bar */
 #define RECORD      40    /* bytes of a vertex behind its place */
 
@@ -150,18 +152,18 @@ static const murk_vtk_array arrays[] = {
  * caller frees it. */
 static char *listed(const char *first, size_t n, size_t stride)
 {
-    size_t room = 1;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
+    }
     for (size_t i = 0; i < n; ++i) {
-        room += strlen(first + i * stride) + 16;
+        fprintf(out, "%s%zu: %s", i > 0 ? ", " : "", i, first + i * stride);
     }
-    char *text = malloc(room);
-    size_t used = 0;
-    for (size_t i = 0; text && i < n; ++i) {
-        used += (size_t)snprintf(text + used, room - used, "%s%zu: %s",
-                                 i ? ", " : "", i, first + i * stride);
-    }
-    if (text) {
-        text[used] = '\0';
+    if (fclose(out) != 0) {
+        free(text);
+        return NULL;
     }
     return text;
 }
@@ -235,7 +237,7 @@ static void put_header(FILE *to, const photons *p, const meanings *m)
 
 static void put_vertex(FILE *to, const photons *p, size_t i)
 {
-    unsigned char bytes[MURK_PLACE_BYTES_MAX + RECORD];
+    unsigned char bytes[RECORD_MAX];
     const size_t place = murk_place_bytes(p->session->scene);
     unsigned char *rest = bytes + place;
     put_place(p, i, bytes);

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define RECORD_MAX (MURK_PLACE_BYTES_MAX + 14) /* bytes of a vertex */
+
 #define MARK_SIZE    0.005 /* half an octahedron's width, of the world's size */
 #define SENSORS_HELD 16    /* looks in memory at a time */
 
@@ -87,7 +89,7 @@ static void put_vertex(FILE *to, const parts *p, murk_vec3 at, vertex_kind kind,
                                                             : green;
     const uint8_t number = (uint8_t)kind;
     const float quality = (float)s.clarity / MURK_CLEAR;
-    uint8_t bytes[MURK_PLACE_BYTES_MAX + 14];
+    uint8_t bytes[RECORD_MAX];
     const size_t place = murk_place_bytes(p->scene);
     uint8_t *rest = bytes + place;
     murk_place_put(p->scene, at, bytes);

@@ -12,6 +12,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#define RECORD_MAX (MURK_PLACE_BYTES_MAX + REST) /* bytes of a vertex */
+
+#define TEXT_MAX (HEADER_MAX + 1) /* and the end of the text */
+
 #define HEADER_MAX     2048
 #define REST           14 /* bytes of a vertex behind its place */
 #define SURFACE_PHOTON 1  /* of a vertex's kind */
@@ -36,7 +40,7 @@ static murk_status read_header(FILE *file, uint64_t *vertices,
     static const char begin[] = "ply\nformat binary_little_endian 1.0\n";
     static const char element[] = "\nelement vertex ";
     static const char end[] = "\nend_header\n";
-    char text[HEADER_MAX + 1];
+    char text[TEXT_MAX];
     const size_t size = fread(text, 1, HEADER_MAX, file);
     text[size] = '\0';
     const char *count = strstr(text, element);
@@ -85,7 +89,7 @@ static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
                         const murk_scene *scene, const char *path,
                         murk_error *err)
 {
-    unsigned char bytes[MURK_PLACE_BYTES_MAX + REST];
+    unsigned char bytes[RECORD_MAX];
     const size_t size = murk_place_bytes(scene) + REST;
     uint64_t photon = 0;
     size_t kept = 0;

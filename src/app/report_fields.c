@@ -12,6 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define TITLE_SIZE (2 * TEXT_SIZE)
+
+#define NAME_SIZE (MURK_SCENE_NAME_SIZE + 8)
+
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
+
 #define TEXT_SIZE 200
 
 /* Largest over middle value from which on colours are by logarithms. */
@@ -88,7 +94,7 @@ static murk_status read_grid(double **out, const murk_results_in *results,
                              const murk_report_field *field, const char *ending,
                              murk_error *why)
 {
-    char name[MURK_SCENE_NAME_SIZE + 16], grid_name[48];
+    char name[FILE_SIZE], grid_name[48];
     murk_grid *grid = NULL;
     snprintf(name, sizeof name, "%s%s.vdb", field->asked->name, ending);
     snprintf(grid_name, sizeof grid_name, "fluence_%.9gnm", field->band_nm);
@@ -137,7 +143,7 @@ static murk_status read_fields(murk_report_fields *out,
 {
     murk_status status = MURK_OK;
     for (size_t i = 0; i < out->scene->n_tallies; ++i) {
-        char name[MURK_SCENE_NAME_SIZE + 8];
+        char name[NAME_SIZE];
         const murk_scene_tally *asked = &out->scene->tallies[i];
         snprintf(name, sizeof name, "%s.vdb", asked->name);
         const bool is_there = asked->type == MURK_SCENE_TALLY_GRID &&
@@ -231,7 +237,7 @@ static void draw_map(FILE *to, const murk_report_fields *all,
     const slice s = slice_of(f->asked, which);
     const murk_box user = murk_scene_user_box(all->scene, f->asked->box);
     const murk_box *box = &user;
-    char name[TEXT_SIZE], title[2 * TEXT_SIZE];
+    char name[TEXT_SIZE], title[TITLE_SIZE];
     const char axis[2][5] = {{"xyz"[s.u], ',', ' ', 'm', 0},
                              {"xyz"[s.v], ',', ' ', 'm', 0}};
     const double low = along(box->min, s.w), high = along(box->max, s.w);
@@ -266,7 +272,7 @@ static bool draw_line(FILE *to, const murk_report_fields *all,
     const murk_box box = murk_scene_user_box(all->scene, f->asked->box);
     const double low_m = along(box.min, axis);
     const double high_m = along(box.max, axis);
-    char name[TEXT_SIZE], title[2 * TEXT_SIZE];
+    char name[TEXT_SIZE], title[TITLE_SIZE];
     const char axis_title[] = {"xyz"[axis], ',', ' ', 'm', 0};
     double *x = malloc(3 * n * sizeof *x);
     if (!x) {

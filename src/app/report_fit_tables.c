@@ -4,12 +4,14 @@
 #include <math.h>
 #include <string.h>
 
+#define HEADS_MAX (KEYS_MAX + 5) /* and the columns that all have */
+
 /* Keys that have a column; more are told by fit.json alone. */
 #define KEYS_MAX 24
 
 /* The keys as heads from heads[1] on; their number, 0 where they are too many
  * for a table. */
-static size_t name_keys(const char *heads[KEYS_MAX + 1], const murk_yaml *fit)
+static size_t name_keys(const char *heads[HEADS_MAX], const murk_yaml *fit)
 {
     const size_t n = murk_result_count(fit, "parameters");
     const murk_yaml *list = murk_result_at(fit, "parameters");
@@ -36,7 +38,7 @@ void murk_report_fit_value(FILE *to, const murk_yaml *parameter)
 
 void murk_report_correlations(FILE *to, const murk_yaml *fit)
 {
-    const char *heads[KEYS_MAX + 1] = {"key"};
+    const char *heads[HEADS_MAX] = {"key"};
     const size_t n = name_keys(heads, fit);
     const murk_yaml *matrix = murk_result_at(fit, "correlation");
     if (n < 2 || murk_result_count(fit, "correlation") != n) {
@@ -83,7 +85,7 @@ static void write_by_key(FILE *to, const murk_yaml *map,
 
 void murk_report_directions(FILE *to, const murk_yaml *fit)
 {
-    const char *heads[KEYS_MAX + 3] = {"direction"};
+    const char *heads[HEADS_MAX] = {"direction"};
     const size_t n = name_keys(heads, fit);
     const murk_yaml *list = murk_result_at(fit, "identifiability.directions");
     const size_t rows = murk_result_count(fit, "identifiability.directions");
@@ -113,7 +115,7 @@ void murk_report_directions(FILE *to, const murk_yaml *fit)
 
 void murk_report_starts(FILE *to, const murk_yaml *fit)
 {
-    const char *heads[KEYS_MAX + 5] = {"start"};
+    const char *heads[HEADS_MAX] = {"start"};
     const size_t n = name_keys(heads, fit);
     const murk_yaml *list = murk_result_at(fit, "starts");
     const size_t rows = murk_result_count(fit, "starts");

@@ -7,6 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FILE_SIZE (CELL + 16) /* a name and the ending of a file */
+
+#define LONG_CELL (CELL + 8)
+
+#define HEADS_MAX (BANDS_MAX + 3) /* and the columns that all have */
+
 #define CELL 160
 
 typedef struct way {
@@ -129,8 +135,8 @@ static void write_absorbers(FILE *to, const murk_yaml *ledger, const char *path,
 static void write_table(FILE *to, const murk_yaml *ledger, size_t bands,
                         const murk_scene *scene)
 {
-    char text[BANDS_MAX][CELL + 8], name[CELL];
-    const char *heads[BANDS_MAX + 3] = {"where", "W", "of what was emitted"};
+    char text[BANDS_MAX][LONG_CELL], name[CELL];
+    const char *heads[HEADS_MAX] = {"where", "W", "of what was emitted"};
     const murk_yaml *emitted = murk_result_at(ledger, "emitted_w");
     bands = bands < BANDS_MAX ? bands : BANDS_MAX;
     for (size_t b = 0; b < bands; ++b) {
@@ -174,7 +180,7 @@ static void write_counts(FILE *to, const murk_yaml *ledger)
 /* ledger-NAME.json, NULL where there is none that can be read. */
 static murk_yaml *read_ledger(const char *folder, const char *name)
 {
-    char file[CELL + 16];
+    char file[FILE_SIZE];
     murk_yaml *ledger = NULL;
     murk_error why = {0}; /* a page without this bar is a page */
     snprintf(file, sizeof file, "ledger-%.*s.json", CELL, name);

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#define HEADS_MAX (CONDITIONS_MAX + 3) /* and the columns that all have */
+
 #define CONDITIONS_MAX 24 /* columns of the table */
 
 /* A regret of a quarter has the deepest shade. */
@@ -55,7 +57,7 @@ static size_t lit_of(const murk_yaml *plans, size_t n)
 
 static void write_regret(FILE *to, const murk_yaml *plan)
 {
-    const char *heads[CONDITIONS_MAX + 3] = {"made for"};
+    const char *heads[HEADS_MAX] = {"made for"};
     const murk_yaml *list = murk_result_at(plan, "conditions");
     const murk_yaml *plans = murk_result_at(plan, "regret.plans");
     const size_t n = murk_result_count(plan, "regret.plans");

@@ -10,6 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define RECORD_MAX (MURK_PLACE_BYTES_MAX + STOP) /* bytes of a vertex */
+
+#define TEXT_MAX (HEADER_MAX + 1) /* and the end of the text */
+
 #define STOPS_MAX  20000
 #define STOP       6 /* bytes of a vertex of path.ply behind its place */
 #define CORNER     2 /* of a vertex's kind */
@@ -196,7 +200,7 @@ static uint64_t path_header(FILE *file, const murk_scene *scene)
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
         "property uchar kind\nproperty ushort step\n";
     static const char end[] = "\nend_header\n";
-    char text[HEADER_MAX + 1];
+    char text[TEXT_MAX];
     text[fread(text, 1, HEADER_MAX, file)] = '\0';
     const char *count = strstr(text, element);
     const char *last = strstr(text, end);
@@ -225,7 +229,7 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
     FILE *file = path ? murk_inputs_open(path) : NULL;
     out->stop = calloc(STOPS_MAX, sizeof *out->stop);
     const uint64_t n = file && out->stop ? path_header(file, out->scene) : 0;
-    unsigned char bytes[MURK_PLACE_BYTES_MAX + STOP];
+    unsigned char bytes[RECORD_MAX];
     for (uint64_t i = 0; i < n && out->stops < STOPS_MAX; ++i) {
         const size_t place = murk_place_bytes(out->scene);
         if (fread(bytes, place + STOP, 1, file) != 1 ||

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define WHAT_SIZE (FILE_NAME_MAX + 64) /* a sentence that names a file */
+
 #define SENSORS_MAX     2000 /* that are drawn */
 #define FILE_NAME_MAX   (MURK_SCENE_NAME_SIZE + 16)
 #define BYTES_A_PHOTON  7 /* in a page, without who sees it */
@@ -136,7 +138,7 @@ static void read_points(murk_report_scene *out, size_t state,
     if (path && (is_light ? murk_plan_points_of_light(points, path, most, &why)
                           : murk_plan_points_read(points, path, out->scene,
                                                   most, &why))) {
-        char what[FILE_NAME_MAX + 64];
+        char what[WHAT_SIZE];
         snprintf(what, sizeof what,
                  "%s cannot be read, so photons are not shown", name);
         murk_report_scene_note(out, what, &why);

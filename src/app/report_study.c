@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define TITLE_SIZE (2 * NAME_SIZE)
+
 #define PLOTS_MAX 24
 #define NAME_SIZE 160
 
@@ -249,7 +251,7 @@ static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,
                                         .is_line = true};
     }
     const bool has_unit = *unit && strcmp(unit, "1") != 0;
-    char title[2 * NAME_SIZE], y_title[NAME_SIZE];
+    char title[TITLE_SIZE], y_title[NAME_SIZE];
     if (lines < f->lines) {
         snprintf(title, sizeof title,
                  "%.160s, with 95 %% intervals (%zu of %zu lines; all are in "

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define TITLE_SIZE (2 * TEXT_SIZE)
+
 #define TALLIES_MAX 40 /* that are drawn */
 #define TEXT_SIZE   200
 
@@ -174,7 +176,7 @@ static bool draw_lines(FILE *to, const part *p, const double *values, int along)
     const size_t shown =
         lines < MURK_CHART_SERIES_MAX ? lines : MURK_CHART_SERIES_MAX;
     char names[MURK_CHART_SERIES_MAX][TEXT_SIZE], axis[TEXT_SIZE];
-    char title[2 * TEXT_SIZE], y_title[TEXT_SIZE];
+    char title[TITLE_SIZE], y_title[TEXT_SIZE];
     double range[2];
     murk_chart_series series[MURK_CHART_SERIES_MAX] = {0};
     double *room = malloc(4 * n * shown * sizeof *room);
@@ -221,7 +223,7 @@ static bool draw_map(FILE *to, const part *p, const double *values,
 {
     const size_t cells = p->size[0] * p->size[1];
     const size_t layers = p->size[2] * p->bands;
-    char axis[2][TEXT_SIZE], title[2 * TEXT_SIZE], value_title[TEXT_SIZE];
+    char axis[2][TEXT_SIZE], title[TITLE_SIZE], value_title[TEXT_SIZE];
     double range[2][2];
     const bool is_place = name_axis(axis[0], TEXT_SIZE, range[0], p, 0);
     name_axis(axis[1], TEXT_SIZE, range[1], p, 1);

@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
+
 /* Keys that are given in vain. */
 static void warn_of_idle(const murk_scene *scene)
 {
@@ -189,7 +191,7 @@ static murk_status expect_grid(murk_session *session, const char *tally,
                  {".vti", MURK_EXPORT_FIELDS}};
     murk_status status = MURK_OK;
     for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
-        char name[MURK_SCENE_NAME_SIZE + 16];
+        char name[FILE_SIZE];
         snprintf(name, sizeof name, "%s%s", tally, files[i].ending);
         if (!files[i].of || session->options->exports & files[i].of) {
             status = murk_results_expect(&session->results, name, NULL, err);

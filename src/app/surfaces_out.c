@@ -9,6 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define ARRAYS_MAX (COLUMNS + 1) /* and the end of the list */
+
+#define RECORD_MAX (MURK_PLACE_BYTES_MAX + 3) /* bytes of a vertex */
+
 /* Where no size is asked for: so many stored photons to a piece in the mean,
  * and so many pieces. */
 #define PHOTONS_USUAL 5
@@ -225,7 +229,7 @@ static void put_header(FILE *to, const surfaces *s)
 static void put_vertices(FILE *to, const surfaces *s)
 {
     for (size_t i = 0; i < s->n; ++i) {
-        unsigned char bytes[MURK_PLACE_BYTES_MAX + 3];
+        unsigned char bytes[RECORD_MAX];
         const size_t place = murk_place_bytes(s->session->scene);
         put_color(s, i, bytes + place);
         for (size_t c = 0; c < 3; ++c) {
@@ -274,7 +278,7 @@ static murk_status write_vtp(const char *path, const void *context,
 {
     const surfaces *s = context;
     const char *note[16];
-    murk_vtk_array array[COLUMNS + 1];
+    murk_vtk_array array[ARRAYS_MAX];
     const size_t n = columns_of(s);
     size_t used = 0;
     for (size_t k = n; k > 0; --k) { /* coverage before irradiance */

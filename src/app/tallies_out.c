@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FILE_SIZE (MURK_TALLY_NAME_SIZE + 16)
+
 #define PRINTED_VALUES_MAX 4 /* of one tally */
 
 /* One tally of a run. */
@@ -158,7 +160,7 @@ static murk_status write_grid(const char *path, const void *context,
 
 static murk_status add_grid(murk_results *results, tally *t, murk_error *err)
 {
-    char name[MURK_TALLY_NAME_SIZE + 16];
+    char name[FILE_SIZE];
     murk_status status = MURK_OK;
     for (int i = 0; i < 2 && !status; ++i) {
         t->is_error = i;

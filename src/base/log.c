@@ -15,6 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#define WHOLE_SIZE (3 * TEXT_SIZE)
+
 #define TEXT_SIZE 640
 /* Four bytes for each of a text and of a place as long. */
 #define SHOWN_SIZE (4 * TEXT_SIZE + 1)
@@ -39,7 +41,7 @@ static bool is_said_before(const char *kind, const char *where,
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static uint64_t said[SAID_MAX][2];
     static size_t count;
-    char whole[3 * TEXT_SIZE];
+    char whole[WHOLE_SIZE];
     (void)snprintf(whole, sizeof whole, "%s%s: %s", kind, where, text);
     uint64_t sum[2];
     murk_checksum(whole, strlen(whole), sum);

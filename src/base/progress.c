@@ -15,6 +15,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#define DRAWN_SIZE (LINE_SIZE + 16) /* a line and what moves the cursor */
+
 #define FIRST_DRAW_S  0.5
 #define DRAW_EVERY_S  0.2
 #define FIRST_LINE_S  2.0
@@ -109,7 +111,7 @@ static void draw_over(double now_s)
         return;
     }
     const murk_progress_facts facts = facts_of(&bar.step[top - 1], now_s);
-    char line[LINE_SIZE], both[LINE_SIZE + 16];
+    char line[LINE_SIZE], both[DRAWN_SIZE];
     murk_progress_line(line, sizeof line, &facts, window_columns());
     snprintf(both, sizeof both, "\r%s\033[K", line);
     put(both);
@@ -131,7 +133,7 @@ static const step *told_step(void)
 static void tell_line(double now_s)
 {
     const murk_progress_facts facts = facts_of(told_step(), now_s);
-    char line[LINE_SIZE], both[LINE_SIZE + 2];
+    char line[LINE_SIZE], both[DRAWN_SIZE];
     murk_progress_sentence(line, sizeof line, &facts);
     snprintf(both, sizeof both, "%s\n", line);
     put(both);

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#define BAR_SIZE (BAR_CELLS + 3) /* brackets and the end */
+
 #define BAR_CELLS  20
 #define PIECE_SIZE (MURK_PROGRESS_TEXT_SIZE + 64)
 
@@ -101,7 +103,7 @@ void murk_progress_line(char *out, size_t size, const murk_progress_facts *f,
     const char *piece[] = {p.head, "",    p.percent, p.count,
                            p.time, p.all, p.text};
     const size_t n = sizeof piece / sizeof *piece;
-    char bar[BAR_CELLS + 3] = "";
+    char bar[BAR_SIZE] = "";
     if (f->total > 0) {
         const double share = fmin(1, (double)f->done / (double)f->total);
         const size_t full = (size_t)(share * BAR_CELLS);

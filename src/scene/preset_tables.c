@@ -10,6 +10,8 @@
 #include "scene/number.h"
 #include "scene/table.h"
 
+#define KNOWN_MAX (COLUMNS + 1) /* and the end of the list */
+
 #define NANOMETRES "_nm"
 
 /* The table that a node names, parsed; the caller's. */
@@ -55,14 +57,14 @@ enum {
 static const struct {
     const char *name;
     double least, most;
-} COLUMN[COLUMNS + 1] = {{"wavelength_nm", 1e-9, 1e9},
-                         {"absorption_per_m", 0, 1e9},
-                         {"scattering_per_m", 0, 1e9},
-                         {"extinction_per_m", 0, 1e9},
-                         {"albedo", 0, 1},
-                         {"mean_cosine", -.999999, .999999},
-                         {"diffuse_attenuation_per_m", 0, 1e9},
-                         {NULL, 0, 0}};
+} COLUMN[KNOWN_MAX] = {{"wavelength_nm", 1e-9, 1e9},
+                       {"absorption_per_m", 0, 1e9},
+                       {"scattering_per_m", 0, 1e9},
+                       {"extinction_per_m", 0, 1e9},
+                       {"albedo", 0, 1},
+                       {"mean_cosine", -.999999, .999999},
+                       {"diffuse_attenuation_per_m", 0, 1e9},
+                       {NULL, 0, 0}};
 
 typedef struct columns {
     size_t n; /* rows */
@@ -72,7 +74,7 @@ typedef struct columns {
 static murk_status read_lists(const murk_preset_walk *walk,
                               const murk_yaml *map, columns *out)
 {
-    const char *known[COLUMNS + 1];
+    const char *known[KNOWN_MAX];
     for (int c = 0; c <= COLUMNS; ++c) {
         known[c] = COLUMN[c].name;
     }

@@ -9,6 +9,8 @@
 #include "scene/preset_walk.h"
 #include "scene/words.h"
 
+#define SOURCE_SIZE (MURK_PRESET_NAME_SIZE + sizeof ENDING)
+
 #define ENDING ".yaml"
 
 /* ---- what readers share ---- */
@@ -271,7 +273,7 @@ murk_status murk_preset_parse(murk_preset **out, const char *name,
                               const char *text, size_t size, murk_error *err)
 {
     murk_yaml *root = NULL;
-    char source[MURK_PRESET_NAME_SIZE + sizeof ENDING];
+    char source[SOURCE_SIZE];
     snprintf(source, sizeof source, "%s" ENDING, name);
     murk_preset_walk walk = {.preset = calloc(1, sizeof(murk_preset)),
                              .err = err};

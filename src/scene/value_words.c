@@ -8,6 +8,10 @@
 #include "scene/number.h"
 #include "scene/words.h"
 
+#define PART_SIZE (MURK_ALLOWED_SIZE / 2)
+
+#define SHOWN_SIZE (MURK_FOUND_SIZE - 2)
+
 void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
 {
     if (node->kind != MURK_YAML_SCALAR) {
@@ -16,7 +20,7 @@ void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
                  : node->n                    ? "a map"
                                               : "map");
     } else if (node->is_quoted) {
-        char text[MURK_FOUND_SIZE - 2];
+        char text[SHOWN_SIZE];
         murk_words_show(text, sizeof text, node->text);
         snprintf(out, MURK_FOUND_SIZE, "\"%s\"", text);
     } else if (node->text[0] == '\0') {
@@ -81,7 +85,7 @@ static void show_items(const murk_key *items, char *out, size_t size)
                                    item == items ? "[" : ", ", item->name);
     }
     for (const murk_key *item = items; item->name && length < size; ++item) {
-        char range[MURK_ALLOWED_SIZE / 2];
+        char range[PART_SIZE];
         murk_value_range(item, range, sizeof range);
         length += (size_t)snprintf(out + length, size - length, "%s, %s %s",
                                    item == items ? "]" : "", item->name, range);
@@ -98,7 +102,7 @@ size_t murk_value_most_bytes(const murk_key *key)
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
 {
     const size_t size = MURK_ALLOWED_SIZE;
-    char range[MURK_ALLOWED_SIZE / 2];
+    char range[PART_SIZE];
     murk_value_range(key, range, sizeof range);
     switch (key->kind) {
     case MURK_KEY_NUMBER:
@@ -172,7 +176,7 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
     case MURK_KEY_MAP:
         snprintf(out, size, "a map of keys");
         if (key->words) {
-            char words[MURK_ALLOWED_SIZE / 2];
+            char words[PART_SIZE];
             show_words(key->words, words, sizeof words);
             snprintf(out, size, "%s or a map of keys", words);
         }

@@ -11,6 +11,8 @@
 #include "scene/walk_names.h"
 #include "scene/words.h"
 
+#define PLACE_SIZE (MURK_SCENE_WHERE_SIZE - MURK_WALK_KEY_SIZE)
+
 /* ---- places and messages ---- */
 
 size_t murk_walk_enter(murk_walk *walk, const char *part)
@@ -41,7 +43,7 @@ static bool names_key(const char *source, const char *key)
 void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,
                      murk_scene_where out)
 {
-    char place[MURK_SCENE_WHERE_SIZE - MURK_WALK_KEY_SIZE];
+    char place[PLACE_SIZE];
     if (at_key || node->kind != MURK_YAML_SCALAR) {
         murk_yaml_key_place(node, place, sizeof place);
     } else {

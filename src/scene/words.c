@@ -8,6 +8,10 @@
 #include <stdbool.h>
 #include <string.h>
 
+#define ROW_LENGTH (MOST_LETTERS + 1)
+
+#define LONGER_SIZE (SHOWN_MOST + ESCAPE_MOST)
+
 #define MOST_LETTERS 64 /* longer words are not compared */
 
 #define SHOWN_MOST  512 /* bytes of a copy */
@@ -16,7 +20,7 @@
 void murk_words_show(char *out, size_t size, const char *text)
 {
     static const char cut[] = "...";
-    char longer[SHOWN_MOST + ESCAPE_MOST];
+    char longer[LONGER_SIZE];
     assert(out != text && size >= sizeof cut && size <= SHOWN_MOST);
     /* one more character than fits: the text is longer than the copy */
     const size_t whole = murk_utf8_escape(longer, size + ESCAPE_MOST, text);
@@ -36,7 +40,7 @@ static size_t least(size_t a, size_t b)
 /* Optimal string alignment distance, row by row. */
 static size_t distance(const char *a, size_t n, const char *b, size_t m)
 {
-    size_t rows[3][MOST_LETTERS + 1];
+    size_t rows[3][ROW_LENGTH];
     size_t *before = rows[0], *above = rows[1], *row = rows[2];
     for (size_t j = 0; j <= m; ++j) {
         before[j] = 0; /* read only from the second row on */

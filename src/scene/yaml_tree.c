@@ -8,6 +8,10 @@
 #include "scene/number.h"
 #include "scene/words.h"
 
+#define SHOWN_SIZE (MOST_SOURCE + 32)
+
+#define NAME_SIZE (MOST_SOURCE + 4)
+
 #define MOST_SOURCE 120 /* bytes of a name shown in a message */
 
 static bool is_option(const char *source)
@@ -18,7 +22,7 @@ static bool is_option(const char *source)
 void murk_yaml_show_place(const char *source, int line, int column, char *out,
                           size_t size)
 {
-    char name[MOST_SOURCE + 4], shown[MOST_SOURCE + 32];
+    char name[NAME_SIZE], shown[SHOWN_SIZE];
     const size_t length = strlen(source);
     if (length <= MOST_SOURCE) {
         snprintf(name, sizeof name, "%s", source);
