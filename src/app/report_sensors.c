@@ -155,10 +155,11 @@ static void write_seen(FILE *to, const murk_yaml *list, size_t n)
     fputs("</details>\n", to);
 }
 
+/* Of at least one region. */
 static void write_regions(FILE *to, const murk_yaml *list, size_t n)
 {
     const bool of_targets =
-        n > 0 && isfinite(murk_result_number(list->child[0], "targets"));
+        isfinite(murk_result_number(list->child[0], "targets"));
     const char *const heads[] = {"name", "weight",
                                  of_targets ? "targets" : "stored photons",
                                  "in sample", "held out"};

@@ -260,8 +260,11 @@ static void print_errors(const tally *t)
         murk_print("tally       %s: %zu values, %zu of them lit", t->desc->name,
                    values, lit);
         if (lit > 0) {
-            murk_print(", half of these known to %.2g %% or better",
-                       100 * share[(lit - 1) / 2]);
+            const double percent = 100 * share[(lit - 1) / 2];
+            murk_print(percent < 99.5
+                           ? ", half of these known to %.2g %% or better"
+                           : ", half of these known to %.0f %% or better",
+                       percent);
         }
         murk_print("\n");
     }
