@@ -25,7 +25,7 @@ typedef struct job {
     const murk_options *options;
     murk_session session;
     murk_viewpoint viewpoint;
-    murk_images images;
+    murk_picture_files images;
     murk_picture *picture;
     double render_s;
 } job;
@@ -234,7 +234,7 @@ static void print_radiance(const job *j)
 
 static void print_images(const job *j)
 {
-    const murk_images *images = &j->images;
+    const murk_picture_files *images = &j->images;
     murk_print("files       %s\n", images->exr);
     if (images->png) {
         murk_print("            %s: exposure %.2f stops%s\n", images->png,
@@ -283,7 +283,7 @@ static void print_summary(const job *j)
 
 static void add_images(cJSON *root, const job *j)
 {
-    const murk_images *images = &j->images;
+    const murk_picture_files *images = &j->images;
     cJSON_AddStringToObject(root, "image", images->exr);
     if (images->png) {
         cJSON *png = cJSON_AddObjectToObject(root, "png");

@@ -62,7 +62,8 @@ static murk_status no_channel(const murk_channel *list, size_t n,
                      lacks ? "" : known, lacks ? "" : " and others");
 }
 
-static murk_status find_channel(murk_images *out, const murk_options *options,
+static murk_status find_channel(murk_picture_files *out,
+                                const murk_options *options,
                                 const murk_scene *scene, murk_error *err)
 {
     const char *wanted = options->render.false_colour;
@@ -100,7 +101,7 @@ static murk_status check_bands(const murk_scene *scene, murk_error *err)
 }
 
 /* A picture that took long must not be lost to a folder that is not there. */
-static murk_status check_writable(const murk_images *images, bool force,
+static murk_status check_writable(const murk_picture_files *images, bool force,
                                   murk_error *err)
 {
     const char *const path[] = {images->exr, images->png, images->false_colour};
@@ -120,7 +121,8 @@ static murk_status check_writable(const murk_images *images, bool force,
     return status;
 }
 
-murk_status murk_images_name(murk_images *out, const murk_options *options,
+murk_status murk_images_name(murk_picture_files *out,
+                             const murk_options *options,
                              const murk_scene *scene, const char *mark,
                              murk_error *err)
 {
@@ -160,12 +162,12 @@ murk_status murk_images_name(murk_images *out, const murk_options *options,
     return check_writable(out, options->force, err);
 }
 
-void murk_images_release(murk_images *images)
+void murk_images_release(murk_picture_files *images)
 {
     free(images->exr);
     free(images->png);
     free(images->false_colour);
-    *images = (murk_images){0};
+    *images = (murk_picture_files){0};
 }
 
 /* ---- what they say of themselves ---- */
@@ -225,7 +227,7 @@ static void say_all(texts *t, const murk_image_facts *facts)
 
 /* ---- the files ---- */
 
-static murk_status write_exr(const murk_images *images,
+static murk_status write_exr(const murk_picture_files *images,
                              const murk_picture *picture,
                              const murk_image_facts *facts, murk_error *err)
 {
@@ -245,7 +247,8 @@ static murk_status write_exr(const murk_images *images,
     return murk_exr_write(&exr, images->exr, err);
 }
 
-static murk_status write_png(murk_images *images, const murk_picture *picture,
+static murk_status write_png(murk_picture_files *images,
+                             const murk_picture *picture,
                              const murk_image_facts *facts,
                              const murk_render_options *wish, murk_error *err)
 {
@@ -268,7 +271,7 @@ static murk_status write_png(murk_images *images, const murk_picture *picture,
     return status;
 }
 
-static murk_status choose_colours(murk_images *images,
+static murk_status choose_colours(murk_picture_files *images,
                                   const murk_channel *channel, size_t n,
                                   const murk_render_options *wish,
                                   murk_error *err)
@@ -286,7 +289,7 @@ static murk_status choose_colours(murk_images *images,
     return murk_false_colour_range(&images->colours, channel, n, is_log, err);
 }
 
-static murk_status write_false_colour(murk_images *images,
+static murk_status write_false_colour(murk_picture_files *images,
                                       const murk_picture *picture,
                                       const murk_image_facts *facts,
                                       const murk_render_options *wish,
@@ -322,7 +325,8 @@ static murk_status write_false_colour(murk_images *images,
     return status;
 }
 
-murk_status murk_images_write(murk_images *images, const murk_picture *picture,
+murk_status murk_images_write(murk_picture_files *images,
+                              const murk_picture *picture,
                               const murk_image_facts *facts,
                               const murk_render_options *wish, murk_error *err)
 {

@@ -63,13 +63,13 @@ static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
     if (status) {
         return status;
     }
-    murk_change *change = &c->medium[i];
-    *change =
-        (murk_change){.scattering = scattering_ratio(traced, at, medium, band),
-                      .more_per_m = at->extinction_per_m[medium].band[band] -
-                                    traced->extinction_per_m[medium].band[band],
-                      .traced = phase,
-                      .at = &at->phases->medium[medium][band]};
+    murk_medium_change *change = &c->medium[i];
+    *change = (murk_medium_change){
+        .scattering = scattering_ratio(traced, at, medium, band),
+        .more_per_m = at->extinction_per_m[medium].band[band] -
+                      traced->extinction_per_m[medium].band[band],
+        .traced = phase,
+        .at = &at->phases->medium[medium][band]};
     change->log_scattering =
         change->scattering > 0 ? log(change->scattering) : 0;
     change->turns = do_turn(traced, at, medium, band);

@@ -6,13 +6,13 @@
 #include "calibrate/reweigh.h"
 
 /* Of a kept medium in a band. */
-typedef struct murk_change {
+typedef struct murk_medium_change {
     double scattering;     /* sigma_s' / sigma_s */
     double log_scattering; /* of it; where it is 0, 0 */
     double more_per_m;     /* sigma_t' - sigma_t */
     bool turns; /* the phase functions differ by more than rounding */
     const murk_phase *traced, *at;
-} murk_change;
+} murk_medium_change;
 
 /* The same, by a key. */
 typedef struct murk_change_slope {
@@ -24,12 +24,12 @@ typedef struct murk_change_slope {
 typedef struct murk_changes {
     size_t media, keys, channels;
     int bands;
-    double *span;             /* [keys] 0: has no say */
-    murk_change *medium;      /* [media][bands] */
-    murk_change_slope *slope; /* [keys][media][bands] */
-    double *power;            /* [channels] ratio */
-    double *power_slope;      /* [keys][channels] of the ratio */
-    bool any_turns;           /* some phase function differs, or would */
+    double *span;               /* [keys] 0: has no say */
+    murk_medium_change *medium; /* [media][bands] */
+    murk_change_slope *slope;   /* [keys][media][bands] */
+    double *power;              /* [channels] ratio */
+    double *power_slope;        /* [keys][channels] of the ratio */
+    bool any_turns;             /* some phase function differs, or would */
 } murk_changes;
 
 /* *out is the caller's: murk_changes_destroy(); borrows the optics. */
@@ -41,8 +41,8 @@ murk_status murk_changes_create(murk_changes **out,
                                 murk_error *err);
 void murk_changes_destroy(murk_changes *changes); /* NULL is fine */
 
-static inline const murk_change *murk_change_of(const murk_changes *changes,
-                                                size_t medium, size_t band)
+static inline const murk_medium_change *
+murk_change_of(const murk_changes *changes, size_t medium, size_t band)
 {
     return &changes->medium[medium * (size_t)changes->bands + band];
 }

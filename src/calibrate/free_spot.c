@@ -39,8 +39,8 @@ static murk_status no_memory(const murk_free_keys *keys, murk_error *err)
 }
 
 typedef struct changes {
-    murk_change *change; /* [n] */
-    murk_yaml **node;    /* [n] owned: their values */
+    murk_key_change *change; /* [n] */
+    murk_yaml **node;        /* [n] owned: their values */
     size_t n;
 } changes;
 
@@ -85,8 +85,8 @@ static bool add_change(changes *all, const murk_free_spot *spot, size_t c,
         return false;
     }
     all->node[all->n] = node;
-    all->change[all->n++] =
-        (murk_change){.path = spot->put, .value = node, .where = spot->source};
+    all->change[all->n++] = (murk_key_change){
+        .path = spot->put, .value = node, .where = spot->source};
     return set_number(list ? node->child[spot->index] : node, value);
 }
 

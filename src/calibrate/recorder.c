@@ -84,7 +84,7 @@ void murk_recorded_fit(murk_recorded *r, size_t media)
 
 /* ---- a photon's way ---- */
 
-static void begin_photon(murk_recorder *r, murk_follower *f)
+static void begin_photon(murk_recorder *r, murk_photon_history *f)
 {
     f->pile.turns = f->needed; /* nothing came after the others */
     f->first = f->needed;
@@ -97,8 +97,8 @@ static void begin_photon(murk_recorder *r, murk_follower *f)
 
 /* Adds what the photon has behind it; path and chord are the caller's to say.
  * NULL when out of memory. */
-static murk_contribution *add(murk_recorder *r, murk_follower *f, float **path,
-                              float **chord)
+static murk_contribution *add(murk_recorder *r, murk_photon_history *f,
+                              float **path, float **chord)
 {
     murk_recorded *pile = &f->pile;
     if (f->is_short_of_memory || !make_room(pile, r->media, 1)) {
@@ -145,7 +145,7 @@ static double taken(const murk_receiver *receiver, const murk_trace_leg *leg)
 void murk_recorder_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
 {
     murk_recorder *r = context;
-    murk_follower *f = &r->follower[batch];
+    murk_photon_history *f = &r->follower[batch];
     const size_t n = murk_chords_of(r->chords, leg->from, leg->direction,
                                     leg->length_m, f->chord);
     for (size_t i = 0; i < n; ++i) {
@@ -174,8 +174,8 @@ void murk_recorder_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
     }
 }
 
-static void record(murk_recorder *r, murk_follower *f, const murk_event *event,
-                   double share)
+static void record(murk_recorder *r, murk_photon_history *f,
+                   const murk_event *event, double share)
 {
     const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
     float *path, *chord;
@@ -199,7 +199,8 @@ static void record(murk_recorder *r, murk_follower *f, const murk_event *event,
     }
 }
 
-static void turn(murk_recorder *r, murk_follower *f, const murk_event *event)
+static void turn(murk_recorder *r, murk_photon_history *f,
+                 const murk_event *event)
 {
     const int m = r->index_of[event->material_or_medium];
     if (m < 0) {
@@ -223,7 +224,7 @@ static void turn(murk_recorder *r, murk_follower *f, const murk_event *event)
 void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
 {
     murk_recorder *r = context;
-    murk_follower *f = &r->follower[batch];
+    murk_photon_history *f = &r->follower[batch];
     if (event->kind == MURK_EVENT_EMITTED) {
         begin_photon(r, f);
         return;
@@ -244,7 +245,7 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
 
 /* Moves a pile's contributions up to and with photon `last` behind the others.
  */
-static bool move(murk_recorder *r, murk_follower *f, uint64_t last)
+static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
 {
     murk_recorded *pile = &f->pile, *all = &r->all;
     const size_t media = r->media;
@@ -342,7 +343,7 @@ static bool make_followers(murk_recorder *r)
     const size_t receivers = r->desc->receivers;
     bool fits = true;
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
-        murk_follower *f = &r->follower[b];
+        murk_photon_history *f = &r->follower[b];
         f->path_m = calloc(r->media + 1, sizeof *f->path_m);
         f->count = calloc(r->media + 1, sizeof *f->count);
         f->chord = calloc(receivers + 1, sizeof *f->chord);

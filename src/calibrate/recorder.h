@@ -21,7 +21,7 @@ typedef struct murk_recorded {
 } murk_recorded;
 
 /* What a batch's present photon has behind it. */
-typedef struct murk_follower {
+typedef struct murk_photon_history {
     murk_recorded pile;
     bool is_short_of_memory;
     size_t first;      /* its first turn in the pile */
@@ -30,7 +30,7 @@ typedef struct murk_follower {
     double *path_m;    /* [media] */
     uint32_t *count;   /* [media] */
     murk_chord *chord; /* [receivers] room */
-} murk_follower;
+} murk_photon_history;
 
 typedef struct murk_recorder {
     const murk_followed_desc *desc;
@@ -40,7 +40,7 @@ typedef struct murk_recorder {
     int index_of[MURK_MEDIA_MAX]; /* in desc->medium; -1: not kept */
     murk_chords *chords;
     murk_harvest *harvest; /* NULL: nothing is stored or counted */
-    murk_follower follower[MURK_WAVE_BATCHES];
+    murk_photon_history follower[MURK_WAVE_BATCHES];
     murk_recorded all; /* gathered */
 } murk_recorder;
 

@@ -69,7 +69,7 @@ static void take_turn(const job *j, turns *t, size_t i, size_t band)
     const murk_followed *f = j->followed;
     const murk_changes *c = j->changes;
     const size_t m = f->turn_medium[i];
-    const murk_change *change = murk_change_of(c, m, band);
+    const murk_medium_change *change = murk_change_of(c, m, band);
     const double mu = 1 - (double)f->turn[i];
     if (change->turns) {
         t->log_ratio +=
@@ -118,7 +118,7 @@ static weight weigh(const job *j, const turns *t, size_t i, size_t band)
     const murk_followed *f = j->followed;
     weight w = {.log_ratio = t->log_ratio};
     for (size_t m = 0; m < f->media; ++m) {
-        const murk_change *change = murk_change_of(j->changes, m, band);
+        const murk_medium_change *change = murk_change_of(j->changes, m, band);
         const uint32_t n = f->count[i * f->media + m];
         w.log_ratio -= change->more_per_m * (double)f->path_m[i * f->media + m];
         w.x += change->more_per_m * (double)f->chord_m[i * f->media + m];

@@ -308,9 +308,11 @@ static murk_status add_all(murk_gathering *g, const murk_surface_desc *surfaces,
     return status;
 }
 
-murk_status murk_gather(murk_gathering *g, const murk_surface_desc *surfaces,
-                        size_t n_surfaces, const murk_material *materials,
-                        size_t n_materials, murk_error *err)
+murk_status murk_gather_triangles(murk_gathering *g,
+                                  const murk_surface_desc *surfaces,
+                                  size_t n_surfaces,
+                                  const murk_material *materials,
+                                  size_t n_materials, murk_error *err)
 {
     *g = (murk_gathering){0};
     murk_status status = MURK_OK;

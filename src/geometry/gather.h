@@ -27,9 +27,11 @@ size_t murk_material_named(const char *name, const murk_material *materials,
 
 /* Fails as murk_soup_build(). In either case murk_gathering_release()
  * afterwards. solid and face are zero. */
-murk_status murk_gather(murk_gathering *out, const murk_surface_desc *surfaces,
-                        size_t n_surfaces, const murk_material *materials,
-                        size_t n_materials, murk_error *err);
+murk_status murk_gather_triangles(murk_gathering *out,
+                                  const murk_surface_desc *surfaces,
+                                  size_t n_surfaces,
+                                  const murk_material *materials,
+                                  size_t n_materials, murk_error *err);
 void murk_gathering_release(murk_gathering *gathering);
 
 #endif

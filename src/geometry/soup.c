@@ -276,8 +276,8 @@ murk_status murk_soup_build(murk_soup *soup, const murk_surface_desc *surfaces,
 {
     *soup = (murk_soup){0};
     murk_gathering g;
-    murk_status status =
-        murk_gather(&g, surfaces, n_surfaces, materials, n_materials, err);
+    murk_status status = murk_gather_triangles(&g, surfaces, n_surfaces,
+                                               materials, n_materials, err);
     if (!status) {
         status = store_vertices(soup, &g, err);
     }

@@ -10,8 +10,8 @@
 
 /* log2 of the edges of cells, smallest first: blocks, the tree's root cells,
  * and so on by 32 up to where a few cells span all indices. */
-#define MURK_LEVELS 5
-static const int murk_level_shift[MURK_LEVELS] = {7, 12, 17, 22, 27};
+#define MURK_BRICK_LEVELS 5
+static const int murk_level_shift[MURK_BRICK_LEVELS] = {7, 12, 17, 22, 27};
 
 #define MURK_BLOCK    128
 #define MURK_NO_TABLE UINT32_MAX
@@ -90,7 +90,7 @@ static inline murk_brick_sight murk_bricks_look(const murk_bricks *b,
                                                 const int32_t voxel[3])
 {
     float bound = 0;
-    for (int l = MURK_LEVELS - 1;; --l) {
+    for (int l = MURK_BRICK_LEVELS - 1;; --l) {
         const murk_brick_cell *c = murk_slot_of(b, l, voxel);
         if (c->is_taken) {
             bound = bound < c->bound ? c->bound : bound;

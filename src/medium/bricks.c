@@ -39,7 +39,7 @@ static bool grow(murk_bricks *b)
 static murk_brick_cell *cell_at(murk_bricks *b, int level,
                                 const int32_t voxel[3])
 {
-    for (int l = MURK_LEVELS - 1;; --l) {
+    for (int l = MURK_BRICK_LEVELS - 1;; --l) {
         if (2 * (b->n_taken + 1) > b->n_slots && !grow(b)) {
             return NULL;
         }

@@ -2,9 +2,9 @@
 
 #include <assert.h>
 
-void murk_course_begin(murk_course *course, const murk_place *place, int band,
-                       murk_vec3 origin, murk_vec3 direction, double t0,
-                       double t1)
+void murk_course_begin(murk_flight_state *course, const murk_place *place,
+                       int band, murk_vec3 origin, murk_vec3 direction,
+                       double t0, double t1)
 {
     assert(place->filling != MURK_FILLED_EVENLY);
     course->filling = place->filling;
@@ -27,7 +27,7 @@ void murk_course_begin(murk_course *course, const murk_place *place, int band,
     }
 }
 
-bool murk_course_next(murk_course *course)
+bool murk_course_next(murk_flight_state *course)
 {
     switch (course->filling) {
     case MURK_FILLED_BY_NEAREST:
@@ -42,7 +42,7 @@ bool murk_course_next(murk_course *course)
     return false;
 }
 
-double murk_course_to(const murk_course *course)
+double murk_course_to(const murk_flight_state *course)
 {
     switch (course->filling) {
     case MURK_FILLED_BY_NEAREST:
@@ -57,7 +57,8 @@ double murk_course_to(const murk_course *course)
     return INFINITY;
 }
 
-murk_cubic murk_course_cubic(const murk_course *course, double t0, double t1)
+murk_cubic murk_course_cubic(const murk_flight_state *course, double t0,
+                             double t1)
 {
     switch (course->filling) {
     case MURK_FILLED_BY_NEAREST:
@@ -72,9 +73,9 @@ murk_cubic murk_course_cubic(const murk_course *course, double t0, double t1)
     return (murk_cubic){{0}};
 }
 
-bool murk_course_integrate(murk_course *course, double scale, double offset,
-                           double limit, double *sum, double *stop,
-                           double *density)
+bool murk_course_integrate(murk_flight_state *course, double scale,
+                           double offset, double limit, double *sum,
+                           double *stop, double *density)
 {
     murk_march *march = &course->in.march;
     murk_linear *linear = &course->in.linear;

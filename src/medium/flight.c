@@ -60,7 +60,7 @@ static bool cross_course(ray *r, double from, double to,
                          const murk_place *place, double even_per_m,
                          double *density)
 {
-    murk_course course;
+    murk_flight_state course;
     double stop = to;
     murk_course_begin(&course, place, r->band, r->origin, r->direction, from,
                       to);
@@ -96,7 +96,7 @@ static bool cross_courses(ray *r, double from, double to,
                           const murk_place *const *places, size_t n,
                           double even_per_m, double *density)
 {
-    murk_course course[MURK_REGIONS_MAX];
+    murk_flight_state course[MURK_REGIONS_MAX];
     murk_cubic cubic[MURK_REGIONS_MAX];
     for (size_t i = 0; i < n; ++i) {
         murk_course_begin(&course[i], places[i], r->band, r->origin,

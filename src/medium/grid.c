@@ -255,12 +255,12 @@ murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
 {
     size_t n = 1;
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(size[axis] > 0 && size[axis] <= MURK_SAMPLES_MAX / n)) {
+        if (!(size[axis] > 0 && size[axis] <= MURK_VOXELS_MAX / n)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "%zu x %zu x %zu samples, must be 1 or more along "
                              "each axis and at most %zu in all",
                              size[0], size[1], size[2],
-                             (size_t)MURK_SAMPLES_MAX);
+                             (size_t)MURK_VOXELS_MAX);
         }
         n *= size[axis];
     }

@@ -56,9 +56,9 @@ void murk_tree_corners(const murk_tree *tree, const int32_t voxel[3],
 /* A grid's tree. */
 const murk_tree *murk_grid_tree(const murk_grid *grid);
 
-#define MURK_SAMPLES_MAX ((size_t)1 << 31)
+#define MURK_VOXELS_MAX ((size_t)1 << 31)
 
-/* Refuses an empty side and more than MURK_SAMPLES_MAX; counts the voxels. */
+/* Refuses an empty side and more than MURK_VOXELS_MAX; counts the voxels. */
 murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
                                  const char *where, murk_error *err);
 

@@ -211,7 +211,8 @@ double murk_photon_map_memory_for(double n)
     if (n >= 1) {
         bytes += n * sizeof(murk_photon);
         double boxes = ceil(n / MURK_LEAF);
-        for (unsigned level = 0; level < MURK_LEVELS && boxes > 0; ++level) {
+        for (unsigned level = 0; level < MURK_KDTREE_LEVELS && boxes > 0;
+             ++level) {
             const double groups = ceil(boxes / MURK_WIDE);
             bytes += groups * sizeof(murk_boxes);
             boxes = boxes > MURK_WIDE ? groups : 0;

@@ -7,7 +7,7 @@
 
 typedef struct ball_query {
     const murk_photon_map *map;
-    murk_ball ball;
+    murk_query_sphere ball;
     uint32_t *found; /* NULL: only count */
     size_t n;        /* found so far */
 } ball_query;

@@ -35,8 +35,8 @@ static void plain_boxes_distance2(const murk_boxes *boxes,
     }
 }
 
-static uint32_t plain_boxes(const murk_boxes *boxes, const murk_ball *ball,
-                            uint32_t *whole)
+static uint32_t plain_boxes(const murk_boxes *boxes,
+                            const murk_query_sphere *ball, uint32_t *whole)
 {
     uint32_t met = 0, inside = 0;
     for (int i = 0; i < MURK_WIDE; ++i) {
@@ -67,7 +67,7 @@ static void plain_leaf_distance2(const murk_photon *photons, uint32_t n,
 }
 
 static uint32_t plain_leaf(const murk_photon *photons, uint32_t n,
-                           const murk_ball *ball)
+                           const murk_query_sphere *ball)
 {
     float distance2[MURK_LEAF];
     uint32_t in = 0;
@@ -121,8 +121,8 @@ AVX2 static void avx2_boxes_distance2(const murk_boxes *boxes,
     }
 }
 
-AVX2 static uint32_t avx2_boxes(const murk_boxes *boxes, const murk_ball *ball,
-                                uint32_t *whole)
+AVX2 static uint32_t avx2_boxes(const murk_boxes *boxes,
+                                const murk_query_sphere *ball, uint32_t *whole)
 {
     const __m256 radius2 = _mm256_set1_ps(ball->radius2);
     uint32_t met = 0, inside = 0;
@@ -182,7 +182,7 @@ AVX2 static void avx2_leaf_distance2(const murk_photon *photons, uint32_t n,
 }
 
 AVX2 static uint32_t avx2_leaf(const murk_photon *photons, uint32_t n,
-                               const murk_ball *ball)
+                               const murk_query_sphere *ball)
 {
     if (n < MURK_LEAF) {
         return plain_leaf(photons, n, ball);
@@ -238,7 +238,8 @@ AVX512 static void avx512_boxes_distance2(const murk_boxes *boxes,
 }
 
 AVX512 static uint32_t avx512_boxes(const murk_boxes *boxes,
-                                    const murk_ball *ball, uint32_t *whole)
+                                    const murk_query_sphere *ball,
+                                    uint32_t *whole)
 {
     const __m512 radius2 = _mm512_set1_ps(ball->radius2);
     __m512 near[3], far[3];
@@ -290,7 +291,7 @@ AVX512 static void avx512_leaf_distance2(const murk_photon *photons, uint32_t n,
 }
 
 AVX512 static uint32_t avx512_leaf(const murk_photon *photons, uint32_t n,
-                                   const murk_ball *ball)
+                                   const murk_query_sphere *ball)
 {
     if (n < MURK_LEAF) {
         return plain_leaf(photons, n, ball);

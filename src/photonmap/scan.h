@@ -22,19 +22,19 @@ typedef struct murk_boxes {
     float max[3][MURK_WIDE];
 } murk_boxes;
 
-typedef struct murk_ball {
+typedef struct murk_query_sphere {
     float center[3]; /* finite */
     float radius2;   /* finite, >= 0 */
-} murk_ball;
+} murk_query_sphere;
 
 typedef struct murk_scan {
     const char *name;
     /* Bit i: box i may hold photons of the ball; of *whole: holds no others. */
-    uint32_t (*boxes)(const murk_boxes *boxes, const murk_ball *ball,
+    uint32_t (*boxes)(const murk_boxes *boxes, const murk_query_sphere *ball,
                       uint32_t *whole);
     /* Bit i: photon i of n <= MURK_LEAF lies in the ball. */
     uint32_t (*leaf)(const murk_photon *photons, uint32_t n,
-                     const murk_ball *ball);
+                     const murk_query_sphere *ball);
     /* Squared distances of the center from 16 boxes, from n photons. */
     void (*boxes_distance2)(const murk_boxes *boxes, const float center[3],
                             float out[MURK_WIDE]);

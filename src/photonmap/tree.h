@@ -12,15 +12,15 @@
 #include "photonmap/scan.h"
 
 /* 32 * 16^7 = 2^33 photons. */
-#define MURK_LEVELS 7
+#define MURK_KDTREE_LEVELS 7
 
 struct murk_photon_map {
     murk_photon *photons;
     size_t n;
     const murk_scan *scan;
     unsigned levels; /* 0 when empty; the last level is one group */
-    murk_boxes *boxes[MURK_LEVELS]; /* into memory, by level */
-    size_t n_boxes[MURK_LEVELS];    /* boxes in use, not groups */
+    murk_boxes *boxes[MURK_KDTREE_LEVELS]; /* into memory, by level */
+    size_t n_boxes[MURK_KDTREE_LEVELS];    /* boxes in use, not groups */
     murk_boxes *memory;
 };
 

@@ -26,7 +26,7 @@ static part part_of(const murk_row *row, const murk_layout *layout,
         return (part){row->bits + first, row->at + first,
                       row->cut[segment + 1] - first, 0};
     }
-    const murk_segment *s = &layout->segment[segment];
+    const murk_weight_run *s = &layout->segment[segment];
     return (part){row->bits + s->first_word, NULL, s->words, s->first_word};
 }
 
@@ -50,7 +50,7 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
     const murk_kernels *kernels = layout->kernels;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *segment = &layout->segment[s];
+        const murk_weight_run *segment = &layout->segment[s];
         const part p = part_of(row, layout, s);
         const uint32_t *weight = layout->weight + 64 * p.from;
         if (!segment->is_mixed && segment->weight == 0) {
@@ -81,7 +81,7 @@ static uint64_t gain_of_dense(const murk_layout *layout,
     const murk_kernels *kernels = layout->kernels;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *at = &layout->segment[s];
+        const murk_weight_run *at = &layout->segment[s];
         const size_t first = 64 * at->first_word;
         if (!at->is_mixed && at->weight == 0) {
             continue;
@@ -103,7 +103,7 @@ static uint64_t gain_of_packed(const murk_layout *layout, const murk_row *row,
     const uint16_t *clarity = row->clarity;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *segment = &layout->segment[s];
+        const murk_weight_run *segment = &layout->segment[s];
         const part p = part_of(row, layout, s);
         const uint16_t *best = lowest + 64 * p.from;
         size_t used = 0;
@@ -188,7 +188,7 @@ static uint64_t rest_of_dense(const murk_layout *layout, const uint16_t *row,
 {
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *at = &layout->segment[s];
+        const murk_weight_run *at = &layout->segment[s];
         const size_t first = 64 * at->first_word, n = 64 * at->words;
         if (!at->is_mixed) {
             sum += at->weight *

@@ -89,12 +89,14 @@ static void cut_segments(murk_layout *l)
     for (size_t k = 0; k < l->words; ++k) {
         uint32_t weight = 0;
         const bool is_mixed = !is_uniform(l, k, &weight);
-        murk_segment *last = l->segments ? &l->segment[l->segments - 1] : NULL;
+        murk_weight_run *last =
+            l->segments ? &l->segment[l->segments - 1] : NULL;
         if (last && last->is_mixed == is_mixed &&
             (is_mixed || last->weight == weight)) {
             ++last->words;
         } else {
-            l->segment[l->segments++] = (murk_segment){k, 1, weight, is_mixed};
+            l->segment[l->segments++] =
+                (murk_weight_run){k, 1, weight, is_mixed};
         }
     }
 }
@@ -186,7 +188,7 @@ done:
 static void keep_segments(murk_layout *l, const murk_layout *from)
 {
     for (size_t s = 0; s < from->segments; ++s) {
-        const murk_segment *old = &from->segment[s];
+        const murk_weight_run *old = &from->segment[s];
         const bool has_padding = !old->is_mixed && old->weight > 0;
         const size_t first = 64 * old->first_word;
         const uint32_t weight = l->weight[first];
@@ -196,7 +198,7 @@ static void keep_segments(murk_layout *l, const murk_layout *from)
                        !(has_padding && from->weight[i] == 0);
         }
         l->segment[s] =
-            (murk_segment){old->first_word, old->words, weight, is_mixed};
+            (murk_weight_run){old->first_word, old->words, weight, is_mixed};
     }
 }
 

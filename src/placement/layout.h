@@ -12,22 +12,22 @@
 #include "placement/problem.h"
 
 /* Words of one weight, or of mixed ones. */
-typedef struct murk_segment {
+typedef struct murk_weight_run {
     size_t first_word, words;
     uint32_t weight; /* of each photon, unless is_mixed */
     bool is_mixed;
-} murk_segment;
+} murk_weight_run;
 
 typedef struct murk_layout {
     size_t photons, slots, words; /* slots = 64 * words, padding included */
     uint32_t *slot;               /* [photons]; NULL: photon i has slot i */
     bool is_borrowed;             /* slot and doses are another layout's */
     uint32_t *weight;             /* [slots], 0 in the padding */
-    size_t layers;         /* views of a photon that count: the redundancy */
-    murk_doses *doses;     /* where chances are independent, else NULL */
-    uint64_t whole;        /* sum of weights times MURK_CLEAR, times layers */
-    uint32_t common;       /* greatest common divisor of the weights */
-    murk_segment *segment; /* [segments] */
+    size_t layers;     /* views of a photon that count: the redundancy */
+    murk_doses *doses; /* where chances are independent, else NULL */
+    uint64_t whole;    /* sum of weights times MURK_CLEAR, times layers */
+    uint32_t common;   /* greatest common divisor of the weights */
+    murk_weight_run *segment; /* [segments] */
     size_t segments;
     const murk_kernels *kernels;
 } murk_layout;

@@ -127,7 +127,7 @@ static double cost_of(const murk_layout *layout)
 {
     double cost = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_segment *at = &layout->segment[s];
+        const murk_weight_run *at = &layout->segment[s];
         cost += WORDS_PER_SEGMENT +
                 (double)at->words * (at->is_mixed ? WORDS_PER_MIXED : 1);
     }

@@ -130,7 +130,7 @@ static void store_bits(murk_row *row, const shape *s, const murk_layout *layout,
     row->cut = cut;
     size_t n = 0;
     for (size_t i = 0; i < layout->segments; ++i) {
-        const murk_segment *segment = &layout->segment[i];
+        const murk_weight_run *segment = &layout->segment[i];
         cut[i] = (uint32_t)n;
         for (size_t k = segment->first_word;
              k < segment->first_word + segment->words; ++k) {

@@ -135,8 +135,9 @@ static bool holds(const uint32_t *plan, size_t n, size_t but,
     return false;
 }
 
-uint64_t murk_scan(murk_search *s, const murk_ranked *ranking,
-                   const uint32_t *plan, size_t n, size_t but, uint64_t value)
+uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
+                              const uint32_t *plan, size_t n, size_t but,
+                              uint64_t value)
 {
     const murk_oracle *o = s->oracle;
     memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */

@@ -34,8 +34,9 @@ uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best);
 /* Fills tie with all candidates that add most to what stands (the plan less
  * its entry `but`, worth `value`) and returns how much. The ranking is of the
  * oracle's candidates, with bounds on what each may add. */
-uint64_t murk_scan(murk_search *s, const murk_ranked *ranking,
-                   const uint32_t *plan, size_t n, size_t but, uint64_t value);
+uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
+                              const uint32_t *plan, size_t n, size_t but,
+                              uint64_t value);
 
 /* After a scan of a growing cover: puts s->ranking in the order of what was
  * weighed. */

@@ -138,7 +138,8 @@ uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
     s->size = given;
     for (size_t k = given; k < n && value < enough && !murk_interrupted();
          ++k) {
-        const uint64_t gain = murk_scan(s, s->ranking, plan, k, k, value);
+        const uint64_t gain =
+            murk_scan_candidates(s, s->ranking, plan, k, k, value);
         if (s->ties == 0 || is_enough(s, gain)) {
             break;
         }
@@ -299,8 +300,8 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
             const size_t mover = fixed + s->shuffle[k];
             s->is_move = true;
             const uint64_t others = murk_scan_stand_others(s, plan, n, mover);
-            value = others +
-                    murk_scan(s, s->oracle->ranked, plan, n, mover, others);
+            value = others + murk_scan_candidates(s, s->oracle->ranked, plan, n,
+                                                  mover, others);
             uint32_t word[4];
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
@@ -335,7 +336,7 @@ static uint64_t settle(murk_search *s, uint32_t *plan, size_t n)
         const size_t k = fixed + at;
         const uint64_t others = murk_scan_stand_others(s, plan, n, k);
         const uint64_t best =
-            murk_scan(s, s->oracle->ranked, plan, n, k, others);
+            murk_scan_candidates(s, s->oracle->ranked, plan, n, k, others);
         value = others + best;
         if (best > 0 && s->gain[plan[k]] != best) {
             plan[k] = s->tie[0];

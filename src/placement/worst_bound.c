@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef murk_wide wide;
+typedef murk_uint128 wide;
 
 /* Scaled weights add up to less than this, and none reaches 2^32. */
 #define WEIGHT_SUM  0x1p46

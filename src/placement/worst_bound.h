@@ -19,7 +19,7 @@
 #include "placement/blocks.h"
 #include "placement/bound.h"
 
-__extension__ typedef unsigned __int128 murk_wide;
+__extension__ typedef unsigned __int128 murk_uint128;
 
 typedef struct murk_worst_bound {
     const murk_block_views *views;
@@ -32,8 +32,9 @@ typedef struct murk_worst_bound {
     double lambda[MURK_BLOCKS_MAX];         /* sum 1 */
     double lowest_lambda[MURK_BLOCKS_MAX];  /* where the bound was lowest */
     double average_lambda[MURK_BLOCKS_MAX]; /* of all steps */
-    uint64_t one;    /* what a least share of 1 is worth at least, */
-    murk_wide free;  /* less what offsets give, times MURK_SHARE_ONE, at most */
+    uint64_t one; /* what a least share of 1 is worth at least, */
+    murk_uint128
+        free;        /* less what offsets give, times MURK_SHARE_ONE, at most */
     uint32_t *top;   /* [candidates] */
     uint64_t *gains; /* [candidates] */
 } murk_worst_bound;

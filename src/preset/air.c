@@ -48,7 +48,7 @@ double murk_air_cross_section_cm2(double wavelength_nm)
            king_factor(per_um2);
 }
 
-murk_status murk_law_rayleigh(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_rayleigh(murk_law_result *out, const murk_law_call *call,
                               murk_error *err)
 {
     (void)err;
@@ -64,7 +64,7 @@ murk_status murk_law_rayleigh(murk_optics *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-murk_status murk_law_angstrom(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_angstrom(murk_law_result *out, const murk_law_call *call,
                               murk_error *err)
 {
     (void)err;

@@ -142,8 +142,8 @@ static double bulk(double nm)
     return murk_water_refraction(nm).k / nm;
 }
 
-static void read_off(murk_optics *out, size_t i, double nm, const nodes *all,
-                     double per_cm3)
+static void read_off(murk_law_result *out, size_t i, double nm,
+                     const nodes *all, double per_cm3)
 {
     size_t right = all->n > 1 ? 1 : 0;
     while (right + 1 < all->n && all->node[right].nm < nm) {
@@ -166,7 +166,7 @@ static void read_off(murk_optics *out, size_t i, double nm, const nodes *all,
         .kind = MURK_PRESET_TABLE, .angles = out->made, .column = i};
 }
 
-static murk_status run(murk_optics *out, const murk_law_call *call,
+static murk_status run(murk_law_result *out, const murk_law_call *call,
                        const double abc[3], murk_error *err)
 {
     nodes all = {.shape = {abc[0], abc[1], abc[2]}};
@@ -200,14 +200,14 @@ static murk_status run(murk_optics *out, const murk_law_call *call,
     return status;
 }
 
-murk_status murk_law_droplets(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_droplets(murk_law_result *out, const murk_law_call *call,
                               murk_error *err)
 {
     return run(out, call, call->words->value[MURK_WORD_DROPLET_SHAPE], err);
 }
 
-murk_status murk_law_gamma_droplets(murk_optics *out, const murk_law_call *call,
-                                    murk_error *err)
+murk_status murk_law_gamma_droplets(murk_law_result *out,
+                                    const murk_law_call *call, murk_error *err)
 {
     return run(out, call, call->parameter, err);
 }

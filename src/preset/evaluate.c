@@ -20,7 +20,7 @@ typedef struct evaluation {
     const murk_preset *preset;
     murk_words words;
     samples at;
-    murk_optics part[MURK_PRESET_PARTS_MAX];
+    murk_law_result part[MURK_PRESET_PARTS_MAX];
     murk_mixing mixing;
 } evaluation;
 
@@ -73,7 +73,7 @@ static murk_status lay_samples(samples *at, const murk_preset *preset,
 
 /* ---- parts ---- */
 
-static void read_table(murk_optics *out, const murk_preset_table *table,
+static void read_table(murk_law_result *out, const murk_preset_table *table,
                        const samples *at)
 {
     for (size_t i = 0; i < at->n; ++i) {
@@ -95,7 +95,7 @@ static void read_table(murk_optics *out, const murk_preset_table *table,
     out->has_phase = table->mean_cosine != NULL;
 }
 
-static void multiply(murk_optics *optics, size_t n, double factor)
+static void multiply(murk_law_result *optics, size_t n, double factor)
 {
     for (size_t i = 0; i < n; ++i) {
         optics->absorption_per_m[i] *= factor;
@@ -104,7 +104,7 @@ static void multiply(murk_optics *optics, size_t n, double factor)
 }
 
 /* A law's numbers are ours to vouch for, but words of users come in. */
-static murk_status check_optics(const murk_optics *optics, size_t n,
+static murk_status check_optics(const murk_law_result *optics, size_t n,
                                 const char *name, const char *where,
                                 murk_error *err)
 {
@@ -125,7 +125,7 @@ static murk_status run_part(evaluation *e, size_t index, const char *where,
                             murk_error *err)
 {
     const murk_preset_part *part = &e->preset->part[index];
-    murk_optics *out = &e->part[index];
+    murk_law_result *out = &e->part[index];
     const size_t n = e->at.n;
     murk_status status = MURK_OK;
     out->absorption_per_m = calloc(n, sizeof *out->absorption_per_m);

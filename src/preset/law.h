@@ -19,14 +19,14 @@ typedef struct murk_law_call {
 } murk_law_call;
 
 /* What it answers. Coefficients start at 0. */
-typedef struct murk_optics {
+typedef struct murk_law_result {
     double *absorption_per_m, *scattering_per_m; /* [n] */
     murk_preset_phase *phase; /* [n]; used where has_phase is set and the file
                                  gives none */
     bool has_phase;
     murk_preset_angles *made; /* angles that `phase` points to, if the law made
                                  any: whoever called takes them */
-} murk_optics;
+} murk_law_result;
 
 typedef struct murk_law_parameter {
     const char *name; /* NULL ends the list */
@@ -37,7 +37,7 @@ typedef struct murk_law_parameter {
 struct murk_law {
     const char *name;
     const char *about; /* one line, for murk media */
-    murk_status (*run)(murk_optics *out, const murk_law_call *call,
+    murk_status (*run)(murk_law_result *out, const murk_law_call *call,
                        murk_error *err);
     murk_law_parameter parameter[MURK_PRESET_PARAMETERS_MAX + 1];
     bool by_table;  /* needs a table with diffuse_attenuation_per_m */

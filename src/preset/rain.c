@@ -79,7 +79,7 @@ static double rain_absorbs(double rate, double wavelength_nm)
 }
 
 /* One half of the extinction, by the parameter `rays`. */
-static murk_status fill(murk_optics *out, const murk_law_call *call,
+static murk_status fill(murk_law_result *out, const murk_law_call *call,
                         double extinction_per_m, bool is_rays)
 {
     const double rate = call->words->value[MURK_WORD_RAIN][0];
@@ -93,7 +93,7 @@ static murk_status fill(murk_optics *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-murk_status murk_law_rain_power(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_rain_power(murk_law_result *out, const murk_law_call *call,
                                 murk_error *err)
 {
     (void)err;
@@ -103,7 +103,7 @@ murk_status murk_law_rain_power(murk_optics *out, const murk_law_call *call,
                 call->parameter[0] > 0);
 }
 
-murk_status murk_law_marshall_palmer(murk_optics *out,
+murk_status murk_law_marshall_palmer(murk_law_result *out,
                                      const murk_law_call *call, murk_error *err)
 {
     (void)err;

@@ -41,7 +41,7 @@ double murk_visibility_kim_q(double visibility_km)
                                 : 0;
 }
 
-static murk_status run(murk_optics *out, const murk_law_call *call,
+static murk_status run(murk_law_result *out, const murk_law_call *call,
                        double (*q_of)(double))
 {
     const double visibility_m = call->words->value[MURK_WORD_VISIBILITY][0];
@@ -56,14 +56,14 @@ static murk_status run(murk_optics *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-murk_status murk_law_kruse(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_kruse(murk_law_result *out, const murk_law_call *call,
                            murk_error *err)
 {
     (void)err;
     return run(out, call, murk_visibility_kruse_q);
 }
 
-murk_status murk_law_kim(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_kim(murk_law_result *out, const murk_law_call *call,
                          murk_error *err)
 {
     (void)err;

@@ -28,7 +28,7 @@ static double salinity(const murk_law_call *call)
     return word(call, MURK_WORD_SALINITY, 0);
 }
 
-static murk_status turn_as_molecules(murk_optics *out,
+static murk_status turn_as_molecules(murk_law_result *out,
                                      const murk_law_call *call, murk_error *err)
 {
     const murk_status status =
@@ -50,7 +50,7 @@ static murk_status turn_as_molecules(murk_optics *out,
     return MURK_OK;
 }
 
-murk_status murk_law_water(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_water(murk_law_result *out, const murk_law_call *call,
                            murk_error *err)
 {
     for (size_t i = 0; i < call->n; ++i) {
@@ -62,8 +62,8 @@ murk_status murk_law_water(murk_optics *out, const murk_law_call *call,
     return turn_as_molecules(out, call, err);
 }
 
-murk_status murk_law_water_morel(murk_optics *out, const murk_law_call *call,
-                                 murk_error *err)
+murk_status murk_law_water_morel(murk_law_result *out,
+                                 const murk_law_call *call, murk_error *err)
 {
     for (size_t i = 0; i < call->n; ++i) {
         const double nm = call->wavelength_nm[i];
@@ -93,7 +93,8 @@ static murk_status check_chlorophyll(const murk_law_call *call, murk_error *err)
 
 /* What comes with chlorophyll: particles that scatter, and absorption by the
  * function given. */
-static murk_status with_chlorophyll(murk_optics *out, const murk_law_call *call,
+static murk_status with_chlorophyll(murk_law_result *out,
+                                    const murk_law_call *call,
                                     double (*absorption)(double, double),
                                     murk_error *err)
 {
@@ -118,19 +119,19 @@ static murk_status with_chlorophyll(murk_optics *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-murk_status murk_law_chlorophyll(murk_optics *out, const murk_law_call *call,
-                                 murk_error *err)
+murk_status murk_law_chlorophyll(murk_law_result *out,
+                                 const murk_law_call *call, murk_error *err)
 {
     return with_chlorophyll(out, call, murk_chlorophyll_absorption, err);
 }
 
-murk_status murk_law_case_1(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_case_1(murk_law_result *out, const murk_law_call *call,
                             murk_error *err)
 {
     return with_chlorophyll(out, call, murk_case_1_absorption, err);
 }
 
-murk_status murk_law_cdom(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_cdom(murk_law_result *out, const murk_law_call *call,
                           murk_error *err)
 {
     (void)err;
@@ -142,7 +143,7 @@ murk_status murk_law_cdom(murk_optics *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-murk_status murk_law_sediment(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_sediment(murk_law_result *out, const murk_law_call *call,
                               murk_error *err)
 {
     (void)err;
@@ -181,7 +182,7 @@ static murk_status scale_of(double *scale, const green *g,
     return MURK_OK;
 }
 
-murk_status murk_law_in_green(murk_optics *out, const murk_law_call *call,
+murk_status murk_law_in_green(murk_law_result *out, const murk_law_call *call,
                               murk_error *err)
 {
     const double *p = call->parameter;
@@ -233,7 +234,7 @@ static double beside_water(const daylight *d, size_t row)
 
 /* Water's spectrum is steep, what is beside it is smooth: so that is what is
  * interpolated between rows. */
-murk_status murk_law_diffuse_attenuation(murk_optics *out,
+murk_status murk_law_diffuse_attenuation(murk_law_result *out,
                                          const murk_law_call *call,
                                          murk_error *err)
 {

@@ -138,7 +138,7 @@ double murk_balls_memory_for(double n)
 
 typedef struct asking {
     const murk_balls *balls;
-    murk_ball point; /* a ball without size */
+    murk_query_sphere point; /* a ball without size */
     murk_balls_told told;
     void *context;
 } asking;

@@ -87,7 +87,7 @@ static double lamp_weight(const murk_light *light, int band, murk_vec3 way,
 }
 
 static double weight_of(const murk_scenery *scenery,
-                        const murk_outlook *outlook, size_t light)
+                        const murk_shadow_origin *outlook, size_t light)
 {
     const murk_world *world = scenery->world;
     const murk_light *l = murk_lights_get(world->lights, light);
@@ -108,7 +108,8 @@ static double weight_of(const murk_scenery *scenery,
     return weight;
 }
 
-void murk_choice_rays(const murk_scenery *scenery, const murk_outlook *outlook,
+void murk_choice_rays(const murk_scenery *scenery,
+                      const murk_shadow_origin *outlook,
                       double rays[MURK_LIGHTS_MAX])
 {
     const size_t n = scenery->n_lit[outlook->band];
@@ -131,8 +132,8 @@ void murk_choice_rays(const murk_scenery *scenery, const murk_outlook *outlook,
 
 /* ---- images ---- */
 
-murk_images murk_images_of(const murk_scenery *scenery, size_t light,
-                           murk_vec3 place)
+murk_source_images murk_images_of(const murk_scenery *scenery, size_t light,
+                                  murk_vec3 place)
 {
     const murk_world *world = scenery->world;
     const murk_box *box = &world->domain.box;
@@ -140,7 +141,7 @@ murk_images murk_images_of(const murk_scenery *scenery, size_t light,
     murk_vec3 middle = place;
     murk_lights_place(world->lights, light, &middle);
     const murk_vec3 away = murk_sub(middle, place);
-    murk_images m = {
+    murk_source_images m = {
         .period_m = {box->max.x - box->min.x, box->max.y - box->min.y},
         .away_m = {away.x, away.y},
         .size_m = fmax(extent_of(l), scenery->margin_m)};
@@ -166,7 +167,7 @@ static double corner_angle(double x, double y, double h)
 }
 
 /* Solid angle of the cell about an image. */
-static double cell_angle(const murk_images *m, const double periods[2])
+static double cell_angle(const murk_source_images *m, const double periods[2])
 {
     const double half_x = 0.5 * m->period_m[0], half_y = 0.5 * m->period_m[1];
     const double x = m->away_m[0] + periods[0] * m->period_m[0];
@@ -182,7 +183,7 @@ static double cell_angle(const murk_images *m, const double periods[2])
            corner_angle(x - half_x, y - half_y, h);
 }
 
-double murk_images_chance(const murk_images *m, const double periods[2])
+double murk_images_chance(const murk_source_images *m, const double periods[2])
 {
     const double i = periods[0] - m->nearest[0], j = periods[1] - m->nearest[1];
     if (fmax(fabs(periods[0]), fabs(periods[1])) > PERIODS_MAX) {
@@ -194,7 +195,7 @@ double murk_images_chance(const murk_images *m, const double periods[2])
     return 0.5 * near + 0.5 * cell_angle(m, periods) / (2 * MURK_PI);
 }
 
-double murk_images_draw(const murk_images *m, const double u[4],
+double murk_images_draw(const murk_source_images *m, const double u[4],
                         double periods[2])
 {
     if (u[0] < 0.5) {

@@ -7,7 +7,7 @@
 #define IMAGE_SLOT 32
 
 /* Radiance for light that arrives with one W/m2 across its direction. */
-static double answer(const murk_place *place, murk_vec3 arriving)
+static double answer(const murk_shading_point *place, murk_vec3 arriving)
 {
     if (place->phase) {
         const double mu = -murk_dot(arriving, place->sight);
@@ -18,12 +18,12 @@ static double answer(const murk_place *place, murk_vec3 arriving)
            fmax(0, -murk_dot(arriving, place->normal));
 }
 
-static murk_outlook outlook_of(const murk_place *place)
+static murk_shadow_origin outlook_of(const murk_shading_point *place)
 {
-    return (murk_outlook){.band = place->band,
-                          .position = place->position,
-                          .is_surface = place->phase == NULL,
-                          .normal = place->normal};
+    return (murk_shadow_origin){.band = place->band,
+                                .position = place->position,
+                                .is_surface = place->phase == NULL,
+                                .normal = place->normal};
 }
 
 /* Share of shadow rays in what finds light that arrives so; answers: how much
@@ -33,12 +33,12 @@ static double share_of_rays(double answers, double per_sr)
     return per_sr < INFINITY ? per_sr / (per_sr + answers) : 1;
 }
 
-double murk_direct_rest(const murk_scenery *scenery, const murk_place *place,
-                        size_t light, murk_vec3 arriving, double per_sr,
-                        murk_vec3 wrapped)
+double murk_direct_rest(const murk_scenery *scenery,
+                        const murk_shading_point *place, size_t light,
+                        murk_vec3 arriving, double per_sr, murk_vec3 wrapped)
 {
     /* How many shadow rays are sent to the light, */
-    const murk_outlook outlook = outlook_of(place);
+    const murk_shadow_origin outlook = outlook_of(place);
     const size_t *lit = scenery->lit[place->band];
     double all[MURK_LIGHTS_MAX];
     murk_choice_rays(scenery, &outlook, all);
@@ -50,7 +50,7 @@ double murk_direct_rest(const murk_scenery *scenery, const murk_place *place,
     const murk_world *world = scenery->world;
     if (world->domain.is_periodic &&
         !murk_light_is_distant(murk_lights_get(world->lights, light))) {
-        const murk_images images =
+        const murk_source_images images =
             murk_images_of(scenery, light, place->position);
         rays *= murk_images_chance(
             &images, (const double[2]){round(wrapped.x / images.period_m[0]),
@@ -59,9 +59,10 @@ double murk_direct_rest(const murk_scenery *scenery, const murk_place *place,
     return 1 - share_of_rays(answer(place, arriving), rays * per_sr);
 }
 
-static double light_from(const murk_scenery *scenery, const murk_place *place,
-                         size_t light, const murk_address *address,
-                         uint32_t slot, double rays, murk_balance balance)
+static double light_from(const murk_scenery *scenery,
+                         const murk_shading_point *place, size_t light,
+                         const murk_address *address, uint32_t slot,
+                         double rays, murk_balance balance)
 {
     const murk_world *world = scenery->world;
     const murk_light *l = murk_lights_get(world->lights, light);
@@ -70,7 +71,7 @@ static double light_from(const murk_scenery *scenery, const murk_place *place,
     murk_vec3 seen_from = place->position;
     if (world->domain.is_periodic && !is_distant) {
         const murk_random4 drawn = murk_random_at(address, slot + IMAGE_SLOT);
-        const murk_images images =
+        const murk_source_images images =
             murk_images_of(scenery, light, place->position);
         double periods[2];
         rays *= murk_images_draw(&images, drawn.u, periods);
@@ -114,12 +115,13 @@ static double light_from(const murk_scenery *scenery, const murk_place *place,
                                            length, balance.sheets);
 }
 
-double murk_direct_light(const murk_scenery *scenery, const murk_place *place,
+double murk_direct_light(const murk_scenery *scenery,
+                         const murk_shading_point *place,
                          const murk_address *address, murk_balance balance)
 {
     const int band = place->band;
     const size_t n = scenery->n_lit[band];
-    const murk_outlook outlook = outlook_of(place);
+    const murk_shadow_origin outlook = outlook_of(place);
     double rays[MURK_LIGHTS_MAX];
     murk_choice_rays(scenery, &outlook, rays);
     double sum = 0;

@@ -7,7 +7,7 @@
 #include "medium/phase.h"
 #include "render/scenery.h"
 
-typedef struct murk_place {
+typedef struct murk_shading_point {
     int band;
     murk_vec3 position;
     murk_vec3 sight;  /* unit, of who looks, arriving at the place */
@@ -21,7 +21,7 @@ typedef struct murk_place {
     double albedo;
     double cone; /* cosine: light that turns by less is looked for by going on,
                     not asked of the maps; -1 all, 1 none */
-} murk_place;
+} murk_shading_point;
 
 /* Light that the looking ray may also meet by going on from the place: of both
  * ways to find it each counts by how densely it looks there (the balance
@@ -36,15 +36,16 @@ typedef struct murk_balance {
 
 /* Radiance [W/m2/sr] towards who looks, divided by the square of the index, for
  * the random numbers of that address. */
-double murk_direct_light(const murk_scenery *scenery, const murk_place *place,
+double murk_direct_light(const murk_scenery *scenery,
+                         const murk_shading_point *place,
                          const murk_address *address, murk_balance balance);
 
 /* The share that counts of a light that the ray, gone on from the place, has
  * met in a direction of travel that is drawn per_sr by murk_lights_shine().
  * wrapped: how far the sides of a periodic domain have moved the ray back since
  * the place; whole periods, which name the image that it has met. */
-double murk_direct_rest(const murk_scenery *scenery, const murk_place *place,
-                        size_t light, murk_vec3 arriving, double per_sr,
-                        murk_vec3 wrapped);
+double murk_direct_rest(const murk_scenery *scenery,
+                        const murk_shading_point *place, size_t light,
+                        murk_vec3 arriving, double per_sr, murk_vec3 wrapped);
 
 #endif

@@ -243,7 +243,7 @@ double murk_gather_memory_for(double surface, double volume)
 typedef struct asking {
     const murk_gather *gather;
     const layer *layer;
-    const murk_place *place;
+    const murk_shading_point *place;
     double scale;
     double *group;
     double sum;
@@ -251,7 +251,7 @@ typedef struct asking {
 
 /* Power that one record sends towards who looks, for each steradian: what comes
  * in is the record's, what turns it is the place's own. */
-static double sent(const murk_place *place, const murk_photon *p)
+static double sent(const murk_shading_point *place, const murk_photon *p)
 {
     if (!place->phase) {
         return (double)p->power_w / MURK_PI;
@@ -284,8 +284,9 @@ static void take(void *context, size_t record, double square)
     }
 }
 
-double murk_gather_light(const murk_gather *gather, const murk_place *place,
-                         double scale, double group[MURK_GATHER_GROUPS])
+double murk_gather_light(const murk_gather *gather,
+                         const murk_shading_point *place, double scale,
+                         double group[MURK_GATHER_GROUPS])
 {
     const layer *l = place->phase ? &gather->volume[place->band]
                                   : &gather->surface[place->band];

@@ -64,8 +64,9 @@ size_t murk_gather_records(const murk_gather *gather, bool of_volume, int band);
  * without what later events bring within the place's cone.
  * Times `scale` it is returned, and added to
  * group[]. */
-double murk_gather_light(const murk_gather *gather, const murk_place *place,
-                         double scale, double group[MURK_GATHER_GROUPS]);
+double murk_gather_light(const murk_gather *gather,
+                         const murk_shading_point *place, double scale,
+                         double group[MURK_GATHER_GROUPS]);
 
 /* Variance of the sum over all groups, by their spread. */
 double murk_gather_variance(const double group[MURK_GATHER_GROUPS]);

@@ -30,9 +30,9 @@ struct murk_sampler {
     /* of the present ray: */
     uint64_t number;
     int band;
-    double own_index;  /* where it starts; 0: not told yet */
-    bool is_connected; /* shadow rays may have found what it meets, */
-    murk_place last;   /* sent from there */
+    double own_index;        /* where it starts; 0: not told yet */
+    bool is_connected;       /* shadow rays may have found what it meets, */
+    murk_shading_point last; /* sent from there */
     murk_vec3 wrapped; /* how far periodic sides have moved it back since, */
     murk_vec3 left;    /* and where it has left the domain by one, */
     bool has_wrapped;  /* which the next leg will tell the rest of */
@@ -149,7 +149,7 @@ static void hear_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
 
 /* Light of all kinds that leaves the place towards where the ray came from. */
 static void add_light(murk_sampler *s, const murk_event *event,
-                      const murk_place *place)
+                      const murk_shading_point *place)
 {
     const part of = place->phase ? VOLUME : SURFACE;
     const bool by_paths = s->method == MURK_BY_PATHS;
@@ -174,7 +174,7 @@ static void add_light(murk_sampler *s, const murk_event *event,
 
 /* The ray has been scattered or reflected diffusely: what it finds from here on
  * came from there last. */
-static void settle(murk_sampler *s, part of, const murk_place *place)
+static void settle(murk_sampler *s, part of, const murk_shading_point *place)
 {
     s->last = *place;
     s->wrapped = murk_vec(0, 0, 0);
@@ -192,13 +192,13 @@ static void stop(murk_sampler *s)
 
 static void meet_surface(murk_sampler *s, const murk_event *event)
 {
-    const murk_place place = {.band = s->band,
-                              .position = event->position,
-                              .sight = event->direction_in,
-                              .index = s->leg.index,
-                              .is_in_solid = s->leg.is_in_solid,
-                              .normal = event->normal,
-                              .diffuse = event->reflectance};
+    const murk_shading_point place = {.band = s->band,
+                                      .position = event->position,
+                                      .sight = event->direction_in,
+                                      .index = s->leg.index,
+                                      .is_in_solid = s->leg.is_in_solid,
+                                      .normal = event->normal,
+                                      .diffuse = event->reflectance};
     if (event->reflectance > 0) {
         add_light(s, event, &place);
     }
@@ -219,7 +219,7 @@ static void meet_surface(murk_sampler *s, const murk_event *event)
 
 static void meet_medium(murk_sampler *s, const murk_event *event)
 {
-    const murk_place place = {
+    const murk_shading_point place = {
         .band = s->band,
         .position = event->position,
         .sight = event->direction_in,

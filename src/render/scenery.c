@@ -216,7 +216,7 @@ murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
             const murk_passages passages = murk_passages_from(
                 world->media, world->hulls, &world->domain, p.from);
             murk_leg leg[MURK_SEGMENT_PIECES];
-            murk_change change;
+            murk_index_change change;
             const murk_vec3 to =
                 held(&world->domain.box, murk_along(p.from, length, way));
             bends = murk_passage_legs(&passages, to, leg) > 0 &&

@@ -5,7 +5,8 @@
 
 #include "scene/keys_rows.h"
 
-murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box)
+murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
+                           murk_box box)
 {
     if (!(box.min.x < box.max.x && box.min.y < box.max.y &&
           box.min.z < box.max.z)) {
@@ -19,7 +20,7 @@ murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box)
     return MURK_OK;
 }
 
-murk_status murk_check_edges(murk_walk *walk, const murk_yaml *map,
+murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
                              murk_vec3 edge1, murk_vec3 edge2)
 {
     const double area = murk_length(murk_cross(edge1, edge2));
@@ -37,7 +38,7 @@ murk_status murk_check_edges(murk_walk *walk, const murk_yaml *map,
 
 /* ---- the scene ---- */
 
-static murk_status check_domain(murk_walk *walk, const murk_yaml *map,
+static murk_status check_domain(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     return murk_check_box(walk, map, ((murk_scene *)item)->domain.box);
@@ -123,7 +124,7 @@ static const murk_key SCENE_ROWS[] = {
     END,
 };
 
-static murk_status check_scene(murk_walk *walk, const murk_yaml *map,
+static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     murk_scene *scene = item;

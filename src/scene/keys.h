@@ -41,7 +41,7 @@ typedef struct murk_word {
 } murk_word;
 
 typedef struct murk_keys murk_keys;
-typedef struct murk_walk murk_walk; /* walk.h */
+typedef struct murk_key_reader murk_key_reader; /* walk.h */
 
 typedef struct murk_key {
     const char *name; /* NULL ends the table */
@@ -62,7 +62,7 @@ typedef struct murk_key {
     bool has_flag;
     size_t flag_at; /* a bool that says whether the key is there */
     bool lights;    /* top level: the traced light depends on it */
-    murk_status (*read)(murk_walk *walk, const struct murk_key *key,
+    murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *item);
     const char *allowed; /* of its own: "free or a list" */
 } murk_key;
@@ -73,14 +73,16 @@ struct murk_keys {
     /* Which variant a map is: the value of the word key `selector`, or what
      * choose() finds; without both there is but one. */
     const char *selector;
-    murk_status (*choose)(murk_walk *walk, const murk_yaml *map, int *variant);
+    murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
+                          int *variant);
     const char *const *variant_names; /* "point" */
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
     /* Before defaults are filled in: what more the map gets. */
-    murk_status (*complete)(murk_walk *walk, murk_yaml *map);
+    murk_status (*complete)(murk_key_reader *walk, murk_yaml *map);
     /* Once all members are filled: what involves several of them. */
-    murk_status (*check)(murk_walk *walk, const murk_yaml *map, void *item);
+    murk_status (*check)(murk_key_reader *walk, const murk_yaml *map,
+                         void *item);
     /* Items of lists and names: */
     size_t item_size, array_at, count_at, most_items, name_at;
     bool needs_item;

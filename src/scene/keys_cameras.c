@@ -19,7 +19,7 @@ static const murk_word PROJECTION_WORDS[] = {
     WORDS_END,
 };
 
-static murk_status check_way(murk_walk *walk, const murk_yaml *map,
+static murk_status check_way(murk_key_reader *walk, const murk_yaml *map,
                              const murk_scene_camera *camera)
 {
     const bool is_all_round = camera->projection == MURK_SCENE_EQUIRECTANGULAR;
@@ -48,7 +48,7 @@ static murk_status check_way(murk_walk *walk, const murk_yaml *map,
                           up.x, up.y, up.z);
 }
 
-static murk_status check_camera(murk_walk *walk, const murk_yaml *map,
+static murk_status check_camera(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     const murk_scene_camera *camera = item;

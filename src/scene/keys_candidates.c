@@ -27,7 +27,8 @@ static void fill_size_by_spacing(murk_scene_candidates *wish, double spacing)
     }
 }
 
-static murk_status check_grid(murk_walk *walk, const murk_yaml *map, void *item)
+static murk_status check_grid(murk_key_reader *walk, const murk_yaml *map,
+                              void *item)
 {
     murk_scene_candidates *wish = &((murk_scene *)item)->sensors.candidates;
     const murk_vec3 min = wish->grid_min, max = wish->grid_max;
@@ -81,7 +82,7 @@ static const murk_keys GRID = {
 
 /* ---- points ---- */
 
-static murk_status wrong(murk_walk *walk, const murk_key *key,
+static murk_status wrong(murk_key_reader *walk, const murk_key *key,
                          const murk_yaml *node)
 {
     char found[MURK_FOUND_SIZE];
@@ -90,7 +91,7 @@ static murk_status wrong(murk_walk *walk, const murk_key *key,
                           found, key->allowed);
 }
 
-static murk_status read_point(murk_walk *walk, murk_yaml *node,
+static murk_status read_point(murk_key_reader *walk, murk_yaml *node,
                               murk_scene_points *points)
 {
     static const murk_key FILE_NAME = {
@@ -106,7 +107,7 @@ static murk_status read_point(murk_walk *walk, murk_yaml *node,
                            &points->position[points->positions++]);
 }
 
-static murk_status read_points(murk_walk *walk, const murk_key *key,
+static murk_status read_points(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *item)
 {
     murk_scene_points *points =
@@ -175,7 +176,7 @@ static const murk_key MOUNT_ROWS[] = {
     END,
 };
 
-static murk_status check_mount(murk_walk *walk, const murk_yaml *map,
+static murk_status check_mount(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     const murk_scene_mount *mount = item;
@@ -198,7 +199,7 @@ static const murk_keys MOUNT = {
 };
 
 /* One map is one mount; a list has many. */
-static murk_status read_mount(murk_walk *walk, const murk_key *key,
+static murk_status read_mount(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, void *item)
 {
     static const murk_key ONE = {
@@ -226,7 +227,7 @@ static murk_status read_mount(murk_walk *walk, const murk_key *key,
 
 /* ---- zones ---- */
 
-static murk_status check_zone_box(murk_walk *walk, const murk_yaml *map,
+static murk_status check_zone_box(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
     return murk_check_box(walk, map, ((murk_scene_site_zone *)item)->box);
@@ -257,7 +258,7 @@ static const murk_keys ZONE_SPHERE = {
 
 static const char *const ZONE_VARIANTS[] = {"zone", "box", "sphere", "mesh"};
 
-static murk_status choose_zone(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_zone(murk_key_reader *walk, const murk_yaml *map,
                                int *variant)
 {
     (void)walk;

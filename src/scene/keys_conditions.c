@@ -50,7 +50,7 @@ static bool overlap(const char *a, const char *b)
 }
 
 /* Names stand in tables and columns of result files. */
-static murk_status check_name(murk_walk *walk, const murk_yaml *map,
+static murk_status check_name(murk_key_reader *walk, const murk_yaml *map,
                               const char *name)
 {
     if (strspn(name, LETTERS) != strlen(name)) {
@@ -68,7 +68,7 @@ static murk_status check_name(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static murk_status check_condition(murk_walk *walk, const murk_yaml *map,
+static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {
     murk_scene_condition *condition = item;
@@ -117,8 +117,9 @@ const murk_keys murk_condition_keys = {
 static const murk_key WEIGHT = {
     .name = "weight", .kind = MURK_KEY_NUMBER, .most = 1e6, .size = 8};
 
-static murk_status no_such_condition(murk_walk *walk, const murk_scene *scene,
-                                     const char *name, const murk_yaml *node)
+static murk_status no_such_condition(murk_key_reader *walk,
+                                     const murk_scene *scene, const char *name,
+                                     const murk_yaml *node)
 {
     const char *names[MURK_SCENE_CONDITIONS_MAX];
     for (size_t i = 0; i < scene->n_conditions; ++i) {
@@ -131,7 +132,7 @@ static murk_status no_such_condition(murk_walk *walk, const murk_scene *scene,
 }
 
 /* The conditions come before placement in the table. */
-static murk_status check_weights(murk_walk *walk, const murk_yaml *map,
+static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
     murk_scene *scene = item;
@@ -169,7 +170,7 @@ const murk_keys murk_condition_weight_keys = {
     .key = NO_ROWS,
 };
 
-murk_status murk_check_conditions(murk_walk *walk, const murk_yaml *map,
+murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
     const murk_scene *scene = item;

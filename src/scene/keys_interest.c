@@ -1,8 +1,8 @@
 /* Regions of interest. */
 #include "scene/keys_rows.h"
 
-static murk_status check_interest_box(murk_walk *walk, const murk_yaml *map,
-                                      void *item)
+static murk_status check_interest_box(murk_key_reader *walk,
+                                      const murk_yaml *map, void *item)
 {
     return murk_check_box(walk, map, ((murk_scene_interest *)item)->box);
 }
@@ -33,7 +33,7 @@ static const murk_keys INTEREST_SPHERE = {
 const char *const murk_zone_variants[] = {"without a shape", "box", "sphere",
                                           "mesh"};
 
-murk_status murk_choose_zone(murk_walk *walk, const murk_yaml *map,
+murk_status murk_choose_zone(murk_key_reader *walk, const murk_yaml *map,
                              int *variant)
 {
     (void)walk;
@@ -44,7 +44,7 @@ murk_status murk_choose_zone(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static murk_status check_interest(murk_walk *walk, const murk_yaml *map,
+static murk_status check_interest(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
     const murk_scene_interest *region = item;

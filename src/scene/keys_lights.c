@@ -1,7 +1,7 @@
 /* Lights and the photons that they send out. */
 #include "scene/keys_rows.h"
 
-static murk_status check_light(murk_walk *walk, const murk_yaml *map,
+static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     murk_scene_light *light = item;
@@ -65,13 +65,13 @@ static const murk_word COVER_WORDS[] = {
     WORDS_END,
 };
 
-static murk_status read_time(murk_walk *walk, const murk_key *key,
+static murk_status read_time(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *item)
 {
     return murk_read_time(walk, key, node, &((murk_scene_light *)item)->site);
 }
 
-static murk_status read_schedule(murk_walk *walk, const murk_key *key,
+static murk_status read_schedule(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, void *item)
 {
     return murk_read_schedule(walk, key, node,
@@ -151,7 +151,7 @@ const murk_keys murk_light_keys = {
 
 /* ---- photons ---- */
 
-static murk_status check_photons(murk_walk *walk, const murk_yaml *map,
+static murk_status check_photons(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
     const murk_scene_photons *photons = &((murk_scene *)item)->photons;

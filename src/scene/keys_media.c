@@ -15,7 +15,7 @@ enum {
     MEDIUM_PRESET_GRID
 };
 
-static murk_status choose_medium(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
                                  int *variant)
 {
     (void)walk;
@@ -30,7 +30,7 @@ static murk_status choose_medium(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static murk_status choose_phase(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_phase(murk_key_reader *walk, const murk_yaml *map,
                                 int *variant)
 {
     (void)walk;
@@ -89,7 +89,7 @@ static const murk_keys ALBEDO = {
     .key = ALBEDO_ROWS,
 };
 
-static murk_status check_profile(murk_walk *walk, const murk_yaml *map,
+static murk_status check_profile(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
     const murk_scene_medium *medium = item;
@@ -131,7 +131,7 @@ static const murk_keys PROFILE = {
 };
 
 /* The frame's file takes the place of the pattern that names all. */
-static murk_status choose_frame(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_frame(murk_key_reader *walk, const murk_yaml *map,
                                 murk_scene_medium *medium)
 {
     char *file = murk_frames_file(medium->vdb, medium->frame);
@@ -153,7 +153,7 @@ static murk_status choose_frame(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static murk_status check_medium(murk_walk *walk, const murk_yaml *map,
+static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_medium *medium = item;
@@ -274,7 +274,7 @@ const murk_keys murk_medium_keys = {
     .key = MEDIUM_ROWS,
 };
 
-static murk_status check_region_box(murk_walk *walk, const murk_yaml *map,
+static murk_status check_region_box(murk_key_reader *walk, const murk_yaml *map,
                                     void *item)
 {
     return murk_check_box(walk, map, ((murk_scene_region *)item)->box);
@@ -307,7 +307,7 @@ static const char *const REGION_VARIANTS[] = {
     "everywhere", "box", "sphere", "grid", "half space", "mesh"};
 
 /* A region without a shape is everywhere, or where its medium's grid lies. */
-static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
                                  int *variant)
 {
     const murk_yaml *media = murk_yaml_get(walk->root, "media");
@@ -333,7 +333,7 @@ static murk_status choose_region(murk_walk *walk, const murk_yaml *map,
                 BIT(MURK_SCENE_IN_GRID) | BIT(MURK_SCENE_IN_MESH)
 
 /* What is not moved still holds the identity. */
-static murk_status check_region(murk_walk *walk, const murk_yaml *map,
+static murk_status check_region(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_region *region = item;

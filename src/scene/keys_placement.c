@@ -1,7 +1,7 @@
 /* Placement: how plans are found and what they are worth. */
 #include "scene/keys_rows.h"
 
-static murk_status check_weights(murk_walk *walk, const murk_yaml *map,
+static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
     const murk_scene_placement *placement = &((murk_scene *)item)->placement;
@@ -139,7 +139,7 @@ static const murk_key PLACEMENT_ROWS[] = {
 
 /* The strict question is asked of sets of photons that are all known, and of
  * one light. */
-static murk_status check_at_least(murk_walk *walk, const murk_yaml *map,
+static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                                   const murk_scene_placement *placement)
 {
     const bool by_chance = placement->detection == MURK_SCENE_INDEPENDENT ||
@@ -157,7 +157,7 @@ static murk_status check_at_least(murk_walk *walk, const murk_yaml *map,
 }
 
 /* Once the regions of interest are read. */
-static murk_status check_placement(murk_walk *walk, const murk_yaml *map,
+static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {
     const murk_scene_placement *placement = &((murk_scene *)item)->placement;

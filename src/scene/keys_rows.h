@@ -56,32 +56,33 @@ extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys;
 
 /* Keys that read themselves: into murk_scene_site, murk_scene_schedule. */
-murk_status murk_read_time(murk_walk *walk, const murk_key *key,
+murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
                            murk_yaml *node, void *item);
-murk_status murk_read_schedule(murk_walk *walk, const murk_key *key,
+murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *item);
 
 /* Of a light of the sky: what it does not say itself, the scene's site does. */
-murk_status murk_check_sky(murk_walk *walk, const murk_yaml *map,
+murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light);
 
 /* Of meshes: x, y, z. */
 extern const murk_word murk_up_words[];
 
 /* Of the whole scene, at its end: what it averages over is there. */
-murk_status murk_check_conditions(murk_walk *walk, const murk_yaml *map,
+murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item);
 
 /* Of what has a box, a sphere, a mesh or none of them: murk_scene_zone. */
 extern const char *const murk_zone_variants[];
-murk_status murk_choose_zone(murk_walk *walk, const murk_yaml *map,
+murk_status murk_choose_zone(murk_key_reader *walk, const murk_yaml *map,
                              int *variant);
 
 /* min less than max on each axis. */
-murk_status murk_check_box(murk_walk *walk, const murk_yaml *map, murk_box box);
+murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
+                           murk_box box);
 
 /* Two edges that span an area. */
-murk_status murk_check_edges(murk_walk *walk, const murk_yaml *map,
+murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
                              murk_vec3 edge1, murk_vec3 edge2);
 
 #endif

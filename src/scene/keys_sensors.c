@@ -29,7 +29,7 @@ static const murk_key VIEW_ROWS[] = {
     END,
 };
 
-static murk_status choose_view(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_view(murk_key_reader *walk, const murk_yaml *map,
                                int *variant)
 {
     (void)walk;
@@ -51,7 +51,7 @@ enum { ALL_ROUND, DIRECTED };
 
 static const char *const TYPE_VARIANTS[] = {"all round", "with a view"};
 
-static murk_status choose_type(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_type(murk_key_reader *walk, const murk_yaml *map,
                                int *variant)
 {
     const murk_yaml *view = murk_yaml_get(map, "view");
@@ -74,7 +74,7 @@ static int find_band(const murk_scene *scene, double nm)
     return -1;
 }
 
-static murk_status find_bands(murk_walk *walk, const murk_yaml *map,
+static murk_status find_bands(murk_key_reader *walk, const murk_yaml *map,
                               murk_scene_sensor_type *type)
 {
     const murk_yaml *list = murk_yaml_get(map, "bands");
@@ -90,7 +90,8 @@ static murk_status find_bands(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static murk_status check_type(murk_walk *walk, const murk_yaml *map, void *item)
+static murk_status check_type(murk_key_reader *walk, const murk_yaml *map,
+                              void *item)
 {
     murk_scene_sensor_type *type = item;
     const murk_scene_sensors *all = &walk->scene->sensors;
@@ -188,7 +189,7 @@ static const murk_keys TYPE = {
 
 /* ---- those that stand already ---- */
 
-static murk_status check_fixed(murk_walk *walk, const murk_yaml *map,
+static murk_status check_fixed(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     murk_scene_fixed_sensor *fixed = item;

@@ -14,7 +14,7 @@ static bool is_text(const murk_yaml *node)
     return node->kind == MURK_YAML_SCALAR && node->text[0] != '\0';
 }
 
-murk_status murk_read_time(murk_walk *walk, const murk_key *key,
+murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
                            murk_yaml *node, void *item)
 {
     murk_scene_site *site = item;
@@ -44,7 +44,7 @@ murk_status murk_read_time(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status read_zone(murk_walk *walk, const murk_key *key,
+static murk_status read_zone(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *item)
 {
     murk_scene_site *site = &((murk_scene *)item)->site;
@@ -56,7 +56,7 @@ static murk_status read_zone(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status read_date(murk_walk *walk, const murk_key *key,
+static murk_status read_date(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *item)
 {
     murk_scene_site *site = &((murk_scene *)item)->site;
@@ -68,7 +68,7 @@ static murk_status read_date(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status read_clock(murk_walk *walk, const murk_key *key,
+static murk_status read_clock(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, void *item)
 {
     murk_scene_site *site = &((murk_scene *)item)->site;
@@ -80,13 +80,14 @@ static murk_status read_clock(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status read_site_time(murk_walk *walk, const murk_key *key,
+static murk_status read_site_time(murk_key_reader *walk, const murk_key *key,
                                   murk_yaml *node, void *item)
 {
     return murk_read_time(walk, key, node, &((murk_scene *)item)->site);
 }
 
-static murk_status check_site(murk_walk *walk, const murk_yaml *map, void *item)
+static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
+                              void *item)
 {
     murk_scene_site *site = &((murk_scene *)item)->site;
     if (!site->has_date && !site->has_clock) {
@@ -151,7 +152,7 @@ static const murk_word SCHEDULE_WORDS[] = {
     WORDS_END,
 };
 
-static murk_status read_span(murk_walk *walk, const murk_key *key,
+static murk_status read_span(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, double *from_s, double *to_s)
 {
     const bool has_two = node->kind == MURK_YAML_LIST && node->n == 2;
@@ -169,7 +170,7 @@ static murk_status read_span(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-murk_status murk_read_schedule(murk_walk *walk, const murk_key *key,
+murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *item)
 {
     murk_scene_schedule *schedule = item;
@@ -202,7 +203,7 @@ murk_status murk_read_schedule(murk_walk *walk, const murk_key *key,
 
 /* ---- portals ---- */
 
-static murk_status check_portal(murk_walk *walk, const murk_yaml *map,
+static murk_status check_portal(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     const murk_scene_portal *portal = item;
@@ -253,7 +254,8 @@ static void inherit(murk_scene_site *own, const murk_scene_site *site)
     }
 }
 
-static murk_status check_place_and_time(murk_walk *walk, const murk_yaml *map,
+static murk_status check_place_and_time(murk_key_reader *walk,
+                                        const murk_yaml *map,
                                         const murk_scene_site *site)
 {
     const char *missing = !site->has_latitude    ? "latitude_deg"
@@ -267,7 +269,7 @@ static murk_status check_place_and_time(murk_walk *walk, const murk_yaml *map,
 }
 
 /* A total can be spread over bands with edges only; lines have no width. */
-static murk_status check_irradiance(murk_walk *walk, const murk_yaml *map,
+static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_light *light)
 {
     const murk_yaml *node = murk_yaml_get(map, "irradiance_w_per_m2");
@@ -289,7 +291,7 @@ static murk_status check_irradiance(murk_walk *walk, const murk_yaml *map,
                           "line");
 }
 
-murk_status murk_check_sky(murk_walk *walk, const murk_yaml *map,
+murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light)
 {
     inherit(&light->site, &walk->scene->site);

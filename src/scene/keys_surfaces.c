@@ -5,7 +5,7 @@
 
 /* One of the shapes is there; the walk has checked that they exclude each
  * other and that one is given. */
-static murk_status choose_geometry(murk_walk *walk, const murk_yaml *map,
+static murk_status choose_geometry(murk_key_reader *walk, const murk_yaml *map,
                                    int *variant)
 {
     (void)walk;
@@ -16,14 +16,14 @@ static murk_status choose_geometry(murk_walk *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static murk_status check_geometry_box(murk_walk *walk, const murk_yaml *map,
-                                      void *item)
+static murk_status check_geometry_box(murk_key_reader *walk,
+                                      const murk_yaml *map, void *item)
 {
     return murk_check_box(walk, map, ((murk_scene_geometry *)item)->box);
 }
 
-static murk_status check_geometry_rect(murk_walk *walk, const murk_yaml *map,
-                                       void *item)
+static murk_status check_geometry_rect(murk_key_reader *walk,
+                                       const murk_yaml *map, void *item)
 {
     const murk_scene_geometry *rect = item;
     return murk_check_edges(walk, map, rect->edge1, rect->edge2);
@@ -110,7 +110,7 @@ const murk_keys murk_geometry_keys = {
 
 /* ---- materials ---- */
 
-static murk_status check_material(murk_walk *walk, const murk_yaml *map,
+static murk_status check_material(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
     const murk_scene_material *material = item;

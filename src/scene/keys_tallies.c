@@ -2,7 +2,7 @@
  * where the domain is known. */
 #include "scene/keys_rows.h"
 
-static murk_status check_tally(murk_walk *walk, const murk_yaml *map,
+static murk_status check_tally(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     const murk_scene_tally *tally = item;

@@ -28,7 +28,7 @@ static const murk_keys SURFACES = {
 
 /* ---- volume ---- */
 
-static murk_status check_volume_box(murk_walk *walk, const murk_yaml *map,
+static murk_status check_volume_box(murk_key_reader *walk, const murk_yaml *map,
                                     void *item)
 {
     return murk_check_box(walk, map,
@@ -89,7 +89,7 @@ static const murk_keys VOLUME = {
 
 /* ---- targets ---- */
 
-static murk_status check_targets(murk_walk *walk, const murk_yaml *map,
+static murk_status check_targets(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
     murk_scene_targets *targets = &((murk_scene *)item)->placement.targets;

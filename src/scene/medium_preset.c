@@ -13,8 +13,8 @@
 /* ---- words ---- */
 
 /* Where a key of the medium is, or what would be it. */
-static void where_of(murk_walk *walk, const murk_yaml *map, const char *key,
-                     bool at_key, murk_scene_where out)
+static void where_of(murk_key_reader *walk, const murk_yaml *map,
+                     const char *key, bool at_key, murk_scene_where out)
 {
     const murk_yaml *node = murk_yaml_get(map, key);
     const size_t back = murk_walk_enter(walk, key);
@@ -22,7 +22,7 @@ static void where_of(murk_walk *walk, const murk_yaml *map, const char *key,
     murk_walk_leave(walk, back);
 }
 
-static murk_status open_preset(murk_walk *walk, const murk_yaml *map,
+static murk_status open_preset(murk_key_reader *walk, const murk_yaml *map,
                                murk_preset **out)
 {
     murk_scene_where where;
@@ -65,7 +65,7 @@ static murk_yaml *default_node(const murk_preset_word *word, int numbers,
     return list;
 }
 
-static murk_status complete_word(murk_walk *walk, murk_yaml *map,
+static murk_status complete_word(murk_key_reader *walk, murk_yaml *map,
                                  const murk_preset *preset, murk_word_id word)
 {
     const char *name = murk_word_name(word);
@@ -96,7 +96,7 @@ static murk_status complete_word(murk_walk *walk, murk_yaml *map,
                                                   : murk_walk_no_memory(walk);
 }
 
-murk_status murk_medium_preset_complete(murk_walk *walk, murk_yaml *map)
+murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map)
 {
     if (!murk_yaml_get(map, "preset")) {
         return MURK_OK;
@@ -112,7 +112,7 @@ murk_status murk_medium_preset_complete(murk_walk *walk, murk_yaml *map)
 
 /* ---- numbers ---- */
 
-static murk_status check_ranges(murk_walk *walk, const murk_yaml *map,
+static murk_status check_ranges(murk_key_reader *walk, const murk_yaml *map,
                                 const murk_preset *preset,
                                 const murk_words *words)
 {
@@ -185,7 +185,7 @@ static void fill(murk_scene_medium *medium, const murk_yaml *map,
     }
 }
 
-murk_status murk_medium_preset_fill(murk_walk *walk, const murk_yaml *map,
+murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium)
 {
     const murk_scene *scene = walk->scene;

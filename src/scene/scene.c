@@ -24,7 +24,7 @@ typedef struct reading {
     murk_yaml *root;
     char **sources; /* [n_sources] of the options */
     size_t n_sources;
-    murk_walk walk;
+    murk_key_reader walk;
 } reading;
 
 static void release(reading *r)
@@ -137,7 +137,8 @@ static bool is_of_world(const char *key)
 
 /* The texts that need the tree. Paths are rewritten on the way: first as the
  * resolved scene has them, then as the keys do. */
-static murk_status print_resolved(const murk_walk *walk, murk_scene *scene)
+static murk_status print_resolved(const murk_key_reader *walk,
+                                  murk_scene *scene)
 {
     scene->file = calloc(walk->n_paths + 1, sizeof *scene->file);
     if (!scene->file) {
@@ -171,8 +172,8 @@ static bool is_of_base(const char *key)
     return strcmp(key, "conditions") != 0;
 }
 
-static murk_status print_whole_key(const murk_walk *walk, const char *presets,
-                                   murk_scene *scene)
+static murk_status print_whole_key(const murk_key_reader *walk,
+                                   const char *presets, murk_scene *scene)
 {
     scene->whole_key = murk_print_file(walk->root, is_of_base);
     bool is_whole = scene->whole_key && append(&scene->whole_key, presets);
@@ -186,7 +187,7 @@ static murk_status print_whole_key(const murk_walk *walk, const char *presets,
     return is_whole ? MURK_OK : MURK_NO_MEMORY;
 }
 
-static murk_status print_keys(const murk_walk *walk, murk_scene *scene)
+static murk_status print_keys(const murk_key_reader *walk, murk_scene *scene)
 {
     for (size_t i = 0; i < walk->n_paths; ++i) {
         if (drop_folder(walk->paths[i])) {
@@ -231,7 +232,8 @@ static murk_status read_condition(murk_scene_condition *condition,
     murk_condition_values values = {0};
     murk_yaml *tree = murk_yaml_copy(given);
     condition->scene = scene_make(base->path, base->sha256);
-    murk_walk walk = {.scene = condition->scene, .root = tree, .err = err};
+    murk_key_reader walk = {
+        .scene = condition->scene, .root = tree, .err = err};
     murk_status status =
         tree && condition->scene
             ? murk_condition_apply(&values, tree, condition->name, err)
@@ -270,7 +272,7 @@ static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
             return no_memory(scene->path, err);
         }
     }
-    r->walk = (murk_walk){.scene = scene, .root = r->root, .err = err};
+    r->walk = (murk_key_reader){.scene = scene, .root = r->root, .err = err};
     status = murk_walk_scene(&r->walk);
     for (size_t i = 0; !status && i < scene->n_conditions; ++i) {
         status =
@@ -297,7 +299,7 @@ static murk_status apply_variant(reading *r, const murk_variant *variant,
         status = no_memory(r->root->source, err);
     }
     for (size_t i = 0; !status && i < variant->n; ++i) {
-        const murk_change *change = &variant->change[i];
+        const murk_key_change *change = &variant->change[i];
         own[i] = murk_yaml_copy(change->value);
         status = own[i] ? murk_override_put(r->root, change->path, own[i],
                                             change->where, own, i, err)

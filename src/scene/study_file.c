@@ -269,18 +269,19 @@ void murk_study_row_indices(const murk_study_file *study, size_t row,
     }
 }
 
-static void add_axis(murk_variant *variant, murk_change *change,
+static void add_axis(murk_variant *variant, murk_key_change *change,
                      const murk_study_axis *axis, size_t i)
 {
     const murk_yaml *value = axis->value[i];
     if (axis->kind == MURK_STUDY_AXIS_CONDITION) {
         variant->condition = value->text;
     } else if (axis->kind == MURK_STUDY_AXIS_KEY) {
-        change[variant->n++] = (murk_change){axis->path, value, axis->where};
+        change[variant->n++] =
+            (murk_key_change){axis->path, value, axis->where};
     } else {
         for (size_t k = 0; k < value->n; ++k) {
             change[variant->n++] =
-                (murk_change){value->key[k], value->child[k], axis->where};
+                (murk_key_change){value->key[k], value->child[k], axis->where};
         }
     }
 }
@@ -294,7 +295,7 @@ murk_status murk_study_row_scene(murk_scene **out, const murk_study_file *study,
     for (size_t a = 0; a < study->axes; ++a) {
         most += 1 + study->axis[a].value[index[a]]->n;
     }
-    murk_change *change = calloc(most, sizeof *change);
+    murk_key_change *change = calloc(most, sizeof *change);
     if (!change) {
         return murk_study_no_memory(study->path, err);
     }

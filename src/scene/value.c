@@ -8,7 +8,7 @@
 #include "scene/number.h"
 #include "scene/words.h"
 
-murk_status murk_value_wrong(murk_walk *walk, const murk_key *key,
+murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
                              const murk_yaml *node)
 {
     char found[MURK_FOUND_SIZE], allowed[MURK_ALLOWED_SIZE];
@@ -29,7 +29,7 @@ static bool is_within(const murk_key *key, double value)
            (key->below ? value < key->most : value <= key->most);
 }
 
-static murk_status out_of_range(murk_walk *walk, const murk_key *key,
+static murk_status out_of_range(murk_key_reader *walk, const murk_key *key,
                                 const murk_yaml *node)
 {
     char found[MURK_FOUND_SIZE], range[MURK_ALLOWED_SIZE];
@@ -39,7 +39,7 @@ static murk_status out_of_range(murk_walk *walk, const murk_key *key,
                           found, range);
 }
 
-static murk_status read_number(murk_walk *walk, const murk_key *key,
+static murk_status read_number(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, double *out)
 {
     double value;
@@ -60,7 +60,7 @@ static murk_status read_number(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status read_count(murk_walk *walk, const murk_key *key,
+static murk_status read_count(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, uint64_t *out)
 {
     uint64_t value;
@@ -87,16 +87,16 @@ static murk_status read_count(murk_walk *walk, const murk_key *key,
 
 /* ---- several ---- */
 
-typedef murk_status (*item_reader)(murk_walk *walk, const murk_key *key,
+typedef murk_status (*item_reader)(murk_key_reader *walk, const murk_key *key,
                                    murk_yaml *node, size_t index, void *out);
 
-static murk_status number_item(murk_walk *walk, const murk_key *key,
+static murk_status number_item(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, size_t index, void *out)
 {
     return read_number(walk, key, node, (double *)out + index);
 }
 
-static murk_status count_item(murk_walk *walk, const murk_key *key,
+static murk_status count_item(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, size_t index, void *out)
 {
     uint64_t value = 0;
@@ -105,7 +105,7 @@ static murk_status count_item(murk_walk *walk, const murk_key *key,
     return status;
 }
 
-static murk_status read_items(murk_walk *walk, const murk_key *key,
+static murk_status read_items(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *list, item_reader read, void *out)
 {
     for (size_t i = 0; i < list->n; ++i) {
@@ -121,7 +121,7 @@ static murk_status read_items(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status read_vector(murk_walk *walk, const murk_key *key,
+static murk_status read_vector(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, murk_vec3 *out)
 {
     double v[3] = {0};
@@ -142,13 +142,13 @@ static size_t items_of(const murk_key *key)
     return n;
 }
 
-static murk_status numbers_item(murk_walk *walk, const murk_key *key,
+static murk_status numbers_item(murk_key_reader *walk, const murk_key *key,
                                 murk_yaml *node, size_t index, void *out)
 {
     return read_number(walk, &key->items[index], node, (double *)out + index);
 }
 
-static murk_status read_numbers(murk_walk *walk, const murk_key *key,
+static murk_status read_numbers(murk_key_reader *walk, const murk_key *key,
                                 murk_yaml *node, double *out)
 {
     if (node->kind != MURK_YAML_LIST || node->n != items_of(key)) {
@@ -157,7 +157,7 @@ static murk_status read_numbers(murk_walk *walk, const murk_key *key,
     return read_items(walk, key, node, numbers_item, out);
 }
 
-static murk_status read_bands(murk_walk *walk, const murk_key *key,
+static murk_status read_bands(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, double *out)
 {
     const bool are_edges = key->kind == MURK_KEY_BAND_EDGES;
@@ -200,7 +200,7 @@ static void join_equal(murk_yaml *list)
     list->text = text;
 }
 
-static murk_status read_spectrum(murk_walk *walk, const murk_key *key,
+static murk_status read_spectrum(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, murk_spectrum *out)
 {
     const int bands = walk->scene->bands;
@@ -230,7 +230,7 @@ static murk_status read_spectrum(murk_walk *walk, const murk_key *key,
 
 /* ---- lists of any length ---- */
 
-static murk_status spectrum_item(murk_walk *walk, const murk_key *key,
+static murk_status spectrum_item(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, size_t index, void *out)
 {
     murk_key one = *key;
@@ -238,7 +238,7 @@ static murk_status spectrum_item(murk_walk *walk, const murk_key *key,
     return read_spectrum(walk, &one, node, (murk_spectrum *)out + index);
 }
 
-static murk_status check_length(murk_walk *walk, const murk_key *key,
+static murk_status check_length(murk_key_reader *walk, const murk_key *key,
                                 const murk_yaml *node)
 {
     if (node->kind != MURK_YAML_LIST || node->n == 0) {
@@ -251,7 +251,7 @@ static murk_status check_length(murk_walk *walk, const murk_key *key,
                                 MURK_SCENE_LIST_MAX);
 }
 
-static murk_status read_number_list(murk_walk *walk, const murk_key *key,
+static murk_status read_number_list(murk_key_reader *walk, const murk_key *key,
                                     murk_yaml *node, murk_scene_numbers *out)
 {
     const murk_status status = check_length(walk, key, node);
@@ -266,8 +266,9 @@ static murk_status read_number_list(murk_walk *walk, const murk_key *key,
     return read_items(walk, key, node, number_item, out->value);
 }
 
-static murk_status read_spectrum_list(murk_walk *walk, const murk_key *key,
-                                      murk_yaml *node, murk_scene_spectra *out)
+static murk_status read_spectrum_list(murk_key_reader *walk,
+                                      const murk_key *key, murk_yaml *node,
+                                      murk_scene_spectra *out)
 {
     const murk_status status = check_length(walk, key, node);
     if (status) {
@@ -283,7 +284,7 @@ static murk_status read_spectrum_list(murk_walk *walk, const murk_key *key,
 
 /* ---- texts ---- */
 
-static murk_status read_text(murk_walk *walk, const murk_key *key,
+static murk_status read_text(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *member)
 {
     const bool is_text = node->kind == MURK_YAML_SCALAR &&
@@ -312,7 +313,7 @@ char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
                : murk_path_beside(node->source, node->text);
 }
 
-static murk_status read_path(murk_walk *walk, const murk_key *key,
+static murk_status read_path(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, char **out)
 {
     if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0' ||
@@ -331,7 +332,7 @@ static murk_status read_path(murk_walk *walk, const murk_key *key,
     return *out ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-murk_status murk_value_word(murk_walk *walk, const murk_key *key,
+murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, int *value)
 {
     const char *text = node->kind == MURK_YAML_SCALAR ? node->text : "";
@@ -369,7 +370,7 @@ static void store_count(void *member, size_t size, uint64_t value)
     }
 }
 
-murk_status murk_value_read(murk_walk *walk, const murk_key *key,
+murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item)
 {
     void *const member = (char *)item + key->at;

@@ -6,22 +6,22 @@
 #include "scene/walk.h"
 
 /* All kinds but maps, lists and names. `item` is the struct of key->at. */
-murk_status murk_value_read(murk_walk *walk, const murk_key *key,
+murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
 /* Names among those of key->of: one, or a list of them (or one of key->words,
  * which leaves *out as it is). out->index is the caller's: free(). */
-murk_status murk_value_reference(murk_walk *walk, const murk_key *key,
+murk_status murk_value_reference(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, void *member);
-murk_status murk_value_references(murk_walk *walk, const murk_key *key,
+murk_status murk_value_references(murk_key_reader *walk, const murk_key *key,
                                   murk_yaml *node, murk_scene_indices *out);
 
 /* Fails: what was found, and what the row allows. */
-murk_status murk_value_wrong(murk_walk *walk, const murk_key *key,
+murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
                              const murk_yaml *node);
 
 /* The value of the word that a node is, in *value (which may be NULL). */
-murk_status murk_value_word(murk_walk *walk, const murk_key *key,
+murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, int *value);
 
 /* The file that a node names, as it is to be opened: in a scene it lies beside

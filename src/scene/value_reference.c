@@ -8,7 +8,7 @@
 #include "scene/words.h"
 
 /* The message's "did you mean", or the names there are. */
-static murk_status no_such_name(murk_walk *walk, const murk_key *key,
+static murk_status no_such_name(murk_key_reader *walk, const murk_key *key,
                                 const murk_yaml *node, const murk_yaml *names)
 {
     char found[MURK_FOUND_SIZE];
@@ -37,7 +37,7 @@ static murk_status no_such_name(murk_walk *walk, const murk_key *key,
                           found, key->of, n ? list : "there are none");
 }
 
-static murk_status find_name(murk_walk *walk, const murk_key *key,
+static murk_status find_name(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, size_t *index)
 {
     if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0') {
@@ -59,7 +59,7 @@ static murk_status find_name(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-murk_status murk_value_reference(murk_walk *walk, const murk_key *key,
+murk_status murk_value_reference(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, void *member)
 {
     size_t i = 0;
@@ -72,7 +72,7 @@ murk_status murk_value_reference(murk_walk *walk, const murk_key *key,
     return status;
 }
 
-murk_status murk_value_references(murk_walk *walk, const murk_key *key,
+murk_status murk_value_references(murk_key_reader *walk, const murk_key *key,
                                   murk_yaml *node, murk_scene_indices *out)
 {
     if (node->kind == MURK_YAML_SCALAR && key->words) {

@@ -7,16 +7,16 @@
 #include "scene/scene.h"
 #include "scene/yaml.h"
 
-typedef struct murk_change {
+typedef struct murk_key_change {
     const char *path;       /* of the key: "media.fog.visibility_m" */
     const murk_yaml *value; /* copied; its source must outlive the reading */
     const char *where;      /* the place that messages about the path name */
-} murk_change;
+} murk_key_change;
 
 typedef struct murk_variant {
-    const char *condition;     /* of the scene's; NULL: as it stands */
-    const murk_change *change; /* [n], put one after the other; no path may lie
-                                  within another */
+    const char *condition;         /* of the scene's; NULL: as it stands */
+    const murk_key_change *change; /* [n], put one after the other; no path may
+                                  lie within another */
     size_t n;
 } murk_variant;
 

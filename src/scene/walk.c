@@ -15,7 +15,7 @@
 
 /* ---- places and messages ---- */
 
-size_t murk_walk_enter(murk_walk *walk, const char *part)
+size_t murk_walk_enter(murk_key_reader *walk, const char *part)
 {
     const size_t length = strlen(walk->key);
     char shown[MURK_SCENE_NAME_SIZE];
@@ -25,7 +25,7 @@ size_t murk_walk_enter(murk_walk *walk, const char *part)
     return length;
 }
 
-void murk_walk_leave(murk_walk *walk, size_t length)
+void murk_walk_leave(murk_key_reader *walk, size_t length)
 {
     walk->key[length] = '\0';
 }
@@ -54,7 +54,7 @@ void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,
              is_said ? 0 : MURK_WALK_KEY_SIZE, key);
 }
 
-murk_status murk_walk_fail(murk_walk *walk, murk_status status,
+murk_status murk_walk_fail(murk_key_reader *walk, murk_status status,
                            const murk_yaml *node, bool at_key,
                            const char *format, ...)
 {
@@ -68,7 +68,7 @@ murk_status murk_walk_fail(murk_walk *walk, murk_status status,
     return murk_fail(walk->err, status, where, "%s", text);
 }
 
-murk_status murk_walk_no_memory(murk_walk *walk)
+murk_status murk_walk_no_memory(murk_key_reader *walk)
 {
     return murk_fail(walk->err, MURK_NO_MEMORY, walk->scene->path,
                      "no memory to read it");
@@ -78,8 +78,8 @@ murk_status murk_walk_no_memory(murk_walk *walk)
 
 /* Defaults are parsed from their text, so that they are read as the user's
  * values are. */
-static murk_status put_preset(murk_walk *walk, murk_yaml *map, const char *name,
-                              const char *text)
+static murk_status put_preset(murk_key_reader *walk, murk_yaml *map,
+                              const char *name, const char *text)
 {
     murk_yaml *node = NULL;
     const char *source = walk->root->source;
@@ -95,7 +95,7 @@ static murk_status put_preset(murk_walk *walk, murk_yaml *map, const char *name,
     return murk_yaml_put(map, name, node) ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-static murk_status find_variant(murk_walk *walk, const murk_keys *keys,
+static murk_status find_variant(murk_key_reader *walk, const murk_keys *keys,
                                 murk_yaml *map, int *variant)
 {
     *variant = 0;
@@ -137,7 +137,7 @@ static bool has_group(const murk_keys *keys, const murk_yaml *map, int group)
     return false;
 }
 
-static murk_status put_presets(murk_walk *walk, const murk_keys *keys,
+static murk_status put_presets(murk_key_reader *walk, const murk_keys *keys,
                                murk_yaml *map, int variant)
 {
     for (const murk_key *key = keys->key; key->name; ++key) {
@@ -196,7 +196,7 @@ static void mark_absent(const murk_keys *keys, const murk_yaml *map,
     }
 }
 
-static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
+static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
                             murk_yaml *map, void *item)
 {
     if (keys->is_open) {
@@ -239,7 +239,8 @@ static murk_status walk_map(murk_walk *walk, const murk_keys *keys,
 
 /* ---- lists and names ---- */
 
-static murk_status check_number_of_items(murk_walk *walk, const murk_key *key,
+static murk_status check_number_of_items(murk_key_reader *walk,
+                                         const murk_key *key,
                                          const murk_yaml *node)
 {
     const murk_keys *keys = key->keys;
@@ -256,7 +257,7 @@ static murk_status check_number_of_items(murk_walk *walk, const murk_key *key,
     return MURK_OK;
 }
 
-static murk_status walk_items(murk_walk *walk, const murk_keys *keys,
+static murk_status walk_items(murk_key_reader *walk, const murk_keys *keys,
                               murk_yaml *node, char *items)
 {
     for (size_t i = 0; i < node->n; ++i) {
@@ -281,7 +282,8 @@ static murk_status walk_items(murk_walk *walk, const murk_keys *keys,
     return MURK_OK;
 }
 
-static murk_status check_item_names(murk_walk *walk, const murk_yaml *node)
+static murk_status check_item_names(murk_key_reader *walk,
+                                    const murk_yaml *node)
 {
     for (size_t i = 0; i < node->n; ++i) {
         const size_t length = strlen(node->key[i]);
@@ -299,7 +301,7 @@ static murk_status check_item_names(murk_walk *walk, const murk_yaml *node)
 }
 
 /* The name that is built in comes first, given or not. */
-static murk_status put_first(murk_walk *walk, const murk_keys *keys,
+static murk_status put_first(murk_key_reader *walk, const murk_keys *keys,
                              murk_yaml *node)
 {
     if (!keys->first) {
@@ -322,7 +324,7 @@ static murk_status put_first(murk_walk *walk, const murk_keys *keys,
     return MURK_OK;
 }
 
-static murk_status walk_array(murk_walk *walk, const murk_key *key,
+static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, void *owner)
 {
     const murk_keys *keys = key->keys;
@@ -350,7 +352,7 @@ static murk_status walk_array(murk_walk *walk, const murk_key *key,
     return walk_items(walk, keys, node, items);
 }
 
-murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
+murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item)
 {
     if (key->has_flag) {
@@ -389,7 +391,7 @@ murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
                                      : walk_array(walk, key, node, item);
 }
 
-murk_status murk_walk_scene(murk_walk *walk)
+murk_status murk_walk_scene(murk_key_reader *walk)
 {
     if (walk->root->kind != MURK_YAML_MAP) {
         char found[MURK_FOUND_SIZE];

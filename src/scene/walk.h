@@ -8,7 +8,7 @@
 
 #define MURK_WALK_KEY_SIZE 160
 
-struct murk_walk {
+struct murk_key_reader {
     murk_scene *scene;
     murk_yaml *root;
     murk_error *err;
@@ -19,26 +19,26 @@ struct murk_walk {
 
 /* scene->path is set, all else is empty; a key that the walk has already goes
  * before all others. */
-murk_status murk_walk_scene(murk_walk *walk);
+murk_status murk_walk_scene(murk_key_reader *walk);
 
 /* One value, map or list under the walk's present key, into its member of the
  * struct `item`. */
-murk_status murk_walk_value(murk_walk *walk, const murk_key *key,
+murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
 /* Adds a part to the present key; gives back the length to return to by
  * murk_walk_leave(). */
-size_t murk_walk_enter(murk_walk *walk, const char *part);
-void murk_walk_leave(murk_walk *walk, size_t length);
+size_t murk_walk_enter(murk_key_reader *walk, const char *part);
+void murk_walk_leave(murk_key_reader *walk, size_t length);
 
 /* Fails at a node under the walk's present key: "fog.yaml:12:13:
  * media.fog.albedo". For maps, lists, and all with `at_key`, the place is that
  * of its key. */
-murk_status murk_walk_fail(murk_walk *walk, murk_status status,
+murk_status murk_walk_fail(murk_key_reader *walk, murk_status status,
                            const murk_yaml *node, bool at_key,
                            const char *format, ...)
     __attribute__((format(printf, 5, 6)));
-murk_status murk_walk_no_memory(murk_walk *walk);
+murk_status murk_walk_no_memory(murk_key_reader *walk);
 
 /* "FILE:LINE:COLUMN: KEY", or "FILE: KEY" of what is not in the file, or the
  * option of the command line. */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* An item of a list of bands speaks of one band. */
-static murk_status check_one_band(murk_walk *walk, const murk_keys *keys,
+static murk_status check_one_band(murk_key_reader *walk, const murk_keys *keys,
                                   const murk_yaml *item)
 {
     murk_status status = MURK_OK;
@@ -23,7 +23,7 @@ static murk_status check_one_band(murk_walk *walk, const murk_keys *keys,
     return status;
 }
 
-murk_status murk_walk_bands(murk_walk *walk, const murk_key *key,
+murk_status murk_walk_bands(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *owner)
 {
     const murk_keys *keys = key->keys;

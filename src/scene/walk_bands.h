@@ -6,7 +6,7 @@
 
 /* Fills the array of structs in `owner` that a row of kind MURK_KEY_PER_BAND
  * speaks of, and its count. */
-murk_status murk_walk_bands(murk_walk *walk, const murk_key *key,
+murk_status murk_walk_bands(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *owner);
 
 #endif

@@ -40,7 +40,7 @@ static size_t list_names(const murk_keys *keys, int variant,
     return n;
 }
 
-static murk_status fail_with_names(murk_walk *walk, const murk_yaml *node,
+static murk_status fail_with_names(murk_key_reader *walk, const murk_yaml *node,
                                    const char *what, const char *const *names,
                                    size_t n)
 {
@@ -54,7 +54,7 @@ static murk_status fail_with_names(murk_walk *walk, const murk_yaml *node,
                           what, n > 1 ? "one of " : "", list);
 }
 
-static murk_status check_name(murk_walk *walk, const murk_keys *keys,
+static murk_status check_name(murk_key_reader *walk, const murk_keys *keys,
                               const char *name, const murk_yaml *child)
 {
     const murk_key *key = murk_keys_find(keys, name);
@@ -72,7 +72,7 @@ static murk_status check_name(murk_walk *walk, const murk_keys *keys,
                            list_names(keys, -1, names));
 }
 
-murk_status murk_walk_check_names(murk_walk *walk, const murk_keys *keys,
+murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
                                   const murk_yaml *map)
 {
     for (size_t i = 0; i < map->n; ++i) {
@@ -88,7 +88,7 @@ murk_status murk_walk_check_names(murk_walk *walk, const murk_keys *keys,
 }
 
 /* Of each group at most one, and one where the group is required. */
-murk_status murk_walk_check_groups(murk_walk *walk, const murk_keys *keys,
+murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
                                    const murk_yaml *map)
 {
     for (const murk_key *key = keys->key; key->name; ++key) {
@@ -124,8 +124,9 @@ murk_status murk_walk_check_groups(murk_walk *walk, const murk_keys *keys,
     return MURK_OK;
 }
 
-murk_status murk_walk_check_variant(murk_walk *walk, const murk_keys *keys,
-                                    const murk_yaml *map, int variant)
+murk_status murk_walk_check_variant(murk_key_reader *walk,
+                                    const murk_keys *keys, const murk_yaml *map,
+                                    int variant)
 {
     for (size_t i = 0; i < map->n; ++i) {
         if (murk_walk_find(keys, map->key[i], variant)) {

@@ -10,15 +10,16 @@ const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
                                int variant);
 
 /* Every key is in the table, and supported. */
-murk_status murk_walk_check_names(murk_walk *walk, const murk_keys *keys,
+murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
                                   const murk_yaml *map);
 
 /* At most one key of each group, and one where the group is required. */
-murk_status murk_walk_check_groups(murk_walk *walk, const murk_keys *keys,
+murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
                                    const murk_yaml *map);
 
 /* Every key is one of the map's variant. */
-murk_status murk_walk_check_variant(murk_walk *walk, const murk_keys *keys,
-                                    const murk_yaml *map, int variant);
+murk_status murk_walk_check_variant(murk_key_reader *walk,
+                                    const murk_keys *keys, const murk_yaml *map,
+                                    int variant);
 
 #endif

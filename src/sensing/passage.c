@@ -135,7 +135,7 @@ double murk_passage_transmittance(const murk_passages *p, int band,
 }
 
 bool murk_passage_change(const murk_passages *p, const murk_leg *l,
-                         murk_change *change)
+                         murk_index_change *change)
 {
     const double tolerance = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
     double from = 0, look_from = l->look_from_m, before = 0;
@@ -191,7 +191,7 @@ bool murk_passage_bends(const murk_passages *p, murk_vec3 photon)
     murk_leg leg[MURK_SEGMENT_PIECES];
     const int n = murk_passage_legs(p, photon, leg);
     for (int i = 0; i < n; ++i) {
-        murk_change change;
+        murk_index_change change;
         if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
             return true;
         }

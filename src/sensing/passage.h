@@ -34,19 +34,19 @@ typedef struct murk_leg {
 } murk_leg;
 
 /* Where the index of refraction changes. */
-typedef struct murk_change {
+typedef struct murk_index_change {
     double distance_m;
     murk_vec3 normal; /* unit, faces where the leg came from */
     bool is_mesh;     /* of a mesh alone */
     double before, beyond;
     murk_inside inside; /* beyond */
-} murk_change;
+} murk_index_change;
 
 /* The first change on a leg within the domain. Meshes within their tolerance of
  * its end do not count. Follows boundaries of both kinds, each as the set says;
  * those of meshes and others within the tolerance are passed at once. */
 bool murk_passage_change(const murk_passages *passages, const murk_leg *leg,
-                         murk_change *change);
+                         murk_index_change *change);
 
 /* The pieces of the straight way from the sensor to the nearest image of a
  * point, in their order, each in the domain. Returns how many. */

@@ -57,7 +57,7 @@ static bool reaches_crossing(const murk_interfaces *at, const murk_passages *p,
 {
     const double tolerance = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
     murk_leg leg[MURK_SEGMENT_PIECES];
-    murk_change change;
+    murk_index_change change;
     const int legs = murk_passage_legs(p, path->crossing, leg);
     for (int i = 0; i + 1 < legs; ++i) {
         if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
@@ -88,7 +88,7 @@ static bool goes_on(const murk_passages *p, const murk_snell *path,
     const murk_vec3 to =
         murk_add(photon, murk_sub(beyond.sensor, path->crossing));
     murk_leg leg[MURK_SEGMENT_PIECES];
-    murk_change change;
+    murk_index_change change;
     const int legs = murk_passage_legs(&beyond, to, leg);
     leg[0].inside = inside;
     leg[0].look_from_m = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
@@ -102,7 +102,7 @@ static bool goes_on(const murk_passages *p, const murk_snell *path,
 
 /* Adds the way through a plane, if there is one that is not had already. */
 static size_t add_way(const murk_interfaces *at, const murk_passages *p,
-                      const murk_plane *plane, murk_vec3 photon,
+                      const murk_interface_plane *plane, murk_vec3 photon,
                       const double n[2], murk_way *way, size_t had)
 {
     murk_snell path;
@@ -130,7 +130,7 @@ static size_t add_way(const murk_interfaces *at, const murk_passages *p,
 
 /* Where the straight line first meets another index, if it does. */
 static bool first_change(const murk_passages *p, murk_vec3 photon,
-                         murk_change *change, murk_vec3 *place)
+                         murk_index_change *change, murk_vec3 *place)
 {
     murk_leg leg[MURK_SEGMENT_PIECES];
     const int legs = murk_passage_legs(p, photon, leg);
@@ -146,7 +146,8 @@ static bool first_change(const murk_passages *p, murk_vec3 photon,
     return false;
 }
 
-static bool is_beyond_critical(const murk_change *change, murk_vec3 direction)
+static bool is_beyond_critical(const murk_index_change *change,
+                               murk_vec3 direction)
 {
     const double ratio = fmax(change->before, change->beyond) /
                          fmin(change->before, change->beyond);
@@ -167,7 +168,7 @@ size_t murk_ways_across(const murk_interfaces *at, const murk_passages *p,
     for (size_t i = 0; i < at->n; ++i) {
         /* A face that does not reach from side to side may be near the sensor,
          * or near the photon in another period. */
-        murk_plane plane = {at->flat[i].point, at->flat[i].normal};
+        murk_interface_plane plane = {at->flat[i].point, at->flat[i].normal};
         ways = add_way(at, p, &plane, image, n, way, ways);
         if (!is_here) {
             plane.point = murk_add(plane.point, shift);
@@ -175,12 +176,12 @@ size_t murk_ways_across(const murk_interfaces *at, const murk_passages *p,
         }
     }
     *is_reflected = false;
-    murk_change change;
+    murk_index_change change;
     murk_vec3 place;
     if ((at->any_mesh || ways == 0) &&
         first_change(p, image, &change, &place)) {
         if (change.is_mesh) {
-            const murk_plane plane = {place, change.normal};
+            const murk_interface_plane plane = {place, change.normal};
             ways = add_way(at, p, &plane, image, n, way, ways);
         }
         *is_reflected =

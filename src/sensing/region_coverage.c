@@ -35,7 +35,7 @@ static double power_w(const sums *s, size_t i)
     return (double)s->photon[p][i - s->first[p]].power_w;
 }
 
-static void add_up(sums *s, murk_seen seen, const void *context)
+static void add_up(sums *s, murk_photon_view seen, const void *context)
 {
     for (size_t i = 0; i < s->photons; ++i) {
         const uint64_t regions = murk_sight_regions(s->sight, i);
@@ -89,8 +89,8 @@ static void take_residual(sums *s, uint64_t touched)
     }
 }
 
-static void square_residuals(sums *s, const uint64_t *key, murk_seen seen,
-                             const void *context)
+static void square_residuals(sums *s, const uint64_t *key,
+                             murk_photon_view seen, const void *context)
 {
     uint64_t touched = 0;
     for (size_t k = 0; k < s->photons; ++k) {
@@ -116,7 +116,7 @@ static void square_residuals(sums *s, const uint64_t *key, murk_seen seen,
 
 void murk_region_coverage_measure(murk_region_coverage *out,
                                   const murk_sight *sight, const uint64_t *key,
-                                  murk_seen seen, const void *context)
+                                  murk_photon_view seen, const void *context)
 {
     const murk_sight_desc *desc = murk_sight_described(sight);
     sums s = {.sight = sight,

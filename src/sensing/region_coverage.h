@@ -6,12 +6,12 @@
 #include "sensing/sight.h"
 
 /* How well photon i is seen, 0..1. */
-typedef double (*murk_seen)(const void *context, size_t i);
+typedef double (*murk_photon_view)(const void *context, size_t i);
 
 /* Fills out[n] for the n regions of the sight's interest. key[photons]: all
  * photons in order of emitted photon, emitted << 32 | photon. */
 void murk_region_coverage_measure(murk_region_coverage *out,
                                   const murk_sight *sight, const uint64_t *key,
-                                  murk_seen seen, const void *context);
+                                  murk_photon_view seen, const void *context);
 
 #endif

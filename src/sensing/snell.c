@@ -30,7 +30,7 @@ static double tangent_of(double r, double h_rare, double h_dense, double m)
 }
 
 bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
-                     const murk_plane *plane, const double n[2],
+                     const murk_interface_plane *plane, const double n[2],
                      murk_snell *path)
 {
     const murk_vec3 way = murk_sub(photon, sensor);

@@ -24,9 +24,9 @@
 
 #include <stdbool.h>
 
-typedef struct murk_plane {
+typedef struct murk_interface_plane {
     murk_vec3 point, normal; /* unit, to either side */
-} murk_plane;
+} murk_interface_plane;
 
 typedef struct murk_snell {
     murk_vec3 crossing;
@@ -40,7 +40,7 @@ typedef struct murk_snell {
 /* False when the two do not lie on different sides of the plane, or a number
  * is not finite. n: both indices, sensor's first, different, > 0. */
 bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
-                     const murk_plane *plane, const double n[2],
+                     const murk_interface_plane *plane, const double n[2],
                      murk_snell *path);
 
 /* What lies farther [m] from a sensor at this height over the plane than that

@@ -5,7 +5,7 @@
 
 murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi)
 {
-    return murk_turned(n, sqrt(u_mu), u_phi);
+    return murk_turned_direction(n, sqrt(u_mu), u_phi);
 }
 
 static murk_vec3 mirrored(murk_vec3 d, murk_vec3 normal)

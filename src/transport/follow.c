@@ -7,7 +7,7 @@
 
 struct murk_follower {
     murk_trace trace;
-    murk_course course;
+    murk_walk_setup course;
     murk_sums sums; /* read by nobody: a ray's quanta are no light */
     murk_tally *absorber;
     double (*busy)[2]; /* heights that are not free */

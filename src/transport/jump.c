@@ -81,7 +81,7 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
 
 double murk_jump_ahead(const murk_walker *w)
 {
-    const murk_course *course = w->course;
+    const murk_walk_setup *course = w->course;
     const double z = w->position.z, dz = w->direction.z;
     if (w->wraps < WRAPS_BEFORE || !course->jumps || dz == 0) {
         return 0;

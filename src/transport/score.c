@@ -3,7 +3,7 @@
 #include <math.h>
 
 /* How far a place is beyond a plane; 0 where it is in it. */
-static inline double beyond(const murk_plane *plane, murk_station at)
+static inline double beyond(const murk_tally_plane *plane, murk_station at)
 {
     const double s = murk_dot(plane->normal, murk_sub(at.place, plane->point));
     return fabs(s) <= at.reach_m ? 0 : s;
@@ -20,7 +20,7 @@ static double along_axis(murk_vec3 p, int axis)
 }
 
 /* A crossing at the share t of the way between two stations. */
-static void cross(murk_scorer *scorer, const murk_plane *plane, double t,
+static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
                   murk_vec3 to, murk_vec3 direction, bool backward,
                   double quanta)
 {
@@ -113,7 +113,7 @@ void murk_score_end(murk_scorer *scorer, bool takes_back)
             sum = murk_wide_negated(sum);
             square = murk_wide_negated(square);
         }
-        murk_cell *const to = &scorer->cell[cell];
+        murk_tally_bin *const to = &scorer->cell[cell];
         if (scorer->is_alone) {
             murk_wide_add_alone(&to->sum, sum);
             murk_wide_add_alone(&to->squares, square);

@@ -18,13 +18,13 @@ typedef struct murk_station {
                        places in the open */
 } murk_station;
 
-typedef struct murk_plane {
+typedef struct murk_tally_plane {
     murk_vec3 point, normal; /* unit */
     int axes[2];
     double low_m[2], bins_per_m[2]; /* along the axes */
     uint32_t bins[2], angle_bins;
     uint32_t first; /* its first cell */
-} murk_plane;
+} murk_tally_plane;
 
 typedef struct murk_probe {
     murk_vec3 center;
@@ -42,27 +42,27 @@ typedef struct murk_lattice {
     uint32_t first;
 } murk_lattice;
 
-typedef struct murk_cell {
+typedef struct murk_tally_bin {
     murk_wide_sum sum, squares;
-} murk_cell;
+} murk_tally_bin;
 
 typedef struct murk_scorer {
     const murk_tallies *tallies;
-    murk_cell *cell; /* of the present photon's channel */
+    murk_tally_bin *cell; /* of the present photon's channel */
     murk_station at;
     double *side;      /* [planes]: how far `at` is beyond each */
     double *value;     /* [cells]: of this photon; 0 between photons */
     uint32_t *touched; /* [cells]: those that are not 0 */
     size_t n_touched;
-    murk_cell *copy; /* [channels][cells] */
-    bool is_alone;   /* no other scorer adds to it */
+    murk_tally_bin *copy; /* [channels][cells] */
+    bool is_alone;        /* no other scorer adds to it */
 } murk_scorer;
 
 struct murk_tallies {
     size_t n;
     murk_tally_desc desc[MURK_TALLIES_MAX];
     uint32_t first[MURK_TALLIES_MAX];
-    murk_plane plane[MURK_TALLIES_MAX];
+    murk_tally_plane plane[MURK_TALLIES_MAX];
     murk_probe probe[MURK_TALLIES_MAX];
     murk_lattice lattice[MURK_TALLIES_MAX];
     size_t planes, probes, lattices;
@@ -70,7 +70,7 @@ struct murk_tallies {
     int bands;
     size_t scorers, copies;
     murk_scorer **scorer; /* [scorers] */
-    murk_cell *cell;      /* [copies][channels][cells] */
+    murk_tally_bin *cell; /* [copies][channels][cells] */
 };
 
 /* Of a worker of the crew. */

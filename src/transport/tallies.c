@@ -22,7 +22,7 @@ static size_t scorers_of(unsigned threads)
 
 static size_t copies_of(double cells, size_t channels, unsigned threads)
 {
-    const double copy_bytes = cells * (double)channels * sizeof(murk_cell);
+    const double copy_bytes = cells * (double)channels * sizeof(murk_tally_bin);
     const double copies = floor(COPIES_BYTES / copy_bytes);
     const double most = (double)scorers_of(threads);
     return copies < 1 ? 1 : (size_t)(copies < most ? copies : most);
@@ -40,23 +40,24 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
         }
     }
     const double sums = (double)copies_of(cells, channels, threads) *
-                        (double)channels * sizeof(murk_cell);
+                        (double)channels * sizeof(murk_tally_bin);
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
     return sizeof(murk_tallies) + cells * (sums + scratch) +
            largest_grid * bands * WRITTEN_BYTES;
 }
 
-static murk_plane plane_of(const murk_tally_desc *d, const murk_box *box,
-                           uint32_t first)
+static murk_tally_plane plane_of(const murk_tally_desc *d, const murk_box *box,
+                                 uint32_t first)
 {
     const double low[3] = {box->min.x, box->min.y, box->min.z};
     const double high[3] = {box->max.x, box->max.y, box->max.z};
-    murk_plane plane = {.point = d->point,
-                        .normal = murk_unit(d->normal),
-                        .bins = {(uint32_t)d->bins[0], (uint32_t)d->bins[1]},
-                        .angle_bins = (uint32_t)d->angle_bins,
-                        .first = first};
+    murk_tally_plane plane = {
+        .point = d->point,
+        .normal = murk_unit(d->normal),
+        .bins = {(uint32_t)d->bins[0], (uint32_t)d->bins[1]},
+        .angle_bins = (uint32_t)d->angle_bins,
+        .first = first};
     murk_tally_axes(d, plane.axes);
     for (int i = 0; i < 2; ++i) {
         const int axis = plane.axes[i];
@@ -256,7 +257,7 @@ murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
     for (size_t c = (size_t)band; c < t->channels; c += (size_t)t->bands) {
         murk_wide sum = {0, 0}, squares = {0, 0};
         for (size_t copy = 0; copy < t->copies; ++copy) {
-            const murk_cell *from =
+            const murk_tally_bin *from =
                 &t->cell[(copy * t->channels + c) * t->cells + t->first[tally] +
                          cell];
             sum = murk_wide_plus(sum, read_sum(&from->sum));

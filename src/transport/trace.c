@@ -9,7 +9,7 @@
 #include "transport/walk.h"
 
 typedef struct run {
-    murk_course course;
+    murk_walk_setup course;
     murk_ledger *ledger;
 } run;
 

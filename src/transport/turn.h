@@ -43,7 +43,8 @@ static inline murk_vec3 murk_trimmed(murk_vec3 d)
 }
 
 /* Unit d turned by the angle of cosine mu, at azimuth 2 pi u_phi about it. */
-static inline murk_vec3 murk_turned(murk_vec3 d, double mu, double u_phi)
+static inline murk_vec3 murk_turned_direction(murk_vec3 d, double mu,
+                                              double u_phi)
 {
     murk_vec3 t, b;
     murk_frame(d, &t, &b);

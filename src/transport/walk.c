@@ -73,8 +73,8 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
         murk_walker_score(w, from, c->distance_m, before, w->position, 0);
     }
     if (scatters) {
-        w->direction =
-            murk_turned(arriving, murk_phase_sample(c->phase, u[1]), azimuth);
+        w->direction = murk_turned_direction(
+            arriving, murk_phase_sample(c->phase, u[1]), azimuth);
     }
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_MEDIUM);
@@ -144,7 +144,7 @@ static inline double as_far_as_media_let(const murk_walker *w)
 
 static murk_fate follow(murk_walker *w)
 {
-    const murk_course *r = w->course;
+    const murk_walk_setup *r = w->course;
     const bool only_media = r->any_media && !r->any_surfaces;
     const bool media_too = r->any_media && r->any_surfaces;
     for (;;) {
@@ -233,7 +233,7 @@ static murk_fate follow(murk_walker *w)
 
 static void start(murk_walker *w, murk_ray ray)
 {
-    const murk_course *r = w->course;
+    const murk_walk_setup *r = w->course;
     const murk_light *light = murk_lights_get(r->world->lights, w->light);
     w->position = w->probe = ray.origin;
     w->direction = ray.direction;
@@ -261,7 +261,7 @@ static void start(murk_walker *w, murk_ray ray)
 /* Media, meshes and solids around a place in the open. */
 static void start_inside(murk_walker *w)
 {
-    const murk_course *r = w->course;
+    const murk_walk_setup *r = w->course;
     if (r->any_boundaries) {
         w->inside = murk_inside_at(r->world, w->position, w->direction);
     }
@@ -318,7 +318,7 @@ static murk_station first_station(const murk_walker *w)
                : (murk_station){w->position, w->course->in_plane_m};
 }
 
-murk_course murk_course_of(const murk_trace *trace)
+murk_walk_setup murk_course_of(const murk_trace *trace)
 {
     const murk_world *world = trace->world;
     const murk_surfaces_facts facts = murk_surfaces_describe(world->surfaces);
@@ -330,7 +330,7 @@ murk_course murk_course_of(const murk_trace *trace)
     const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
     const double step =
         murk_length(murk_surfaces_leave(world->surfaces, zero, up));
-    return (murk_course){
+    return (murk_walk_setup){
         .trace = trace,
         .world = world,
         .walls = murk_walls_of(&box, 0),
@@ -347,7 +347,7 @@ murk_course murk_course_of(const murk_trace *trace)
         .least_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }
 
-void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
+void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
                       uint64_t photon)
 {
     const murk_world *world = r->world;
@@ -388,7 +388,7 @@ void murk_walk_photon(const murk_course *r, murk_sums *s, uint64_t batch,
     }
 }
 
-void murk_walk_from(const murk_course *r, murk_sums *s, uint64_t photon,
+void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,
                     int band, murk_ray ray)
 {
     murk_walker w = {.course = r,

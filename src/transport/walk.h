@@ -6,7 +6,7 @@
 #include "transport/trace.h"
 #include "transport/walls.h"
 
-#define MURK_CHANNELS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
+#define MURK_EMISSIONS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
 
 typedef enum murk_fate {
     MURK_FATE_SURFACES, /* absorbed there */
@@ -17,7 +17,7 @@ typedef enum murk_fate {
 } murk_fate;
 
 /* What all photons of a run share. */
-typedef struct murk_course {
+typedef struct murk_walk_setup {
     const murk_trace *trace;
     const murk_world *world;
     murk_walls walls;  /* the domain's */
@@ -32,15 +32,15 @@ typedef struct murk_course {
     size_t n_busy;
     uint32_t purpose_shift;
     int64_t least_quanta; /* roulette from here down */
-} murk_course;
+} murk_walk_setup;
 
-murk_course murk_course_of(const murk_trace *trace);
+murk_walk_setup murk_course_of(const murk_trace *trace);
 
 /* Sums of one batch: adding to the shared ledger photon by photon would make
  * the threads wait for each other. */
 typedef struct murk_sums {
-    uint16_t emitted[MURK_CHANNELS_MAX];          /* photons */
-    int64_t ended[MURK_CHANNELS_MAX][MURK_FATES]; /* quanta */
+    uint16_t emitted[MURK_EMISSIONS_MAX];          /* photons */
+    int64_t ended[MURK_EMISSIONS_MAX][MURK_FATES]; /* quanta */
     uint16_t lost[MURK_LOSSES];
     uint64_t collisions;
     murk_tally *absorber; /* the ledger's, of this thread's lane, which is added
@@ -51,12 +51,12 @@ typedef struct murk_sums {
 } murk_sums;
 
 /* Traces one photon, tells its events to the trace's sink, adds to sums. */
-void murk_walk_photon(const murk_course *course, murk_sums *sums,
+void murk_walk_photon(const murk_walk_setup *course, murk_sums *sums,
                       uint64_t batch, uint64_t photon);
 
 /* The same from a place in the open, which is not told: of the first light and
  * the band. */
-void murk_walk_from(const murk_course *course, murk_sums *sums, uint64_t photon,
-                    int band, murk_ray ray);
+void murk_walk_from(const murk_walk_setup *course, murk_sums *sums,
+                    uint64_t photon, int band, murk_ray ray);
 
 #endif

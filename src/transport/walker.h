@@ -10,7 +10,7 @@
 
 /* A photon under way. */
 typedef struct murk_walker {
-    const murk_course *course;
+    const murk_walk_setup *course;
     murk_sums *sums;
     uint64_t batch, photon;
     int64_t quanta; /* what is left of its packet */

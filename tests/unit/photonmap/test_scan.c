@@ -5,14 +5,14 @@
 #include "photonmap/scan.h"
 
 /* From far apart to far below and above what single precision can square. */
-static murk_ball ball_of(uint64_t i)
+static murk_query_sphere ball_of(uint64_t i)
 {
     const murk_random4 r = murk_random(5, MURK_TEST, i, 0, 0);
     const float scale = i % 50 == 0 ? 1e-25f : i % 50 == 1 ? 1e20f : 1;
-    return (murk_ball){{scale * (float)(8 * r.u[0]),
-                        scale * (float)(5 * r.u[1]),
-                        scale * (float)(3 * r.u[2])},
-                       scale * (float)(9 * r.u[3] * r.u[3])};
+    return (murk_query_sphere){{scale * (float)(8 * r.u[0]),
+                                scale * (float)(5 * r.u[1]),
+                                scale * (float)(3 * r.u[2])},
+                               scale * (float)(9 * r.u[3] * r.u[3])};
 }
 
 static void fill_boxes(murk_boxes *boxes, const murk_photon *photons,
@@ -32,7 +32,7 @@ static void compare_scans(const murk_scan *plain, const murk_scan *wide,
                           const murk_photon *photons, uint64_t i)
 {
     _Alignas(64) murk_boxes boxes;
-    const murk_ball ball = ball_of(i);
+    const murk_query_sphere ball = ball_of(i);
     const uint32_t n = i % 3 ? MURK_LEAF : (uint32_t)(i / 3 % (MURK_LEAF + 1));
     float a[MURK_LEAF] = {0}, b[MURK_LEAF] = {0};
 
@@ -83,7 +83,7 @@ static void test_boxes_bound_their_photons(void)
     fill_boxes(&boxes, photons, MURK_WIDE);
     int met_all = 0, whole_all = 0;
     for (uint64_t i = 2; i < 20000; ++i) {
-        const murk_ball ball = ball_of(i);
+        const murk_query_sphere ball = ball_of(i);
         uint32_t whole;
         const uint32_t met = best->boxes(&boxes, &ball, &whole);
         const uint32_t in = best->leaf(photons, MURK_LEAF, &ball);

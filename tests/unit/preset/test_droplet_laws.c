@@ -12,7 +12,7 @@ enum { MANY = 60 };
 typedef struct answer {
     double absorption[MANY], scattering[MANY];
     murk_preset_phase phase[MANY];
-    murk_optics optics;
+    murk_law_result optics;
 } answer;
 
 static murk_words words_of(double per_cm3, double a, double b, double c)
@@ -31,9 +31,9 @@ static murk_status run(answer *out, size_t n, const double *nm,
                        const murk_words *words, murk_error *err)
 {
     *out = (answer){0};
-    out->optics = (murk_optics){.absorption_per_m = out->absorption,
-                                .scattering_per_m = out->scattering,
-                                .phase = out->phase};
+    out->optics = (murk_law_result){.absorption_per_m = out->absorption,
+                                    .scattering_per_m = out->scattering,
+                                    .phase = out->phase};
     const murk_law_call call = {
         .n = n, .wavelength_nm = nm, .words = words, .where = "media.fog"};
     return murk_law_find("droplets")->run(&out->optics, &call, err);

@@ -19,7 +19,7 @@ enum { LINES = 4 };
 typedef struct answer {
     double absorption[LINES], scattering[LINES];
     murk_preset_phase phase[LINES];
-    murk_optics optics;
+    murk_law_result optics;
 } answer;
 
 static const double nm[LINES] = {440, 500, 550, 660};
@@ -29,9 +29,9 @@ static answer run_law(const char *name, const murk_words *words,
                       const double *parameter, const murk_preset_table *table)
 {
     answer out = {.optics = {0}};
-    out.optics = (murk_optics){.absorption_per_m = out.absorption,
-                               .scattering_per_m = out.scattering,
-                               .phase = out.phase};
+    out.optics = (murk_law_result){.absorption_per_m = out.absorption,
+                                   .scattering_per_m = out.scattering,
+                                   .phase = out.phase};
     const murk_law *law = murk_law_find(name);
     const murk_law_call call = {.n = LINES,
                                 .wavelength_nm = nm,

@@ -35,7 +35,7 @@ static void test_the_nearest_image_is_in_the_middle(void)
     murk_scenery scenery = scenery_of_world(&world);
     for (double x = 0.1; x < 7; x += 0.3) {
         for (double y = 0.1; y < 3; y += 0.3) {
-            const murk_images m =
+            const murk_source_images m =
                 murk_images_of(&scenery, 0, murk_vec(x, y, 1));
             CHECK(m.period_m[0] == 7 && m.period_m[1] == 3);
             for (int axis = 0; axis < 2; ++axis) {
@@ -60,7 +60,7 @@ static void check_images(murk_vec3 place, double *beyond)
                                       .lights = &lamp,
                                       .n_lights = 1});
     murk_scenery scenery = scenery_of_world(&world);
-    const murk_images images = murk_images_of(&scenery, 0, place);
+    const murk_source_images images = murk_images_of(&scenery, 0, place);
     double sum = 0;
     for (int i = -REACH; i <= REACH; ++i) {
         for (int j = -REACH; j <= REACH; ++j) {
@@ -119,7 +119,7 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
                       .lights = lamp,
                       .n_lights = 10});
     murk_scenery scenery = scenery_of_world(&world);
-    murk_outlook outlook = {
+    murk_shadow_origin outlook = {
         .position = {5, 2, 1}, .is_surface = true, .normal = {0, 0, 1}};
     double rays[MURK_LIGHTS_MAX], sum = 0;
     murk_choice_rays(&scenery, &outlook, rays);
@@ -162,7 +162,7 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
                       .lights = point,
                       .n_lights = POINTS});
     murk_scenery scenery = scenery_of_world(&world);
-    const murk_outlook outlook = {.position = {here, 2, 1}};
+    const murk_shadow_origin outlook = {.position = {here, 2, 1}};
     double rays[MURK_LIGHTS_MAX];
     murk_choice_rays(&scenery, &outlook, rays);
     for (int i = 0; i < POINTS; ++i) {
@@ -191,7 +191,7 @@ static void test_images_light_what_lies_behind(void)
     test_setup setup = {.domain = {{{0, 0, 0}, {4, 4, 6}}, true},
                         .lights = lamp,
                         .n_lights = 6};
-    const murk_outlook behind = {.position = {2.7, 2, 2.3}};
+    const murk_shadow_origin behind = {.position = {2.7, 2, 2.3}};
     const double blind = 0.25 * MURK_LIGHTS_AT_ONCE / 6;
     double rays[MURK_LIGHTS_MAX];
     for (int is_periodic = 1; is_periodic >= 0; --is_periodic) {

@@ -24,7 +24,7 @@ static murk_vec3 somewhere(uint64_t i, uint32_t slot)
 /* A tilted plane, two points on either side and two indices; every third pair
  * has one of its ends almost in the plane, so that light grazes it. */
 typedef struct setting {
-    murk_plane plane;
+    murk_interface_plane plane;
     murk_vec3 sensor, photon;
     double n[2];
 } setting;
@@ -136,8 +136,8 @@ static void test_both_ends_agree(void)
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const setting s = setting_of(i);
         const double back[2] = {s.n[1], s.n[0]};
-        const murk_plane turned = {s.plane.point,
-                                   murk_scale(-1, s.plane.normal)};
+        const murk_interface_plane turned = {s.plane.point,
+                                             murk_scale(-1, s.plane.normal)};
         murk_snell a, b;
         CHECK(murk_snell_path(s.sensor, s.photon, &s.plane, s.n, &a));
         CHECK(murk_snell_path(s.photon, s.sensor, &turned, back, &b));
@@ -155,7 +155,7 @@ static void test_both_ends_agree(void)
  * bird is a third higher. */
 static void test_apparent_depth(void)
 {
-    const murk_plane pond = {{0, 0, 0}, {0, 0, 1}};
+    const murk_interface_plane pond = {{0, 0, 0}, {0, 0, 1}};
     const double n[2] = {1, 4. / 3}, back[2] = {4. / 3, 1};
     const murk_vec3 eye = {1, 2, 1.5}, coin = {1, 2, -2};
     murk_snell path;
@@ -181,7 +181,7 @@ static murk_vec3 bent(murk_vec3 d, murk_vec3 normal, const double n[2])
  * right angles to `axis`. */
 static murk_vec3 landed(const setting *s, murk_vec3 direction, murk_vec3 axis)
 {
-    const murk_plane *p = &s->plane;
+    const murk_interface_plane *p = &s->plane;
     const double to = murk_dot(murk_sub(p->point, s->sensor), p->normal) /
                       murk_dot(direction, p->normal);
     const murk_vec3 at = murk_along(s->sensor, to, direction);
@@ -271,7 +271,7 @@ static void test_reach_by_hand(void)
 
 static void test_no_way_on_one_side(void)
 {
-    const murk_plane plane = {{0, 0, 0}, {0, 0, 1}};
+    const murk_interface_plane plane = {{0, 0, 0}, {0, 0, 1}};
     const double n[2] = {1, 1.5};
     murk_snell path;
     const murk_vec3 up = {0, 0, 1}, on = {1, 0, 0}, down = {0, 1, -1};

@@ -26,7 +26,7 @@ static void test_turned_keeps_angle_and_length(void)
     for (int i = 0; i < 100000; ++i) {
         const double mu = 2 * fmod(i * 0.618033988749895, 1) - 1;
         const murk_vec3 next =
-            murk_turned(d, mu, fmod(i * 0.754877666246693, 1));
+            murk_turned_direction(d, mu, fmod(i * 0.754877666246693, 1));
         worst_angle = fmax(worst_angle, fabs(murk_dot(d, next) - mu));
         worst_length = fmax(worst_length, fabs(murk_length(next) - 1));
         d = next;
