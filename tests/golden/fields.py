@@ -284,10 +284,10 @@ def test_what_cannot_be_written_costs_no_plan(murk):
 
 
 def test_an_interrupt_costs_no_plan(murk):
-    """While fields are worked on, which --progress tells."""
+    """While fields are worked on, which --progress tells: some ten seconds on one thread."""
     out = murk.path("stopped")
     run = subprocess.Popen([murk.program, "place", write_scene(murk), "-o", out, "--export",
-                            "fields", "--voxel", "0.04", "--progress", "always"],
+                            "fields", "--voxel", "0.034", "--threads", "1", "--progress", "always"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     for line in run.stderr:
         if "fields" in line:
