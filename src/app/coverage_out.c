@@ -234,12 +234,13 @@ typedef struct columns {
     int type, place[3], decimals;
 } columns;
 
-/* The table's heading, and how wide it is; out NULL: how wide it is alone. */
-static int print_heading(char *out, size_t size, const columns *c)
+/* Writes the table's heading. Returns how wide it is. */
+static int print_heading(char heading[HEADING_SIZE], const columns *c)
 {
-    return snprintf(out, size, "sensors     %-*s %*s %*s %*s %7s %5s %8s %8s",
-                    c->type, "type", c->place[0], "x m", c->place[1], "y m",
-                    c->place[2], "z m", "heading", "tilt", "covers", "only it");
+    return snprintf(heading, HEADING_SIZE,
+                    "sensors     %-*s %*s %*s %*s %7s %5s %8s %8s", c->type,
+                    "type", c->place[0], "x m", c->place[1], "y m", c->place[2],
+                    "z m", "heading", "tilt", "covers", "only it");
 }
 
 static int widest_coordinate(const murk_scene *scene, const murk_pose *sensor,
@@ -277,8 +278,9 @@ static columns columns_of(const murk_scene *scene, const murk_pose *sensor,
 static columns choose_columns(const murk_scene *scene, const murk_pose *sensor,
                               size_t n)
 {
+    char heading[HEADING_SIZE];
     columns c = columns_of(scene, sensor, n, 3, 8);
-    for (int decimals = 3; print_heading(NULL, 0, &c) > 80 && decimals >= 0;
+    for (int decimals = 3; print_heading(heading, &c) > 80 && decimals >= 0;
          --decimals) {
         c = columns_of(scene, sensor, n, decimals, 3);
     }
@@ -292,7 +294,7 @@ void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
     const size_t shown = n < MURK_PRINTED_ROWS ? n : MURK_PRINTED_ROWS;
     const columns c = choose_columns(scene, sensor, shown);
     char heading[HEADING_SIZE];
-    print_heading(heading, sizeof heading, &c);
+    print_heading(heading, &c);
     murk_print("%s\n", heading);
     for (size_t i = 0; i < shown; ++i) {
         const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
