@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "preset/files.h"
+#include "scene/number.h"
 #include "scene/table.h"
 
 #define KNOWN_MAX (COLUMNS + 1) /* and the end of the list */
@@ -208,9 +209,16 @@ murk_status murk_preset_read_table(const murk_preset_walk *walk,
 /* "450_nm"; 0 where the name is none. */
 static double wavelength_of(const char *name)
 {
-    char *end = NULL;
-    const double nm = strtod(name, &end);
-    return strcmp(end, NANOMETRES) == 0 ? nm : 0;
+    char number[MURK_NUMBER_SIZE];
+    const size_t length = strlen(name), end = strlen(NANOMETRES);
+    double nm = 0;
+    if (length <= end || length - end >= sizeof number ||
+        strcmp(name + length - end, NANOMETRES) != 0) {
+        return 0;
+    }
+    memcpy(number, name, length - end);
+    number[length - end] = '\0';
+    return murk_number_parse(number, &nm) ? nm : 0;
 }
 
 static murk_status fill_by_wavelength(const murk_preset_walk *walk,
