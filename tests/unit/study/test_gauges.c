@@ -158,6 +158,25 @@ static void test_names_and_units_in_the_dark(void)
     }
 }
 
+/* Light of the stage, traced with the gauges as its tallies, and what they read
+ * of it into the row; NULL where tracing failed. */
+static murk_traced *traced_row(murk_study_row *row, murk_gauges *g,
+                               const murk_stage *stage)
+{
+    murk_traced *traced = NULL;
+    murk_error err = {0};
+    murk_scene scene = *stage->scene;
+    murk_stage lit = *stage;
+    scene.n_tallies = g->n;
+    lit.scene = &scene;
+    lit.tally = g->desc;
+    CHECK(murk_light_trace(&traced, &lit, 0, 2, &err) == MURK_OK);
+    CHECK(!traced || murk_gauges_read(row, g, stage, traced->tallies,
+                                      traced->ledger->emitted, traced->packet_w,
+                                      2, &err) == MURK_OK);
+    return traced;
+}
+
 /* A lamp of 3 and 1 W in the middle of empty space. What passes a level plane
  * 0.5 m below it goes down, through -z: with the plane's normal up, backward.
  * The mean fluence rate of the domain is that of the grid of one cell over it,
@@ -173,7 +192,6 @@ static void test_values(void)
     const murk_outputs outputs = outputs_of(&study);
     murk_gauges g = {0};
     murk_study_row row = {0};
-    murk_traced *traced = NULL;
     murk_error err = {0};
     study.has_units = true;
     study.units = MURK_RADIOMETRIC;
@@ -181,16 +199,8 @@ static void test_values(void)
         CHECK(false);
         return;
     }
-    murk_scene lit_scene = *stage->scene;
-    murk_stage lit = *stage;
-    lit_scene.n_tallies = g.n;
-    lit.scene = &lit_scene;
-    lit.tally = g.desc;
-    CHECK(murk_light_trace(&traced, &lit, 0, 2, &err) == MURK_OK);
+    murk_traced *traced = traced_row(&row, &g, stage);
     if (traced) {
-        CHECK(murk_gauges_read(&row, &g, stage, traced->tallies,
-                               traced->ledger->emitted, traced->packet_w, 2,
-                               &err) == MURK_OK);
         const double all = value_of(&row, "density", "W/m2"),
                      green = value_of(&row, "density_500nm", "W/m2"),
                      red = value_of(&row, "density_600nm", "W/m2");
@@ -234,22 +244,13 @@ static void test_densities_are_of_free_space(void)
     murk_stage *stage = stage_text_create(crate, NULL);
     murk_gauges g = {0};
     murk_study_row row = {0};
-    murk_traced *traced = NULL;
     murk_error err = {0};
     if (!stage || murk_gauges_create(&g, stage, &outputs, &err) != MURK_OK) {
         CHECK(false);
         return;
     }
-    murk_scene lit_scene = *stage->scene;
-    murk_stage lit = *stage;
-    lit_scene.n_tallies = g.n;
-    lit.scene = &lit_scene;
-    lit.tally = g.desc;
-    CHECK(murk_light_trace(&traced, &lit, 0, 2, &err) == MURK_OK);
+    murk_traced *traced = traced_row(&row, &g, stage);
     if (traced) {
-        CHECK(murk_gauges_read(&row, &g, stage, traced->tallies,
-                               traced->ledger->emitted, traced->packet_w, 2,
-                               &err) == MURK_OK);
         const double mean = value_of(&row, "cells", "W/m2");
         CHECK(mean > 0);
         CHECK_NEAR(value_of(&row, "density", "W/m2") / mean, 2, .02);
