@@ -54,10 +54,10 @@ function(murk_caught kind defect report)
 endfunction()
 
 murk_sanitized(address LEVEL -O0 ROOMS base preset scene
-    TESTS base/child base/file base/staging scene/conditions scene/refusals scene/table scene/yaml)
+    TESTS base/subprocess base/file base/staging scene/conditions scene/refusals scene/table scene/yaml)
 murk_caught(address overflow "AddressSanitizer: heap-buffer-overflow")
 murk_caught(address leak "LeakSanitizer: detected memory leaks")
 murk_caught(address undefined "runtime error: signed integer overflow")
 
-murk_sanitized(thread LEVEL -O1 ROOMS base photonmap TESTS base/crew base/progress photonmap/map_threads)
+murk_sanitized(thread LEVEL -O1 ROOMS base photonmap TESTS base/pool base/progress photonmap/map_threads)
 murk_caught(thread race "ThreadSanitizer: data race")

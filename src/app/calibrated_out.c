@@ -26,7 +26,7 @@ static void release(places *p)
     free(p->is_own);
 }
 
-static murk_yaml *tree_of(const murk_scene *scene)
+static murk_yaml *tree_of(const murk_scene_desc *scene)
 {
     murk_yaml *root = NULL;
     (void)murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved), "",
@@ -51,7 +51,7 @@ static bool is_shared(const murk_free_key *key)
 
 /* The scene with all values that are not of one condition; NULL where it
  * cannot be read so. */
-static murk_scene *scene_with(const murk_fit_facts *f, const places *p)
+static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
 {
     const murk_free_keys *keys = f->keys;
     const murk_free_desc *desc = &keys->desc;
@@ -60,7 +60,7 @@ static murk_scene *scene_with(const murk_fit_facts *f, const places *p)
         calloc(desc->n_overrides + keys->n + 1, sizeof *overrides);
     char *text = calloc(keys->n + 1, room);
     size_t n = desc->n_overrides;
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     for (size_t i = 0; overrides && i < n; ++i) {
         overrides[i] = desc->overrides[i];
     }
@@ -73,9 +73,10 @@ static murk_scene *scene_with(const murk_fit_facts *f, const places *p)
         }
     }
     if (overrides && text) {
-        const bool was_silent = murk_warn_hush(true);
-        (void)murk_scene_read(&scene, desc->scene_path, overrides, n, NULL);
-        murk_warn_hush(was_silent);
+        const bool was_silent = murk_warn_quiet(true);
+        (void)murk_scene_desc_read(&scene, desc->scene_path, overrides, n,
+                                   NULL);
+        murk_warn_quiet(was_silent);
     }
     free(overrides);
     free(text);
@@ -98,7 +99,7 @@ static bool find_places(places *out, const murk_fit_facts *f)
             find(&value, base, keys->key[k].path, keys->bands);
     }
     murk_yaml_destroy(base);
-    murk_scene *scene = scene_with(f, out);
+    murk_scene_desc *scene = scene_with(f, out);
     for (size_t c = 0; c < conditions; ++c) {
         if (keys->condition[c] == SIZE_MAX) {
             continue;
@@ -116,7 +117,7 @@ static bool find_places(places *out, const murk_fit_facts *f)
         }
         murk_yaml_destroy(root);
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return true;
 }
 

@@ -16,7 +16,7 @@
 #define SLANTED   20   /* characters of a name on a slant: what fits */
 #define LEGEND    20.0 /* height of a row of it */
 #define CHARACTER 7.0  /* width of one, about */
-#define MOST      1e300
+#define MAX       1e300
 #define ROOM      0.06 /* above and below the data, in shares */
 
 /* Points of a plot beyond which none says its own values. */
@@ -35,7 +35,7 @@ typedef struct plot {
 /* Finite, and so that a range of two of them is. */
 static bool is_known(double value)
 {
-    return fabs(value) <= MOST;
+    return fabs(value) <= MAX;
 }
 
 static bool is_drawn(const murk_chart *c, const murk_chart_series *s, size_t i)
@@ -118,14 +118,14 @@ static size_t characters_of(const char *text)
 static void fit_names(plot *p)
 {
     const murk_chart *c = p->chart;
-    size_t most = 0;
+    size_t max = 0;
     for (size_t i = 0; i < c->x_names; ++i) {
         const size_t length = characters_of(c->x_name[i]);
-        most = length > most ? length : most;
+        max = length > max ? length : max;
     }
-    const double width = CHARACTER * (double)most;
+    const double width = CHARACTER * (double)max;
     const double room = (p->x.to - p->x.from) / fmax((double)c->x_names, 1);
-    const size_t shown = most < SLANTED ? most : SLANTED;
+    const size_t shown = max < SLANTED ? max : SLANTED;
     p->is_slanted = c->x_names > 0 && width > room - 4;
     p->below = BELOW + (p->is_slanted ? 0.7 * CHARACTER * (double)shown : 0);
 }
@@ -382,12 +382,12 @@ static void describe(FILE *to, const plot *p, const murk_chart_series *series,
     murk_page_text(to, p->chart->x_title);
     for (size_t k = 0; k < n; ++k) {
         const murk_chart_series *s = &series[k];
-        double least = INFINITY, most = -INFINITY;
+        double min = INFINITY, max = -INFINITY;
         size_t points = 0;
         for (size_t i = 0; i < s->n; ++i) {
             if (is_drawn(p->chart, s, i)) {
-                least = fmin(least, s->y[i]);
-                most = fmax(most, s->y[i]);
+                min = fmin(min, s->y[i]);
+                max = fmax(max, s->y[i]);
                 ++points;
             }
         }
@@ -396,9 +396,9 @@ static void describe(FILE *to, const plot *p, const murk_chart_series *series,
         fprintf(to, ": %zu point%s", points, points == 1 ? "" : "s");
         if (points > 0) {
             fputs(", from ", to);
-            murk_axis_write(to, &p->y, least, 0);
+            murk_axis_write(to, &p->y, min, 0);
             fputs(" to ", to);
-            murk_axis_write(to, &p->y, most, 0);
+            murk_axis_write(to, &p->y, max, 0);
         }
     }
     fputs(".</desc>\n", to);

@@ -8,7 +8,7 @@
 #define TICKS 6
 
 /* What is less is nothing: steps of it would leave the doubles. */
-#define LEAST 1e-290
+#define MIN 1e-290
 
 murk_axis murk_axis_of(double from, double to, murk_axis_scale scale)
 {
@@ -32,9 +32,9 @@ void murk_axis_widen(murk_axis *a, double value)
 void murk_axis_close(murk_axis *a, double room)
 {
     /* a range that adding changes nothing of is none */
-    const double least = 1e-9 * fmax(fabs(a->low), fabs(a->high));
-    if (!(a->high - a->low > least && a->high - a->low > LEAST)) {
-        const double by = a->scale == MURK_SCALE_WHOLE || fabs(a->high) < LEAST
+    const double min = 1e-9 * fmax(fabs(a->low), fabs(a->high));
+    if (!(a->high - a->low > min && a->high - a->low > MIN)) {
+        const double by = a->scale == MURK_SCALE_WHOLE || fabs(a->high) < MIN
                               ? 0.5
                               : 0.1 * fabs(a->high);
         a->low -= by;
@@ -130,11 +130,11 @@ void murk_axis_write(FILE *to, const murk_axis *a, double value, double step)
     const bool is_share = a->scale == MURK_SCALE_SHARE;
     const double shown = is_share ? 100 * value : value;
     const double by = is_share ? 100 * step : step;
-    const double most = fabs(shown);
+    const double max = fabs(shown);
     const int decimals = by > 0 ? -(int)floor(log10(by * 1.0001)) : 0;
     /* five digits tell ticks apart, but not those of surveyed coordinates */
-    const bool tells_apart = !(by > 0 && by < 1e-4 * most);
-    if (most > 0 && ((most >= 99999.5 && tells_apart) || most < 1e-4)) {
+    const bool tells_apart = !(by > 0 && by < 1e-4 * max);
+    if (max > 0 && ((max >= 99999.5 && tells_apart) || max < 1e-4)) {
         murk_page_power(to, shown, 5);
     } else if (by > 0 && decimals <= 8) {
         fprintf(to, "%.*f", decimals > 0 ? decimals : 0, shown);

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#define SHOWN_SIZE (4 * NAME_MOST + 8)
+#define SHOWN_SIZE (4 * NAME_MAX + 8)
 
 /* In user units, which the page scales. */
 #define WIDTH     640.0
@@ -17,9 +17,9 @@
 #define BELOW     48.0
 #define LEGEND    20.0
 #define CHARACTER 7.8
-#define NAME_MOST 30 /* characters of a name that are shown */
+#define NAME_MAX  30 /* characters of a name that are shown */
 
-#define MOST 1e300 /* so that a range of two values is finite */
+#define MAX 1e300 /* so that a range of two values is finite */
 
 typedef struct frame {
     const murk_bars *bars;
@@ -35,13 +35,13 @@ static double whole_of(const murk_bars *b, size_t row)
         const double value = b->value[row * b->parts + k];
         sum += b->parts == 1 || value > 0 ? value : 0;
     }
-    return fabs(sum) <= MOST ? sum : NAN;
+    return fabs(sum) <= MAX ? sum : NAN;
 }
 
 static bool has_range(const murk_bars *b, size_t row)
 {
-    return b->low && b->high && fabs(b->low[row]) <= MOST &&
-           fabs(b->high[row]) <= MOST && isfinite(whole_of(b, row));
+    return b->low && b->high && fabs(b->low[row]) <= MAX &&
+           fabs(b->high[row]) <= MAX && isfinite(whole_of(b, row));
 }
 
 static size_t characters_of(const char *text)
@@ -60,15 +60,15 @@ static void write_name(FILE *to, const char *name)
     char shown[SHOWN_SIZE];
     size_t at = 0, n = 0;
     const size_t all = characters_of(name);
-    const size_t most = all > NAME_MOST ? NAME_MOST - 1 : NAME_MOST;
-    for (; *name && n < most; ++n) {
+    const size_t max = all > NAME_MAX ? NAME_MAX - 1 : NAME_MAX;
+    for (; *name && n < max; ++n) {
         const size_t length = murk_utf8_length(name);
         const size_t step = length > 0 ? length : 1;
         memcpy(shown + at, name, step);
         at += step;
         name += step;
     }
-    strcpy(shown + at, all > NAME_MOST ? "\xe2\x80\xa6" : "");
+    strcpy(shown + at, all > NAME_MAX ? "\xe2\x80\xa6" : "");
     murk_page_text(to, shown);
 }
 
@@ -82,7 +82,7 @@ static bool fit(frame *f)
         longest = length > longest ? length : longest;
         has_any = has_any || isfinite(whole_of(b, i));
     }
-    longest = longest > NAME_MOST ? NAME_MOST : longest;
+    longest = longest > NAME_MAX ? NAME_MAX : longest;
     f->left = 14 + CHARACTER * (double)longest;
     f->base = TOP + ROW * (double)f->rows;
     f->axis = murk_axis_of(f->left, WIDTH - RIGHT, b->scale);

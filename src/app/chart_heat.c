@@ -14,9 +14,9 @@
 #define LEGEND   16.0 /* its width */
 #define WIDEST   430.0
 #define TALLEST  380.0
-#define LEAST    40.0
+#define MIN      40.0
 #define LEVELS   32
-#define MOST     1e300
+#define MAX      1e300
 
 typedef struct frame {
     const murk_heat *heat;
@@ -45,7 +45,7 @@ static void write_color(FILE *to, size_t level)
 
 static bool is_shown(const murk_heat *h, double value)
 {
-    return fabs(value) <= MOST && !(h->is_log && !(value > 0));
+    return fabs(value) <= MAX && !(h->is_log && !(value > 0));
 }
 
 static bool fit(frame *f)
@@ -61,18 +61,18 @@ static bool fit(frame *f)
         }
     }
     const double wide = fabs(h->x[1] - h->x[0]), tall = fabs(h->y[1] - h->y[0]);
-    if (!has_any || !(wide > 0 && wide <= MOST && tall > 0 && tall <= MOST)) {
+    if (!has_any || !(wide > 0 && wide <= MAX && tall > 0 && tall <= MAX)) {
         return false;
     }
-    murk_axis_widen(&f->value, h->least);
-    murk_axis_widen(&f->value, h->most);
+    murk_axis_widen(&f->value, h->min);
+    murk_axis_widen(&f->value, h->max);
     murk_axis_close(&f->value, 0);
     f->width = WIDEST;
-    f->height = h->size[1] == 1 ? LEAST : 0.75 * WIDEST;
+    f->height = h->size[1] == 1 ? MIN : 0.75 * WIDEST;
     if (h->is_equal) {
         const double scale = fmin(WIDEST / wide, TALLEST / tall);
-        f->width = fmax(scale * wide, LEAST);
-        f->height = fmax(scale * tall, LEAST);
+        f->width = fmax(scale * wide, MIN);
+        f->height = fmax(scale * tall, MIN);
     }
     f->x = murk_axis_of(LEFT, LEFT + f->width, MURK_SCALE_EVEN);
     f->y = murk_axis_of(TOP + f->height, TOP, MURK_SCALE_EVEN);
@@ -218,16 +218,16 @@ static void draw_legend(FILE *to, const frame *f)
 static void describe(FILE *to, const frame *f)
 {
     const murk_heat *h = f->heat;
-    double least = INFINITY, most = -INFINITY;
+    double min = INFINITY, max = -INFINITY;
     size_t cell = 0, blank = 0;
     for (size_t i = 0; i < h->size[0] * h->size[1]; ++i) {
         if (!is_shown(h, h->value[i])) {
             ++blank;
             continue;
         }
-        least = fmin(least, h->value[i]);
-        if (h->value[i] > most) {
-            most = h->value[i];
+        min = fmin(min, h->value[i]);
+        if (h->value[i] > max) {
+            max = h->value[i];
             cell = i;
         }
     }
@@ -238,9 +238,9 @@ static void describe(FILE *to, const frame *f)
         fprintf(to, ", %zu of them blank: nothing there", blank);
     }
     fputs("; from ", to);
-    murk_page_number(to, least);
+    murk_page_number(to, min);
     fputs(" to ", to);
-    murk_page_number(to, most);
+    murk_page_number(to, max);
     fputc(' ', to);
     murk_page_text(to, h->value_title);
     fputs(", which is at ", to);

@@ -15,7 +15,7 @@ typedef struct murk_heat {
     size_t size[2];      /* cells along x and y, 1..MURK_HEAT_MAX */
     const double *value; /* [size[0] * size[1]], x fastest, y upwards; NaN:
                             nothing is known there */
-    double least, most;  /* the legend's range; NaN: that of the values */
+    double min, max;     /* the legend's range; NaN: that of the values */
     bool is_log;         /* cells that are not above 0 are left blank */
     bool is_equal;       /* both axes are lengths: drawn to one scale */
 } murk_heat;

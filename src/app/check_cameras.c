@@ -6,8 +6,8 @@
 #include "study/machine.h"
 
 /* A render holds the maps that were traced, and what it makes of them. */
-static double bytes_of(const murk_scene *scene, const murk_forecast *forecast,
-                       size_t camera)
+static double bytes_of(const murk_scene_desc *scene,
+                       const murk_forecast *forecast, size_t camera)
 {
     const murk_scene_camera *c = &scene->cameras[camera];
     return murk_render_bytes(c->pixels[0], c->pixels[1], scene->bands,
@@ -17,7 +17,7 @@ static double bytes_of(const murk_scene *scene, const murk_forecast *forecast,
            murk_gather_memory_for(forecast->surface, forecast->volume);
 }
 
-void murk_json_cameras(cJSON *root, const murk_scene *scene,
+void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
                        const murk_forecast *forecast)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "cameras");
@@ -41,7 +41,8 @@ void murk_json_cameras(cJSON *root, const murk_scene *scene,
     }
 }
 
-void murk_print_cameras(const murk_scene *scene, const murk_forecast *forecast)
+void murk_print_cameras(const murk_scene_desc *scene,
+                        const murk_forecast *forecast)
 {
     for (size_t i = 0; i < scene->n_cameras; ++i) {
         const murk_scene_camera *c = &scene->cameras[i];
@@ -55,7 +56,7 @@ void murk_print_cameras(const murk_scene *scene, const murk_forecast *forecast)
     }
 }
 
-void murk_warn_of_cameras(const murk_scene *scene,
+void murk_warn_of_cameras(const murk_scene_desc *scene,
                           const murk_forecast *forecast)
 {
     const double have = murk_machine_memory_bytes();

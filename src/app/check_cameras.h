@@ -4,17 +4,18 @@
 #define MURK_APP_CHECK_CAMERAS_H
 
 #include "app/results.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 /* "cameras": [{name, pixels, samples, memory_bytes}]: of one picture by maps,
  * the maps and their copies included. */
-void murk_json_cameras(cJSON *root, const murk_scene *scene,
+void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
                        const murk_forecast *forecast);
 /* A line a camera. */
-void murk_print_cameras(const murk_scene *scene, const murk_forecast *forecast);
+void murk_print_cameras(const murk_scene_desc *scene,
+                        const murk_forecast *forecast);
 
 /* Of pictures that would not fit into the memory that is free. */
-void murk_warn_of_cameras(const murk_scene *scene,
+void murk_warn_of_cameras(const murk_scene_desc *scene,
                           const murk_forecast *forecast);
 
 #endif

@@ -74,14 +74,14 @@ static void add_phases(cJSON *item, const murk_stage *stage, size_t medium)
 
 static murk_spectrum profile_maximum(const murk_scene_medium *m)
 {
-    murk_spectrum most = {{0}};
+    murk_spectrum upper = {{0}};
     for (size_t i = 0; i < m->profile_per_m.n; ++i) {
         for (int band = 0; band < MURK_BANDS_MAX; ++band) {
-            most.band[band] =
-                fmax(most.band[band], m->profile_per_m.value[i].band[band]);
+            upper.band[band] =
+                fmax(upper.band[band], m->profile_per_m.value[i].band[band]);
         }
     }
-    return most;
+    return upper;
 }
 
 /* up_m: the z of the local origin. */
@@ -90,11 +90,11 @@ static void add_profile(cJSON *item, const murk_scene_medium *m, double up_m,
 {
     const murk_scene_numbers *z = &m->profile_z_m;
     const double ends[] = {z->value[0] + up_m, z->value[z->n - 1] + up_m};
-    const murk_spectrum most = profile_maximum(m);
+    const murk_spectrum upper = profile_maximum(m);
     cJSON *profile = cJSON_AddObjectToObject(item, "profile");
     cJSON_AddNumberToObject(profile, "heights", (double)z->n);
     cJSON_AddItemToObject(profile, "z_m", cJSON_CreateDoubleArray(ends, 2));
-    murk_json_spectrum(profile, "maximum_per_m", &most, bands);
+    murk_json_spectrum(profile, "maximum_per_m", &upper, bands);
 }
 
 static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
@@ -115,7 +115,7 @@ static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
 
 void murk_json_media(cJSON *root, const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     cJSON *media = cJSON_AddArrayToObject(root, "media");
     for (size_t i = 0; i < scene->n_media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
@@ -143,8 +143,8 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
         const murk_box box = region_box(stage, i);
         murk_json_box(item, "bounds", &box);
         if (r->shape == MURK_SCENE_IN_MESH) {
-            const murk_hull_facts mesh =
-                murk_hulls_describe(stage->hulls, (int)i);
+            const murk_boundary_mesh_facts mesh =
+                murk_boundary_meshes_describe(stage->boundary_meshes, (int)i);
             cJSON_AddNumberToObject(item, "triangles", (double)mesh.triangles);
             cJSON_AddNumberToObject(item, "crossings", (double)mesh.crossings);
         }
@@ -190,7 +190,7 @@ static bool is_same(const murk_phase *a, const murk_phase *b)
 /* One phase, or one a band where they differ. */
 static void print_phases(const murk_stage *stage, size_t medium)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     bool are_equal = true;
     for (int band = 1; band < scene->bands; ++band) {
         are_equal = are_equal && is_same(phase_of(stage, medium, band),
@@ -208,7 +208,7 @@ static void print_phases(const murk_stage *stage, size_t medium)
 
 static void print_medium(const murk_stage *stage, size_t medium)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     const murk_scene_medium *m = &scene->media[medium];
     const murk_fillings *fillings = stage->fillings;
     const murk_grid *grid = fillings->grid[medium];
@@ -244,7 +244,7 @@ static void print_medium(const murk_stage *stage, size_t medium)
 
 void murk_print_media(const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     const int digits = murk_coordinate_digits(scene, 4);
     for (size_t i = 0; i < scene->n_media; ++i) {
         print_medium(stage, i);
@@ -275,8 +275,10 @@ void murk_print_media(const murk_stage *stage)
                        box.max.x, digits, box.max.y, digits, box.max.z);
         }
         if (r->shape == MURK_SCENE_IN_MESH) {
-            murk_print(", a mesh of %zu triangles",
-                       murk_hulls_describe(stage->hulls, (int)i).triangles);
+            murk_print(
+                ", a mesh of %zu triangles",
+                murk_boundary_meshes_describe(stage->boundary_meshes, (int)i)
+                    .triangles);
         }
         if (r->ior > 0) {
             murk_print(", index %.5g", r->ior);

@@ -27,7 +27,7 @@ static size_t headings_of(const murk_scene_sensor_type *type)
     return type->headings_deg.n ? type->headings_deg.n : (size_t)type->headings;
 }
 
-void murk_json_sensor_types(cJSON *root, const murk_scene *scene,
+void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
                             const murk_poses *poses)
 {
     if (!poses) {
@@ -65,11 +65,12 @@ static void print_view(const murk_scene_sensor_type *type)
                headings == 1 ? "" : "s", tilts, tilts == 1 ? "" : "s");
 }
 
-void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses)
+void murk_print_sensor_types(const murk_scene_desc *scene,
+                             const murk_poses *poses)
 {
-    const murk_scene_sensors *wish = &scene->sensors;
-    for (size_t k = 0; k < wish->types; ++k) {
-        const murk_scene_sensor_type *type = &wish->type[k];
+    const murk_scene_sensors *settings = &scene->sensors;
+    for (size_t k = 0; k < settings->types; ++k) {
+        const murk_scene_sensor_type *type = &settings->type[k];
         murk_print("sensor      %-12s ", type->name);
         print_view(type);
         murk_print(", %.4g to %.4g m", type->least_range_m, type->range_m);
@@ -80,9 +81,8 @@ void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses)
             murk_print(", %zu of %d bands", type->bands_nm.n, scene->bands);
         }
         murk_print("; cost %.10g", type->cost);
-        if (type->least_count > 0) {
-            murk_print(", at least %llu",
-                       (unsigned long long)type->least_count);
+        if (type->min_count > 0) {
+            murk_print(", at least %llu", (unsigned long long)type->min_count);
         }
         if (type->max_count < NO_MAX_COUNT) {
             murk_print(", at most %llu", (unsigned long long)type->max_count);

@@ -7,9 +7,10 @@
 #include "study/poses.h"
 
 /* "sensors": [{name, ..}]. poses NULL: none, null. */
-void murk_json_sensor_types(cJSON *root, const murk_scene *scene,
+void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
                             const murk_poses *poses);
 /* A line a type, and one with the number of candidates. */
-void murk_print_sensor_types(const murk_scene *scene, const murk_poses *poses);
+void murk_print_sensor_types(const murk_scene_desc *scene,
+                             const murk_poses *poses);
 
 #endif

@@ -36,8 +36,8 @@ static void print_time(const murk_stage *stage)
 /* What comes of a light of the sky, in the scene's units. */
 static double irradiance_of(const murk_stage *stage, size_t light)
 {
-    const murk_scene *scene = stage->scene;
-    const murk_light *of = murk_lights_get(stage->lights, light);
+    const murk_scene_desc *scene = stage->scene;
+    const murk_source *of = murk_sources_get(stage->lights, light);
     double sum = 0;
     for (int b = 0; b < scene->bands; ++b) {
         sum += of->power_w.band[b] *
@@ -62,9 +62,9 @@ static double power_of(const murk_stage *stage, murk_quantity quantity)
 {
     const size_t bands = (size_t)stage->scene->bands;
     double sum = 0;
-    for (size_t c = 0; c < murk_lights_channels(stage->lights); ++c) {
+    for (size_t c = 0; c < murk_sources_channels(stage->lights); ++c) {
         sum +=
-            murk_lights_channel_power_w(stage->lights, c) *
+            murk_sources_channel_power_w(stage->lights, c) *
             murk_units_per_watt(quantity, stage, c / bands, (int)(c % bands));
     }
     return sum;
@@ -73,8 +73,8 @@ static double power_of(const murk_stage *stage, murk_quantity quantity)
 static void print_power(const murk_stage *stage)
 {
     const murk_quantity quantity = stage->scene->units;
-    murk_print("lights      %zu, %.6g W", murk_lights_count(stage->lights),
-               murk_lights_power_w(stage->lights));
+    murk_print("lights      %zu, %.6g W", murk_sources_count(stage->lights),
+               murk_sources_power_w(stage->lights));
     if (quantity != MURK_RADIOMETRIC) {
         murk_print(" or %.6g %s", power_of(stage, quantity),
                    murk_units_of(quantity).power);
@@ -84,7 +84,7 @@ static void print_power(const murk_stage *stage)
 
 void murk_print_lights(const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     print_power(stage);
     print_time(stage);
     for (size_t i = 0; i < scene->n_lights; ++i) {
@@ -138,13 +138,13 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
 
 void murk_json_lights(cJSON *root, const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     const murk_units units = murk_units_of(scene->units);
     cJSON *lights = cJSON_AddObjectToObject(root, "lights");
     cJSON_AddNumberToObject(lights, "count",
-                            (double)murk_lights_count(stage->lights));
+                            (double)murk_sources_count(stage->lights));
     cJSON_AddNumberToObject(lights, "power_w",
-                            murk_lights_power_w(stage->lights));
+                            murk_sources_power_w(stage->lights));
     if (scene->units != MURK_RADIOMETRIC) {
         char key[40];
         snprintf(key, sizeof key, "power_%s", units.suffix);

@@ -37,7 +37,7 @@ static double matrix_bytes(const findings *f)
 
 static void add_surfaces(cJSON *root, const findings *f)
 {
-    const murk_scene *scene = f->session->scene;
+    const murk_scene_desc *scene = f->session->scene;
     cJSON *object = cJSON_AddObjectToObject(root, "surfaces");
     cJSON_AddNumberToObject(object, "triangles", (double)f->surfaces.triangles);
     cJSON_AddNumberToObject(object, "spheres", (double)f->surfaces.spheres);
@@ -66,7 +66,7 @@ static void add_surfaces(cJSON *root, const findings *f)
 /* The material that each material name in mesh files got. */
 static void add_mesh_materials(cJSON *root, const findings *f)
 {
-    const murk_scene *scene = f->session->scene;
+    const murk_scene_desc *scene = f->session->scene;
     cJSON *list = cJSON_AddArrayToObject(root, "mesh_materials");
     for (size_t i = 0; i < f->mesh_names; ++i) {
         const murk_mesh_material *m = &f->mesh_name[i];
@@ -119,7 +119,7 @@ static cJSON *check_json(const findings *f)
 /* A line a name in a mesh file: its area, and the material that it got. */
 static void print_mesh_materials(const findings *f)
 {
-    const murk_scene *scene = f->session->scene;
+    const murk_scene_desc *scene = f->session->scene;
     for (size_t i = 0; i < f->mesh_names; ++i) {
         const murk_mesh_material *m = &f->mesh_name[i];
         murk_print("mesh name   %s of geometry %zu, %.4g m2: material %s%s\n",
@@ -140,7 +140,7 @@ static void print_findings(const findings *f)
                f->session->scene->bands,
                f->session->scene->bands > 1 ? "s" : "",
                f->session->scene->seed);
-    const murk_scene *scene = f->session->scene;
+    const murk_scene_desc *scene = f->session->scene;
     const murk_box box = murk_scene_user_box(scene, domain->box);
     const int digits = murk_coordinate_digits(scene, 6);
     murk_print("domain      %.*g %.*g %.*g to %.*g %.*g %.*g m, %s sides\n",
@@ -206,8 +206,8 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
                                      err);
     }
     if (!status) {
-        status = murk_light_forecast(&f.forecast, session.stage, 0,
-                                     options->threads, err);
+        status = murk_lightmap_forecast(&f.forecast, session.stage, 0,
+                                        options->threads, err);
     }
     if (!status) {
         murk_warn_of_cameras(session.scene, &f.forecast);

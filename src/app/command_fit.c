@@ -14,7 +14,7 @@
 /* What a fit is made from, and comes to. */
 typedef struct fit {
     const murk_options *options;
-    murk_donors donors;
+    murk_imported_stages imported;
     murk_measurements *measured;
     murk_free_keys *keys;
     murk_calibration found;
@@ -30,11 +30,11 @@ static murk_status begin(fit *f, murk_session *session, murk_error *err)
     murk_status status = murk_session_scene(session, f->options, err);
     murk_progress_begin_over("build", 0, "");
     if (!status) {
-        status = murk_donors_import(&f->donors, session->scene, err);
+        status = murk_imported_stages_import(&f->imported, session->scene, err);
     }
     if (!status) {
         status = murk_stage_import_beside(&session->stage, session->scene,
-                                          f->donors.stage[0], err);
+                                          f->imported.stage[0], err);
     }
     if (!status) {
         status = murk_stage_build(session->stage, err);
@@ -181,8 +181,8 @@ static void tell_memory(void *context, double bytes, double have_bytes)
 }
 
 /* What would else come up when all has been traced. */
-static murk_status check_wishes(const fit *f, const murk_session *session,
-                                murk_error *err)
+static murk_status
+check_settings_list(const fit *f, const murk_session *session, murk_error *err)
 {
     const murk_measurements *m = f->measured;
     murk_status status = MURK_OK;
@@ -237,7 +237,7 @@ static murk_status read_input(fit *f, const murk_session *session,
     if (!status && list) {
         status = set_values(f, list, err);
     }
-    return status ? status : check_wishes(f, session, err);
+    return status ? status : check_settings_list(f, session, err);
 }
 
 static murk_status write_files(const fit *f, murk_session *session,
@@ -283,7 +283,7 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
     const murk_options *o = f->options;
     const murk_calibration_desc desc = {.keys = f->keys,
                                         .measured = f->measured,
-                                        .donors = &f->donors,
+                                        .imported = &f->imported,
                                         .loss = o->fit.loss,
                                         .loss_width = o->fit.loss_width,
                                         .starts = (size_t)o->fit.starts,
@@ -292,7 +292,7 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
                                         .seed = session->scene->seed,
                                         .only_predicts = o->fit.predict != NULL,
                                         .watch = tell_step,
-                                        .foretold = tell_memory,
+                                        .forecast = tell_memory,
                                         .context = f};
     murk_progress_begin_over("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
@@ -351,9 +351,9 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
     }
     murk_yaml_destroy(values);
     release(&f);
-    murk_stage_destroy(session.stage); /* borrows of the donors */
+    murk_stage_destroy(session.stage); /* borrows of the imported stages */
     session.stage = NULL;
-    murk_donors_release(&f.donors);
+    murk_imported_stages_release(&f.imported);
     murk_session_end(&session);
     return status;
 }

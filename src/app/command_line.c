@@ -47,7 +47,7 @@ static void escape(char *to, const char *word)
     memcpy(to, "'", 2);
 }
 
-char *murk_shell_word(const char *word)
+char *murk_region_boundary_word(const char *word)
 {
     /* at most four characters for one, and the quotes */
     char *out = malloc(4 * strlen(word) + 4);
@@ -84,7 +84,7 @@ static bool is_left_out(const murk_option *option)
 
 static char *append(char *line, const char *word)
 {
-    char *quoted = murk_shell_word(word);
+    char *quoted = murk_region_boundary_word(word);
     const size_t at = strlen(line);
     char *grown = quoted ? realloc(line, at + strlen(quoted) + 2) : NULL;
     if (grown) {

@@ -62,7 +62,7 @@ static cJSON *list_json(void)
 
 typedef struct resolved {
     murk_preset *preset;
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_phases *phases;
 } resolved;
 
@@ -121,9 +121,9 @@ static murk_status read_scene(resolved *r, const murk_options *options,
         is_whole = fclose(to) == 0 && is_whole;
     }
     const murk_status status =
-        is_whole
-            ? murk_scene_parse(&r->scene, yaml, r->preset->name, set, n, err)
-            : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a preset");
+        is_whole ? murk_scene_desc_parse(&r->scene, yaml, r->preset->name, set,
+                                         n, err)
+                 : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a preset");
     for (size_t i = 0; i < n && text && shown; ++i) {
         free(text[i]);
         free(shown[i]);
@@ -136,7 +136,7 @@ static murk_status read_scene(resolved *r, const murk_options *options,
 }
 
 /* "400..500" or "550" */
-static void band_name(const murk_scene *scene, int band, char out[40])
+static void band_name(const murk_scene_desc *scene, int band, char out[40])
 {
     if (scene->has_edges) {
         snprintf(out, 40, "%.6g..%.6g", scene->band_edge_nm[band],
@@ -173,9 +173,9 @@ static void print_words(const resolved *r)
         }
         murk_print("  %s: ", murk_word_name(id));
         any = true;
-        print_numbers(word.least, n);
+        print_numbers(word.min, n);
         murk_print(" to ");
-        print_numbers(word.most, n);
+        print_numbers(word.max, n);
         murk_print(" %s", murk_word_unit(id));
         if (word.has_preset) {
             murk_print(", default ");
@@ -257,15 +257,15 @@ static void add_words(cJSON *root, const resolved *r)
         cJSON_AddItemToObject(item, "default",
                               word.has_preset ? numbers_json(word.preset, n)
                                               : cJSON_CreateNull());
-        cJSON_AddItemToObject(item, "least", numbers_json(word.least, n));
-        cJSON_AddItemToObject(item, "most", numbers_json(word.most, n));
+        cJSON_AddItemToObject(item, "least", numbers_json(word.min, n));
+        cJSON_AddItemToObject(item, "most", numbers_json(word.max, n));
         cJSON_AddStringToObject(item, "unit", murk_word_unit(id));
     }
 }
 
 static void add_bands(cJSON *root, const resolved *r)
 {
-    const murk_scene *scene = r->scene;
+    const murk_scene_desc *scene = r->scene;
     const murk_scene_medium *medium = &scene->media[0];
     cJSON *bands = cJSON_AddArrayToObject(root, "bands");
     for (int band = 0; band < scene->bands; ++band) {
@@ -358,7 +358,7 @@ static murk_status say_one(const murk_options *options, murk_error *err)
         print_one(&r);
     }
     murk_phases_destroy(r.phases);
-    murk_scene_destroy(r.scene);
+    murk_scene_desc_destroy(r.scene);
     murk_preset_destroy(r.preset);
     return status;
 }

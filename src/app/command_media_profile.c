@@ -57,9 +57,9 @@ static murk_status print_json(const murk_profile_layers *l,
 murk_status murk_command_media_profile(const murk_options *options,
                                        murk_error *err)
 {
-    murk_profile_wish wish = {.csv = options->profile,
-                              .column = options->column,
-                              .rows = options->rows};
+    murk_profile_settings settings = {.csv = options->profile,
+                                      .column = options->column,
+                                      .rows = options->rows};
     if (options->input) {
         return murk_fail(err, MURK_BAD_VALUE, "media",
                          "%.80s and --profile, must be one of them",
@@ -70,15 +70,15 @@ murk_status murk_command_media_profile(const murk_options *options,
                          "misses -o, must be the name of the grid's file");
     }
     murk_status status =
-        read_length("--voxel", options->voxel, &wish.voxel_m, err);
+        read_length("--voxel", options->voxel, &settings.voxel_m, err);
     if (!status) {
-        status = read_length("--width", options->width, &wish.width_m, err);
+        status = read_length("--width", options->width, &settings.width_m, err);
     }
     if (status) {
         return status;
     }
     murk_profile_layers layers;
-    status = murk_profile_layers_read(&layers, &wish, err);
+    status = murk_profile_layers_read(&layers, &settings, err);
     if (!status) {
         status = murk_file_check_owner(options->out, MURK_GRID_MARK,
                                        sizeof MURK_GRID_MARK - 1,

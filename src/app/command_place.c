@@ -19,7 +19,7 @@
 
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
-static void add_candidates(cJSON *root, const murk_plan *plan)
+static void add_candidates(cJSON *root, const murk_plan_result *plan)
 {
     cJSON *object = murk_json_candidates(root, plan->candidates);
     cJSON_AddNumberToObject(object, "poses", (double)plan->poses->count);
@@ -27,7 +27,8 @@ static void add_candidates(cJSON *root, const murk_plan *plan)
                             (double)plan->place.after_presolve);
 }
 
-static void add_coverage(cJSON *root, const murk_plan *plan, bool is_strict)
+static void add_coverage(cJSON *root, const murk_plan_result *plan,
+                         bool is_strict)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "coverage");
     murk_json_number(object, "in_sample", plan->in_sample.total.value);
@@ -50,8 +51,8 @@ static void add_coverage(cJSON *root, const murk_plan *plan, bool is_strict)
 }
 
 /* The strict question: asked, reached, and whether fewer cannot do. */
-static void add_strict(cJSON *target, const murk_plan *plan,
-                       const murk_scene *scene)
+static void add_strict(cJSON *target, const murk_plan_result *plan,
+                       const murk_scene_desc *scene)
 {
     const size_t at_least = murk_plan_at_least(scene);
     if (at_least > 0) {
@@ -69,8 +70,8 @@ static void add_strict(cJSON *target, const murk_plan *plan,
     }
 }
 
-static void add_target(cJSON *root, const murk_plan *plan,
-                       const murk_scene *scene)
+static void add_target(cJSON *root, const murk_plan_result *plan,
+                       const murk_scene_desc *scene)
 {
     if (scene->sensors.target > 0) {
         cJSON *object = cJSON_AddObjectToObject(root, "target");
@@ -84,8 +85,8 @@ static void add_target(cJSON *root, const murk_plan *plan,
     }
 }
 
-static void add_budget(cJSON *root, const murk_plan *plan,
-                       const murk_scene *scene)
+static void add_budget(cJSON *root, const murk_plan_result *plan,
+                       const murk_scene_desc *scene)
 {
     if (scene->sensors.budget > 0) {
         cJSON *object = cJSON_AddObjectToObject(root, "budget");
@@ -95,8 +96,8 @@ static void add_budget(cJSON *root, const murk_plan *plan,
     }
 }
 
-static void add_placement(cJSON *root, const murk_plan *plan,
-                          const murk_scene *scene)
+static void add_placement(cJSON *root, const murk_plan_result *plan,
+                          const murk_scene_desc *scene)
 {
     static const char *const detection_names[] = {
         [MURK_SCENE_WEIGHTED] = "weighted",
@@ -107,29 +108,31 @@ static void add_placement(cJSON *root, const murk_plan *plan,
                                                 [MURK_SCENE_BLOCK] = "block",
                                                 [MURK_SCENE_REFRACT] =
                                                     "refract"};
-    const murk_scene_placement *wish = &scene->placement;
+    const murk_scene_placement *settings = &scene->placement;
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
     cJSON_AddStringToObject(object, "method",
-                            wish->knowledge == MURK_SCENE_EXPLORE
+                            settings->knowledge == MURK_SCENE_EXPLORE
                                 ? "greedy"
-                                : murk_method_names[wish->method]);
+                                : murk_method_names[settings->method]);
     cJSON_AddStringToObject(object, "detection",
-                            detection_names[wish->detection]);
+                            detection_names[settings->detection]);
     murk_json_number(object, "threshold",
-                     wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold
-                                                             : NAN);
+                     settings->detection == MURK_SCENE_THRESHOLD
+                         ? settings->threshold
+                         : NAN);
     murk_json_number(object, "power_radius_m",
                      plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
     murk_json_number(object, "power_neighbours",
                      plan->power_neighbours ? (double)plan->power_neighbours
                                             : NAN);
-    cJSON_AddNumberToObject(object, "redundancy", (double)wish->redundancy);
+    cJSON_AddNumberToObject(object, "redundancy", (double)settings->redundancy);
     cJSON_AddStringToObject(object, "visibility",
-                            wish->by_normal ? "normal" : "ray");
-    cJSON_AddStringToObject(object, "through", through_names[wish->through]);
+                            settings->by_normal ? "normal" : "ray");
+    cJSON_AddStringToObject(object, "through",
+                            through_names[settings->through]);
     cJSON_AddStringToObject(object, "knowledge",
-                            murk_knowledge_names[wish->knowledge]);
-    cJSON_AddNumberToObject(object, "restarts", (double)wish->restarts);
+                            murk_knowledge_names[settings->knowledge]);
+    cJSON_AddNumberToObject(object, "restarts", (double)settings->restarts);
     cJSON_AddNumberToObject(object, "starts", (double)plan->place.restarts);
     cJSON_AddNumberToObject(object, "evaluations",
                             (double)plan->place.evaluations);
@@ -144,8 +147,8 @@ static void add_placement(cJSON *root, const murk_plan *plan,
 }
 
 /* over NULL: the scene as it stands. */
-static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
-                        const murk_over *over)
+static cJSON *plan_json(const murk_session *session,
+                        const murk_plan_result *plan, const murk_over *over)
 {
     cJSON *root = murk_json_begin(session->scene);
     if (over) {
@@ -175,8 +178,9 @@ static cJSON *plan_json(const murk_session *session, const murk_plan *plan,
 }
 
 static murk_status print_plan(const murk_session *session,
-                              const murk_plan *plan, const murk_over *over,
-                              const murk_repeat *repeat, murk_error *err)
+                              const murk_plan_result *plan,
+                              const murk_over *over, const murk_repeat *repeat,
+                              murk_error *err)
 {
     const murk_place_result *place = &plan->place;
     murk_status status = MURK_OK;
@@ -274,7 +278,8 @@ static murk_status write_light(murk_session *session, murk_error *err)
     return status;
 }
 
-static murk_status add_files(murk_session *session, const murk_plan *plan,
+static murk_status add_files(murk_session *session,
+                             const murk_plan_result *plan,
                              const murk_over *over, murk_error *late,
                              murk_error *err)
 {
@@ -300,7 +305,8 @@ static murk_status add_files(murk_session *session, const murk_plan *plan,
 
 /* The plan is shown before other seeds are run: hours of them may end in a
  * failure or an interrupt, which is told late, too. */
-static murk_status repeat_all(murk_session *session, const murk_plan *plan,
+static murk_status repeat_all(murk_session *session,
+                              const murk_plan_result *plan,
                               const murk_over *over, murk_repeat *repeat,
                               murk_error *late, murk_error *err)
 {
@@ -316,7 +322,7 @@ static murk_status repeat_all(murk_session *session, const murk_plan *plan,
 }
 
 /* With a row of repeat.csv a seed where it was repeated. */
-static murk_status finish(murk_session *session, const murk_plan *plan,
+static murk_status finish(murk_session *session, const murk_plan_result *plan,
                           const murk_over *over, const murk_repeat *repeat,
                           murk_error *err)
 {
@@ -337,7 +343,7 @@ static murk_status finish(murk_session *session, const murk_plan *plan,
 
 static murk_status check_repeat(const murk_session *session, murk_error *err)
 {
-    const murk_scene *scene = session->scene;
+    const murk_scene_desc *scene = session->scene;
     const uint64_t runs = session->options->repeat;
     if (runs > 0 && scene->seed + (runs - 1) > UINT32_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, "--repeat",
@@ -370,7 +376,7 @@ static murk_status expect_conditions(murk_session *session, murk_error *err)
 {
     static const char *const begin[] = {"light", "ledger", "plan", "scene"};
     static const char *const end[] = {".murk", ".json", ".ply", ".yaml"};
-    const murk_scene *scene = session->scene;
+    const murk_scene_desc *scene = session->scene;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < 4 * scene->n_conditions && !status; ++i) {
         const murk_scene_condition *condition = &scene->conditions[i / 4];
@@ -407,7 +413,7 @@ static murk_status expect_files(murk_session *session, murk_error *err)
                      : murk_session_expect_light(session, err);
 }
 
-static murk_status place(murk_session *session, murk_plan *plan,
+static murk_status place(murk_session *session, murk_plan_result *plan,
                          murk_error *err)
 {
     const unsigned threads = session->options->threads;
@@ -425,14 +431,14 @@ static murk_status place(murk_session *session, murk_plan *plan,
         status = murk_session_light(session, err);
     }
     if (!status) {
-        status =
-            murk_plan_make(plan, session->stage, session->traced, threads, err);
+        status = murk_plan_result_make(plan, session->stage, session->traced,
+                                       threads, err);
     }
     return status;
 }
 
 /* Over conditions, each of which has a light of its own. */
-static murk_status place_over(murk_session *session, murk_plan *plan,
+static murk_status place_over(murk_session *session, murk_plan_result *plan,
                               murk_over *over, murk_error *err)
 {
     const murk_options *options = session->options;
@@ -460,7 +466,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         return murk_place_matrix(options, err);
     }
     murk_session session;
-    murk_plan plan = {0};
+    murk_plan_result plan = {0};
     murk_over *over = NULL;
     murk_repeat repeat = {0};
     murk_error late = {0};
@@ -507,7 +513,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         free(over);
     }
     murk_repeat_release(&repeat);
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
     murk_session_end(&session);
     return status;
 }

@@ -19,14 +19,14 @@
 /* Pictures of which more errors than this share are unsure are warned of, not
  * those that are smaller than the window that errors are pooled over. */
 #define UNSURE_SHARE 0.25
-#define UNSURE_LEAST 50
+#define UNSURE_MIN   50
 
 typedef struct job {
     const murk_options *options;
     murk_session session;
     murk_viewpoint viewpoint;
-    murk_picture_files images;
-    murk_picture *picture;
+    murk_image_files images;
+    murk_image *picture;
     double render_s;
 } job;
 
@@ -92,7 +92,7 @@ static murk_status check_maps(const job *j, murk_error *err)
 static murk_status take_picture(job *j, murk_error *err)
 {
     const murk_session *s = &j->session;
-    const murk_scene *scene = s->scene;
+    const murk_scene_desc *scene = s->scene;
     const murk_trace trace = murk_stage_trace(s->stage);
     murk_render render = {.trace = &trace,
                           .camera = j->viewpoint.camera,
@@ -124,7 +124,7 @@ static murk_status take_picture(job *j, murk_error *err)
  * any for a band says nothing: no medium, or nothing that sends light on. */
 static void warn_of_few_records(const job *j)
 {
-    const murk_picture *p = j->picture;
+    const murk_image *p = j->picture;
     const double *nm = j->session.scene->band_nm;
     size_t few = MURK_GATHER_FEW, others = 0;
     int band = 0, map = 0;
@@ -156,10 +156,10 @@ static void warn_of_few_records(const job *j)
  * the right size over the picture, but not to be relied on one by one. */
 static void warn_of_unsure_errors(const job *j)
 {
-    const murk_picture *p = j->picture;
+    const murk_image *p = j->picture;
     const double share =
         (double)p->unsure / ((double)p->width * (double)p->height);
-    if (share > UNSURE_SHARE && p->unsure >= UNSURE_LEAST) {
+    if (share > UNSURE_SHARE && p->unsure >= UNSURE_MIN) {
         murk_warn("samples",
                   "the errors of %.0f %% of the pixels rest on a few bright "
                   "paths: they hold in the mean, not for one pixel; take more "
@@ -208,7 +208,7 @@ static void print_mean(double value, double error, const char *unit)
 /* A row a band. */
 static void print_radiance(const job *j)
 {
-    const murk_picture *p = j->picture;
+    const murk_image *p = j->picture;
     const double *nm = j->session.scene->band_nm;
     const double sphere_sr = 4 * MURK_PI;
     if (is_all_round(j)) {
@@ -234,7 +234,7 @@ static void print_radiance(const job *j)
 
 static void print_images(const job *j)
 {
-    const murk_picture_files *images = &j->images;
+    const murk_image_files *images = &j->images;
     murk_print("files       %s\n", images->exr);
     if (images->png) {
         murk_print("            %s: exposure %.2f stops%s\n", images->png,
@@ -253,7 +253,7 @@ static void print_summary(const job *j)
 {
     const murk_session *s = &j->session;
     const murk_viewpoint *v = &j->viewpoint;
-    const murk_picture *p = j->picture;
+    const murk_image *p = j->picture;
     if (s->traced) {
         murk_print_light(s);
     }
@@ -283,7 +283,7 @@ static void print_summary(const job *j)
 
 static void add_images(cJSON *root, const job *j)
 {
-    const murk_picture_files *images = &j->images;
+    const murk_image_files *images = &j->images;
     cJSON_AddStringToObject(root, "image", images->exr);
     if (images->png) {
         cJSON *png = cJSON_AddObjectToObject(root, "png");
@@ -302,7 +302,7 @@ static void add_images(cJSON *root, const job *j)
 
 static cJSON *facts_json(const job *j)
 {
-    const murk_picture *p = j->picture;
+    const murk_image *p = j->picture;
     const murk_viewpoint *v = &j->viewpoint;
     cJSON *root = murk_json_begin(j->session.scene);
     add_images(root, j);
@@ -409,7 +409,7 @@ murk_status murk_command_render(const murk_options *options, murk_error *err)
     if (!status) {
         status = tell(&j, err);
     }
-    murk_picture_destroy(j.picture);
+    murk_image_destroy(j.picture);
     murk_images_release(&j.images);
     murk_viewpoint_release(&j.viewpoint);
     murk_session_end(&j.session);

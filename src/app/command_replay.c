@@ -26,7 +26,7 @@ typedef struct replay {
 /* Name of what was met, or what came of it. */
 static const char *partner(const replay *r, const murk_event *event)
 {
-    const murk_scene *scene = r->session->scene;
+    const murk_scene_desc *scene = r->session->scene;
     switch (event->kind) {
     case MURK_EVENT_SURFACE:
         return scene->materials[event->material_or_medium].name;

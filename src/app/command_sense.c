@@ -16,7 +16,7 @@
 /* Of the sensors given. */
 typedef struct measured {
     murk_target_facts targets;
-    murk_coverage coverage;
+    murk_coverage_result coverage;
     murk_robust robust;
 } measured;
 
@@ -24,7 +24,7 @@ static cJSON *coverage_json(const murk_session *session,
                             const murk_pose *sensor, size_t n,
                             const measured *of)
 {
-    const murk_coverage *coverage = &of->coverage;
+    const murk_coverage_result *coverage = &of->coverage;
     cJSON *root = murk_json_begin(session->scene);
     murk_json_photons(root, session->traced);
     murk_json_targets(root, session->scene, &of->targets);
@@ -75,7 +75,7 @@ static murk_status write_coverage(murk_session *session,
 static void print_coverage(const murk_session *session, const murk_pose *sensor,
                            size_t n, const measured *of)
 {
-    const murk_coverage *coverage = &of->coverage;
+    const murk_coverage_result *coverage = &of->coverage;
     murk_print_light(session);
     murk_print_tallies(session);
     murk_print_targets(&of->targets);
@@ -139,7 +139,8 @@ static murk_status measure(measured *of, murk_session *session,
             murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
     }
     if (!status) {
-        status = murk_coverage_measure(&of->coverage, sight, sensor, n, err);
+        status =
+            murk_coverage_result_measure(&of->coverage, sight, sensor, n, err);
     }
     if (!status) {
         murk_warn_of_thin_map(stage->scene, &of->coverage, NULL);
@@ -218,7 +219,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
         status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     murk_robust_release(&of.robust);
-    murk_coverage_release(&of.coverage);
+    murk_coverage_result_release(&of.coverage);
     free(sensor);
     murk_session_end(&session);
     return status;

@@ -1,10 +1,10 @@
 #include "app/identity.h"
+#include "app/log_once.h"
 #include "app/results.h"
 #include "app/run_files.h"
 #include "app/study_print.h"
 #include "app/summary.h"
 #include "app/table_out.h"
-#include "app/told.h"
 #include "app/version.h"
 
 #include "base/log.h"
@@ -23,7 +23,7 @@ typedef struct study_session {
     murk_results results;
     char identity[65];
     char *base; /* the base scene as resolved; NULL: it cannot stand alone */
-    murk_told told;
+    murk_log_once told;
     double begun_s;
 } study_session;
 
@@ -38,7 +38,7 @@ static void tell_row(void *context, size_t row)
         murk_warn(where, "failed: %s", found->failed);
     }
     char news[MURK_ROW_TEXT_SIZE];
-    if (murk_told_news(&s->told, found->note, news, sizeof news)) {
+    if (murk_log_once_news(&s->told, found->note, news, sizeof news)) {
         murk_note(where, "%s", news);
     }
 }
@@ -61,15 +61,15 @@ static void tell_early_failures(const study_session *s)
  * without a row's own values. */
 static void read_base(study_session *s)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error why = {0};
     const murk_warn_sink told = murk_warn_to(NULL); /* by the rows */
-    if (!murk_scene_read(&scene, s->study->base, s->options->overrides,
-                         s->options->n_overrides, &why)) {
+    if (!murk_scene_desc_read(&scene, s->study->base, s->options->overrides,
+                              s->options->n_overrides, &why)) {
         s->base = strdup(scene->resolved);
     }
     murk_warn_to(told);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* The rows' keys say all that rows follow from. */
@@ -273,7 +273,7 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
                            murk_sweep_why_no_plan(s.sweep));
     }
     free(s.base);
-    murk_told_release(&s.told);
+    murk_log_once_release(&s.told);
     murk_results_end(&s.results);
     murk_sweep_destroy(s.sweep);
     murk_study_file_destroy(s.study);

@@ -29,12 +29,12 @@ static double degrees(double rad)
     return round(rad * (180 / MURK_PI) * 1e9) / 1e9;
 }
 
-static bool is_all_round(const murk_scene *scene, const murk_pose *sensor)
+static bool is_all_round(const murk_scene_desc *scene, const murk_pose *sensor)
 {
     return scene->sensors.type[sensor->type].view == MURK_SCENE_VIEW_SPHERE;
 }
 
-void murk_json_heading(cJSON *object, const murk_scene *scene,
+void murk_json_heading(cJSON *object, const murk_scene_desc *scene,
                        const murk_pose *pose)
 {
     const bool has_axis = !is_all_round(scene, pose);
@@ -46,9 +46,9 @@ void murk_json_heading(cJSON *object, const murk_scene *scene,
 
 /* Sensors that see all round have no heading, and an axis only by convention:
  * up. */
-void murk_json_sensors(cJSON *root, const murk_scene *scene,
+void murk_json_sensors(cJSON *root, const murk_scene_desc *scene,
                        const murk_pose *sensor, size_t n,
-                       const murk_coverage *coverage)
+                       const murk_coverage_result *coverage)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "sensors");
     for (size_t i = 0; i < n; ++i) {
@@ -69,7 +69,7 @@ void murk_json_sensors(cJSON *root, const murk_scene *scene,
     }
 }
 
-void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n)
+void murk_json_seen(cJSON *root, const murk_coverage_result *coverage, size_t n)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "seen_by_at_least");
     for (size_t i = 0; i < n; ++i) {
@@ -79,8 +79,8 @@ void murk_json_seen(cJSON *root, const murk_coverage *coverage, size_t n)
     }
 }
 
-void murk_json_weights(cJSON *root, const murk_scene *scene,
-                       const murk_coverage *coverage)
+void murk_json_weights(cJSON *root, const murk_scene_desc *scene,
+                       const murk_coverage_result *coverage)
 {
     static const char *const name[] = {"surface", "volume"};
     const int thin = murk_thin_map(scene, coverage);
@@ -131,7 +131,7 @@ static void quote(char out[QUOTED_SIZE], const char *text)
     *out = '\0';
 }
 
-void murk_write_pose(FILE *to, size_t number, const murk_scene *scene,
+void murk_write_pose(FILE *to, size_t number, const murk_scene_desc *scene,
                      const murk_pose *pose)
 {
     const murk_vec3 p = murk_scene_user(scene, pose->position);
@@ -158,9 +158,10 @@ static void write_share(char out[32], double share)
 }
 
 static murk_status add_csv(murk_results *results, const char *name,
-                           const char *header, const murk_scene *scene,
+                           const char *header, const murk_scene_desc *scene,
                            const murk_pose *sensor, size_t n,
-                           const murk_coverage *coverage, murk_error *err)
+                           const murk_coverage_result *coverage,
+                           murk_error *err)
 {
     if (!results->folder) {
         return MURK_OK;
@@ -200,7 +201,8 @@ static murk_status add_csv(murk_results *results, const char *name,
     return status;
 }
 
-murk_status murk_add_sensors_csv(murk_results *results, const murk_scene *scene,
+murk_status murk_add_sensors_csv(murk_results *results,
+                                 const murk_scene_desc *scene,
                                  const murk_pose *sensor, size_t n,
                                  murk_error *err)
 {
@@ -210,9 +212,9 @@ murk_status murk_add_sensors_csv(murk_results *results, const murk_scene *scene,
 }
 
 murk_status murk_add_coverage_csv(murk_results *results,
-                                  const murk_scene *scene,
+                                  const murk_scene_desc *scene,
                                   const murk_pose *sensor, size_t n,
-                                  const murk_coverage *coverage,
+                                  const murk_coverage_result *coverage,
                                   murk_error *err)
 {
     return add_csv(results, "coverage.csv",
@@ -243,8 +245,9 @@ static int print_heading(char heading[HEADING_SIZE], const columns *c)
                     "z m", "heading", "tilt", "covers", "only it");
 }
 
-static int widest_coordinate(const murk_scene *scene, const murk_pose *sensor,
-                             size_t n, int axis, int decimals)
+static int widest_coordinate(const murk_scene_desc *scene,
+                             const murk_pose *sensor, size_t n, int axis,
+                             int decimals)
 {
     int widest = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -256,10 +259,10 @@ static int widest_coordinate(const murk_scene *scene, const murk_pose *sensor,
     return widest;
 }
 
-static columns columns_of(const murk_scene *scene, const murk_pose *sensor,
-                          size_t n, int decimals, int least)
+static columns columns_of(const murk_scene_desc *scene, const murk_pose *sensor,
+                          size_t n, int decimals, int min)
 {
-    columns c = {.decimals = decimals, .type = least < 4 ? 4 : least};
+    columns c = {.decimals = decimals, .type = min < 4 ? 4 : min};
     for (size_t i = 0; i < n; ++i) {
         const int length =
             (int)strlen(scene->sensors.type[sensor[i].type].name);
@@ -267,7 +270,7 @@ static columns columns_of(const murk_scene *scene, const murk_pose *sensor,
     }
     for (int axis = 0; axis < 3; ++axis) {
         const int width = widest_coordinate(scene, sensor, n, axis, decimals);
-        c.place[axis] = width > least ? width : least;
+        c.place[axis] = width > min ? width : min;
     }
     return c;
 }
@@ -275,8 +278,8 @@ static columns columns_of(const murk_scene *scene, const murk_pose *sensor,
 /* Columns of 8 where these are enough. Else, as for surveyed coordinates, as
  * wide as what they hold, and coordinates with fewer decimals where the line
  * would not fit: sensors.csv has all of them. */
-static columns choose_columns(const murk_scene *scene, const murk_pose *sensor,
-                              size_t n)
+static columns choose_columns(const murk_scene_desc *scene,
+                              const murk_pose *sensor, size_t n)
 {
     char heading[HEADING_SIZE];
     columns c = columns_of(scene, sensor, n, 3, 8);
@@ -287,8 +290,8 @@ static columns choose_columns(const murk_scene *scene, const murk_pose *sensor,
     return c;
 }
 
-void murk_print_sensors(const murk_scene *scene, const murk_pose *sensor,
-                        size_t n, const murk_coverage *coverage,
+void murk_print_sensors(const murk_scene_desc *scene, const murk_pose *sensor,
+                        size_t n, const murk_coverage_result *coverage,
                         const char *folder)
 {
     const size_t shown = n < MURK_PRINTED_ROWS ? n : MURK_PRINTED_ROWS;
@@ -327,14 +330,15 @@ static void print_map(const char *name, murk_estimate fraction)
     }
 }
 
-void murk_print_maps(const murk_coverage *coverage)
+void murk_print_maps(const murk_coverage_result *coverage)
 {
     print_map("surface", coverage->surface);
     murk_print(", ");
     print_map("volume", coverage->volume);
 }
 
-void murk_print_weights(const murk_scene *scene, const murk_coverage *coverage)
+void murk_print_weights(const murk_scene_desc *scene,
+                        const murk_coverage_result *coverage)
 {
     const murk_map_share *s = &coverage->map[0], *v = &coverage->map[1];
     if (!(s->weight > 0 && v->weight > 0)) {

@@ -14,13 +14,14 @@ const char *const murk_knowledge_names[] = {[MURK_SCENE_KNOWN] = "known",
 
 static const char *const END_NAMES[] = {[MURK_EXPLORE_COUNT] = "count",
                                         [MURK_EXPLORE_TARGET] = "target",
-                                        [MURK_EXPLORE_RULES] = "rules",
+                                        [MURK_EXPLORE_CONSTRAINTS] = "rules",
                                         [MURK_EXPLORE_NOTHING] =
                                             "nothing_to_gain",
                                         [MURK_EXPLORE_STATIONS] = "stations"};
 
 /* The number of a step's sensor in the plan, whose candidates rise. */
-static size_t sensor_of(const murk_plan *plan, const murk_explore_step *step)
+static size_t sensor_of(const murk_plan_result *plan,
+                        const murk_explore_step *step)
 {
     size_t low = 0, high = plan->place.count;
     while (high - low > 1) {
@@ -34,12 +35,13 @@ static size_t sensor_of(const murk_plan *plan, const murk_explore_step *step)
     return low + 1;
 }
 
-static double coverage_of(const murk_plan *plan, uint64_t value)
+static double coverage_of(const murk_plan_result *plan, uint64_t value)
 {
     return murk_share(value, plan->place.whole);
 }
 
-static cJSON *step_json(const murk_plan *plan, const murk_scene *scene,
+static cJSON *step_json(const murk_plan_result *plan,
+                        const murk_scene_desc *scene,
                         const murk_explore_step *step)
 {
     const murk_pose *pose = &plan->poses->pose[step->candidate];
@@ -68,8 +70,8 @@ static size_t seen_of(const murk_explore *explore)
     return explore->steps ? explore->step[explore->steps - 1].places_seen : 0;
 }
 
-void murk_json_explore(cJSON *root, const murk_scene *scene,
-                       const murk_plan *plan)
+void murk_json_explore(cJSON *root, const murk_scene_desc *scene,
+                       const murk_plan_result *plan)
 {
     const murk_explore *explore = &plan->explore;
     if (scene->placement.knowledge != MURK_SCENE_EXPLORE) {
@@ -94,8 +96,8 @@ void murk_json_explore(cJSON *root, const murk_scene *scene,
 }
 
 typedef struct told {
-    const murk_plan *plan;
-    const murk_scene *scene;
+    const murk_plan_result *plan;
+    const murk_scene_desc *scene;
 } told;
 
 static murk_status write_csv(const char *path, const void *context,
@@ -126,7 +128,7 @@ static murk_status write_csv(const char *path, const void *context,
 }
 
 murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
-                             const murk_plan *plan, murk_error *err)
+                             const murk_plan_result *plan, murk_error *err)
 {
     if (plan->explore.steps == 0) { /* over conditions no stage is one */
         return MURK_OK;
@@ -141,7 +143,7 @@ murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                                       size_m, err);
 }
 
-void murk_print_explore(const murk_plan *plan, const char *folder)
+void murk_print_explore(const murk_plan_result *plan, const char *folder)
 {
     const murk_explore *explore = &plan->explore;
     if (explore->steps == 0) {

@@ -10,8 +10,8 @@ extern const char *const murk_knowledge_names[];
 
 /* "explore": {..., "steps": [one object a station]}; a step's sensor is its
  * number, from 1, among the plan's. */
-void murk_json_explore(cJSON *root, const murk_scene *scene,
-                       const murk_plan *plan);
+void murk_json_explore(cJSON *root, const murk_scene_desc *scene,
+                       const murk_plan_result *plan);
 
 /* Adds explore.csv, a row a step, and path.ply. The latter's vertices are the
  * stops of the path, in order, then six corners of a thin three-sided line
@@ -26,8 +26,8 @@ void murk_json_explore(cJSON *root, const murk_scene *scene,
  * The edges join each stop to the next. Binary, little endian. The line is
  * one part in five hundred of the world's size thick. */
 murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
-                             const murk_plan *plan, murk_error *err);
+                             const murk_plan_result *plan, murk_error *err);
 
-void murk_print_explore(const murk_plan *plan, const char *folder);
+void murk_print_explore(const murk_plan_result *plan, const char *folder);
 
 #endif

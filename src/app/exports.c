@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* 6 bytes of memory and up to some 20 of text an entry. */
-#define ENTRIES_MOST 100000000
+#define ENTRIES_MAX 100000000
 
 typedef struct lp_parts {
     const murk_sparse_matrix *matrix;
@@ -67,7 +67,7 @@ murk_status murk_exports_check(unsigned exports, murk_combining combining,
 
 typedef struct candidate_list {
     const murk_poses *poses;
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
 } candidate_list;
 
 static murk_status write_candidates(const char *path, const void *context,
@@ -90,31 +90,31 @@ static murk_status write_candidates(const char *path, const void *context,
 }
 
 /* Too large a matrix is told late, like a file that cannot be. */
-static murk_status add_matrix(murk_session *session, const murk_plan *plan,
-                              murk_sight *sight, murk_error *late,
-                              murk_error *err)
+static murk_status add_matrix(murk_session *session,
+                              const murk_plan_result *plan, murk_sight *sight,
+                              murk_error *late, murk_error *err)
 {
-    const murk_scene_sensors *wish = &session->scene->sensors;
+    const murk_scene_sensors *settings = &session->scene->sensors;
     murk_sparse_matrix *matrix = NULL;
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->poses->pose,
                             plan->poses->count);
     murk_error told = {0};
     const murk_status status =
-        murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MOST, &told);
+        murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MAX, &told);
     if (status) {
         return murk_fail(status == MURK_RUN_FAILED ? late : err, status,
                          "--export", "%s", told.text) == MURK_RUN_FAILED
                    ? MURK_OK
                    : status;
     }
-    murk_lp_goal goal = {.count = (size_t)wish->count,
-                         .rules = murk_poses_rules(plan->poses),
+    murk_lp_goal goal = {.count = (size_t)settings->count,
+                         .constraints = murk_poses_constraints(plan->poses),
                          .redundancy = seen.problem.redundancy};
-    if (wish->target > 0) {
+    if (settings->target > 0) {
         murk_problem problem = murk_sparse_matrix_problem(matrix, 1);
         problem.redundancy = seen.problem.redundancy;
-        goal.target = murk_plan_value_of(wish->target, &problem);
+        goal.target = murk_plan_value_of(settings->target, &problem);
     }
     const unsigned exports = session->options->exports;
     murk_exports_add(&session->results, exports, matrix, &goal, late);
@@ -134,7 +134,7 @@ static murk_status check_names(const murk_session *session, murk_error *err)
 {
     static const char *const taken[] = {"extinction", "coverage",
                                         "optical_depth", "fields", "surfaces"};
-    const murk_scene *scene = session->scene;
+    const murk_scene_desc *scene = session->scene;
     for (size_t i = 0; i < scene->n_tallies; ++i) {
         const murk_scene_tally *tally = &scene->tallies[i];
         bool is_taken = false;
@@ -192,7 +192,8 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
     murk_progress_end();
 }
 
-murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
+murk_status murk_exports_add_plan(murk_session *session,
+                                  const murk_plan_result *plan,
                                   murk_error *late, murk_error *err)
 {
     const unsigned exports = session->options->exports;

@@ -33,7 +33,8 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
 /* Adds plan.ply, and what --export asks for, of a scene's plan. Looks again
  * from its sensors, and for its problem from all candidates. In the dark there
  * is only light to add. */
-murk_status murk_exports_add_plan(murk_session *session, const murk_plan *plan,
+murk_status murk_exports_add_plan(murk_session *session,
+                                  const murk_plan_result *plan,
                                   murk_error *late, murk_error *err);
 
 #endif

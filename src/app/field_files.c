@@ -45,7 +45,7 @@ static void put_note(murk_field_notes *out, size_t *n, const char *key,
     out->note[(*n)++] = text;
 }
 
-void murk_field_notes_of(murk_field_notes *out, const murk_scene *scene,
+void murk_field_notes_of(murk_field_notes *out, const murk_scene_desc *scene,
                          const murk_voxel_field *field)
 {
     size_t n = 0;
@@ -69,7 +69,7 @@ void murk_field_notes_of(murk_field_notes *out, const murk_scene *scene,
 /* ---- .vdb ---- */
 
 typedef struct files {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const murk_field_box *box;
     const murk_voxel_field *field;
     size_t n;
@@ -157,7 +157,7 @@ static murk_status write_vdb(const char *path, const void *context,
 }
 
 murk_status murk_field_add_vdb(murk_results *results, const char *name,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_field_box *box,
                                const murk_voxel_field *field, size_t n,
                                murk_field_look look, murk_error *err)
@@ -234,7 +234,7 @@ static murk_status write_vti(const char *path, const void *context,
 }
 
 murk_status murk_field_add_vti(murk_results *results, const char *name,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_field_box *box,
                                const murk_voxel_field *field, size_t n,
                                murk_error *err)

@@ -45,7 +45,7 @@ typedef struct murk_field_notes {
     murk_facts facts;
     char band_nm[32];
 } murk_field_notes;
-void murk_field_notes_of(murk_field_notes *out, const murk_scene *scene,
+void murk_field_notes_of(murk_field_notes *out, const murk_scene_desc *scene,
                          const murk_voxel_field *field);
 
 /* What `density` is a multiple of the first field by. */
@@ -57,12 +57,12 @@ typedef enum murk_field_look {
 
 /* n fields, at least 1. name: with its ending. As murk_results_add(). */
 murk_status murk_field_add_vdb(murk_results *results, const char *name,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_field_box *box,
                                const murk_voxel_field *field, size_t n,
                                murk_field_look look, murk_error *err);
 murk_status murk_field_add_vti(murk_results *results, const char *name,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_field_box *box,
                                const murk_voxel_field *field, size_t n,
                                murk_error *err);

@@ -2,7 +2,7 @@
 
 #include "scene/number.h"
 #include "sensing/places_seen.h"
-#include "study/target_pile.h"
+#include "study/target_buffer.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 #define VOXELS_USUAL     100000
 #define VALUES_USUAL     400000 /* voxels times bands */
-#define EDGE_MOST_M      1e9
+#define EDGE_MAX_M       1e9
 #define NO_DEPTH         (-1.0F)
 #define FIELDS_OF_A_BAND 5
 
@@ -56,19 +56,19 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
         return MURK_OK;
     }
     if (!murk_number_parse(text, &edge_m) ||
-        !(edge_m > 0 && edge_m <= EDGE_MOST_M)) {
+        !(edge_m > 0 && edge_m <= EDGE_MAX_M)) {
         return murk_fail(err, MURK_BAD_VALUE, "--voxel",
                          "%.80s, must be more than 0 and at most %g m", text,
-                         EDGE_MOST_M);
+                         EDGE_MAX_M);
     }
     const double values = bands * fill_box(out, edge_m);
-    if (!(values <= MURK_FIELDS_MOST)) {
+    if (!(values <= MURK_FIELDS_MAX)) {
         murk_field_box room = *out;
         return murk_fail(err, MURK_BAD_VALUE, "--voxel",
                          "%.80s m: %.3g voxels in the domain and its bands, "
                          "must be at most %d: %.2g m would do",
-                         text, values, MURK_FIELDS_MOST,
-                         edge_for(&room, MURK_FIELDS_MOST / bands) * 1.05);
+                         text, values, MURK_FIELDS_MAX,
+                         edge_for(&room, MURK_FIELDS_MAX / bands) * 1.05);
     }
     return MURK_OK;
 }
@@ -126,7 +126,9 @@ static murk_status make_extinction(domain_fields *f, murk_error *err)
     for (size_t i = 0; value && i < f->voxels; ++i) {
         const murk_vec3 p = middle_of(f, i);
         const murk_inside inside =
-            f->stage->hulls ? murk_hulls_at(f->stage->hulls, p) : 0;
+            f->stage->boundary_meshes
+                ? murk_boundary_meshes_at(f->stage->boundary_meshes, p)
+                : 0;
         value[i] =
             (float)murk_media_extinction(f->stage->media, f->band, inside, p);
     }

@@ -20,7 +20,7 @@
 #include "sensing/sight.h"
 
 /* Voxels times bands, at most. */
-#define MURK_FIELDS_MOST 10000000
+#define MURK_FIELDS_MAX 10000000
 
 /* The domain in voxels of --voxel, each edge made a little less so that they
  * fill it; without that option some 100,000 voxels, of many bands fewer. Fails

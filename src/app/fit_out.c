@@ -17,7 +17,7 @@ static const char *const reading_kinds[] = {
     [MURK_READ_IRRADIANCE] = "irradiance",
     [MURK_READ_TRANSMITTANCE] = "transmittance"};
 
-static const char *condition_of(const murk_scene *scene, size_t condition)
+static const char *condition_of(const murk_scene_desc *scene, size_t condition)
 {
     return condition == SIZE_MAX ? "" : scene->conditions[condition].name;
 }

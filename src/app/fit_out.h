@@ -7,7 +7,7 @@
 #include "calibrate/next.h"
 
 typedef struct murk_fit_facts {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const murk_free_keys *keys;
     const murk_measurements *measured;
     const murk_calibration *found;

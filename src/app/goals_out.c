@@ -4,21 +4,21 @@
 
 #include <math.h>
 
-void murk_json_regions(cJSON *root, const murk_scene *scene,
+void murk_json_regions(cJSON *root, const murk_scene_desc *scene,
                        const murk_region_coverage *in_sample,
                        const murk_region_coverage *held_out)
 {
-    const murk_scene_placement *wish = &scene->placement;
+    const murk_scene_placement *settings = &scene->placement;
     cJSON *list = cJSON_AddArrayToObject(root, "regions_of_interest");
-    for (size_t i = 0; i < wish->n_interests; ++i) {
+    for (size_t i = 0; i < settings->n_interests; ++i) {
         const murk_estimate seen = in_sample[i].coverage;
         const murk_estimate held =
             held_out ? held_out[i].coverage : (murk_estimate){NAN, NAN};
         cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "name", wish->interest[i].name);
-        murk_json_number(item, "weight", wish->interest[i].weight);
+        cJSON_AddStringToObject(item, "name", settings->interest[i].name);
+        murk_json_number(item, "weight", settings->interest[i].weight);
         cJSON_AddNumberToObject(
-            item, wish->targets.given ? "targets" : "stored_photons",
+            item, settings->targets.given ? "targets" : "stored_photons",
             (double)in_sample[i].photons);
         murk_json_number(item, "coverage", seen.value);
         murk_json_number(item, "standard_error", seen.standard_error);
@@ -39,20 +39,20 @@ static void print_in_view(murk_estimate seen)
     }
 }
 
-void murk_print_regions(const murk_scene *scene,
+void murk_print_regions(const murk_scene_desc *scene,
                         const murk_region_coverage *in_sample,
                         const murk_region_coverage *held_out)
 {
-    const murk_scene_placement *wish = &scene->placement;
-    if (wish->n_interests == 0) {
+    const murk_scene_placement *settings = &scene->placement;
+    if (settings->n_interests == 0) {
         return;
     }
     murk_print("regions     %-16s %6s %8s  %16s", "of interest", "weight",
-               wish->targets.given ? "targets" : "photons", "in view");
+               settings->targets.given ? "targets" : "photons", "in view");
     murk_print(held_out ? "  %16s\n" : "\n", "held out");
-    for (size_t i = 0; i < wish->n_interests; ++i) {
-        murk_print("            %-16s %6.4g %8zu", wish->interest[i].name,
-                   wish->interest[i].weight, in_sample[i].photons);
+    for (size_t i = 0; i < settings->n_interests; ++i) {
+        murk_print("            %-16s %6.4g %8zu", settings->interest[i].name,
+                   settings->interest[i].weight, in_sample[i].photons);
         print_in_view(in_sample[i].coverage);
         if (held_out) {
             print_in_view(held_out[i].coverage);
@@ -61,16 +61,16 @@ void murk_print_regions(const murk_scene *scene,
     }
 }
 
-void murk_json_targets(cJSON *root, const murk_scene *scene,
+void murk_json_targets(cJSON *root, const murk_scene_desc *scene,
                        const murk_target_facts *facts)
 {
-    const murk_scene_targets *wish = &scene->placement.targets;
-    if (!wish->given) {
+    const murk_scene_targets *settings = &scene->placement.targets;
+    if (!settings->given) {
         cJSON_AddNullToObject(root, "targets");
         return;
     }
     cJSON *object = cJSON_AddObjectToObject(root, "targets");
-    cJSON_AddBoolToObject(object, "listed", wish->points != NULL);
+    cJSON_AddBoolToObject(object, "listed", settings->points != NULL);
     cJSON_AddNumberToObject(object, "points", (double)facts->points);
     cJSON_AddNumberToObject(object, "surface", (double)facts->surface);
     cJSON_AddNumberToObject(object, "volume", (double)facts->volume);
@@ -114,17 +114,17 @@ static void print_amount(uint64_t points, double spacing_m)
     }
 }
 
-void murk_print_asked_goals(const murk_scene *scene)
+void murk_print_asked_goals(const murk_scene_desc *scene)
 {
-    const murk_scene_placement *wish = &scene->placement;
-    const murk_scene_targets *t = &wish->targets;
-    for (size_t i = 0; i < wish->n_interests; ++i) {
+    const murk_scene_placement *settings = &scene->placement;
+    const murk_scene_targets *t = &settings->targets;
+    for (size_t i = 0; i < settings->n_interests; ++i) {
         murk_print("%-12s%s counts %.6g times\n", i ? "" : "interest",
-                   wish->interest[i].name, wish->interest[i].weight);
+                   settings->interest[i].name, settings->interest[i].weight);
     }
-    if (wish->n_interests > 0 && wish->elsewhere != 1) {
+    if (settings->n_interests > 0 && settings->elsewhere != 1) {
         murk_print("%-12swhat lies elsewhere counts %.6g times\n", "",
-                   wish->elsewhere);
+                   settings->elsewhere);
     }
     if (!t->given) {
         return;
@@ -144,15 +144,15 @@ void murk_print_asked_goals(const murk_scene *scene)
     murk_print("; seen at %.6g nm\n", scene->band_nm[murk_targets_band(scene)]);
 }
 
-const char *murk_error_by(const murk_scene *scene)
+const char *murk_error_by(const murk_scene_desc *scene)
 {
     return scene->placement.targets.given ? "by target" : "by emitted photon";
 }
 
-const char *murk_sample_of(const murk_scene *scene)
+const char *murk_sample_of(const murk_scene_desc *scene)
 {
-    const murk_scene_targets *wish = &scene->placement.targets;
-    return wish->points  ? "list of targets"
-           : wish->given ? "sample of targets"
-                         : "sample of photons";
+    const murk_scene_targets *settings = &scene->placement.targets;
+    return settings->points  ? "list of targets"
+           : settings->given ? "sample of targets"
+                             : "sample of photons";
 }

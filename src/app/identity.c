@@ -50,7 +50,7 @@ static part part_of(murk_option_id id)
 }
 
 /* Prints all of a scene that results follow from, wherever it lies. */
-static bool write_scene(FILE *to, const murk_scene *scene)
+static bool write_scene(FILE *to, const murk_scene_desc *scene)
 {
     murk_file_sums sums = {0};
     fputs(scene->whole_key, to);
@@ -103,7 +103,7 @@ static murk_status no_memory(murk_error *err)
 
 /* Either scene or `of` says what the input is. */
 static murk_status identify(char out[65], const murk_options *options,
-                            const murk_scene *scene, const char *of,
+                            const murk_scene_desc *scene, const char *of,
                             uint32_t seed, murk_error *err)
 {
     char *text = NULL;
@@ -131,7 +131,7 @@ murk_status murk_identity(char out[65], const murk_options *options,
 }
 
 murk_status murk_identity_scene(char out[65], const murk_options *options,
-                                const murk_scene *scene, murk_error *err)
+                                const murk_scene_desc *scene, murk_error *err)
 {
     return identify(out, options, scene, "", scene->seed, err);
 }

@@ -18,7 +18,7 @@ murk_status murk_identity(char out[65], const murk_options *options,
 /* The same of a scene: its keys, its seed, and the contents of the files that
  * it names, so that it is the same in any folder and on any machine. */
 murk_status murk_identity_scene(char out[65], const murk_options *options,
-                                const murk_scene *scene, murk_error *err);
+                                const murk_scene_desc *scene, murk_error *err);
 
 /* Adds "identity" and "files" to the JSON of a command that has no scene: of
  * what --set gives and `of`, which says all other input; file: the one that it

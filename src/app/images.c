@@ -62,9 +62,9 @@ static murk_status no_channel(const murk_channel *list, size_t n,
                      lacks ? "" : known, lacks ? "" : " and others");
 }
 
-static murk_status find_channel(murk_picture_files *out,
+static murk_status find_channel(murk_image_files *out,
                                 const murk_options *options,
-                                const murk_scene *scene, murk_error *err)
+                                const murk_scene_desc *scene, murk_error *err)
 {
     const char *wanted = options->render.false_colour;
     const bool has_coverage = options->sensors != NULL;
@@ -87,7 +87,7 @@ static murk_status find_channel(murk_picture_files *out,
     return status;
 }
 
-static murk_status check_bands(const murk_scene *scene, murk_error *err)
+static murk_status check_bands(const murk_scene_desc *scene, murk_error *err)
 {
     const int b = murk_channels_clash(scene->bands, scene->band_nm);
     if (b < 0) {
@@ -101,7 +101,7 @@ static murk_status check_bands(const murk_scene *scene, murk_error *err)
 }
 
 /* A picture that took long must not be lost to a folder that is not there. */
-static murk_status check_writable(const murk_picture_files *images, bool force,
+static murk_status check_writable(const murk_image_files *images, bool force,
                                   murk_error *err)
 {
     const char *const path[] = {images->exr, images->png, images->false_colour};
@@ -121,15 +121,14 @@ static murk_status check_writable(const murk_picture_files *images, bool force,
     return status;
 }
 
-murk_status murk_images_name(murk_picture_files *out,
-                             const murk_options *options,
-                             const murk_scene *scene, const char *mark,
+murk_status murk_images_name(murk_image_files *out, const murk_options *options,
+                             const murk_scene_desc *scene, const char *mark,
                              murk_error *err)
 {
-    const murk_render_options *wish = &options->render;
+    const murk_render_options *settings = &options->render;
     const char *given = options->out;
     murk_status status = check_bands(scene, err);
-    if (!status && wish->false_colour) {
+    if (!status && settings->false_colour) {
         status = find_channel(out, options, scene, err);
     }
     if (status) {
@@ -149,25 +148,25 @@ murk_status murk_images_name(murk_picture_files *out,
                            mark, ".exr");
     }
     const size_t stem = out->exr ? stem_length(out->exr, ".exr") : 0;
-    if (out->exr && wish->png) {
+    if (out->exr && settings->png) {
         out->png = path_of(out->exr, stem, "", ".png");
     }
-    if (out->exr && wish->false_colour) {
+    if (out->exr && settings->false_colour) {
         out->false_colour = path_of(out->exr, stem, out->channel, ".png");
     }
-    if (!out->exr || (wish->png && !out->png) ||
-        (wish->false_colour && !out->false_colour)) {
+    if (!out->exr || (settings->png && !out->png) ||
+        (settings->false_colour && !out->false_colour)) {
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a name");
     }
     return check_writable(out, options->force, err);
 }
 
-void murk_images_release(murk_picture_files *images)
+void murk_images_release(murk_image_files *images)
 {
     free(images->exr);
     free(images->png);
     free(images->false_colour);
-    *images = (murk_picture_files){0};
+    *images = (murk_image_files){0};
 }
 
 /* ---- what they say of themselves ---- */
@@ -227,8 +226,8 @@ static void say_all(texts *t, const murk_image_facts *facts)
 
 /* ---- the files ---- */
 
-static murk_status write_exr(const murk_picture_files *images,
-                             const murk_picture *picture,
+static murk_status write_exr(const murk_image_files *images,
+                             const murk_image *picture,
                              const murk_image_facts *facts, murk_error *err)
 {
     const murk_camera *c = &facts->viewpoint->camera;
@@ -247,13 +246,14 @@ static murk_status write_exr(const murk_picture_files *images,
     return murk_exr_write(&exr, images->exr, err);
 }
 
-static murk_status write_png(murk_picture_files *images,
-                             const murk_picture *picture,
+static murk_status write_png(murk_image_files *images,
+                             const murk_image *picture,
                              const murk_image_facts *facts,
-                             const murk_render_options *wish, murk_error *err)
+                             const murk_render_options *settings,
+                             murk_error *err)
 {
-    images->stops = wish->exposure_stops;
-    murk_status status = wish->has_exposure
+    images->stops = settings->exposure_stops;
+    murk_status status = settings->has_exposure
                              ? MURK_OK
                              : murk_tone_stops(&images->stops, picture, err);
     murk_raster raster = {0};
@@ -264,35 +264,36 @@ static murk_status write_png(murk_picture_files *images,
         texts t = {.n = 0};
         say_all(&t, facts);
         say_made(&t, "murkExposure", "%.2f stops%s", images->stops,
-                 wish->has_exposure ? "" : ", by the picture");
+                 settings->has_exposure ? "" : ", by the picture");
         status = murk_png_write(&raster, t.of, t.n, images->png, err);
     }
     free(raster.rgb);
     return status;
 }
 
-static murk_status choose_colours(murk_picture_files *images,
+static murk_status choose_colours(murk_image_files *images,
                                   const murk_channel *channel, size_t n,
-                                  const murk_render_options *wish,
+                                  const murk_render_options *settings,
                                   murk_error *err)
 {
     /* A range that begins at 0 or below asks for no logarithm. */
-    const bool is_log = wish->has_scale
-                            ? wish->is_log
-                            : murk_false_colour_is_log(channel) &&
-                                  !(wish->has_range && !(wish->range[0] > 0));
-    if (wish->has_range) {
+    const bool is_log =
+        settings->has_scale
+            ? settings->is_log
+            : murk_false_colour_is_log(channel) &&
+                  !(settings->has_range && !(settings->range[0] > 0));
+    if (settings->has_range) {
         images->colours =
-            (murk_false_colour){wish->range[0], wish->range[1], is_log};
+            (murk_false_colour){settings->range[0], settings->range[1], is_log};
         return MURK_OK;
     }
     return murk_false_colour_range(&images->colours, channel, n, is_log, err);
 }
 
-static murk_status write_false_colour(murk_picture_files *images,
-                                      const murk_picture *picture,
+static murk_status write_false_colour(murk_image_files *images,
+                                      const murk_image *picture,
                                       const murk_image_facts *facts,
-                                      const murk_render_options *wish,
+                                      const murk_render_options *settings,
                                       murk_error *err)
 {
     murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
@@ -304,7 +305,7 @@ static murk_status write_false_colour(murk_picture_files *images,
                            picture->seen_by != NULL, list);
     const murk_channel *channel = murk_channel_find(list, n, images->channel);
     murk_status status = choose_colours(
-        images, channel, picture->width * picture->height, wish, err);
+        images, channel, picture->width * picture->height, settings, err);
     const murk_false_colour *colours = &images->colours;
     murk_raster raster = {0};
     if (!status) {
@@ -325,17 +326,18 @@ static murk_status write_false_colour(murk_picture_files *images,
     return status;
 }
 
-murk_status murk_images_write(murk_picture_files *images,
-                              const murk_picture *picture,
+murk_status murk_images_write(murk_image_files *images,
+                              const murk_image *picture,
                               const murk_image_facts *facts,
-                              const murk_render_options *wish, murk_error *err)
+                              const murk_render_options *settings,
+                              murk_error *err)
 {
     murk_status status = write_exr(images, picture, facts, err);
     if (!status && images->png) {
-        status = write_png(images, picture, facts, wish, err);
+        status = write_png(images, picture, facts, settings, err);
     }
     if (!status && images->false_colour) {
-        status = write_false_colour(images, picture, facts, wish, err);
+        status = write_false_colour(images, picture, facts, settings, err);
     }
     return status;
 }

@@ -5,17 +5,17 @@
 #include "app/viewpoint.h"
 #include "render/false_colour.h"
 
-typedef struct murk_picture_files {
+typedef struct murk_image_files {
     char *exr, *png, *false_colour;       /* paths, owned; NULL: not wanted */
     char channel[MURK_CHANNEL_NAME_SIZE]; /* in false colour */
     /* Once written: */
     double stops;              /* of the PNG */
     murk_false_colour colours; /* of the other */
-} murk_picture_files;
+} murk_image_files;
 
 /* What a picture is of and how it was made, as far as the images say it. */
 typedef struct murk_image_facts {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const murk_viewpoint *viewpoint;
     const char *command; /* that makes it again, for a shell */
     const char *method;  /* "path: path tracing with shadow rays" */
@@ -26,16 +26,16 @@ typedef struct murk_image_facts {
  * finds the channel that is meant. Fails where two bands would share a
  * channel's name, and with MURK_RUN_FAILED where a file cannot be made there.
  * Release them also after a failure. */
-murk_status murk_images_name(murk_picture_files *out,
-                             const murk_options *options,
-                             const murk_scene *scene, const char *mark,
+murk_status murk_images_name(murk_image_files *out, const murk_options *options,
+                             const murk_scene_desc *scene, const char *mark,
                              murk_error *err);
 
 /* Each is written whole or not at all; the OpenEXR image first. */
-murk_status murk_images_write(murk_picture_files *images,
-                              const murk_picture *picture,
+murk_status murk_images_write(murk_image_files *images,
+                              const murk_image *picture,
                               const murk_image_facts *facts,
-                              const murk_render_options *wish, murk_error *err);
-void murk_images_release(murk_picture_files *images);
+                              const murk_render_options *settings,
+                              murk_error *err);
+void murk_images_release(murk_image_files *images);
 
 #endif

@@ -61,7 +61,7 @@ cJSON *murk_json_begin_murk(void)
     return root;
 }
 
-cJSON *murk_json_begin(const murk_scene *scene)
+cJSON *murk_json_begin(const murk_scene_desc *scene)
 {
     cJSON *root = murk_json_begin_murk();
     cJSON_AddStringToObject(root, "scene", scene->path);

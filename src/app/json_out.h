@@ -8,7 +8,7 @@
 #include <cjson/cJSON.h>
 
 /* {"murk": .., "scene": .., "scene_sha256": .., "seed": ..} */
-cJSON *murk_json_begin(const murk_scene *scene);
+cJSON *murk_json_begin(const murk_scene_desc *scene);
 
 /* {"murk": ..} alone. */
 cJSON *murk_json_begin_murk(void);

@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-#define EMITTERS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
+#define EMITTERS_MAX (MURK_SOURCES_MAX * MURK_BANDS_MAX)
 
 /* Of quanta whose packet is worth that much. */
 static double worth(int64_t quanta, double packet)
@@ -71,7 +71,7 @@ add_absorber(cJSON *object, const char *name, const murk_traced *traced,
 }
 
 static void add_absorbers(cJSON *object, const murk_traced *traced,
-                          const murk_scene *scene)
+                          const murk_scene_desc *scene)
 {
     cJSON *surfaces = cJSON_AddObjectToObject(object, "absorbed_by_material_w");
     for (size_t i = 0; i < scene->n_materials; ++i) {
@@ -89,7 +89,7 @@ static void add_absorbers(cJSON *object, const murk_traced *traced,
 static void add_emitted(cJSON *object, const murk_traced *traced,
                         const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     if (scene->units == MURK_RADIOMETRIC) {
         return;
     }

@@ -2,7 +2,7 @@
 #ifndef MURK_APP_LEDGER_OUT_H
 #define MURK_APP_LEDGER_OUT_H
 
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <cjson/cJSON.h>
 

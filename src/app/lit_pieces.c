@@ -1,7 +1,7 @@
 #include "app/lit_pieces.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "sensing/places_seen.h"
 #include "sensing/views.h"
@@ -24,12 +24,13 @@ static murk_status no_memory(const murk_pieces *pieces, murk_error *err)
 bool murk_piece_is_within(const murk_piece *piece, const murk_domain *domain)
 {
     const murk_vec3 p = piece->middle, a = domain->box.min, b = domain->box.max;
-    const double most =
+    const double maximum =
         fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fmax(fabs(a.z), fabs(b.x))),
              fmax(fabs(b.y), fabs(b.z)));
-    const double hair_m = SIDE_SHARE * most;
-    return p.x >= a.x - hair_m && p.y >= a.y - hair_m && p.z >= a.z - hair_m &&
-           p.x <= b.x + hair_m && p.y <= b.y + hair_m && p.z <= b.z + hair_m;
+    const double tolerance_m = SIDE_SHARE * maximum;
+    return p.x >= a.x - tolerance_m && p.y >= a.y - tolerance_m &&
+           p.z >= a.z - tolerance_m && p.x <= b.x + tolerance_m &&
+           p.y <= b.y + tolerance_m && p.z <= b.z + tolerance_m;
 }
 
 /* ---- which photon lies on which piece ---- */
@@ -65,7 +66,7 @@ static uint32_t *locate(const murk_pieces *pieces, const murk_photon_map *map,
     l.piece = malloc(l.n * sizeof *l.piece + 1);
     if (l.piece) {
         murk_progress_begin("surfaces", l.n, "photons");
-        murk_crew_run(threads, (l.n + BATCH - 1) / BATCH, locate_batch, &l);
+        murk_pool_run(threads, (l.n + BATCH - 1) / BATCH, locate_batch, &l);
         murk_progress_end();
     }
     if (l.piece && murk_interrupted()) {
@@ -138,14 +139,14 @@ static void light_piece(const lighting *l, size_t i)
 static size_t sort_by_piece(size_t *begin, uint32_t *order,
                             const uint32_t *piece, size_t n, size_t pieces)
 {
-    size_t most = 0;
+    size_t maximum = 0;
     for (size_t i = 0; i < n; ++i) {
         if (piece[i] != MURK_NO_PIECE) {
             ++begin[piece[i] + 1];
         }
     }
     for (size_t i = 0; i < pieces; ++i) {
-        most = begin[i + 1] > most ? begin[i + 1] : most;
+        maximum = begin[i + 1] > maximum ? begin[i + 1] : maximum;
         begin[i + 1] += begin[i];
     }
     for (size_t i = 0; i < n; ++i) {
@@ -155,7 +156,7 @@ static size_t sort_by_piece(size_t *begin, uint32_t *order,
     }
     memmove(begin + 1, begin, pieces * sizeof *begin);
     begin[0] = 0;
-    return most;
+    return maximum;
 }
 
 static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
@@ -165,14 +166,14 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
     const size_t n = murk_photon_map_count(traced->surface);
     size_t *begin = calloc(pieces + 1, sizeof *begin);
     uint32_t *order = malloc(n * sizeof *order + 1);
-    const size_t most =
+    const size_t maximum =
         begin && order ? sort_by_piece(begin, order, piece, n, pieces) : 0;
     lighting l = {.out = out,
                   .photon = murk_photon_map_photons(traced->surface),
                   .emitted = (double)traced->emitted,
                   .order = order,
                   .begin = begin,
-                  .room = malloc(most * sizeof *l.room + 1)};
+                  .room = malloc(maximum * sizeof *l.room + 1)};
     const bool has_room = begin && order && l.room;
     for (size_t i = 0; has_room && i < pieces; ++i) {
         light_piece(&l, i);
@@ -269,10 +270,10 @@ static void take_up(murk_lit_pieces *out, const middles *m,
         const uint32_t piece = m->piece[i];
         const murk_place_seen *sides = &seen[2 * i];
         const uint32_t sensors = sides[0].sensors + sides[1].sensors;
-        const uint16_t most =
+        const uint16_t maximum =
             (uint16_t)(sensors < UINT16_MAX ? sensors : UINT16_MAX);
-        if (most > out->sensors[piece]) {
-            out->sensors[piece] = most;
+        if (maximum > out->sensors[piece]) {
+            out->sensors[piece] = maximum;
         }
         out->clarity[piece] =
             fmaxf(out->clarity[piece], fmaxf(sides[0].worth, sides[1].worth));

@@ -5,7 +5,7 @@
 
 #include "app/pieces.h"
 #include "sensing/sight.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 /* Values of pieces, each [pieces->n]. */
 typedef struct murk_lit_pieces {

@@ -1,10 +1,10 @@
 #include "app/options.h"
 #include "app/terminate_bridge.h"
 #include "app/version.h"
-#include "base/crew.h"
 #include "base/inputs.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/pool.h"
 
 #include <poll.h>
 #include <signal.h>
@@ -38,7 +38,7 @@ static murk_status run(const murk_options *options, murk_error *err)
         murk_help_print(stdout, options->command);
         return MURK_OK;
     }
-    const murk_status status = murk_crew_allow(options->threads, err);
+    const murk_status status = murk_pool_allow(options->threads, err);
     return status ? status : options->command->run(options, err);
 }
 
@@ -70,7 +70,7 @@ static void run_call(void *context)
 int main(int argc, char **argv)
 {
     call c = {.argc = argc, .argv = argv};
-    murk_crew_run_with_stack(run_call, &c);
+    murk_pool_run_with_stack(run_call, &c);
     return c.exit_code;
 }
 

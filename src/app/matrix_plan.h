@@ -19,10 +19,10 @@ typedef struct murk_matrix_plan {
     murk_sparse_matrix *matrix;
     murk_place_desc desc;
     murk_combining combining;
-    unsigned redundancy;   /* >= 1 */
-    double target, budget; /* 0: not asked for */
-    murk_rules rules;      /* with a budget */
-    int64_t *cost;         /* [matrix->columns] of the rules */
+    unsigned redundancy;          /* >= 1 */
+    double target, budget;        /* 0: not asked for */
+    murk_constraints constraints; /* with a budget */
+    int64_t *cost;                /* [matrix->columns] of the rules */
     murk_place_result place;
     murk_covering covers;
 } murk_matrix_plan;

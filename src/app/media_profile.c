@@ -227,17 +227,17 @@ static void turn_over(profile *p)
 }
 
 static murk_status read_profile(profile *p, const murk_table *t,
-                                const murk_profile_wish *wish, char name[64],
-                                murk_error *err)
+                                const murk_profile_settings *settings,
+                                char name[64], murk_error *err)
 {
     column place, coefficient;
     choice rows;
     murk_status status = find_place(t, &place, err);
     if (!status) {
-        status = find_coefficient(t, wish->column, &coefficient, err);
+        status = find_coefficient(t, settings->column, &coefficient, err);
     }
     if (!status) {
-        status = find_choice(t, wish->rows, &rows, err);
+        status = find_choice(t, settings->rows, &rows, err);
     }
     if (status) {
         return status;
@@ -261,8 +261,8 @@ static murk_status read_profile(profile *p, const murk_table *t,
         status = murk_fail(err, MURK_BAD_VALUE, t->path,
                            "%zu rows of a profile%s%s, must be 2 or more at "
                            "different places",
-                           p->n, wish->rows ? " where " : "",
-                           wish->rows ? wish->rows : "");
+                           p->n, settings->rows ? " where " : "",
+                           settings->rows ? settings->rows : "");
     }
     if (way > 0) {
         turn_over(p);
@@ -295,17 +295,19 @@ static void fill(murk_profile_layers *out, const profile *p, double *sum)
 }
 
 static murk_status make_layers(murk_profile_layers *out, const profile *p,
-                               const murk_profile_wish *wish, murk_error *err)
+                               const murk_profile_settings *settings,
+                               murk_error *err)
 {
     const double length = p->z_m[0] - p->z_m[p->n - 1];
     out->top_m = p->z_m[0];
     out->bottom_m = p->z_m[p->n - 1];
-    out->voxel_m = wish->voxel_m > 0 ? wish->voxel_m : length / LAYERS_USUAL;
-    out->width_m = wish->width_m > 0 ? wish->width_m : WIDTH_USUAL_M;
+    out->voxel_m =
+        settings->voxel_m > 0 ? settings->voxel_m : length / LAYERS_USUAL;
+    out->width_m = settings->width_m > 0 ? settings->width_m : WIDTH_USUAL_M;
     /* rounding must not add a layer of nothing */
     const double layers = ceil(length / out->voxel_m * (1 - 1e-12));
     if (!(layers <= MURK_PROFILE_LAYERS_MAX)) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->csv,
+        return murk_fail(err, MURK_BAD_VALUE, settings->csv,
                          "%.3g voxels of %g m over %g m, must be at most %d",
                          layers, out->voxel_m, length, MURK_PROFILE_LAYERS_MAX);
     }
@@ -314,7 +316,7 @@ static murk_status make_layers(murk_profile_layers *out, const profile *p,
     double *sum = calloc(out->n, sizeof *sum);
     if (!out->per_m || !sum) {
         free(sum);
-        return murk_fail(err, MURK_NO_MEMORY, wish->csv,
+        return murk_fail(err, MURK_NO_MEMORY, settings->csv,
                          "no memory for %zu voxels", out->n);
     }
     fill(out, p, sum);
@@ -329,37 +331,40 @@ static murk_status make_layers(murk_profile_layers *out, const profile *p,
     return MURK_OK;
 }
 
-static murk_status check_wish(const murk_profile_wish *wish, murk_error *err)
+static murk_status check_settings(const murk_profile_settings *settings,
+                                  murk_error *err)
 {
-    if (!(wish->voxel_m >= 0 && wish->voxel_m <= MURK_PROFILE_LENGTH_MAX_M)) {
+    if (!(settings->voxel_m >= 0 &&
+          settings->voxel_m <= MURK_PROFILE_LENGTH_MAX_M)) {
         return murk_fail(err, MURK_BAD_VALUE, "--voxel",
                          "%g, must be more than 0 and at most %g m",
-                         wish->voxel_m, MURK_PROFILE_LENGTH_MAX_M);
+                         settings->voxel_m, MURK_PROFILE_LENGTH_MAX_M);
     }
-    if (!(wish->width_m >= 0 && wish->width_m <= MURK_PROFILE_LENGTH_MAX_M)) {
+    if (!(settings->width_m >= 0 &&
+          settings->width_m <= MURK_PROFILE_LENGTH_MAX_M)) {
         return murk_fail(err, MURK_BAD_VALUE, "--width",
                          "%g, must be more than 0 and at most %g m",
-                         wish->width_m, MURK_PROFILE_LENGTH_MAX_M);
+                         settings->width_m, MURK_PROFILE_LENGTH_MAX_M);
     }
     return MURK_OK;
 }
 
 murk_status murk_profile_layers_read(murk_profile_layers *out,
-                                     const murk_profile_wish *wish,
+                                     const murk_profile_settings *settings,
                                      murk_error *err)
 {
-    *out = (murk_profile_layers){.csv = wish->csv};
+    *out = (murk_profile_layers){.csv = settings->csv};
     profile p = {0};
     murk_table *table = NULL;
-    murk_status status = check_wish(wish, err);
+    murk_status status = check_settings(settings, err);
     if (!status) {
-        status = murk_table_read(&table, wish->csv, err);
+        status = murk_table_read(&table, settings->csv, err);
     }
     if (!status) {
-        status = read_profile(&p, table, wish, out->column, err);
+        status = read_profile(&p, table, settings, out->column, err);
     }
     if (!status) {
-        status = make_layers(out, &p, wish, err);
+        status = make_layers(out, &p, settings, err);
     }
     out->rows = p.n;
     free(p.z_m);

@@ -22,13 +22,13 @@
 #define MURK_PROFILE_LAYERS_MAX   1000000
 #define MURK_PROFILE_LENGTH_MAX_M 1e9
 
-typedef struct murk_profile_wish {
+typedef struct murk_profile_settings {
     const char *csv;
     const char *column; /* of the coefficient; NULL: the only one there is */
     const char *rows;   /* "COLUMN=VALUE": of these rows only; NULL: all */
     double voxel_m;     /* height of a voxel; 0: that of 100 in the profile */
     double width_m;     /* of the grid in x and y; 0: 1000 */
-} murk_profile_wish;
+} murk_profile_settings;
 
 /* Layers from the top down, all of one height; but the lowest reaches below
  * the lowest place where they do not divide the profile. */
@@ -46,7 +46,7 @@ typedef struct murk_profile_layers {
 /* Fails with MURK_BAD_VALUE or MURK_BAD_FILE at the line and column of what is
  * wrong. Release *out in any case. */
 murk_status murk_profile_layers_read(murk_profile_layers *out,
-                                     const murk_profile_wish *wish,
+                                     const murk_profile_settings *settings,
                                      murk_error *err);
 void murk_profile_layers_release(murk_profile_layers *layers);
 

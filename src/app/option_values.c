@@ -220,7 +220,7 @@ murk_status murk_option_values_of(murk_options *out, const char *file,
                          "no name, must be --set @FILE");
     }
     murk_status status =
-        murk_file_read(&text, &size, file, MURK_YAML_MOST_BYTES, err);
+        murk_file_read(&text, &size, file, MURK_YAML_MAX_BYTES, err);
     if (!status) {
         status = murk_yaml_parse(&root, text, size, file, err);
     }

@@ -5,7 +5,7 @@
 #include "app/option_values.h"
 #include "app/render_options.h"
 #include "app/unknown.h"
-#include "base/crew.h"
+#include "base/pool.h"
 
 #include <errno.h>
 #include <math.h>
@@ -294,7 +294,7 @@ static const char *kind_of_input(const murk_command *command)
 murk_status murk_options_parse(murk_options *out, int argc, char **argv,
                                murk_error *err)
 {
-    *out = (murk_options){.threads = murk_crew_processors(),
+    *out = (murk_options){.threads = murk_pool_processors(),
                           .progress = MURK_PROGRESS_AUTO};
     murk_status status = MURK_OK;
     bool may_be_option = true;

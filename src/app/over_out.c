@@ -14,8 +14,8 @@
 #define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16)
 
 /* Of tables on the terminal: the column of names, and the mark of this plan. */
-#define NAME_LEAST  16
-#define NAME_MOST   32
+#define NAME_MIN    16
+#define NAME_MAX    32
 #define MARK_LENGTH 2
 #define COLUMN      17 /* " 0.8010 (+0.0000)" */
 
@@ -61,14 +61,15 @@ static murk_estimate seen_in(const murk_over *over, const murk_over_plan *plan,
 static const char *name_file(char out[FILE_NAME_MAX], const char *begin,
                              const murk_condition *condition, const char *end)
 {
-    snprintf(out, FILE_NAME_MAX, "%s-%s%s", begin, condition->wish->name, end);
+    snprintf(out, FILE_NAME_MAX, "%s-%s%s", begin, condition->settings->name,
+             end);
     return out;
 }
 
 static murk_status add_ledger(murk_session *session, const char *name,
                               const murk_condition *condition, murk_error *err)
 {
-    const murk_session one = {.scene = condition->wish->scene,
+    const murk_session one = {.scene = condition->settings->scene,
                               .stage = condition->stage,
                               .traced = condition->traced};
     cJSON *root = murk_session_ledger(&one);
@@ -80,7 +81,8 @@ static murk_status add_ledger(murk_session *session, const char *name,
     return status;
 }
 
-static murk_status add_condition(murk_session *session, const murk_plan *plan,
+static murk_status add_condition(murk_session *session,
+                                 const murk_plan_result *plan,
                                  const murk_condition *condition,
                                  murk_error *err)
 {
@@ -98,12 +100,12 @@ static murk_status add_condition(murk_session *session, const murk_plan *plan,
     if (!status) {
         status = murk_results_add_text(
             results, name_file(name, "scene", condition, ".yaml"),
-            condition->wish->scene->resolved, err);
+            condition->settings->scene->resolved, err);
     }
     if (!status && condition->sight) {
         status = murk_add_plan_ply(
             results, name_file(name, "plan", condition, ".ply"),
-            condition->wish->scene, condition->sight, plan->sensor,
+            condition->settings->scene, condition->sight, plan->sensor,
             plan->place.count, murk_length(murk_sub(box->max, box->min)), err);
     }
     return status;
@@ -127,7 +129,7 @@ static murk_status write_regret(const char *path, const void *context,
         for (size_t c = 0; c < over->conditions->n; ++c) {
             const murk_estimate in = plan->in_sample[c];
             fprintf(to, "%s,%s,%.9g,%.6g,", plan->made_for,
-                    over->conditions->condition[c].wish->name, in.value,
+                    over->conditions->condition[c].settings->name, in.value,
                     in.standard_error);
             if (over->has_held_out) {
                 fprintf(to, "%.9g,%.6g,", plan->held_out[c].value,
@@ -143,7 +145,8 @@ static murk_status write_regret(const char *path, const void *context,
     return status;
 }
 
-murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
+murk_status murk_over_add_files(murk_session *session,
+                                const murk_plan_result *plan,
                                 const murk_over *over, murk_error *err)
 {
     murk_status status = MURK_OK;
@@ -200,10 +203,10 @@ static void add_conditions(cJSON *root, const murk_over *over)
     for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
         const murk_condition *condition = &over->conditions->condition[c];
         const bool is_dark = c >= lit;
-        const murk_coverage *coverage = &over->coverage[c];
+        const murk_coverage_result *coverage = &over->coverage[c];
         cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "name", condition->wish->name);
-        murk_json_number(item, "weight", condition->wish->weight);
+        cJSON_AddStringToObject(item, "name", condition->settings->name);
+        murk_json_number(item, "weight", condition->settings->weight);
         cJSON *photons = cJSON_AddObjectToObject(item, "photons");
         const murk_traced *traced = condition->traced;
         cJSON_AddNumberToObject(photons, "emitted", (double)traced->emitted);
@@ -254,7 +257,7 @@ static void add_largest_regret(cJSON *object, const murk_over *over)
     cJSON *upper = add_list(object, "best_at_most");
     for (size_t c = 0; c < all->n; ++c) {
         const murk_condition *one = &all->condition[c];
-        const bool has_say = one->wish->weight > 0;
+        const bool has_say = one->settings->weight > 0;
         add_item(known, has_say ? one->best_known : NAN);
         add_item(upper, has_say ? one->best_upper : NAN);
     }
@@ -274,7 +277,7 @@ static void add_regret(cJSON *root, const murk_over *over)
         cJSON *positions = add_list(item, "positions_m");
         for (size_t k = 0; k < plan->count; ++k) {
             const murk_vec3 x =
-                murk_scene_user(over->conditions->condition[0].wish->scene,
+                murk_scene_user(over->conditions->condition[0].settings->scene,
                                 plan->sensor[k].position);
             const double place[3] = {x.x, x.y, x.z};
             cJSON_AddItemToArray(positions, cJSON_CreateDoubleArray(place, 3));
@@ -304,8 +307,9 @@ void murk_over_json(cJSON *root, const murk_over *over)
     if (over->plans > 0) {
         size_t worst;
         in_sample_of(over, chosen, judged_by(over), &worst);
-        cJSON_AddStringToObject(root, "worst_condition",
-                                over->conditions->condition[worst].wish->name);
+        cJSON_AddStringToObject(
+            root, "worst_condition",
+            over->conditions->condition[worst].settings->name);
     } else {
         cJSON_AddNullToObject(root, "worst_condition");
     }
@@ -324,13 +328,13 @@ static void print_over(const murk_over *over)
         murk_print("over        the largest regret of %zu conditions, which is "
                    "in %s: coverage below is of that condition\n",
                    over->conditions->n,
-                   over->conditions->condition[worst].wish->name);
+                   over->conditions->condition[worst].settings->name);
     } else if (over->conditions->scene->placement.over ==
                MURK_SCENE_OVER_WORST) {
         murk_print("over        the worst of %zu conditions: %s, of which all "
                    "below speaks\n",
                    over->conditions->n,
-                   over->conditions->condition[worst].wish->name);
+                   over->conditions->condition[worst].settings->name);
     } else {
         murk_print("over        the mean of %zu conditions, of which all below "
                    "speaks\n",
@@ -341,14 +345,14 @@ static void print_over(const murk_over *over)
 /* The column of names: as wide as the longest, within reason. */
 static int name_width(const murk_over *over)
 {
-    size_t width = NAME_LEAST;
+    size_t width = NAME_MIN;
     const size_t every = over->conditions->n + over->conditions->dark;
     for (size_t c = 0; c < every; ++c) {
         const size_t length =
-            strlen(over->conditions->condition[c].wish->name) + MARK_LENGTH;
+            strlen(over->conditions->condition[c].settings->name) + MARK_LENGTH;
         width = length > width ? length : width;
     }
-    return width < NAME_MOST ? (int)width : NAME_MOST;
+    return width < NAME_MAX ? (int)width : NAME_MAX;
 }
 
 /* Two tables, since one with all columns is wider than a terminal. */
@@ -363,7 +367,7 @@ static void print_conditions(const murk_over *over)
         const murk_condition *condition = &over->conditions->condition[c];
         const murk_traced *traced = condition->traced;
         murk_print("            %-*s %8.4g %9llu %9zu %9zu\n", width,
-                   condition->wish->name, condition->wish->weight,
+                   condition->settings->name, condition->settings->weight,
                    (unsigned long long)traced->emitted,
                    murk_photon_map_count(traced->surface),
                    murk_photon_map_count(traced->volume));
@@ -372,7 +376,7 @@ static void print_conditions(const murk_over *over)
                over->has_held_out ? "held out" : "");
     for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
         murk_print("            %-*s ", width,
-                   over->conditions->condition[c].wish->name);
+                   over->conditions->condition[c].settings->name);
         if (c >= lit) {
             murk_print("nothing to see: it counts for nothing\n");
             continue;
@@ -394,7 +398,7 @@ static void print_regret_columns(const murk_over *over, int width, size_t first,
     const size_t n = over->conditions->n;
     murk_print("            %-*s", width, "");
     for (size_t c = first; c < end && c < n; ++c) {
-        murk_print(" %16.16s", over->conditions->condition[c].wish->name);
+        murk_print(" %16.16s", over->conditions->condition[c].settings->name);
     }
     murk_print("%s\n", end > n ? "    mean    worst" : "");
     for (size_t p = 0; p < over->plans; ++p) {
@@ -468,7 +472,7 @@ void murk_over_print_bound(const murk_over *over, const char *sample)
                sample, over->regret_upper);
 }
 
-void murk_over_print_asked(const murk_scene *scene)
+void murk_over_print_asked(const murk_scene_desc *scene)
 {
     static const char *const over[] = {
         [MURK_SCENE_OVER_NONE] = "placement is of the scene as it stands",

@@ -7,7 +7,8 @@
 
 /* Of each condition light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and
  * plan-NAME.ply; and scene.resolved.yaml and regret.csv. */
-murk_status murk_over_add_files(murk_session *session, const murk_plan *plan,
+murk_status murk_over_add_files(murk_session *session,
+                                const murk_plan_result *plan,
                                 const murk_over *over, murk_error *err);
 
 /* "photons": those of all conditions. */
@@ -24,6 +25,6 @@ void murk_over_print(const murk_over *over);
 void murk_over_print_bound(const murk_over *over, const char *sample);
 
 /* For check: the conditions that the scene names; nothing where it has none. */
-void murk_over_print_asked(const murk_scene *scene);
+void murk_over_print_asked(const murk_scene_desc *scene);
 
 #endif

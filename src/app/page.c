@@ -13,7 +13,7 @@
 #define PLUS_MINUS " \xc2\xb1 "
 
 /* Whole numbers below it are written out. */
-#define COUNT_MOST 1e10
+#define COUNT_MAX 1e10
 
 /* ---- text ---- */
 
@@ -149,7 +149,7 @@ void murk_page_number(FILE *to, double value)
 {
     if (!isfinite(value)) {
         fputs(NO_VALUE, to);
-    } else if (value == floor(value) && fabs(value) < COUNT_MOST) {
+    } else if (value == floor(value) && fabs(value) < COUNT_MAX) {
         fprintf(to, "%.0f", value);
     } else {
         murk_page_power(to, value, 5);
@@ -172,8 +172,8 @@ void murk_page_estimate(FILE *to, double value, double standard_error)
         murk_page_number(to, value);
         return;
     }
-    const double most = fmax(fabs(value), standard_error);
-    const int exponent = (int)floor(log10(most));
+    const double max = fmax(fabs(value), standard_error);
+    const int exponent = (int)floor(log10(max));
     const bool has_power = exponent >= 6 || exponent < -4;
     const double unit = has_power ? pow(10, exponent) : 1;
     const double v = value / unit, error = standard_error / unit;

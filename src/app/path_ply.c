@@ -15,7 +15,7 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 typedef enum vertex_kind { STATION, PASSED, CORNER } vertex_kind;
 
 typedef struct path {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const murk_explore *explore;
     size_t legs;
     double line_m;
@@ -142,7 +142,8 @@ static murk_status write_ply(const char *name, const void *context,
     return murk_file_commit(&file, err);
 }
 
-murk_status murk_add_path_ply(murk_results *results, const murk_scene *scene,
+murk_status murk_add_path_ply(murk_results *results,
+                              const murk_scene_desc *scene,
                               const murk_explore *explore, double size_m,
                               murk_error *err)
 {

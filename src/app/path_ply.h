@@ -5,7 +5,8 @@
 
 #include "app/results.h"
 
-murk_status murk_add_path_ply(murk_results *results, const murk_scene *scene,
+murk_status murk_add_path_ply(murk_results *results,
+                              const murk_scene_desc *scene,
                               const murk_explore *explore, double size_m,
                               murk_error *err);
 

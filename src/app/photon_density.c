@@ -13,7 +13,7 @@
 typedef struct values {
     const murk_session *session;
     size_t tally, cells;
-    double packet[MURK_LIGHTS_MAX * MURK_BANDS_MAX];
+    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX];
 } values;
 
 static values values_in(murk_quantity quantity, const murk_session *session,
@@ -36,7 +36,7 @@ static murk_estimate read_cell(const values *v, int band, size_t cell)
 typedef struct fields {
     murk_voxel_field field[4 * MURK_BANDS_MAX + 2];
     size_t n;
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
 } fields;
 
 static float *new_field(fields *f, const murk_voxel_field *like, int band,

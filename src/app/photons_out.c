@@ -39,7 +39,7 @@ static uint8_t encoded(double linear)
 /* Each band's own colour, as bright as can be. */
 static void color_bands(photons *p)
 {
-    const murk_scene *scene = p->session->scene;
+    const murk_scene_desc *scene = p->session->scene;
     double from[MURK_BANDS_MAX], to[MURK_BANDS_MAX], w[3][MURK_BANDS_MAX];
     for (int b = 0; b < scene->bands; ++b) {
         from[b] = scene->has_edges ? scene->band_edge_nm[b] : scene->band_nm[b];
@@ -48,10 +48,10 @@ static void color_bands(photons *p)
     }
     murk_colour_weights(scene->bands, from, to, w);
     for (int b = 0; b < scene->bands; ++b) {
-        const double most = fmax(fmax(w[0][b], w[1][b]), w[2][b]);
+        const double max = fmax(fmax(w[0][b], w[1][b]), w[2][b]);
         for (int c = 0; c < 3; ++c) { /* what no eye sees is grey */
             p->band_color[b][c] =
-                most > 0 ? encoded(w[c][b] / most) : encoded(0.2);
+                max > 0 ? encoded(w[c][b] / max) : encoded(0.2);
         }
     }
 }
@@ -174,7 +174,7 @@ typedef struct meanings {
     const char *note[16];
 } meanings;
 
-static bool meanings_of(meanings *m, const murk_scene *scene)
+static bool meanings_of(meanings *m, const murk_scene_desc *scene)
 {
     size_t used = 0;
     for (int b = 0; b < scene->bands; ++b) {

@@ -1,7 +1,7 @@
 #include "app/picture_coverage.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "render/points.h"
 #include "study/plan.h"
@@ -19,7 +19,7 @@
 /* What the sensors see of some rows. Whole numbers, added and compared in any
  * order: the same for any threads. */
 typedef struct strip {
-    murk_picture *picture;
+    murk_image *picture;
     const murk_stage *stage;
     const murk_viewpoint *viewpoint;
     const murk_scenery *scenery;
@@ -30,7 +30,7 @@ typedef struct strip {
     _Atomic uint32_t *count, *clearest; /* [rows * width] */
 } strip;
 
-static int band_of(const murk_scene *scene, uint32_t type)
+static int band_of(const murk_scene_desc *scene, uint32_t type)
 {
     const uint32_t bands = scene->sensors.type[type].bands;
     int band = murk_targets_band(scene);
@@ -84,7 +84,7 @@ static void look_by_sensor(void *context, unsigned worker, uint64_t batch)
 /* What has been found, of the pixels that look at a surface. */
 static void keep(const strip *s, const murk_photon_map *points)
 {
-    murk_picture *p = s->picture;
+    murk_image *p = s->picture;
     const murk_photon *point = murk_photon_map_photons(points);
     const size_t n = murk_photon_map_count(points);
     for (size_t i = 0; i < n; ++i) {
@@ -107,7 +107,7 @@ static size_t sensors_of_band(const strip *s)
 /* By the sensors of one band. */
 static murk_status look_at_strip(strip *s, murk_error *err)
 {
-    const murk_picture *p = s->picture;
+    const murk_image *p = s->picture;
     murk_photon *point = NULL;
     size_t n = 0;
     murk_photon_map *points = NULL, *none = NULL;
@@ -125,7 +125,7 @@ static murk_status look_at_strip(strip *s, murk_error *err)
                                         p->width * p->height, s->threads, err);
     }
     if (!status && n > 0) {
-        murk_crew_run_workers(s->threads, s->viewpoint->sensors, look_by_sensor,
+        murk_pool_run_workers(s->threads, s->viewpoint->sensors, look_by_sensor,
                               s);
         keep(s, points);
     } else if (!status) { /* nothing to look at: these looks are done */
@@ -150,7 +150,7 @@ static uint32_t bands_of_sensors(const strip *s)
 
 static murk_status look_at_all(strip *s, murk_error *err)
 {
-    const murk_picture *p = s->picture;
+    const murk_image *p = s->picture;
     const size_t together = rows_together(p->width);
     const uint32_t bands = bands_of_sensors(s);
     const size_t cells = together * p->width;
@@ -179,7 +179,7 @@ static murk_status look_at_all(strip *s, murk_error *err)
     return status;
 }
 
-murk_status murk_picture_cover(murk_picture *picture,
+murk_status murk_picture_cover(murk_image *picture,
                                const murk_viewpoint *viewpoint,
                                const murk_stage *stage, unsigned threads,
                                murk_error *err)
@@ -190,7 +190,7 @@ murk_status murk_picture_cover(murk_picture *picture,
                .viewpoint = viewpoint,
                .scenery = &scenery,
                .threads = threads};
-    murk_status status = murk_picture_add_coverage(picture, err);
+    murk_status status = murk_image_add_coverage(picture, err);
     if (!status) {
         status = murk_scenery_prepare(&scenery, &stage->world, err);
     }

@@ -13,7 +13,7 @@
 double murk_picture_coverage_bytes(size_t width, size_t height);
 
 /* By the viewpoint's sensors. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
-murk_status murk_picture_cover(murk_picture *picture,
+murk_status murk_picture_cover(murk_image *picture,
                                const murk_viewpoint *viewpoint,
                                const murk_stage *stage, unsigned threads,
                                murk_error *err);

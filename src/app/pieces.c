@@ -57,13 +57,13 @@ static double pieces_by(const murk_pieces *p, const double *longest_m,
 static double edge_for(const murk_pieces *p, const double *longest_m,
                        double pieces)
 {
-    double sum = 0, most = 0;
+    double sum = 0, max = 0;
     for (size_t i = 0; i < p->wholes; ++i) {
         sum += longest_m[i] * longest_m[i];
-        most = fmax(most, longest_m[i]);
+        max = fmax(max, longest_m[i]);
     }
     double edge_m = sqrt(sum / pieces);
-    while (edge_m < most && !(pieces_by(p, longest_m, edge_m) <= pieces)) {
+    while (edge_m < max && !(pieces_by(p, longest_m, edge_m) <= pieces)) {
         edge_m *= 1.03;
     }
     return edge_m;
@@ -73,12 +73,12 @@ static murk_status cut_all(murk_pieces *p, const double *longest_m,
                            double edge_m, const char *where, murk_error *err)
 {
     const double n = pieces_by(p, longest_m, edge_m);
-    const double most = fmax(MURK_PIECES_MOST, (double)p->wholes);
-    if (!(n <= most)) {
+    const double max = fmax(MURK_PIECES_MAX, (double)p->wholes);
+    if (!(n <= max)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "%g m: %.3g pieces of surfaces, must be at most %.9g: "
                          "%.2g m would do",
-                         edge_m, n, most, 1.05 * edge_for(p, longest_m, most));
+                         edge_m, n, max, 1.05 * edge_for(p, longest_m, max));
     }
     for (size_t i = 0; i < p->wholes; ++i) {
         p->cut[i] = (uint32_t)cuts(longest_m[i], edge_m);
@@ -172,11 +172,11 @@ static spot spot_of(uint32_t k, uint32_t number)
 
 static uint32_t number_of(uint32_t k, double u, double v)
 {
-    const double most = k;
-    const double a = fmin(fmax(u, 0), 1) * most, b = fmin(fmax(v, 0), 1) * most;
-    double i = fmin(floor(a), most - 1);
-    double j = fmin(floor(b), most - 1 - i);
-    const bool is_turned = a - i + (b - j) > 1 && i + j < most - 1;
+    const double max = k;
+    const double a = fmin(fmax(u, 0), 1) * max, b = fmin(fmax(v, 0), 1) * max;
+    double i = fmin(floor(a), max - 1);
+    double j = fmin(floor(b), max - 1 - i);
+    const bool is_turned = a - i + (b - j) > 1 && i + j < max - 1;
     const uint32_t row = (uint32_t)i;
     return row * (2 * k - row) + 2 * (uint32_t)j + (is_turned ? 1 : 0);
 }

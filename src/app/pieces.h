@@ -10,7 +10,7 @@
 
 #include "geometry/surfaces.h"
 
-#define MURK_PIECES_MOST 10000000
+#define MURK_PIECES_MAX 10000000
 
 typedef struct murk_pieces {
     const murk_surfaces *surfaces; /* borrowed */
@@ -24,7 +24,7 @@ typedef struct murk_pieces {
 
 /* edge_m: the longest edge of a piece; 0: such that cutting makes `usual` more
  * of them than there are triangles, at most. Fails with
- * MURK_BAD_VALUE at `where` (more than MURK_PIECES_MOST pieces, and more than
+ * MURK_BAD_VALUE at `where` (more than MURK_PIECES_MAX pieces, and more than
  * there are triangles) or MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,
                                double edge_m, double usual, const char *where,

@@ -15,12 +15,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MATRIX_SHARE  0.7 /* of the free memory, as for a scene's */
-#define RESTARTS_MOST 1000000
-#define NODES_MOST    UINT64_C(1000000000000000)
-#define COUNT_MOST    1000000
-#define BUDGET_MOST   1e12
-#define COST_MOST     1e6
+#define MATRIX_SHARE 0.7 /* of the free memory, as for a scene's */
+#define RESTARTS_MAX 1000000
+#define NODES_MAX    UINT64_C(1000000000000000)
+#define COUNT_MAX    1000000
+#define BUDGET_MAX   1e12
+#define COST_MAX     1e6
 
 /* ---- the wish ---- */
 
@@ -55,7 +55,7 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
 {
     uint64_t n = 0;
     if (strcmp(key, "sensors.count") == 0) {
-        if (!count_in(value, 1, COUNT_MOST, &n)) {
+        if (!count_in(value, 1, COUNT_MAX, &n)) {
             return bad_key(name, value, "a whole number 1..1000000", err);
         }
         p->desc.count = (size_t)n;
@@ -66,7 +66,7 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
         }
     } else if (strcmp(key, "sensors.budget") == 0) {
         if (!murk_number_parse(value, &p->budget) ||
-            !(p->budget > 0 && p->budget <= BUDGET_MOST)) {
+            !(p->budget > 0 && p->budget <= BUDGET_MAX)) {
             return bad_key(name, value, "more than 0 and at most 1e12", err);
         }
     } else if (strcmp(key, "seed") == 0) {
@@ -75,16 +75,16 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
         }
         p->desc.seed = (uint32_t)n;
     } else if (strcmp(key, "placement.restarts") == 0) {
-        if (!count_in(value, 1, RESTARTS_MOST, &n)) {
+        if (!count_in(value, 1, RESTARTS_MAX, &n)) {
             return bad_key(name, value, "a whole number 1..1000000", err);
         }
         p->desc.restarts = (size_t)n;
     } else if (strcmp(key, "placement.nodes") == 0) {
-        if (!count_in(value, 0, NODES_MOST, &p->desc.nodes)) {
+        if (!count_in(value, 0, NODES_MAX, &p->desc.nodes)) {
             return bad_key(name, value, "a whole number 0..1e15", err);
         }
     } else if (strcmp(key, "placement.redundancy") == 0) {
-        if (!count_in(value, 1, MURK_REDUNDANCY_MOST, &n)) {
+        if (!count_in(value, 1, MURK_REDUNDANCY_MAX, &n)) {
             return bad_key(name, value, "a whole number 1..16", err);
         }
         p->redundancy = (unsigned)n;
@@ -108,7 +108,7 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
     return MURK_OK;
 }
 
-static murk_status read_wish(murk_matrix_plan *p, murk_error *err)
+static murk_status read_settings(murk_matrix_plan *p, murk_error *err)
 {
     const murk_options *options = p->session.options;
     p->desc = murk_place_defaults();
@@ -135,12 +135,13 @@ static murk_status read_wish(murk_matrix_plan *p, murk_error *err)
             return status;
         }
     }
-    const int wishes = (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);
-    if (wishes != 1) {
+    const int settings_list =
+        (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);
+    if (settings_list != 1) {
         return murk_fail(err, MURK_BAD_VALUE, "--matrix",
                          "needs one of --count N, --target C and --budget B, "
                          "%d are given",
-                         wishes);
+                         settings_list);
     }
     return MURK_OK;
 }
@@ -156,22 +157,22 @@ static murk_status price(murk_matrix_plan *p, murk_error *err)
     }
     for (size_t j = 0; j < m->columns; ++j) {
         const double cost = m->cost ? m->cost[j] : 1;
-        if (!(cost >= 0 && cost <= COST_MOST)) {
+        if (!(cost >= 0 && cost <= COST_MAX)) {
             return murk_fail(err, MURK_BAD_VALUE, p->session.options->matrix,
                              "column %zu costs %g, must be 0..1e6", j + 1,
                              cost);
         }
         p->cost[j] = llround(cost / MURK_COST_UNIT);
     }
-    p->rules = (murk_rules){.cost = p->cost,
-                            .budget = llround(p->budget / MURK_COST_UNIT)};
-    p->desc.rules = &p->rules;
+    p->constraints = (murk_constraints){
+        .cost = p->cost, .budget = llround(p->budget / MURK_COST_UNIT)};
+    p->desc.constraints = &p->constraints;
     return MURK_OK;
 }
 
 /* The target as a value, and the count held against the matrix. */
-static murk_status fit_wish(murk_matrix_plan *p, const murk_problem *problem,
-                            murk_error *err)
+static murk_status fit_settings(murk_matrix_plan *p,
+                                const murk_problem *problem, murk_error *err)
 {
     if (p->target > 0) {
         p->desc.target = murk_plan_value_of(p->target, problem);
@@ -254,11 +255,11 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
     problem.combining = p->combining;
     problem.redundancy = p->redundancy;
     murk_matrix *matrix = NULL;
-    murk_status status = fit_wish(p, &problem, err);
-    const double most = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
+    murk_status status = fit_settings(p, &problem, err);
+    const double max = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
     double begun_s = murk_clock_s();
     if (!status) {
-        status = murk_matrix_create(&matrix, &problem, (uint64_t)most, err);
+        status = murk_matrix_create(&matrix, &problem, (uint64_t)max, err);
     }
     p->session.run.sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
@@ -277,21 +278,21 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
 /* All that the command line asks; the matrix counts by its contents. */
 static murk_status identify(murk_matrix_plan *p, murk_error *err)
 {
-    char wish[256];
-    snprintf(wish, sizeof wish,
+    char settings[256];
+    snprintf(settings, sizeof settings,
              "count %zu target %.17g budget %.17g restarts %zu nodes %llu "
              "method %d combining %d redundancy %u",
              p->desc.count, p->target, p->budget, p->desc.restarts,
              (unsigned long long)p->desc.nodes, (int)p->desc.method,
              (int)p->combining, p->redundancy);
-    return murk_identity(p->session.identity, p->session.options, wish,
+    return murk_identity(p->session.identity, p->session.options, settings,
                          p->desc.seed, err);
 }
 
 static murk_status load(murk_matrix_plan *p, murk_error *err)
 {
     const murk_options *options = p->session.options;
-    murk_status status = read_wish(p, err);
+    murk_status status = read_settings(p, err);
     if (!status) {
         status = murk_exports_check(options->exports, p->combining, err);
     }
@@ -329,7 +330,8 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     murk_error late = {0};
     if (!status && options->exports) {
         const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,
-                                   p.desc.target, p.desc.rules, p.redundancy};
+                                   p.desc.target, p.desc.constraints,
+                                   p.redundancy};
         murk_exports_add(&p.session.results, options->exports, p.matrix, &goal,
                          &late);
     }

@@ -4,30 +4,30 @@
 
 #include <string.h>
 
-static bool is_far(const murk_scene *scene)
+static bool is_far(const murk_scene_desc *scene)
 {
     return scene && (scene->origin.x != 0 || scene->origin.y != 0 ||
                      scene->origin.z != 0);
 }
 
-size_t murk_place_bytes(const murk_scene *scene)
+size_t murk_place_bytes(const murk_scene_desc *scene)
 {
     return 3 * (is_far(scene) ? sizeof(double) : sizeof(float));
 }
 
-const char *murk_place_ply(const murk_scene *scene)
+const char *murk_place_ply(const murk_scene_desc *scene)
 {
     return is_far(scene)
                ? "property double x\nproperty double y\nproperty double z\n"
                : "property float x\nproperty float y\nproperty float z\n";
 }
 
-const char *murk_place_vtk(const murk_scene *scene)
+const char *murk_place_vtk(const murk_scene_desc *scene)
 {
     return is_far(scene) ? "Float64" : "Float32";
 }
 
-void murk_place_put(const murk_scene *scene, murk_vec3 local, void *to)
+void murk_place_put(const murk_scene_desc *scene, murk_vec3 local, void *to)
 {
     if (is_far(scene)) {
         const murk_vec3 p = murk_scene_user(scene, local);
@@ -39,7 +39,7 @@ void murk_place_put(const murk_scene *scene, murk_vec3 local, void *to)
     memcpy(to, xyz, sizeof xyz);
 }
 
-murk_vec3 murk_place_take(const murk_scene *scene, const void *from)
+murk_vec3 murk_place_take(const murk_scene_desc *scene, const void *from)
 {
     if (is_far(scene)) {
         double xyz[3];

@@ -10,16 +10,16 @@
 
 #define MURK_PLACE_BYTES_MAX 24
 
-size_t murk_place_bytes(const murk_scene *scene); /* 12 or 24 */
+size_t murk_place_bytes(const murk_scene_desc *scene); /* 12 or 24 */
 
 /* The three properties of a PLY header; the type of a VTK array. */
-const char *murk_place_ply(const murk_scene *scene);
-const char *murk_place_vtk(const murk_scene *scene);
+const char *murk_place_ply(const murk_scene_desc *scene);
+const char *murk_place_vtk(const murk_scene_desc *scene);
 
 /* Writes murk_place_bytes() of a place that is given from the local origin. */
-void murk_place_put(const murk_scene *scene, murk_vec3 local, void *to);
+void murk_place_put(const murk_scene_desc *scene, murk_vec3 local, void *to);
 
 /* Reads such a place back, from the local origin. */
-murk_vec3 murk_place_take(const murk_scene *scene, const void *from);
+murk_vec3 murk_place_take(const murk_scene_desc *scene, const void *from);
 
 #endif

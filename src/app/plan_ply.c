@@ -28,7 +28,7 @@ typedef struct seen {
 } sighting;
 
 typedef struct parts {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     murk_sight *sight;
     const murk_pose *sensor;
     size_t sensors, photons;
@@ -196,7 +196,7 @@ static murk_status write_ply(const char *path, const void *context,
 }
 
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
-                              const murk_scene *scene, murk_sight *sight,
+                              const murk_scene_desc *scene, murk_sight *sight,
                               const murk_pose *sensor, size_t n, double size_m,
                               murk_error *err)
 {

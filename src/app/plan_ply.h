@@ -24,7 +24,7 @@
  * Binary, little endian. size_m: of the world; octahedra are one part
  * in a hundred of it wide, views two parts long. */
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
-                              const murk_scene *scene, murk_sight *sight,
+                              const murk_scene_desc *scene, murk_sight *sight,
                               const murk_pose *sensor, size_t n, double size_m,
                               murk_error *err);
 

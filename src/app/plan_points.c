@@ -2,7 +2,7 @@
 
 #include "app/places.h"
 #include "base/inputs.h"
-#include "photonmap/light_file.h"
+#include "photonmap/map_file.h"
 #include "photonmap/photon.h"
 
 #include <errno.h>
@@ -21,8 +21,8 @@
 #define SURFACE_PHOTON 1  /* of a vertex's kind */
 #define VOLUME_PHOTON  2
 
-#define FARTHEST_M       1e12F
-#define LIGHT_MOST_BYTES 2000000000
+#define FARTHEST_M      1e12F
+#define LIGHT_MAX_BYTES 2000000000
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are read as they lie in the file");
@@ -34,7 +34,7 @@ static const char properties[] =
 
 /* Moves behind the header, and says how many vertices it promises. */
 static murk_status read_header(FILE *file, uint64_t *vertices,
-                               const murk_scene *scene, const char *path,
+                               const murk_scene_desc *scene, const char *path,
                                murk_error *err)
 {
     static const char begin[] = "ply\nformat binary_little_endian 1.0\n";
@@ -68,7 +68,8 @@ typedef struct vertex {
     bool is_photon;
 } vertex;
 
-static vertex vertex_of(const unsigned char *bytes, const murk_scene *scene)
+static vertex vertex_of(const unsigned char *bytes,
+                        const murk_scene_desc *scene)
 {
     const unsigned char *rest = bytes + murk_place_bytes(scene);
     const murk_vec3 at = murk_place_take(scene, bytes);
@@ -86,7 +87,7 @@ static vertex vertex_of(const unsigned char *bytes, const murk_scene *scene)
 
 /* Counts the photons, or, with room for out->n, keeps that many. */
 static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
-                        const murk_scene *scene, const char *path,
+                        const murk_scene_desc *scene, const char *path,
                         murk_error *err)
 {
     unsigned char bytes[RECORD_MAX];
@@ -120,8 +121,8 @@ static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
 }
 
 static murk_status read_points(murk_plan_points *out, FILE *file,
-                               const murk_scene *scene, const char *path,
-                               size_t most, murk_error *err)
+                               const murk_scene_desc *scene, const char *path,
+                               size_t max, murk_error *err)
 {
     uint64_t vertices = 0;
     murk_status status = read_header(file, &vertices, scene, path, err);
@@ -132,7 +133,7 @@ static murk_status read_points(murk_plan_points *out, FILE *file,
     if (status) {
         return status;
     }
-    out->n = out->photons < most ? (size_t)out->photons : most;
+    out->n = out->photons < max ? (size_t)out->photons : max;
     out->point = malloc((out->n + 1) * sizeof *out->point);
     if (!out->point) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
@@ -144,7 +145,7 @@ static murk_status read_points(murk_plan_points *out, FILE *file,
 }
 
 murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
-                                  const murk_scene *scene, size_t most,
+                                  const murk_scene_desc *scene, size_t max,
                                   murk_error *err)
 {
     *out = (murk_plan_points){0};
@@ -152,7 +153,7 @@ murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
     if (!file) {
         return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
     }
-    const murk_status status = read_points(out, file, scene, path, most, err);
+    const murk_status status = read_points(out, file, scene, path, max, err);
     fclose(file);
     return status;
 }
@@ -184,19 +185,19 @@ static void take_map(murk_plan_points *out, size_t room,
 
 static murk_status take_light(murk_plan_points *out,
                               const murk_section *sections, size_t n,
-                              const char *path, size_t most, murk_error *err)
+                              const char *path, size_t max, murk_error *err)
 {
     static const char *const names[] = {"surface", "volume"};
     const murk_section *map[2];
     for (int k = 0; k < 2; ++k) {
-        map[k] = murk_light_file_find(sections, n, names[k]);
+        map[k] = murk_map_file_find(sections, n, names[k]);
         if (!map[k]) {
             return murk_fail(err, MURK_BAD_FILE, path, "has no %s map",
                              names[k]);
         }
         out->photons += map[k]->size / sizeof(murk_photon);
     }
-    const size_t room = out->photons < most ? (size_t)out->photons : most;
+    const size_t room = out->photons < max ? (size_t)out->photons : max;
     out->point = malloc((room + 1) * sizeof *out->point);
     if (!out->point) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
@@ -207,22 +208,22 @@ static murk_status take_light(murk_plan_points *out,
 }
 
 murk_status murk_plan_points_of_light(murk_plan_points *out, const char *path,
-                                      size_t most, murk_error *err)
+                                      size_t max, murk_error *err)
 {
     murk_section *sections = NULL;
     size_t n = 0;
     struct stat known;
     *out = (murk_plan_points){0};
-    if (stat(path, &known) == 0 && known.st_size > LIGHT_MOST_BYTES) {
+    if (stat(path, &known) == 0 && known.st_size > LIGHT_MAX_BYTES) {
         return murk_fail(err, MURK_BAD_FILE, path,
                          "%.1f GB, may have %.0f GB for a view",
-                         (double)known.st_size / 1e9, LIGHT_MOST_BYTES / 1e9);
+                         (double)known.st_size / 1e9, LIGHT_MAX_BYTES / 1e9);
     }
-    murk_status status = murk_light_file_read(&sections, &n, path, err);
+    murk_status status = murk_map_file_read(&sections, &n, path, err);
     if (!status) {
-        status = take_light(out, sections, n, path, most, err);
+        status = take_light(out, sections, n, path, max, err);
     }
-    murk_light_file_release(sections, n);
+    murk_map_file_release(sections, n);
     return status;
 }
 

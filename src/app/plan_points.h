@@ -27,13 +27,13 @@ typedef struct murk_plan_points {
  * with MURK_BAD_FILE where it is no plan.ply of app/plan_ply.h, or cut short.
  * Release *out in any case. */
 murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
-                                  const murk_scene *scene, size_t most,
+                                  const murk_scene_desc *scene, size_t max,
                                   murk_error *err);
 
 /* The same of a light.murk, for which no sensor looked: the surface map, then
  * the volume map. Files above 2 GB fail. */
 murk_status murk_plan_points_of_light(murk_plan_points *out, const char *path,
-                                      size_t most, murk_error *err);
+                                      size_t max, murk_error *err);
 
 void murk_plan_points_release(murk_plan_points *points);
 

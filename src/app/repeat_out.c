@@ -13,8 +13,8 @@ static cJSON *add_spread(cJSON *object, const char *key, murk_spread s)
 {
     cJSON *item = cJSON_AddObjectToObject(object, key);
     murk_json_number(item, "median", s.median);
-    murk_json_number(item, "minimum", s.least);
-    murk_json_number(item, "maximum", s.most);
+    murk_json_number(item, "minimum", s.min);
+    murk_json_number(item, "maximum", s.max);
     return item;
 }
 
@@ -118,7 +118,7 @@ static void print_spread(const char *name, murk_spread s)
 {
     if (isfinite(s.median)) {
         murk_print("            %-12s %8.4f %8.4f %8.4f\n", name, s.median,
-                   s.least, s.most);
+                   s.min, s.max);
     }
 }
 
@@ -138,9 +138,9 @@ murk_status murk_print_repeat(const murk_repeat *repeat, murk_error *err)
     print_spread("in sample", s.in_sample);
     print_spread("held out", s.held_out);
     print_spread("upper bound", s.upper);
-    if (s.sensors.least < s.sensors.most) {
+    if (s.sensors.min < s.sensors.max) {
         murk_print("            %-12s %8.4g %8.0f %8.0f\n", "sensors",
-                   s.sensors.median, s.sensors.least, s.sensors.most);
+                   s.sensors.median, s.sensors.min, s.sensors.max);
     }
     if (repeat->target > 0 && isfinite(s.held_out.median)) {
         murk_print("            %zu of %zu meet the target, held out\n", s.met,

@@ -27,7 +27,7 @@ murk_status murk_report_fit(FILE *to, const murk_results_in *results,
 /* ledger.json: where the light went, by the scene's bands (NULL: not known).
  */
 murk_status murk_report_light(FILE *to, const murk_results_in *results,
-                              const murk_scene *scene, murk_error *err);
+                              const murk_scene_desc *scene, murk_error *err);
 
 /* tallies.csv, and the fields that were read: what was counted where. */
 murk_status murk_report_tallies(FILE *to, const murk_results_in *results,

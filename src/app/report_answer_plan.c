@@ -221,7 +221,7 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
 static void limit_regret(FILE *to, const murk_yaml *plan)
 {
     const double bound = murk_result_number(plan, "regret.largest_at_least");
-    const double least = fmax(bound, 0); /* to the true optima, no plan wins */
+    const double min = fmax(bound, 0); /* to the true optima, no plan wins */
     const bool is_proven = murk_result_is(plan, "bound.proven_optimal", "true");
     fputs(is_proven ? "No: its largest regret is "
                     : "Perhaps: its largest "
@@ -237,7 +237,7 @@ static void limit_regret(FILE *to, const murk_yaml *plan)
                     : ", and no plan has less than ",
           to);
     if (!is_proven) {
-        murk_page_share(to, least, NAN);
+        murk_page_share(to, min, NAN);
     }
     fputs(". To the true optima it is ", to);
     murk_page_share(

@@ -171,7 +171,7 @@ murk_status murk_report_fields_read(murk_report_fields *out,
     murk_status status = MURK_OK;
     if (!path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory to read it");
-    } else if (!murk_scene_read(&out->scene, path, NULL, 0, &why)) {
+    } else if (!murk_scene_desc_read(&out->scene, path, NULL, 0, &why)) {
         status = read_fields(out, results, err);
     }
     free(path);
@@ -185,7 +185,7 @@ void murk_report_fields_release(murk_report_fields *fields)
         free(fields->field[i].value);
         free(fields->field[i].error);
     }
-    murk_scene_destroy(fields->scene);
+    murk_scene_desc_destroy(fields->scene);
     *fields = (murk_report_fields){0};
 }
 
@@ -255,8 +255,8 @@ static void draw_map(FILE *to, const murk_report_fields *all,
                             .y = {along(box->min, s.v), along(box->max, s.v)},
                             .size = {s.size[0], s.size[1]},
                             .value = value,
-                            .least = is_log ? NAN : 0,
-                            .most = NAN,
+                            .min = is_log ? NAN : 0,
+                            .max = NAN,
                             .is_log = is_log,
                             .is_equal = true};
     murk_heat_draw(to, &heat);

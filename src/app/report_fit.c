@@ -187,7 +187,7 @@ static bool draw_agreement(FILE *to, const columns *c, const char *unit)
 {
     const size_t rows = c->table->rows;
     double *room = malloc((4 * rows + 4) * sizeof *room);
-    double least = INFINITY, most = -INFINITY;
+    double min = INFINITY, max = -INFINITY;
     if (!room) {
         return false;
     }
@@ -201,15 +201,14 @@ static bool draw_agreement(FILE *to, const columns *c, const char *unit)
         low[i] = y[i] - HALF_INTERVAL * error;
         high[i] = y[i] + HALF_INTERVAL * error;
         if (isfinite(x[i]) && isfinite(y[i])) {
-            least = fmin(least, fmin(x[i], y[i]));
-            most = fmax(most, fmax(x[i], y[i]));
+            min = fmin(min, fmin(x[i], y[i]));
+            max = fmax(max, fmax(x[i], y[i]));
         }
     }
-    end[0] = least;
-    end[1] = most;
-    const murk_axis_scale scale = least > 0 && most > LOG_RATIO * least
-                                      ? MURK_SCALE_LOG
-                                      : MURK_SCALE_EVEN;
+    end[0] = min;
+    end[1] = max;
+    const murk_axis_scale scale =
+        min > 0 && max > LOG_RATIO * min ? MURK_SCALE_LOG : MURK_SCALE_EVEN;
     const murk_chart_series series[] = {{.name = "readings, 95 % intervals",
                                          .n = rows,
                                          .x = x,
@@ -229,7 +228,7 @@ static bool draw_agreement(FILE *to, const columns *c, const char *unit)
                               .y_title = y_title,
                               .x = scale,
                               .y = scale};
-    if (most > -INFINITY) {
+    if (max > -INFINITY) {
         murk_chart_draw(to, &chart, series, 2);
     }
     free(room);

@@ -39,7 +39,7 @@ static double watts_of(const murk_yaml *ledger, const char *key, long band)
 }
 
 /* By its wavelength, where the scene is known; else by its number. */
-static void name_band(char out[CELL], size_t band, const murk_scene *scene)
+static void name_band(char out[CELL], size_t band, const murk_scene_desc *scene)
 {
     if (scene && band < (size_t)scene->bands) {
         snprintf(out, CELL, "%.6g nm", scene->band_nm[band]);
@@ -52,7 +52,7 @@ static void name_band(char out[CELL], size_t band, const murk_scene *scene)
 
 /* One of all light, then one of each band where there are several. */
 static bool draw_bars(FILE *to, const murk_yaml *ledger, size_t bands,
-                      const murk_scene *scene)
+                      const murk_scene_desc *scene)
 {
     const size_t rows = bands > 1 ? bands + 1 : 1;
     const char *part[WAYS];
@@ -133,7 +133,7 @@ static void write_absorbers(FILE *to, const murk_yaml *ledger, const char *path,
 #define BANDS_MAX 16
 
 static void write_table(FILE *to, const murk_yaml *ledger, size_t bands,
-                        const murk_scene *scene)
+                        const murk_scene_desc *scene)
 {
     char text[BANDS_MAX][LONG_CELL], name[CELL];
     const char *heads[HEADS_MAX] = {"where", "W", "of what was emitted"};
@@ -254,7 +254,7 @@ static murk_status report_conditions(FILE *to, const murk_results_in *results,
 }
 
 murk_status murk_report_light(FILE *to, const murk_results_in *results,
-                              const murk_scene *scene, murk_error *err)
+                              const murk_scene_desc *scene, murk_error *err)
 {
     const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];
     if (!ledger) {

@@ -22,7 +22,7 @@ static const char *const names[MURK_RESULT_FILES] = {
 
 static void write_word(FILE *to, const char *word)
 {
-    char *quoted = murk_shell_word(word);
+    char *quoted = murk_region_boundary_word(word);
     murk_page_text(to, quoted ? quoted : word);
     free(quoted);
 }

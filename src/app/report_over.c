@@ -47,12 +47,12 @@ static double item_of(const murk_yaml *plan, const char *key, size_t i)
 /* Dark conditions, which come last, are no columns. */
 static size_t lit_of(const murk_yaml *plans, size_t n)
 {
-    size_t most = 0;
+    size_t max = 0;
     for (size_t i = 0; i < n; ++i) {
         const size_t has = murk_result_count(plans->child[i], "coverage");
-        most = has > most ? has : most;
+        max = has > max ? has : max;
     }
-    return most < CONDITIONS_MAX ? most : CONDITIONS_MAX;
+    return max < CONDITIONS_MAX ? max : CONDITIONS_MAX;
 }
 
 static void write_regret(FILE *to, const murk_yaml *plan)

@@ -83,7 +83,7 @@ static int by_name(const struct dirent **a, const struct dirent **b)
 }
 
 /* Opens what may be carried; false where it is no picture. */
-static bool read_file(murk_report_picture *p, FILE *file, size_t most)
+static bool read_file(murk_report_picture *p, FILE *file, size_t max)
 {
     unsigned char head[HEAD_SIZE];
     struct stat known;
@@ -94,7 +94,7 @@ static bool read_file(murk_report_picture *p, FILE *file, size_t most)
         return false;
     }
     p->size = (size_t)known.st_size;
-    if (p->size > most) {
+    if (p->size > max) {
         return true;
     }
     p->bytes = malloc(p->size);

@@ -10,7 +10,7 @@
 #define MARGIN    24.0
 #define SCALE_BAR 26.0 /* under the picture */
 #define DOTS_MAX  4000
-#define LEAST_M   1.0 /* that a picture shows */
+#define MIN_M     1.0 /* that a picture shows */
 #define NUMBERED  99  /* more sensors are discs alone */
 
 typedef struct projection {
@@ -64,7 +64,7 @@ static bool fit(projection *p, const murk_report_scene *s)
     if (!(wide >= 0 && wide < INFINITY && tall < INFINITY)) {
         return false;
     }
-    const double room = fmax(fmax(wide, tall), LEAST_M);
+    const double room = fmax(fmax(wide, tall), MIN_M);
     p->scale = fmin((WIDTH - 2 * MARGIN) / fmax(wide, 1e-3 * room),
                     (TALLEST - 2 * MARGIN) / fmax(tall, 1e-3 * room));
     p->scale = fmin(p->scale, WIDTH / room);

@@ -191,7 +191,7 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
 /* ---- explorations ---- */
 
 /* Moves behind the header of path.ply, and says how many vertices it has. */
-static uint64_t path_header(FILE *file, const murk_scene *scene)
+static uint64_t path_header(FILE *file, const murk_scene_desc *scene)
 {
     static const char begin[] = "ply\nformat binary_little_endian 1.0\n"
                                 "comment murk path";

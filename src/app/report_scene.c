@@ -8,12 +8,12 @@
 
 #define WHAT_SIZE (FILE_NAME_MAX + 64) /* a sentence that names a file */
 
-#define SENSORS_MAX     2000 /* that are drawn */
-#define FILE_NAME_MAX   (MURK_SCENE_NAME_SIZE + 16)
-#define BYTES_A_PHOTON  7 /* in a page, without who sees it */
-#define PHOTON_BYTES    1000000
-#define BITS_MOST_BYTES 4
-#define FARTHEST_M      1e12 /* a place of sense */
+#define SENSORS_MAX    2000 /* that are drawn */
+#define FILE_NAME_MAX  (MURK_SCENE_NAME_SIZE + 16)
+#define BYTES_A_PHOTON 7 /* in a page, without who sees it */
+#define PHOTON_BYTES   1000000
+#define BITS_MAX_BYTES 4
+#define FARTHEST_M     1e12 /* a place of sense */
 
 /* ---- the note ---- */
 
@@ -45,12 +45,12 @@ static murk_vec3 vector_at(const murk_yaml *root, const char *key)
 
 /* The page draws about the scene's local origin, like the world; what it says
  * of places has the origin added. */
-static murk_vec3 local_of(const murk_scene *scene, murk_vec3 place)
+static murk_vec3 local_of(const murk_scene_desc *scene, murk_vec3 place)
 {
     return scene ? murk_scene_local(scene, place) : place;
 }
 
-static const murk_scene_sensor_type *type_of(const murk_scene *scene,
+static const murk_scene_sensor_type *type_of(const murk_scene_desc *scene,
                                              const char *name)
 {
     for (size_t i = 0; scene && i < scene->sensors.types; ++i) {
@@ -62,7 +62,7 @@ static const murk_scene_sensor_type *type_of(const murk_scene *scene,
 }
 
 murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
-                                     const murk_scene *scene,
+                                     const murk_scene_desc *scene,
                                      const murk_yaml *list, murk_error *err)
 {
     const size_t asked = list && list->kind == MURK_YAML_LIST ? list->n : 0;
@@ -101,7 +101,7 @@ static void read_scene(murk_report_scene *out, const char *folder)
     if (!murk_results_has(folder, name)) {
         status = murk_fail(&why, MURK_BAD_FILE, "", "it is not there");
     } else if (path) {
-        status = murk_scene_read(&out->scene, path, NULL, 0, &why);
+        status = murk_scene_desc_read(&out->scene, path, NULL, 0, &why);
     }
     if (status) {
         murk_report_scene_note(
@@ -120,9 +120,9 @@ static size_t photons_of_a_state(const murk_report_scene *s)
 {
     const size_t sensors = s->state[0].sensors;
     const size_t bits =
-        sensors < 8 * BITS_MOST_BYTES ? (sensors + 7) / 8 : BITS_MOST_BYTES;
-    const size_t most = PHOTON_BYTES / (BYTES_A_PHOTON + bits);
-    return (most < MURK_REPORT_PHOTONS_MAX ? most : MURK_REPORT_PHOTONS_MAX) /
+        sensors < 8 * BITS_MAX_BYTES ? (sensors + 7) / 8 : BITS_MAX_BYTES;
+    const size_t max = PHOTON_BYTES / (BYTES_A_PHOTON + bits);
+    return (max < MURK_REPORT_PHOTONS_MAX ? max : MURK_REPORT_PHOTONS_MAX) /
            s->states;
 }
 
@@ -131,13 +131,13 @@ static void read_points(murk_report_scene *out, size_t state,
 {
     murk_error why = {0};
     murk_plan_points *points = &out->state[state].points;
-    const size_t most = photons_of_a_state(out);
+    const size_t max = photons_of_a_state(out);
     char *path =
         murk_results_has(folder, name) ? murk_results_path(folder, name) : NULL;
     const bool is_light = strcmp(name, "light.murk") == 0;
-    if (path && (is_light ? murk_plan_points_of_light(points, path, most, &why)
-                          : murk_plan_points_read(points, path, out->scene,
-                                                  most, &why))) {
+    if (path && (is_light ? murk_plan_points_of_light(points, path, max, &why)
+                          : murk_plan_points_read(points, path, out->scene, max,
+                                                  &why))) {
         char what[WHAT_SIZE];
         snprintf(what, sizeof what,
                  "%s cannot be read, so photons are not shown", name);
@@ -251,7 +251,7 @@ void murk_report_scene_release(murk_report_scene *scene)
         free(scene->state[i].sensor);
     }
     murk_stage_destroy(scene->stage);
-    murk_scene_destroy(scene->scene);
+    murk_scene_desc_destroy(scene->scene);
     free(scene->stop);
     free(scene->reading);
     *scene = (murk_report_scene){0};

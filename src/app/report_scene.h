@@ -42,8 +42,8 @@ typedef struct murk_shown_reading {
 } murk_shown_reading;
 
 typedef struct murk_report_scene {
-    murk_scene *scene; /* NULL: not there, or cannot be read */
-    murk_stage *stage; /* NULL: likewise, or what it names is not there */
+    murk_scene_desc *scene; /* NULL: not there, or cannot be read */
+    murk_stage *stage;      /* NULL: likewise, or what it names is not there */
     murk_shown_state state[MURK_SHOWN_STATES_MAX]; /* [states], 1 or more */
     size_t states, states_asked;
     bool is_study;           /* states are its rows, the scene is its base */
@@ -86,7 +86,7 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
                                   murk_error *err);
 /* A list of sensors as JSON has it. *out is for free(). */
 murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
-                                     const murk_scene *scene,
+                                     const murk_scene_desc *scene,
                                      const murk_yaml *list, murk_error *err);
 
 /* Whether a place can be drawn: finite, and not beyond all measure. */

@@ -94,7 +94,7 @@ static bool read_clock(const char *text, double *hours)
 /* Numbers as they are, hours as hours, else the words one after the other. */
 static void find_places(frame *f)
 {
-    double least = INFINITY, least_above_0 = INFINITY, most = -INFINITY;
+    double min = INFINITY, min_above_0 = INFINITY, max = -INFINITY;
     bool is_number = true, is_clock = true;
     for (size_t i = 0; i < f->table->rows; ++i) {
         const char *text = f->axes > 0 ? cell(f, i, f->along) : "1";
@@ -109,20 +109,19 @@ static void find_places(frame *f)
         double value = NAN, hours;
         is_number = is_number && murk_number_parse(text, &value);
         is_clock = is_clock && read_clock(text, &hours);
-        least = fmin(least, value);
-        least_above_0 = value > 0 ? fmin(least_above_0, value) : least_above_0;
-        most = fmax(most, value);
+        min = fmin(min, value);
+        min_above_0 = value > 0 ? fmin(min_above_0, value) : min_above_0;
+        max = fmax(max, value);
     }
     /* 0, 0.1, 1, 10: neither as they are nor by logarithms */
-    const double ratio = least == 0 ? most / least_above_0 : 0;
+    const double ratio = min == 0 ? max / min_above_0 : 0;
     if (ratio > LOG_RATIO && (double)f->values < ratio / 4) {
         return;
     }
     f->is_number = is_number || is_clock;
-    f->scale = is_number && least > 0 && most > LOG_RATIO * least
-                   ? MURK_SCALE_LOG
-               : is_clock ? MURK_SCALE_CLOCK
-                          : MURK_SCALE_EVEN;
+    f->scale = is_number && min > 0 && max > LOG_RATIO * min ? MURK_SCALE_LOG
+               : is_clock                                    ? MURK_SCALE_CLOCK
+                                                             : MURK_SCALE_EVEN;
     for (size_t i = 0; f->is_number && f->axes > 0 && i < f->table->rows; ++i) {
         if (is_clock) {
             (void)read_clock(cell(f, i, f->along), &f->x[i]);
@@ -142,11 +141,11 @@ static bool make_frame(frame *f, bool is_paired)
     if (!f->line_of || !f->first || !f->value || !f->x) {
         return false;
     }
-    size_t most = 0;
+    size_t max = 0;
     for (size_t k = 0; k < f->axes && !is_paired; ++k) {
         const size_t n = count_values(f, k);
-        if (n > most) {
-            most = n;
+        if (n > max) {
+            max = n;
             f->along = k;
         }
     }
@@ -203,12 +202,12 @@ static const char *unit_of(const murk_yaml *study, const char *output)
 
 static bool spans_decades(const frame *f, size_t column)
 {
-    double least = INFINITY, most = -INFINITY;
+    double min = INFINITY, max = -INFINITY;
     for (size_t i = 0; i < f->table->rows; ++i) {
-        least = fmin(least, number(f, i, column));
-        most = fmax(most, number(f, i, column));
+        min = fmin(min, number(f, i, column));
+        max = fmax(max, number(f, i, column));
     }
-    return least > 0 && most > LOG_RATIO_Y * least;
+    return min > 0 && max > LOG_RATIO_Y * min;
 }
 
 static bool draw_output(FILE *to, const frame *f, const murk_yaml *study,

@@ -19,7 +19,7 @@
 typedef struct part {
     const murk_table *table;
     const murk_scene_tally *asked; /* NULL: not known */
-    const murk_scene *scene;       /* NULL: likewise */
+    const murk_scene_desc *scene;  /* NULL: likewise */
     size_t begin, end;
     size_t size[3]; /* bins along two axes of space, and by angle */
     size_t bands, directions;
@@ -255,8 +255,8 @@ static bool draw_map(FILE *to, const part *p, const double *values,
                             .y = {range[1][0], range[1][1]},
                             .size = {size[0], size[1]},
                             .value = sum,
-                            .least = 0,
-                            .most = NAN,
+                            .min = 0,
+                            .max = NAN,
                             .is_equal = is_place};
     murk_heat_draw(to, &heat);
     free(sum);
@@ -332,7 +332,8 @@ static bool draw_part(FILE *to, const part *p, const double *values)
 /* ---- the section ---- */
 
 /* The rows from `begin` on that are of one tally. */
-static part part_at(const murk_table *t, size_t begin, const murk_scene *scene)
+static part part_at(const murk_table *t, size_t begin,
+                    const murk_scene_desc *scene)
 {
     part p = {.table = t,
               .scene = scene,
@@ -355,8 +356,8 @@ static part part_at(const murk_table *t, size_t begin, const murk_scene *scene)
 typedef enum pass { VALUES, PLOTS } pass;
 
 /* Tallies of one bin as rows of a table, then the others as plots. */
-static bool write_parts(FILE *to, const murk_table *t, const murk_scene *scene,
-                        pass which)
+static bool write_parts(FILE *to, const murk_table *t,
+                        const murk_scene_desc *scene, pass which)
 {
     bool is_whole = true;
     size_t drawn = 0;
@@ -380,7 +381,7 @@ static bool write_parts(FILE *to, const murk_table *t, const murk_scene *scene,
     return is_whole;
 }
 
-static bool has_single(const murk_table *t, const murk_scene *scene)
+static bool has_single(const murk_table *t, const murk_scene_desc *scene)
 {
     for (size_t row = 0; row < t->rows;) {
         part p = part_at(t, row, scene);

@@ -55,7 +55,7 @@ const char *murk_report_point_name(const murk_report_scene *scene)
     return has_targets(scene) ? "target" : "stored photon";
 }
 
-static bool any_lamps(const murk_scene *scene)
+static bool any_lamps(const murk_scene_desc *scene)
 {
     for (size_t i = 0; scene && i < scene->n_lights; ++i) {
         if (scene->lights[i].type <= MURK_SCENE_LIGHT_MOON) {
@@ -176,13 +176,13 @@ static void note_photons(FILE *to, const murk_report_scene *s)
 
 static void note_media(FILE *to, const murk_view_data *data)
 {
-    double most = 0;
+    double max = 0;
     for (size_t i = 0; i < data->medias; ++i) {
-        most = fmax(most, data->media[i].most_per_m);
+        max = fmax(max, data->media[i].max_per_m);
     }
-    if (most > 0) {
+    if (max > 0) {
         fputs("Media: extinction in the first band, at most ", to);
-        murk_page_number(to, most);
+        murk_page_number(to, max);
         fputs(" per m; cells are coarser than in the simulation. ", to);
     }
 }

@@ -10,8 +10,10 @@ static bool same_file(const char *a, const char *b)
     return a == b || (a && b && strcmp(a, b) == 0);
 }
 
-/* Whether its media can be built in the scene's own domain and hulls. */
-static bool differs_in_numbers(const murk_scene *a, const murk_scene *b)
+/* Whether its media can be built in the scene's own domain and boundary meshes.
+ */
+static bool differs_in_numbers(const murk_scene_desc *a,
+                               const murk_scene_desc *b)
 {
     bool is_so = a->n_regions == b->n_regions && a->n_media == b->n_media;
     for (size_t i = 0; is_so && i < a->n_regions; ++i) {
@@ -20,7 +22,8 @@ static bool differs_in_numbers(const murk_scene *a, const murk_scene *b)
     return is_so;
 }
 
-static const murk_scene *condition_of(const murk_scene *scene, const char *name)
+static const murk_scene_desc *condition_of(const murk_scene_desc *scene,
+                                           const char *name)
 {
     for (size_t c = 0; c < scene->n_conditions; ++c) {
         if (strcmp(scene->conditions[c].name, name) == 0) {
@@ -31,9 +34,10 @@ static const murk_scene *condition_of(const murk_scene *scene, const char *name)
 }
 
 /* Another's media are the scene's where the light cannot tell them apart. */
-static const murk_scene *other_media(const murk_report_scene *s, size_t state)
+static const murk_scene_desc *other_media(const murk_report_scene *s,
+                                          size_t state)
 {
-    const murk_scene *of = condition_of(s->scene, s->state[state].name);
+    const murk_scene_desc *of = condition_of(s->scene, s->state[state].name);
     return of && strcmp(of->world_key, s->scene->world_key) != 0 &&
                    differs_in_numbers(of, s->scene)
                ? of
@@ -41,7 +45,7 @@ static const murk_scene *other_media(const murk_report_scene *s, size_t state)
 }
 
 static murk_status build_media(murk_report_scene *s, size_t state,
-                               const murk_scene *of, murk_error *why)
+                               const murk_scene_desc *of, murk_error *why)
 {
     murk_shown_state *to = &s->state[state];
     const murk_status status = murk_phases_create(&to->phases, of, why);
@@ -54,7 +58,7 @@ void murk_report_build(murk_report_scene *s)
 {
     static const char lost[] = "What the scene names cannot be read again, so "
                                "surfaces and media are not shown";
-    const murk_scene *of[MURK_SHOWN_STATES_MAX] = {0};
+    const murk_scene_desc *of[MURK_SHOWN_STATES_MAX] = {0};
     murk_error why = {0};
     /* files are imported before anything is built, that makes a ray device */
     murk_status status = murk_stage_import(&s->stage, s->scene, &why);

@@ -92,7 +92,7 @@ murk_status murk_results_expect(murk_results *results, const char *name,
         return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     }
     murk_status status = check_owner(results, path, name, err);
-    if (!status && murk_inputs_has(path) && strcmp(name, MURK_LIGHT_NAME)) {
+    if (!status && murk_inputs_has(path) && strcmp(name, MURK_MAP_FILE_NAME)) {
         char sum[65];
         murk_sha256_hex(text ? text : "", text ? strlen(text) : 0, sum);
         status =
@@ -237,7 +237,7 @@ static murk_status write_light(const char *path, const void *context,
                                murk_error *err)
 {
     const light_parts *parts = context;
-    return murk_light_save(parts->traced, parts->stage, path, err);
+    return murk_lightmap_save(parts->traced, parts->stage, path, err);
 }
 
 murk_status murk_results_add_light(murk_results *results, const char *name,

@@ -18,8 +18,8 @@
 #include "base/staging.h"
 #include "study/plan.h"
 
-#define MURK_LIGHT_NAME "light.murk"
-#define MURK_SCENE_NAME "scene.resolved.yaml"
+#define MURK_MAP_FILE_NAME "light.murk"
+#define MURK_SCENE_NAME    "scene.resolved.yaml"
 
 typedef struct murk_result {
     char *path;

@@ -35,12 +35,12 @@ static void add_drop_one(cJSON *object, const murk_robust *r)
     }
 }
 
-static double asked_deg(const murk_scene *scene)
+static double asked_deg(const murk_scene_desc *scene)
 {
     return round(scene->placement.jitter_rad * DEG_PER_RAD * 1e9) / 1e9;
 }
 
-static void add_jitter(cJSON *object, const murk_scene *scene,
+static void add_jitter(cJSON *object, const murk_scene_desc *scene,
                        const murk_jittered *j)
 {
     if (j->draws == 0) {
@@ -81,7 +81,7 @@ static void add_links(cJSON *object, const murk_links *links)
     }
 }
 
-void murk_json_robust(cJSON *root, const murk_scene *scene,
+void murk_json_robust(cJSON *root, const murk_scene_desc *scene,
                       const murk_robust *robust)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "robustness");
@@ -90,7 +90,7 @@ void murk_json_robust(cJSON *root, const murk_scene *scene,
     add_links(object, &robust->links);
 }
 
-static void print_jitter(const murk_scene *scene, const murk_jittered *j,
+static void print_jitter(const murk_scene_desc *scene, const murk_jittered *j,
                          size_t sensors)
 {
     if (j->draws == 0) {
@@ -131,7 +131,7 @@ static void print_links(const murk_links *links)
     murk_print("; of %.4g m, were all ways open\n", links->plain_range_m);
 }
 
-void murk_print_robust(const murk_scene *scene, const murk_robust *robust)
+void murk_print_robust(const murk_scene_desc *scene, const murk_robust *robust)
 {
     const murk_drop_one drop = murk_robust_drop_one(robust);
     if (isfinite(drop.worst_loss)) {

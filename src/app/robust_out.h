@@ -7,8 +7,8 @@
 
 #include <cjson/cJSON.h>
 
-void murk_json_robust(cJSON *root, const murk_scene *scene,
+void murk_json_robust(cJSON *root, const murk_scene_desc *scene,
                       const murk_robust *robust);
-void murk_print_robust(const murk_scene *scene, const murk_robust *robust);
+void murk_print_robust(const murk_scene_desc *scene, const murk_robust *robust);
 
 #endif

@@ -15,7 +15,7 @@
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
 /* Keys that are given in vain. */
-static void warn_of_idle(const murk_scene *scene)
+static void warn_of_idle(const murk_scene_desc *scene)
 {
     for (size_t i = 0; i < scene->idles; ++i) {
         murk_warn(scene->idle[i].where, "%s", scene->idle[i].text);
@@ -38,22 +38,22 @@ static bool is_given(const murk_options *options, const char *key)
 
 /* Reads the scene. With --light, the seed and the number of photons are the
  * file's unless the command line gives them: light of another seed or number is
- * refused later (murk_light_load), and nobody should have to repeat them. */
-static murk_status read_scene(murk_scene **out, const murk_options *options,
-                              murk_error *err)
+ * refused later (murk_lightmap_load), and nobody should have to repeat them. */
+static murk_status read_scene(murk_scene_desc **out,
+                              const murk_options *options, murk_error *err)
 {
-    murk_light_counts counts;
+    murk_lightmap_counts counts;
     murk_status status = MURK_OK;
     if (!options->light) {
-        return murk_scene_read(out, options->input, options->overrides,
-                               options->n_overrides, err);
+        return murk_scene_desc_read(out, options->input, options->overrides,
+                                    options->n_overrides, err);
     }
     murk_error unread = {0};
-    if (murk_light_read_counts(&counts, options->light, &unread)) {
+    if (murk_lightmap_read_counts(&counts, options->light, &unread)) {
         /* placement over conditions takes no file of light, whatever the file
          * holds, and says so itself */
-        status = murk_scene_read(out, options->input, options->overrides,
-                                 options->n_overrides, err);
+        status = murk_scene_desc_read(out, options->input, options->overrides,
+                                      options->n_overrides, err);
         if (status || (*out)->placement.over != MURK_SCENE_OVER_NONE) {
             return status;
         }
@@ -81,7 +81,7 @@ static murk_status read_scene(murk_scene **out, const murk_options *options,
     for (size_t i = 0; i < options->n_overrides; ++i) {
         all[n++] = options->overrides[i];
     }
-    status = murk_scene_read(out, options->input, all, n, err);
+    status = murk_scene_desc_read(out, options->input, all, n, err);
     free(all);
     return status;
 }
@@ -145,13 +145,13 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
                       "one that was killed while it wrote them");
         }
         murk_progress_begin_over("read light", 0, "");
-        status = murk_light_load(&session->traced, session->stage,
-                                 session->options->light, threads, err);
+        status = murk_lightmap_load(&session->traced, session->stage,
+                                    session->options->light, threads, err);
         murk_progress_end();
         session->run.load_s += murk_clock_s() - begun_s;
     } else {
-        status =
-            murk_light_trace(&session->traced, session->stage, 0, threads, err);
+        status = murk_lightmap_trace(&session->traced, session->stage, 0,
+                                     threads, err);
     }
     if (!status) {
         session->run.trace_s = session->traced->trace_s;
@@ -165,7 +165,7 @@ void murk_session_end(murk_session *session)
     murk_results_end(&session->results);
     murk_traced_destroy(session->traced);
     murk_stage_destroy(session->stage);
-    murk_scene_destroy(session->scene);
+    murk_scene_desc_destroy(session->scene);
     *session = (murk_session){0};
 }
 
@@ -202,7 +202,7 @@ static murk_status expect_grid(murk_session *session, const char *tally,
 
 static murk_status expect_tallies(murk_session *session, murk_error *err)
 {
-    const murk_scene *scene = session->scene;
+    const murk_scene_desc *scene = session->scene;
     murk_status status =
         scene->n_tallies > 0
             ? murk_results_expect(&session->results, "tallies.csv", NULL, err)
@@ -253,7 +253,8 @@ murk_status murk_session_expect(murk_session *session, const char *const *names,
 
 murk_status murk_session_expect_light(murk_session *session, murk_error *err)
 {
-    static const char *const names[] = {MURK_LIGHT_NAME, "ledger.json", NULL};
+    static const char *const names[] = {MURK_MAP_FILE_NAME, "ledger.json",
+                                        NULL};
     const murk_status status = expect_all(&session->results, names, err);
     return status ? status : expect_tallies(session, err);
 }
@@ -262,7 +263,7 @@ murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
     murk_progress_begin_over("write light", 0, "");
     const murk_status status =
-        murk_results_add_light(&session->results, MURK_LIGHT_NAME,
+        murk_results_add_light(&session->results, MURK_MAP_FILE_NAME,
                                session->traced, session->stage, err);
     murk_progress_end();
     return status ? status

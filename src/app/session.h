@@ -9,7 +9,7 @@
 
 typedef struct murk_session {
     const murk_options *options;
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_stage *stage;
     murk_traced *traced; /* NULL before murk_session_light() */
     murk_results results;

@@ -12,7 +12,7 @@
 #define CELL_SIZE   40
 #define TABLE_WIDTH 80
 #define NUMBER      5 /* columns of a row's number */
-#define ROWS_MOST   24
+#define ROWS_MAX    24
 
 typedef char cell[CELL_SIZE];
 
@@ -157,12 +157,12 @@ void murk_print_study_rows(const murk_sweep *sweep, const char *folder)
 {
     const size_t all = sweep->desc.study->rows;
     const murk_study_row *one = first_done(sweep);
-    const size_t most = sweep->desc.study->axes + (one ? one->values : 0) + 1;
-    table t = {.sweep = sweep, .rows = all < ROWS_MOST ? all : ROWS_MOST};
-    t.value = calloc(most, sizeof *t.value);
-    t.title = calloc(most, sizeof *t.title);
-    t.width = calloc(most, sizeof *t.width);
-    t.cells = calloc(t.rows * most, sizeof *t.cells);
+    const size_t max = sweep->desc.study->axes + (one ? one->values : 0) + 1;
+    table t = {.sweep = sweep, .rows = all < ROWS_MAX ? all : ROWS_MAX};
+    t.value = calloc(max, sizeof *t.value);
+    t.title = calloc(max, sizeof *t.title);
+    t.width = calloc(max, sizeof *t.width);
+    t.cells = calloc(t.rows * max, sizeof *t.cells);
     if (t.value && t.title && t.width && t.cells) {
         name_columns(&t);
         fill(&t);

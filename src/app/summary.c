@@ -180,7 +180,7 @@ void murk_print_more(size_t n, const char *folder, const char *file)
     }
 }
 
-int murk_coordinate_digits(const murk_scene *scene, int asked)
+int murk_coordinate_digits(const murk_scene_desc *scene, int asked)
 {
     const murk_vec3 o = scene->origin;
     const int at_millimetres = 12; /* below 1e9 m */

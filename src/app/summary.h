@@ -35,6 +35,6 @@ void murk_print_more(size_t n, const char *folder, const char *file);
 
 /* Digits to print a coordinate with: those asked for, or for a scene with a
  * local origin as many as millimetres take. */
-int murk_coordinate_digits(const murk_scene *scene, int asked);
+int murk_coordinate_digits(const murk_scene_desc *scene, int asked);
 
 #endif

@@ -16,7 +16,7 @@
 /* Where no size is asked for: so many stored photons to a piece in the mean,
  * and so many pieces. */
 #define PHOTONS_USUAL 5
-#define PIECES_LEAST  5000
+#define PIECES_MIN    5000
 #define PIECES_USUAL  100000
 
 /* Colours end at this multiple of the mean irradiance, by area. */
@@ -35,7 +35,7 @@ typedef struct surfaces {
 static double usual_pieces(const murk_traced *traced)
 {
     const double photons = (double)murk_photon_map_count(traced->surface);
-    return fmin(PIECES_USUAL, fmax(PIECES_LEAST, photons / PHOTONS_USUAL));
+    return fmin(PIECES_USUAL, fmax(PIECES_MIN, photons / PHOTONS_USUAL));
 }
 
 static murk_status edge_asked(double *edge_m, const murk_session *session,
@@ -318,7 +318,7 @@ static void choose(surfaces *s)
     s->bright_w_per_m2 = w > 0 ? BRIGHT * w / area_m2 : 1;
 }
 
-static char *names_of(const murk_scene *scene)
+static char *names_of(const murk_scene_desc *scene)
 {
     size_t room = 1;
     for (size_t i = 0; i < scene->n_materials; ++i) {

@@ -17,17 +17,17 @@
 /* One tally of a run. */
 typedef struct tally {
     const murk_traced *traced;
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const murk_tally_desc *desc;
     size_t number;
     murk_units units;
     bool is_error; /* of a grid's two files: that of the errors */
-    double packet[MURK_LIGHTS_MAX * MURK_BANDS_MAX]; /* in those units */
+    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX]; /* in those units */
 } tally;
 
 static tally tally_of(const murk_session *session, size_t i)
 {
-    const murk_scene *scene = session->scene;
+    const murk_scene_desc *scene = session->scene;
     tally t = {.traced = session->traced,
                .scene = scene,
                .desc = murk_tallies_desc(session->traced->tallies, i),
@@ -108,7 +108,7 @@ static murk_status write_csv(const char *path, const void *context,
 
 typedef char field_name[48];
 
-static void name_fields(const murk_scene *scene, field_name *names)
+static void name_fields(const murk_scene_desc *scene, field_name *names)
 {
     for (int band = 0; band < scene->bands; ++band) {
         snprintf(names[band], sizeof names[band], "fluence_%.9gnm",

@@ -6,15 +6,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#define COMMANDS_MOST 32
+#define COMMANDS_MAX 32
 
 murk_status murk_unknown_command(const char *name, murk_error *err)
 {
-    const char *known[COMMANDS_MOST] = {NULL};
+    const char *known[COMMANDS_MAX] = {NULL};
     char all[160] = "", shown[64];
     size_t at = 0;
     const size_t n = murk_commands_count;
-    for (size_t i = 0; i < n && i < COMMANDS_MOST; ++i) {
+    for (size_t i = 0; i < n && i < COMMANDS_MAX; ++i) {
         known[i] = murk_commands[i].name;
         at += (size_t)snprintf(all + at, at < sizeof all ? sizeof all - at : 0,
                                "%s%s",

@@ -85,8 +85,8 @@ static murk_box view_box(const murk_report_scene *s)
 static bool same_media(const murk_view_media *a, const murk_view_media *b)
 {
     const size_t n = a->size[0] * a->size[1] * a->size[2];
-    return !a->cell == !b->cell && !(a->most_per_m < b->most_per_m) &&
-           !(a->most_per_m > b->most_per_m) &&
+    return !a->cell == !b->cell && !(a->max_per_m < b->max_per_m) &&
+           !(a->max_per_m > b->max_per_m) &&
            (!a->cell || (memcmp(a->size, b->size, sizeof a->size) == 0 &&
                          memcmp(a->cell, b->cell, n) == 0));
 }

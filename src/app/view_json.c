@@ -101,7 +101,8 @@ static void add_balls(cJSON *root, const murk_surfaces *surfaces)
 }
 
 /* Of a sun's or beam's light, which comes from a heading and a height. */
-static murk_vec3 travel_of(const murk_scene *scene, const murk_sky_facts *facts)
+static murk_vec3 travel_of(const murk_scene_desc *scene,
+                           const murk_sky_facts *facts)
 {
     const double heading = radians(facts->azimuth_deg);
     const double height = radians(facts->elevation_deg);
@@ -213,7 +214,7 @@ static void add_media(cJSON *root, const murk_view_data *data)
         cJSON_AddBoolToObject(item, "even", media->is_even);
         add_box(item, &media->box);
         cJSON_AddItemToObject(item, "size", cJSON_CreateDoubleArray(count, 3));
-        add_number(item, "most_per_m", media->most_per_m);
+        add_number(item, "most_per_m", media->max_per_m);
         cJSON_AddItemToArray(list, item);
     }
 }

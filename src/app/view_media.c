@@ -21,13 +21,13 @@ static murk_vec3 cell_middle(const murk_view_media *m, size_t i)
 }
 
 /* As fine as the number of cells allows. Returns how many there are. */
-static size_t divide(murk_view_media *m, size_t most)
+static size_t divide(murk_view_media *m, size_t maximum)
 {
     const murk_vec3 size = murk_sub(m->box.max, m->box.min);
     const double along[3] = {size.x, size.y, size.z};
     const double longest = fmax(fmax(size.x, size.y), size.z);
     size_t n = 0;
-    for (int cells = CELLS_ALONG; n == 0 || n > most; --cells) {
+    for (int cells = CELLS_ALONG; n == 0 || n > maximum; --cells) {
         n = 1;
         for (int k = 0; k < 3; ++k) {
             const double share = longest > 0 ? along[k] / longest : 0;
@@ -42,14 +42,14 @@ static size_t divide(murk_view_media *m, size_t most)
 }
 
 murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
-                                 const murk_box *box, size_t most,
+                                 const murk_box *box, size_t maximum,
                                  murk_error *err)
 {
-    *out = (murk_view_media){.box = *box, .least_per_m = INFINITY};
+    *out = (murk_view_media){.box = *box, .min_per_m = INFINITY};
     if (!media || !murk_media_any(media)) {
         return MURK_OK;
     }
-    const size_t n = divide(out, most);
+    const size_t n = divide(out, maximum);
     double *value = malloc(n * sizeof *value);
     out->cell = malloc(n);
     if (!value || !out->cell) {
@@ -60,15 +60,14 @@ murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
         const murk_vec3 p = cell_middle(out, i);
         value[i] =
             murk_media_extinction(media, 0, murk_media_inside(media, p), p);
-        out->most_per_m = fmax(out->most_per_m, value[i]);
-        out->least_per_m = fmin(out->least_per_m, value[i]);
+        out->max_per_m = fmax(out->max_per_m, value[i]);
+        out->min_per_m = fmin(out->min_per_m, value[i]);
     }
     for (size_t i = 0; i < n; ++i) {
-        const double share =
-            out->most_per_m > 0 ? value[i] / out->most_per_m : 0;
+        const double share = out->max_per_m > 0 ? value[i] / out->max_per_m : 0;
         out->cell[i] = (uint8_t)floor(FULL * sqrt(share) + 0.5);
     }
-    out->is_even = !(out->least_per_m < 0.99 * out->most_per_m);
+    out->is_even = !(out->min_per_m < 0.99 * out->max_per_m);
     free(value);
     return MURK_OK;
 }

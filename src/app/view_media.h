@@ -12,14 +12,14 @@ typedef struct murk_view_media {
                       root of extinction over the most of all, in the first
                       band at the cell's middle (by the root, as smoke may be
                       thousands of times thicker than haze). NULL: no medium */
-    double least_per_m, most_per_m;
+    double min_per_m, max_per_m;
     bool is_even; /* the same everywhere, to a hundredth */
 } murk_view_media;
 
 /* At most `most` cells, cubes as far as the box allows. NULL: no media. Fails
  * with MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
-                                 const murk_box *box, size_t most,
+                                 const murk_box *box, size_t max,
                                  murk_error *err);
 void murk_view_media_release(murk_view_media *media);
 

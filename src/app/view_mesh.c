@@ -19,9 +19,9 @@ static lattice lattice_of(const murk_box *box, uint32_t cells)
                      longest / cells};
 }
 
-static double within(double value, double most)
+static double within(double value, double maximum)
 {
-    return floor(fmin(fmax(value, 0), most) + 0.5);
+    return floor(fmin(fmax(value, 0), maximum) + 0.5);
 }
 
 /* A cell as one number, x in the highest bits. */
@@ -168,7 +168,7 @@ static bool take(murk_view_mesh *out, const murk_surfaces *surfaces,
 }
 
 murk_status murk_view_mesh_make(murk_view_mesh *out,
-                                const murk_surfaces *surfaces, size_t most,
+                                const murk_surfaces *surfaces, size_t maximum,
                                 murk_error *err)
 {
     const murk_surfaces_facts facts = murk_surfaces_describe(surfaces);
@@ -182,14 +182,15 @@ murk_status murk_view_mesh_make(murk_view_mesh *out,
         uint32_t cells = MURK_VIEW_STEPS;
         lattice l = lattice_of(&out->box, cells);
         size_t kept = cluster(surfaces, n, &l, all, key, faces);
-        out->is_coarse = kept > most;
+        out->is_coarse = kept > maximum;
         /* a surface has about as many cells as their number squared; from
          * there on by numbers that shrink, until it fits */
-        cells = out->is_coarse ? (uint32_t)(2 * sqrt((double)most)) + 2 : cells;
-        while (kept > most) {
+        cells =
+            out->is_coarse ? (uint32_t)(2 * sqrt((double)maximum)) + 2 : cells;
+        while (kept > maximum) {
             l = lattice_of(&out->box, cells);
             kept = cluster(surfaces, n, &l, all, key, faces);
-            const double share = sqrt((double)most / (double)(kept + 1));
+            const double share = sqrt((double)maximum / (double)(kept + 1));
             cells = (uint32_t)fmax(1, 0.95 * share * cells);
         }
         is_whole = take(out, surfaces, faces, kept, all);

@@ -24,7 +24,7 @@ typedef struct murk_view_mesh {
 /* At most `most` triangles, most >= 56 (what the coarsest lattice has). Fails
  * with MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_view_mesh_make(murk_view_mesh *out,
-                                const murk_surfaces *surfaces, size_t most,
+                                const murk_surfaces *surfaces, size_t max,
                                 murk_error *err);
 void murk_view_mesh_release(murk_view_mesh *mesh);
 

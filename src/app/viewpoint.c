@@ -22,8 +22,8 @@
 
 /* ---- the camera that is named ---- */
 
-static murk_status no_such_camera(const murk_scene *scene, const char *wanted,
-                                  murk_error *err)
+static murk_status no_such_camera(const murk_scene_desc *scene,
+                                  const char *wanted, murk_error *err)
 {
     char shown[64];
     murk_words_show(shown, sizeof shown, wanted);
@@ -42,7 +42,8 @@ static murk_status no_such_camera(const murk_scene *scene, const char *wanted,
     return status;
 }
 
-murk_status murk_viewpoint_choose(murk_viewpoint *out, const murk_scene *scene,
+murk_status murk_viewpoint_choose(murk_viewpoint *out,
+                                  const murk_scene_desc *scene,
                                   const murk_options *options, murk_error *err)
 {
     const char *wanted = options->camera;
@@ -78,7 +79,7 @@ murk_status murk_viewpoint_choose(murk_viewpoint *out, const murk_scene *scene,
 
 /* ---- where it stands ---- */
 
-static void stand_at_camera(murk_viewpoint *v, const murk_scene *scene,
+static void stand_at_camera(murk_viewpoint *v, const murk_scene_desc *scene,
                             const size_t asked[2])
 {
     const murk_scene_camera *c = v->named;
@@ -102,7 +103,7 @@ static size_t rows_for(size_t width, double wider)
         1, fmin(rows, fmin(SIDE_MAX, (double)(MURK_PIXELS_MAX / width))));
 }
 
-static void stand_at_sensor(murk_viewpoint *v, const murk_scene *scene,
+static void stand_at_sensor(murk_viewpoint *v, const murk_scene_desc *scene,
                             const murk_pose *pose, uint64_t number,
                             const size_t asked[2])
 {
@@ -145,8 +146,8 @@ static void tell_direction(murk_viewpoint *v, murk_vec3 north)
 murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
                                  const murk_options *options, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
-    const murk_render_options *wish = &options->render;
+    const murk_scene_desc *scene = stage->scene;
+    const murk_render_options *settings = &options->render;
     const murk_box *box = &stage->world.domain.box;
     murk_status status = MURK_OK;
     if (options->sensors) {
@@ -156,20 +157,20 @@ murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
     if (status) {
         return status;
     }
-    if (wish->from_sensor > v->sensors) {
+    if (settings->from_sensor > v->sensors) {
         return murk_fail(err, MURK_BAD_VALUE, "--from-sensor",
                          "%llu, must be 1..%zu: %s has no more sensors",
-                         (unsigned long long)wish->from_sensor, v->sensors,
+                         (unsigned long long)settings->from_sensor, v->sensors,
                          options->sensors);
     }
-    v->samples = wish->samples ? (size_t)wish->samples
-                 : v->named    ? v->named->samples
-                               : SAMPLES;
-    if (wish->from_sensor > 0) {
-        stand_at_sensor(v, scene, &v->sensor[wish->from_sensor - 1],
-                        wish->from_sensor, wish->pixels);
+    v->samples = settings->samples ? (size_t)settings->samples
+                 : v->named        ? v->named->samples
+                                   : SAMPLES;
+    if (settings->from_sensor > 0) {
+        stand_at_sensor(v, scene, &v->sensor[settings->from_sensor - 1],
+                        settings->from_sensor, settings->pixels);
     } else {
-        stand_at_camera(v, scene, wish->pixels);
+        stand_at_camera(v, scene, settings->pixels);
     }
     tell_direction(v, scene->north);
     const murk_vec3 p = v->camera.from;

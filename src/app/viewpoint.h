@@ -25,7 +25,8 @@ typedef struct murk_viewpoint {
 
 /* What can be told from the scene alone: there is such a camera. Release the
  * viewpoint also after a failure. */
-murk_status murk_viewpoint_choose(murk_viewpoint *out, const murk_scene *scene,
+murk_status murk_viewpoint_choose(murk_viewpoint *out,
+                                  const murk_scene_desc *scene,
                                   const murk_options *options, murk_error *err);
 
 /* With the world built: reads the sensors and fills the camera, which stands

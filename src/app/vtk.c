@@ -15,7 +15,7 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 
 /* ---- where it is from ---- */
 
-void murk_facts_of(murk_facts *out, const murk_scene *scene)
+void murk_facts_of(murk_facts *out, const murk_scene_desc *scene)
 {
     snprintf(out->seed, sizeof out->seed, "%lu", (unsigned long)scene->seed);
     const char *const facts[MURK_FACTS] = {"scene",
@@ -42,7 +42,7 @@ void murk_ply_put_comment(FILE *to, const char *key, const char *text)
     fputc('\n', to);
 }
 
-void murk_ply_put_facts(FILE *to, const murk_scene *scene)
+void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene)
 {
     murk_facts facts = {0};
     murk_facts_of(&facts, scene);
@@ -63,7 +63,7 @@ void murk_vtk_put_text(FILE *to, const char *name, const char *text)
     fputs("0</DataArray>\n", to);
 }
 
-void murk_vtk_put_facts(FILE *to, const murk_scene *scene)
+void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene)
 {
     murk_facts facts = {0};
     murk_facts_of(&facts, scene);

@@ -17,16 +17,16 @@ typedef struct murk_facts {
     const char *fact[MURK_FACTS];
     char seed[16];
 } murk_facts;
-void murk_facts_of(murk_facts *out, const murk_scene *scene);
+void murk_facts_of(murk_facts *out, const murk_scene_desc *scene);
 
 /* As comments of a PLY file, a line each; bytes that would end one are "?". */
-void murk_ply_put_facts(FILE *to, const murk_scene *scene);
+void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene);
 void murk_ply_put_comment(FILE *to, const char *key, const char *text);
 
 /* A text as an array of field data: character by character, so that nothing
  * has to be escaped; and all facts. */
 void murk_vtk_put_text(FILE *to, const char *name, const char *text);
-void murk_vtk_put_facts(FILE *to, const murk_scene *scene);
+void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene);
 
 /* The file's first line, and the element around all. */
 void murk_vtk_begin(FILE *to, const char *type);
@@ -43,7 +43,7 @@ typedef struct murk_vtk_array {
 /* Points, and triangles that have three of their own each, in order, or no
  * triangles: then the points are shown by themselves. */
 typedef struct murk_vtp {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const char *const *notes; /* more field data: name, text, ..., NULL */
     size_t points;
     bool has_triangles;          /* points / 3 */

@@ -190,7 +190,7 @@ typedef enum owner {
 } owner;
 
 /* Opens a regular file of at most `most` bytes for reading. */
-static murk_status open_regular(int *out, struct stat *info, uint64_t most,
+static murk_status open_regular(int *out, struct stat *info, uint64_t max,
                                 owner whose, const char *path, murk_error *err)
 {
     /* not blocking, so that a pipe without a writer cannot hang us */
@@ -209,11 +209,11 @@ static murk_status open_regular(int *out, struct stat *info, uint64_t most,
                          "cannot read: %s, must be a regular file",
                          S_ISDIR(info->st_mode) ? "a folder" : "not a file");
     }
-    if ((uintmax_t)info->st_size > most) {
+    if ((uintmax_t)info->st_size > max) {
         close(fd);
         return murk_fail(err, MURK_BAD_FILE, path,
                          "%.4g MB, must be at most %.4g MB",
-                         (double)info->st_size / 1e6, (double)most / 1e6);
+                         (double)info->st_size / 1e6, (double)max / 1e6);
     }
     if (whose == INPUT) {
         murk_inputs_add(info);
@@ -223,12 +223,12 @@ static murk_status open_regular(int *out, struct stat *info, uint64_t most,
 }
 
 static murk_status read_whole(char **out, size_t *size, const char *path,
-                              size_t most, owner whose, murk_error *err)
+                              size_t max, owner whose, murk_error *err)
 {
     char *bytes = NULL;
     struct stat info;
     int fd = -1;
-    murk_status status = open_regular(&fd, &info, most, whose, path, err);
+    murk_status status = open_regular(&fd, &info, max, whose, path, err);
     if (status) {
         return status;
     }
@@ -262,15 +262,15 @@ done:
 }
 
 murk_status murk_file_read(char **out, size_t *size, const char *path,
-                           size_t most, murk_error *err)
+                           size_t max, murk_error *err)
 {
-    return read_whole(out, size, path, most, INPUT, err);
+    return read_whole(out, size, path, max, INPUT, err);
 }
 
 murk_status murk_file_read_own(char **out, size_t *size, const char *path,
-                               size_t most, murk_error *err)
+                               size_t max, murk_error *err)
 {
-    return read_whole(out, size, path, most, OWN, err);
+    return read_whole(out, size, path, max, OWN, err);
 }
 
 static bool has_mark(const char *path, const char *mark, size_t size)
@@ -377,14 +377,14 @@ void murk_checksum(const void *bytes, size_t size, uint64_t out[2])
 }
 
 /* Hands a regular file's bytes on, piece by piece. */
-static murk_status read_pieces(const char *path, uint64_t most, owner whose,
+static murk_status read_pieces(const char *path, uint64_t max, owner whose,
                                void (*take)(void *context, const void *bytes,
                                             size_t size),
                                void *context, murk_error *err)
 {
     struct stat info;
     int fd = -1;
-    murk_status status = open_regular(&fd, &info, most, whose, path, err);
+    murk_status status = open_regular(&fd, &info, max, whose, path, err);
     if (status) {
         return status;
     }
@@ -411,7 +411,7 @@ static void take_checksum(void *context, const void *bytes, size_t size)
     XXH3_128bits_update(context, bytes, size);
 }
 
-static murk_status checksum(const char *path, uint64_t most, uint64_t out[2],
+static murk_status checksum(const char *path, uint64_t max, uint64_t out[2],
                             owner whose, murk_error *err)
 {
     XXH3_state_t *state = XXH3_createState();
@@ -420,7 +420,7 @@ static murk_status checksum(const char *path, uint64_t most, uint64_t out[2],
     }
     XXH3_128bits_reset(state);
     const murk_status status =
-        read_pieces(path, most, whose, take_checksum, state, err);
+        read_pieces(path, max, whose, take_checksum, state, err);
     const XXH128_hash_t hash = XXH3_128bits_digest(state);
     out[0] = hash.low64;
     out[1] = hash.high64;
@@ -428,16 +428,16 @@ static murk_status checksum(const char *path, uint64_t most, uint64_t out[2],
     return status;
 }
 
-murk_status murk_file_checksum(const char *path, uint64_t most, uint64_t out[2],
+murk_status murk_file_checksum(const char *path, uint64_t max, uint64_t out[2],
                                murk_error *err)
 {
-    return checksum(path, most, out, INPUT, err);
+    return checksum(path, max, out, INPUT, err);
 }
 
-murk_status murk_file_checksum_own(const char *path, uint64_t most,
+murk_status murk_file_checksum_own(const char *path, uint64_t max,
                                    uint64_t out[2], murk_error *err)
 {
-    return checksum(path, most, out, OWN, err);
+    return checksum(path, max, out, OWN, err);
 }
 
 static void take_sha256(void *context, const void *bytes, size_t size)

@@ -30,12 +30,12 @@ murk_status murk_file_write(const char *path, const void *bytes, size_t size,
 /* The whole file, which must be a regular one of at most `most` bytes, with a
  * '\0' behind it (not counted). *out is the caller's to free(). */
 murk_status murk_file_read(char **out, size_t *size, const char *path,
-                           size_t most, murk_error *err);
+                           size_t max, murk_error *err);
 
 /* The same of a file that murk wrote and may write anew: it does not count as
  * an input of the run (base/inputs.h). */
 murk_status murk_file_read_own(char **out, size_t *size, const char *path,
-                               size_t most, murk_error *err);
+                               size_t max, murk_error *err);
 
 /* Fails with MURK_BAD_VALUE where this run has read the file. */
 murk_status murk_file_check_input(const char *path, murk_error *err);
@@ -71,9 +71,9 @@ void murk_sha256_hex(const void *bytes, size_t size, char out[65]);
 void murk_checksum(const void *bytes, size_t size, uint64_t out[2]);
 
 /* The same of a regular file of at most `most` bytes, read in pieces. */
-murk_status murk_file_checksum(const char *path, uint64_t most, uint64_t out[2],
+murk_status murk_file_checksum(const char *path, uint64_t max, uint64_t out[2],
                                murk_error *err);
-murk_status murk_file_checksum_own(const char *path, uint64_t most,
+murk_status murk_file_checksum_own(const char *path, uint64_t max,
                                    uint64_t out[2], murk_error *err);
 
 /* SHA-256 of a file, which does not count as an input. */

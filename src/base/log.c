@@ -70,11 +70,11 @@ static void note_to_stderr(const char *where, const char *text)
 }
 
 static murk_warn_sink current = murk_warn_to_stderr;
-static _Thread_local bool is_hushed;
+static _Thread_local bool is_quiet;
 
 void murk_warn(const char *where, const char *format, ...)
 {
-    if (!current || is_hushed) {
+    if (!current || is_quiet) {
         return;
     }
     char text[TEXT_SIZE];
@@ -87,7 +87,7 @@ void murk_warn(const char *where, const char *format, ...)
 
 void murk_note(const char *where, const char *format, ...)
 {
-    if (!current || is_hushed) {
+    if (!current || is_quiet) {
         return;
     }
     char text[TEXT_SIZE];
@@ -106,10 +106,10 @@ murk_warn_sink murk_warn_to(murk_warn_sink sink)
     return before;
 }
 
-bool murk_warn_hush(bool is_silent)
+bool murk_warn_quiet(bool is_silent)
 {
-    const bool before = is_hushed;
-    is_hushed = is_silent;
+    const bool before = is_quiet;
+    is_quiet = is_silent;
     return before;
 }
 

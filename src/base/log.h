@@ -28,6 +28,6 @@ void murk_message(const char *kind, const char *where, const char *text);
 
 /* Whether this thread keeps silent: of what is read a second time, all has been
  * said. Gives back what held before. */
-bool murk_warn_hush(bool is_silent);
+bool murk_warn_quiet(bool is_silent);
 
 #endif

@@ -4,14 +4,14 @@
 #include <math.h>
 #include <stddef.h>
 
-#define HC_J_NM      1.986445857148929e-16 /* joule nanometres */
-#define V_FROM_NM    380.0
-#define V_STEP_NM    5.0
-#define PAR_FROM_NM  400.0
-#define PAR_TO_NM    700.0
-#define UMOL         1e6
-#define MOST_STEP_NM 1.0
-#define MOST_STEPS   20000 /* beyond it steps get longer */
+#define HC_J_NM     1.986445857148929e-16 /* joule nanometres */
+#define V_FROM_NM   380.0
+#define V_STEP_NM   5.0
+#define PAR_FROM_NM 400.0
+#define PAR_TO_NM   700.0
+#define UMOL        1e6
+#define MAX_STEP_NM 1.0
+#define MAX_STEPS   20000 /* beyond it steps get longer */
 
 static const double efficiency[] = {
     0.000039, 0.000064, 0.000120, 0.000217, 0.000396, 0.000640, 0.001210,
@@ -86,8 +86,8 @@ static void add_piece(weighed *sums, murk_quantity quantity, double from_nm,
                       double to_nm, murk_spectral_shape shape,
                       const void *context)
 {
-    const double wanted = ceil((to_nm - from_nm) / MOST_STEP_NM);
-    const int steps = (int)fmin(fmax(wanted, 0), MOST_STEPS);
+    const double wanted = ceil((to_nm - from_nm) / MAX_STEP_NM);
+    const int steps = (int)fmin(fmax(wanted, 0), MAX_STEPS);
     const double step = steps ? (to_nm - from_nm) / steps : 0;
     for (int i = 0; i < steps; ++i) {
         const double at = from_nm + (i + 0.5) * step;

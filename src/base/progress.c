@@ -17,14 +17,14 @@
 
 #define DRAWN_SIZE (LINE_SIZE + 16) /* a line and what moves the cursor */
 
-#define FIRST_DRAW_S  0.5
-#define DRAW_EVERY_S  0.2
-#define FIRST_LINE_S  2.0
-#define LINE_GROWTH   1.25 /* of the time between whole lines */
-#define STEPS_MAX     4
-#define COLUMNS       80 /* where the terminal does not say */
-#define COLUMNS_LEAST 20
-#define LINE_SIZE     512
+#define FIRST_DRAW_S 0.5
+#define DRAW_EVERY_S 0.2
+#define FIRST_LINE_S 2.0
+#define LINE_GROWTH  1.25 /* of the time between whole lines */
+#define STEPS_MAX    4
+#define COLUMNS      80 /* where the terminal does not say */
+#define COLUMNS_MIN  20
+#define LINE_SIZE    512
 
 typedef enum style { SILENT, OVER_AND_OVER, WHOLE_LINES } style;
 
@@ -60,7 +60,7 @@ static size_t window_columns(void)
         return COLUMNS;
     }
     /* in the last column some terminals wrap already */
-    return window.ws_col > COLUMNS_LEAST ? window.ws_col - 1u : COLUMNS_LEAST;
+    return window.ws_col > COLUMNS_MIN ? window.ws_col - 1u : COLUMNS_MIN;
 }
 
 static murk_progress_facts facts_of(const step *s, double now_s)

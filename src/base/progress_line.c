@@ -55,10 +55,10 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     format_count(done, sizeof done, f->done);
     format_count(total, sizeof total, f->total);
     format_time(elapsed, sizeof elapsed, f->elapsed_s);
-    const uint64_t most = f->done < f->total ? f->done : f->total;
+    const uint64_t max = f->done < f->total ? f->done : f->total;
     if (f->total > 0) {
         snprintf(p->percent, sizeof p->percent, "%3.0f %%",
-                 floor(100 * (double)most / (double)f->total));
+                 floor(100 * (double)max / (double)f->total));
     }
     if (*f->unit && f->total > 0) {
         snprintf(p->count, sizeof p->count, "%s of %s %s", done, total,
@@ -66,9 +66,9 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     } else if (*f->unit) {
         snprintf(p->count, sizeof p->count, "%s %s", done, f->unit);
     }
-    if (most > 0 && most < f->total) {
+    if (max > 0 && max < f->total) {
         format_time(left, sizeof left,
-                    f->elapsed_s * ((double)f->total / (double)most - 1));
+                    f->elapsed_s * ((double)f->total / (double)max - 1));
         snprintf(p->time, sizeof p->time, "%s, %s left", elapsed, left);
     } else {
         snprintf(p->time, sizeof p->time, "%s", elapsed);
@@ -113,10 +113,10 @@ void murk_progress_line(char *out, size_t size, const murk_progress_facts *f,
         bar[BAR_CELLS + 1] = ']';
         piece[1] = bar;
     }
-    static const size_t least_needed[] = {1, 5, 6};
+    static const size_t min_needed[] = {1, 5, 6};
     size_t length = join(out, size, piece, n, "  ");
     for (size_t k = 0; k < 3 && length > columns; ++k) {
-        piece[least_needed[k]] = "";
+        piece[min_needed[k]] = "";
         length = join(out, size, piece, n, "  ");
     }
     if (columns < size && length > columns) {

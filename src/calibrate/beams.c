@@ -12,7 +12,7 @@
 
 struct murk_beams {
     murk_domain domain; /* as if open: ways are straight */
-    const murk_hulls *hulls;
+    const murk_boundary_meshes *boundary_meshes;
     murk_fillings fillings; /* grids are the stage's, profiles its own */
     murk_profile *profile;
     murk_media *media;
@@ -61,7 +61,7 @@ static murk_status check_reading(const murk_stage *stage,
             murk_position_show(a).text, murk_position_show(b).text);
     }
     const murk_passages way =
-        murk_passages_from(stage->media, stage->hulls, domain, a);
+        murk_passages_from(stage->media, stage->boundary_meshes, domain, a);
     if (murk_passage_bends(&way, b)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "the index of refraction changes on the segment "
@@ -95,7 +95,7 @@ murk_status murk_beams_check(const murk_stage *stage,
 murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
                               const murk_optics *optics, murk_error *err)
 {
-    const murk_scene *scene = optics->scene;
+    const murk_scene_desc *scene = optics->scene;
     assert(scene->n_media == stage->scene->n_media &&
            scene->n_regions == stage->scene->n_regions);
     murk_status status = MURK_OK;
@@ -114,7 +114,7 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
             m->profile_z_m.n, m->profile_z_m.value, m->profile_per_m.value};
     }
     beams->domain = open_domain(stage);
-    beams->hulls = stage->hulls;
+    beams->boundary_meshes = stage->boundary_meshes;
     beams->fillings = *stage->fillings;
     beams->fillings.profile = beams->profile;
     beams->bands = scene->bands;
@@ -143,7 +143,7 @@ static double through(const murk_beams *beams, const murk_media *media,
                       const murk_reading *reading)
 {
     const murk_passages way = murk_passages_from(
-        media, beams->hulls, &beams->domain, reading->position);
+        media, beams->boundary_meshes, &beams->domain, reading->position);
     if (reading->band >= 0) {
         return murk_passage_transmittance(&way, reading->band, reading->to);
     }

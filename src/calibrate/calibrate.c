@@ -370,9 +370,9 @@ murk_status murk_calibrate(murk_calibration *out,
     *out = (murk_calibration){.held_out_rms = NAN, .held_out_rms_sigma = NAN};
     const murk_model_desc model_desc = {.keys = desc->keys,
                                         .measured = desc->measured,
-                                        .donors = desc->donors,
+                                        .imported = desc->imported,
                                         .threads = desc->threads,
-                                        .foretold = desc->foretold,
+                                        .forecast = desc->forecast,
                                         .context = desc->context};
     murk_fit_search search = {0};
     /* as many restarts as there are starts beside the first */

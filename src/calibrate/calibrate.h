@@ -3,7 +3,7 @@
  *
  * Light is traced at the present parameters, re-weighted while Ceres moves
  * them, and traced anew where what is left of it, by effective sample size, is
- * less than MURK_LEAST_SHARE; the fit ends when it has converged on light that
+ * less than MURK_MIN_SHARE; the fit ends when it has converged on light that
  * is still good there. Rows are whitened by measurement errors and the photons'
  * covariance together. */
 #ifndef MURK_CALIBRATE_CALIBRATE_H
@@ -14,7 +14,7 @@
 #include "fit/least_squares.h"
 
 /* Of the light's effective sample, below which it is traced again. */
-#define MURK_LEAST_SHARE 0.5
+#define MURK_MIN_SHARE 0.5
 
 /* Directions whose standard error is a factor e, or all of a parameter's own
  * scale, are not determined. */
@@ -29,7 +29,7 @@
 typedef struct murk_calibration_desc {
     const murk_free_keys *keys;
     const murk_measurements *measured;
-    const murk_donors *donors; /* of the keys' scene */
+    const murk_imported_stages *imported; /* of the keys' scene */
     murk_loss_function loss;
     double loss_width; /* in standard errors */
     size_t starts;     /* 0: MURK_FIT_STARTS; 1: from the scene's values, and
@@ -42,7 +42,7 @@ typedef struct murk_calibration_desc {
     void (*watch)(void *context, size_t start, size_t traces, int iteration,
                   double chi2, const double *value);
     /* As in murk_model_desc. */
-    void (*foretold)(void *context, double bytes, double have_bytes);
+    void (*forecast)(void *context, double bytes, double have_bytes);
     void *context;
 } murk_calibration_desc;
 

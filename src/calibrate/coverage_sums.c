@@ -1,6 +1,6 @@
 #include "calibrate/coverage_sums.h"
 
-#include "base/crew.h"
+#include "base/pool.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -153,8 +153,8 @@ static void sum_seen(void *context, uint64_t job)
     const murk_sightlines *lines = &r->seen->of[group];
     const size_t cells = murk_coverage_cells(r);
     double *slope = r->in_view_slope + job * MURK_MAP_PARTS * r->keys;
-    scratch s = {.through = malloc(lines->most * sizeof *s.through + 1),
-                 .by = malloc(lines->most * sizeof *s.by + 1),
+    scratch s = {.through = malloc(lines->max * sizeof *s.through + 1),
+                 .by = malloc(lines->max * sizeof *s.by + 1),
                  .less = calloc(MURK_MAP_PARTS * cells + 1, sizeof *s.less)};
     size_t first, last;
     run_of(r, run, &first, &last);
@@ -194,7 +194,7 @@ size_t murk_coverage_cells(const murk_coverage_sums *sums)
 
 bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads)
 {
-    murk_crew_run(threads, sums->runs, sum_all, sums);
-    murk_crew_run(threads, sums->seen->groups * sums->runs, sum_seen, sums);
+    murk_pool_run(threads, sums->runs, sum_all, sums);
+    murk_pool_run(threads, sums->seen->groups * sums->runs, sum_seen, sums);
     return murk_tally_read(&sums->failures) == 0;
 }

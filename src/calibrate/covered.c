@@ -23,25 +23,25 @@ struct murk_covered {
 
 /* ---- creation ---- */
 
-murk_status murk_covered_check(const murk_scene *scene, murk_error *err)
+murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err)
 {
-    const murk_scene_placement *wish = &scene->placement;
-    if (wish->detection == MURK_SCENE_THRESHOLD ||
-        wish->detection == MURK_SCENE_POWER) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    const murk_scene_placement *settings = &scene->placement;
+    if (settings->detection == MURK_SCENE_THRESHOLD ||
+        settings->detection == MURK_SCENE_POWER) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "detection: %s cannot be fitted to: coverage needs "
                          "weighted or independent, which change smoothly with "
                          "the medium",
-                         wish->detection == MURK_SCENE_POWER ? "power"
-                                                             : "threshold");
+                         settings->detection == MURK_SCENE_POWER ? "power"
+                                                                 : "threshold");
     }
-    if (wish->through == MURK_SCENE_REFRACT) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    if (settings->through == MURK_SCENE_REFRACT) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "through: refract cannot be fitted to: coverage "
                          "needs straight sightlines, thin or block");
     }
-    if (wish->targets.given) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    if (settings->targets.given) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "targets cannot be fitted to: coverage is of the "
                          "light itself");
     }
@@ -51,7 +51,7 @@ murk_status murk_covered_check(const murk_scene *scene, murk_error *err)
 murk_status murk_covered_create(murk_covered **out,
                                 const murk_covered_desc *desc, murk_error *err)
 {
-    const murk_scene_placement *wish = &desc->stage->scene->placement;
+    const murk_scene_placement *settings = &desc->stage->scene->placement;
     const murk_seen_desc seen = {.stage = desc->stage,
                                  .followed = desc->followed,
                                  .pose = desc->pose,
@@ -70,10 +70,11 @@ murk_status murk_covered_create(murk_covered **out,
     }
     made->desc = *desc;
     made->combining = murk_plan_combining(desc->stage->scene);
-    made->redundancy = wish->redundancy > 1 ? (size_t)wish->redundancy : 1;
-    made->weights = (murk_map_weights){.balanced = wish->balanced,
-                                       .surface = wish->weight_surface,
-                                       .volume = wish->weight_volume};
+    made->redundancy =
+        settings->redundancy > 1 ? (size_t)settings->redundancy : 1;
+    made->weights = (murk_map_weights){.balanced = settings->balanced,
+                                       .surface = settings->weight_surface,
+                                       .volume = settings->weight_volume};
     status = murk_seen_create(&made->seen, &seen, err);
     if (!status) {
         *out = made;
@@ -135,7 +136,7 @@ static murk_status check_others(const murk_covered *c,
                                 const murk_optics *traced,
                                 const murk_optics *at, murk_error *err)
 {
-    const murk_scene *scene = c->desc.stage->scene;
+    const murk_scene_desc *scene = c->desc.stage->scene;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const size_t medium = (size_t)scene->regions[i].medium;
         for (size_t a = 0; !murk_seen_keeps(c->desc.followed, medium) &&

@@ -7,8 +7,8 @@
  * (detection: weighted), or of independent chances. How clear a sightline is at
  * other parameters follows from the density path along it, kept by medium, and
  * from extinctions as a sensor of such acceptance sees them
- * (medium/acceptance.h). What murk_coverage_measure() finds of the same records
- * differs by rounding to 1/65535 alone. */
+ * (medium/acceptance.h). What murk_coverage_result_measure() finds of the same
+ * records differs by rounding to 1/65535 alone. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 
@@ -27,7 +27,7 @@ typedef struct murk_covered_desc {
 } murk_covered_desc;
 
 /* What murk_covered_create() refuses of a scene, before light is traced. */
-murk_status murk_covered_check(const murk_scene *scene, murk_error *err);
+murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err);
 
 /* Refuses detection: threshold and power, through: refract, targets, poses
  * outside the domain, sensors with acceptance where an albedo is a grid, and

@@ -14,7 +14,7 @@ typedef struct job {
     const murk_followed_desc *desc;
     murk_emission emission;
     murk_recorder *recorder;
-    double most_bytes;
+    double max_bytes;
 } job;
 
 static const char *where_of(const murk_followed_desc *desc)
@@ -26,9 +26,9 @@ static const char *where_of(const murk_followed_desc *desc)
 static double bytes_at(const job *j, double grow)
 {
     const murk_recorded *all = &j->recorder->all;
-    const murk_harvest *harvest = j->recorder->harvest;
+    const murk_record_buffers *buffers = j->recorder->buffers;
     const double records =
-        harvest ? grow * (double)(harvest->surface.n + harvest->volume.n) : 0;
+        buffers ? grow * (double)(buffers->surface.n + buffers->volume.n) : 0;
     return MURK_WHILE_GROWING *
                (murk_recorded_bytes(j->desc->media, grow * (double)all->n,
                                     grow * (double)all->turns) +
@@ -45,15 +45,15 @@ static murk_status gather(void *context, uint64_t last, murk_error *err)
         return status;
     }
     const murk_emission *e = &j->emission;
-    const murk_scene_photons *wish = &j->desc->stage->scene->photons;
-    const murk_harvest *harvest = j->recorder->harvest;
+    const murk_scene_photons *settings = &j->desc->stage->scene->photons;
+    const murk_record_buffers *buffers = j->recorder->buffers;
     const double stored =
-        harvest ? (double)(harvest->surface.n + harvest->volume.n) : 0;
+        buffers ? (double)(buffers->surface.n + buffers->volume.n) : 0;
     const double grow = e->emit      ? (double)e->emit / (double)e->emitted
-                        : stored > 0 ? (double)wish->store / stored
+                        : stored > 0 ? (double)settings->store / stored
                                      : 1;
     const double bytes = bytes_at(j, grow > 1 ? grow : 1);
-    if (!(bytes <= j->most_bytes)) {
+    if (!(bytes <= j->max_bytes)) {
         return murk_fail(err, MURK_BAD_VALUE, where_of(j->desc),
                          "about %.3g contributions of light would be kept "
                          "(from %llu photons), which takes %.3g GB, must be "
@@ -61,7 +61,7 @@ static murk_status gather(void *context, uint64_t last, murk_error *err)
                          "records",
                          grow * (double)j->recorder->all.n,
                          (unsigned long long)e->emitted, bytes / 1e9,
-                         j->most_bytes / 1e9);
+                         j->max_bytes / 1e9);
     }
     return MURK_OK;
 }
@@ -70,7 +70,7 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
 {
     murk_followed *f = calloc(1, sizeof *f);
     if (f) {
-        f->channels = murk_lights_channels(desc->stage->lights);
+        f->channels = murk_sources_channels(desc->stage->lights);
         f->bands = desc->stage->world.bands;
         f->media = desc->media;
         f->receivers = desc->receivers;
@@ -90,13 +90,14 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
 
 static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
 {
-    murk_harvest *harvest = j->recorder->harvest;
-    murk_harvest_price(harvest, f->packet_w, j->desc->stage->scene->bands);
-    const murk_status status =
-        murk_harvest_map(&f->surface, &harvest->surface, j->desc->threads, err);
+    murk_record_buffers *buffers = j->recorder->buffers;
+    murk_record_buffers_price(buffers, f->packet_w,
+                              j->desc->stage->scene->bands);
+    const murk_status status = murk_record_buffers_map(
+        &f->surface, &buffers->surface, j->desc->threads, err);
     return status ? status
-                  : murk_harvest_map(&f->volume, &harvest->volume,
-                                     j->desc->threads, err);
+                  : murk_record_buffers_map(&f->volume, &buffers->volume,
+                                            j->desc->threads, err);
 }
 
 static murk_status finish(murk_followed *f, const job *j, murk_error *err)
@@ -124,7 +125,7 @@ static murk_status finish(murk_followed *f, const job *j, murk_error *err)
 static murk_status check(const murk_followed_desc *desc, uint64_t emit,
                          murk_error *err)
 {
-    if (murk_lights_lit(desc->stage->lights) == 0) {
+    if (murk_sources_lit(desc->stage->lights) == 0) {
         return murk_fail(err, MURK_BAD_VALUE, desc->stage->scene->path,
                          "all lights are dark, must be light to be followed");
     }
@@ -138,7 +139,7 @@ static murk_status check(const murk_followed_desc *desc, uint64_t emit,
 }
 
 /* Records are counted where their number ends the run, and kept if wanted. */
-static murk_status make_harvest(murk_harvest **out,
+static murk_status make_buffers(murk_record_buffers **out,
                                 const murk_followed_desc *desc, uint64_t emit,
                                 murk_error *err)
 {
@@ -146,7 +147,7 @@ static murk_status make_harvest(murk_harvest **out,
         *out = NULL;
         return MURK_OK;
     }
-    *out = murk_harvest_create(&desc->stage->scene->photons);
+    *out = murk_record_buffers_create(&desc->stage->scene->photons);
     return *out ? MURK_OK
                 : murk_fail(err, MURK_NO_MEMORY, where_of(desc),
                             "no memory to trace");
@@ -156,21 +157,21 @@ murk_status murk_followed_trace(murk_followed **out,
                                 const murk_followed_desc *desc, murk_error *err)
 {
     assert(out && desc && desc->stage && desc->threads >= 1);
-    const murk_scene_photons *wish = &desc->stage->scene->photons;
-    const uint64_t emit = desc->photons ? desc->photons : wish->emit;
+    const murk_scene_photons *settings = &desc->stage->scene->photons;
+    const uint64_t emit = desc->photons ? desc->photons : settings->emit;
     murk_ledger *ledger = NULL;
-    murk_harvest *harvest = NULL;
+    murk_record_buffers *buffers = NULL;
     murk_followed *followed = NULL;
     job j = {.desc = desc,
-             .most_bytes = desc->memory_most_bytes > 0
-                               ? desc->memory_most_bytes
-                               : murk_machine_memory_bytes()};
+             .max_bytes = desc->memory_max_bytes > 0
+                              ? desc->memory_max_bytes
+                              : murk_machine_memory_bytes()};
     murk_status status = check(desc, emit, err);
     if (!status) {
-        status = make_harvest(&harvest, desc, emit, err);
+        status = make_buffers(&buffers, desc, emit, err);
     }
     if (!status) {
-        status = murk_recorder_create(&j.recorder, desc, harvest, err);
+        status = murk_recorder_create(&j.recorder, desc, buffers, err);
     }
     if (!status) {
         status = murk_ledger_create(&ledger, &desc->stage->world, err);
@@ -189,7 +190,7 @@ murk_status murk_followed_trace(murk_followed **out,
                                  .threads = desc->threads,
                                  .emit = emit,
                                  .is_first_small = true,
-                                 .harvest = harvest,
+                                 .buffers = buffers,
                                  .ledger = ledger,
                                  .sink = murk_recorder_event,
                                  .leg = murk_recorder_leg,
@@ -215,7 +216,7 @@ murk_status murk_followed_trace(murk_followed **out,
 done:
     murk_followed_destroy(followed);
     murk_recorder_destroy(j.recorder);
-    murk_harvest_destroy(harvest);
+    murk_record_buffers_destroy(buffers);
     murk_ledger_destroy(ledger);
     return status;
 }

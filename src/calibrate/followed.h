@@ -26,11 +26,11 @@
 typedef struct murk_receiver {
     murk_vec3 center;
     double radius_m;
-    murk_vec3 normal;    /* unit, outward of the receiving side; zero: fluence
-                            rate */
-    double least_cosine; /* between the normal and where light comes from: 0
+    murk_vec3 normal;  /* unit, outward of the receiving side; zero: fluence
+                          rate */
+    double min_cosine; /* between the normal and where light comes from: 0
                             takes all of the side, more is an acceptance cone */
-    int band;            /* -1: all */
+    int band;          /* -1: all */
 } murk_receiver;
 
 typedef struct murk_followed_desc {
@@ -43,8 +43,8 @@ typedef struct murk_followed_desc {
     bool keeps_cosines;
     const murk_receiver *receiver; /* [receivers] */
     size_t receivers;
-    bool keeps_records;       /* of the photon maps, as the scene stores them */
-    double memory_most_bytes; /* refused beyond; 0: what the machine has */
+    bool keeps_records;      /* of the photon maps, as the scene stores them */
+    double memory_max_bytes; /* refused beyond; 0: what the machine has */
 } murk_followed_desc;
 
 /* Receivers with numbers as high stand for records. */

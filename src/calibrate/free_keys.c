@@ -89,13 +89,13 @@ static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
 {
     murk_status status = MURK_OK;
     for (size_t c = 0; c < keys->conditions && !status; ++c) {
-        murk_scene *scene = NULL;
+        murk_scene_desc *scene = NULL;
         status = murk_free_spot_scene(&scene, keys, c, NULL, err);
         if (!status) {
             status = murk_yaml_parse(&root[c], scene->resolved,
                                      strlen(scene->resolved), SOURCE, err);
         }
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
     return status;
 }
@@ -326,7 +326,7 @@ void murk_free_keys_destroy(murk_free_keys *keys)
     }
 }
 
-murk_status murk_free_scene(murk_scene **out, const murk_free_keys *keys,
+murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err)
 {
     return murk_free_spot_scene(out, keys, c, value, err);
@@ -335,7 +335,7 @@ murk_status murk_free_scene(murk_scene **out, const murk_free_keys *keys,
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     const murk_status status =
         murk_free_spot_scene(&scene, keys, c, value, err);
     if (status) {

@@ -81,7 +81,7 @@ void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
 /* The scene of condition c (an index into keys->condition) at value[n]; and its
  * optics. Fails at "--free KEY" where the scene does not take a value. No
  * warnings. */
-murk_status murk_free_scene(murk_scene **out, const murk_free_keys *keys,
+murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err);
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err);

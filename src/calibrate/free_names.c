@@ -29,12 +29,12 @@ murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
 {
     const murk_free_desc *desc = &keys->desc;
     const murk_measurements *m = desc->measured;
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     bool is_used[MURK_SCENE_CONDITIONS_MAX + 1] = {false}; /* [0]: none */
-    const bool was_silent = murk_warn_hush(true);
-    const murk_status status = murk_scene_read(
+    const bool was_silent = murk_warn_quiet(true);
+    const murk_status status = murk_scene_desc_read(
         &scene, desc->scene_path, desc->overrides, desc->n_overrides, err);
-    murk_warn_hush(was_silent);
+    murk_warn_quiet(was_silent);
     if (status) {
         return status;
     }
@@ -58,7 +58,7 @@ murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
         }
     }
     memcpy(keys->sha256, scene->sha256, sizeof keys->sha256);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return is_whole ? MURK_OK : no_memory(err);
 }
 

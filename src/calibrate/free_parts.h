@@ -22,9 +22,9 @@ bool murk_free_spot_make(murk_free_spot *spot, const char *name,
 void murk_free_spot_release(murk_free_spot *spot, size_t conditions);
 
 /* The scene of condition c as it stands, or with values: NULL for none. */
-murk_status murk_free_spot_scene(murk_scene **out, const murk_free_keys *keys,
-                                 size_t c, const double *value,
-                                 murk_error *err);
+murk_status murk_free_spot_scene(murk_scene_desc **out,
+                                 const murk_free_keys *keys, size_t c,
+                                 const double *value, murk_error *err);
 
 /* Steps of murk_free_keys_create: fills condition[], its names and the file's
  * checksum; */

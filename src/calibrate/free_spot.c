@@ -91,7 +91,7 @@ static bool add_change(changes *all, const murk_free_spot *spot, size_t c,
 }
 
 static murk_status check_file(const murk_free_keys *keys,
-                              const murk_scene *scene, murk_error *err)
+                              const murk_scene_desc *scene, murk_error *err)
 {
     return keys->sha256[0] == '\0' || strcmp(keys->sha256, scene->sha256) == 0
                ? MURK_OK
@@ -99,8 +99,9 @@ static murk_status check_file(const murk_free_keys *keys,
                            "changed while it was fitted, must stay as it is");
 }
 
-murk_status murk_free_spot_scene(murk_scene **out, const murk_free_keys *keys,
-                                 size_t c, const double *value, murk_error *err)
+murk_status murk_free_spot_scene(murk_scene_desc **out,
+                                 const murk_free_keys *keys, size_t c,
+                                 const double *value, murk_error *err)
 {
     const murk_free_desc *desc = &keys->desc;
     changes all = {calloc(keys->n + 1, sizeof *all.change),
@@ -114,20 +115,20 @@ murk_status murk_free_spot_scene(murk_scene **out, const murk_free_keys *keys,
     const murk_variant variant = {
         keys->condition_name[c][0] ? keys->condition_name[c] : NULL, all.change,
         all.n};
-    murk_scene *scene = NULL;
-    const bool was_silent = murk_warn_hush(true);
-    murk_status status =
-        is_whole
-            ? murk_scene_read_variant(&scene, desc->scene_path, desc->overrides,
-                                      desc->n_overrides, &variant, err)
-            : no_memory(keys, err);
-    murk_warn_hush(was_silent);
+    murk_scene_desc *scene = NULL;
+    const bool was_silent = murk_warn_quiet(true);
+    murk_status status = is_whole
+                             ? murk_scene_desc_read_variant(
+                                   &scene, desc->scene_path, desc->overrides,
+                                   desc->n_overrides, &variant, err)
+                             : no_memory(keys, err);
+    murk_warn_quiet(was_silent);
     if (!status) {
         status = check_file(keys, scene, err);
     }
     release(&all);
     if (status) {
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
         return status;
     }
     *out = scene;

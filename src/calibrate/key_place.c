@@ -19,19 +19,19 @@ typedef struct spot {
     bool in_item;
 } spot;
 
-typedef struct finding {
+typedef struct incumbent {
     const char *path, *at; /* the part to be found next */
     const char *where;
     murk_error *err;
-} finding;
+} incumbent;
 
-static murk_status fail(const finding *f, const char *text)
+static murk_status fail(const incumbent *f, const char *text)
 {
     return murk_fail(f->err, MURK_BAD_VALUE, f->where, "%s", text);
 }
 
 /* The path up to here, for messages. */
-static void shown_so_far(const finding *f, char *out, size_t size)
+static void shown_so_far(const incumbent *f, char *out, size_t size)
 {
     char part[200];
     size_t n = (size_t)(f->at - f->path);
@@ -59,7 +59,7 @@ static bool is_medium(const spot *at)
 
 /* Refuses a word that the medium's preset does not use, and names those that it
  * does; without a preset any such word. MURK_OK for other keys. */
-static murk_status check_preset(const finding *f, const spot *at,
+static murk_status check_preset(const incumbent *f, const spot *at,
                                 const char *part)
 {
     const int word = is_medium(at) ? murk_word_find(part) : -1;
@@ -88,7 +88,7 @@ static murk_status check_preset(const finding *f, const spot *at,
     return status;
 }
 
-static murk_status unknown(const finding *f, const spot *at, const char *part)
+static murk_status unknown(const incumbent *f, const spot *at, const char *part)
 {
     const char *names[NAMES_MAX];
     char owner[120], shown[64], text[400];
@@ -136,7 +136,7 @@ static size_t part_length(const spot *at, const char *path)
     return length;
 }
 
-static murk_status step_map(const finding *f, spot *at, const char *part)
+static murk_status step_map(const incumbent *f, spot *at, const char *part)
 {
     const murk_yaml *child = murk_yaml_get(at->node, part);
     if (!child) {
@@ -153,7 +153,7 @@ static murk_status step_map(const finding *f, spot *at, const char *part)
     return MURK_OK;
 }
 
-static murk_status step_list(const finding *f, spot *at, const char *part)
+static murk_status step_list(const incumbent *f, spot *at, const char *part)
 {
     uint64_t index;
     char owner[120], shown[64], text[300];
@@ -171,7 +171,7 @@ static murk_status step_list(const finding *f, spot *at, const char *part)
 }
 
 /* One part down. */
-static murk_status step(const finding *f, spot *at, const char *part)
+static murk_status step(const incumbent *f, spot *at, const char *part)
 {
     char owner[120], text[300];
     if (at->node->kind == MURK_YAML_MAP) {
@@ -190,7 +190,7 @@ static murk_status step(const finding *f, spot *at, const char *part)
 }
 
 /* What may be free: numbers that may be any within a range. */
-static murk_status check_end(murk_key_place *out, const finding *f,
+static murk_status check_end(murk_key_place *out, const incumbent *f,
                              const spot *at)
 {
     char text[300], shown[64];
@@ -227,7 +227,7 @@ static murk_status check_end(murk_key_place *out, const finding *f,
 
 /* Notes what the path goes through. */
 static void note_list(murk_key_place *out, const spot *before, const spot *at,
-                      const finding *f)
+                      const incumbent *f)
 {
     const murk_yaml *list = before->node;
     if (list->kind != MURK_YAML_LIST || at->node->kind != MURK_YAML_SCALAR) {
@@ -247,7 +247,7 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
                                 const char *path, const char *where,
                                 murk_error *err)
 {
-    finding f = {path, path, where, err};
+    incumbent f = {path, path, where, err};
     spot at = {root, NULL, false};
     murk_key_place place = {.put = strlen(path)};
     char *part = malloc(strlen(path) + 1);

@@ -16,11 +16,10 @@
 
 static void from_row(murk_key_range *out, const murk_key *row)
 {
-    const bool is_any = row->least == 0 && row->most == 0;
-    out->lower =
-        is_any || row->least <= -SLIP_OF_THE_PEN ? -INFINITY : row->least;
-    out->upper = is_any || row->most >= SLIP_OF_THE_PEN ? INFINITY : row->most;
-    out->is_log = !is_any && row->least >= 0 && row->most >= SCALE_FROM;
+    const bool is_any = row->min == 0 && row->max == 0;
+    out->lower = is_any || row->min <= -SLIP_OF_THE_PEN ? -INFINITY : row->min;
+    out->upper = is_any || row->max >= SLIP_OF_THE_PEN ? INFINITY : row->max;
+    out->is_log = !is_any && row->min >= 0 && row->max >= SCALE_FROM;
     if (row->above && !out->is_log) {
         out->lower += OFF_THE_END;
     }
@@ -50,8 +49,8 @@ static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
         murk_preset_word_of(read, (murk_word_id)word);
     const size_t k = place->list ? place->index : 0;
     if (range.is_known && k < MURK_WORD_NUMBERS_MAX) {
-        out->lower = fmax(out->lower, range.least[k]);
-        out->upper = fmin(out->upper, range.most[k]);
+        out->lower = fmax(out->lower, range.min[k]);
+        out->upper = fmin(out->upper, range.max[k]);
     }
     murk_preset_destroy(read);
     return MURK_OK;

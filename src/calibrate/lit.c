@@ -8,17 +8,17 @@
 /* What a watt of each light counts as for each receiver. */
 static murk_status count_watts(murk_lit *lit, murk_error *err)
 {
-    const murk_posts *posts = lit->desc->posts;
+    const murk_instruments *instruments = lit->desc->instruments;
     const size_t lights = lit->scene->n_lights;
     lit->per_watt =
-        calloc(posts->receivers * lights + 1, sizeof *lit->per_watt);
+        calloc(instruments->receivers * lights + 1, sizeof *lit->per_watt);
     if (!lit->per_watt) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
     }
-    for (size_t i = 0; i < posts->receivers * lights; ++i) {
+    for (size_t i = 0; i < instruments->receivers * lights; ++i) {
         for (int b = 0; b < lit->scene->bands; ++b) {
             lit->per_watt[i].band[b] = murk_units_per_watt(
-                posts->quantity[i / lights], lit->stage, i % lights, b);
+                instruments->quantity[i / lights], lit->stage, i % lights, b);
         }
     }
     return MURK_OK;
@@ -27,27 +27,28 @@ static murk_status count_watts(murk_lit *lit, murk_error *err)
 static murk_status follow(murk_lit *lit, uint64_t photons, murk_error *err)
 {
     const murk_lit_desc *d = lit->desc;
-    const murk_posts *posts = d->posts;
+    const murk_instruments *instruments = d->instruments;
     const murk_followed_desc followed = {.stage = lit->stage,
                                          .photons = photons,
                                          .threads = d->threads,
                                          .medium = d->medium,
                                          .media = d->media,
                                          .keeps_cosines = d->keeps_cosines,
-                                         .receiver = posts->receiver,
-                                         .receivers = posts->receivers,
-                                         .keeps_records = posts->groups > 0};
+                                         .receiver = instruments->receiver,
+                                         .receivers = instruments->receivers,
+                                         .keeps_records =
+                                             instruments->groups > 0};
     murk_status status = murk_followed_trace(&lit->followed, &followed, err);
     if (!status) {
         status = count_watts(lit, err);
     }
-    if (!status && posts->groups) {
+    if (!status && instruments->groups) {
         const murk_covered_desc covered = {.stage = lit->stage,
                                            .followed = lit->followed,
-                                           .pose = posts->pose,
-                                           .group = posts->group,
-                                           .poses = posts->poses,
-                                           .groups = posts->groups,
+                                           .pose = instruments->pose,
+                                           .group = instruments->group,
+                                           .poses = instruments->poses,
+                                           .groups = instruments->groups,
                                            .threads = d->threads};
         status = murk_covered_create(&lit->covered, &covered, err);
     }
@@ -77,7 +78,7 @@ murk_status murk_lit_build(murk_lit *out, const murk_lit_desc *desc,
 
 murk_status murk_lit_light(murk_lit *lit, uint64_t photons, murk_error *err)
 {
-    return lit->desc->posts->lit ? follow(lit, photons, err) : MURK_OK;
+    return lit->desc->instruments->lit ? follow(lit, photons, err) : MURK_OK;
 }
 
 murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
@@ -102,14 +103,14 @@ void murk_lit_release(murk_lit *lit)
     murk_lit_darken(lit);
     murk_optics_destroy(lit->optics);
     murk_stage_destroy(lit->stage);
-    murk_scene_destroy(lit->scene);
+    murk_scene_desc_destroy(lit->scene);
     *lit = (murk_lit){0};
 }
 
 murk_status murk_lit_rows_create(murk_lit_rows *out, const murk_lit_desc *desc,
                                  size_t keys, murk_error *err)
 {
-    const size_t lit = desc->posts->lit + 1;
+    const size_t lit = desc->instruments->lit + 1;
     *out = (murk_lit_rows){
         .value = calloc(lit, sizeof *out->value),
         .slope = calloc(lit * (keys + 1), sizeof *out->slope),
@@ -118,7 +119,8 @@ murk_status murk_lit_rows_create(murk_lit_rows *out, const murk_lit_desc *desc,
     return out->value && out->slope && out->batch && out->run
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for %zu rows of light", desc->posts->lit);
+                           "no memory for %zu rows of light",
+                           desc->instruments->lit);
 }
 
 void murk_lit_rows_release(murk_lit_rows *rows)
@@ -138,7 +140,8 @@ static void place_runs(murk_lit_rows *out, const murk_lit_desc *desc,
 {
     for (size_t r = 0; r < desc->runs; ++r) {
         for (size_t i = 0; i < n; ++i) {
-            double *to = out->run + (r * desc->posts->lit + first + i) * keys;
+            double *to =
+                out->run + (r * desc->instruments->lit + first + i) * keys;
             for (size_t k = 0; k < keys; ++k) {
                 to[k] = run[(r * n + i) * keys + k] * (scale ? scale[i] : 1);
             }
@@ -151,10 +154,10 @@ static void turn_groups(murk_lit_rows *out, const murk_lit_desc *desc,
                         const murk_measurements *measured, const double *batch,
                         double *scale, size_t keys)
 {
-    const murk_posts *posts = desc->posts;
-    for (size_t g = 0; g < posts->groups; ++g) {
-        const size_t i = posts->receivers + g;
-        const murk_measured_row *row = &measured->row[posts->lit_row[i]];
+    const murk_instruments *instruments = desc->instruments;
+    for (size_t g = 0; g < instruments->groups; ++g) {
+        const size_t i = instruments->receivers + g;
+        const murk_measured_row *row = &measured->row[instruments->lit_row[i]];
         double slope;
         out->value[i] = murk_reading_in_unit(measured->reading[row->first].unit,
                                              out->value[i], 1, &slope);
@@ -163,8 +166,8 @@ static void turn_groups(murk_lit_rows *out, const murk_lit_desc *desc,
             out->slope[i * keys + k] *= slope;
         }
         for (size_t b = 0; b < desc->batches; ++b) {
-            out->batch[b * posts->lit + i] =
-                batch[b * posts->groups + g] * slope;
+            out->batch[b * instruments->lit + i] =
+                batch[b * instruments->groups + g] * slope;
         }
     }
 }
@@ -177,7 +180,8 @@ static murk_status read_groups(murk_lit_rows *out, const murk_lit *lit,
                                murk_error *err)
 {
     const murk_lit_desc *d = lit->desc;
-    const size_t first = d->posts->receivers, groups = d->posts->groups;
+    const size_t first = d->instruments->receivers,
+                 groups = d->instruments->groups;
     double *batch = calloc((d->batches + 1) * groups, sizeof *batch);
     double *run = calloc(d->runs * groups * (keys + 1), sizeof *run);
     murk_status status = MURK_OK;
@@ -204,23 +208,26 @@ static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
                                   murk_error *err)
 {
     const murk_lit_desc *d = lit->desc;
-    const murk_posts *posts = d->posts;
+    const murk_instruments *instruments = d->instruments;
     const size_t keys = reweighed->keys;
-    double *batch = calloc(d->batches * posts->receivers, sizeof *batch);
-    double *run = calloc(d->runs * posts->receivers * (keys + 1), sizeof *run);
+    double *batch = calloc(d->batches * instruments->receivers, sizeof *batch);
+    double *run =
+        calloc(d->runs * instruments->receivers * (keys + 1), sizeof *run);
     if (!batch || !run) {
         free(batch);
         free(run);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
     }
     murk_receivers_read(out->value, out->slope, batch, d->batches, run, d->runs,
-                        posts->receiver, lit->per_watt, posts->receivers,
-                        lit->followed, reweighed, d->threads);
-    place_runs(out, d, run, 0, posts->receivers, keys, NULL);
+                        instruments->receiver, lit->per_watt,
+                        instruments->receivers, lit->followed, reweighed,
+                        d->threads);
+    place_runs(out, d, run, 0, instruments->receivers, keys, NULL);
     free(run);
     for (size_t b = 0; b < d->batches; ++b) {
-        for (size_t i = 0; i < posts->receivers; ++i) {
-            out->batch[b * posts->lit + i] = batch[b * posts->receivers + i];
+        for (size_t i = 0; i < instruments->receivers; ++i) {
+            out->batch[b * instruments->lit + i] =
+                batch[b * instruments->receivers + i];
         }
     }
     free(batch);
@@ -239,10 +246,10 @@ murk_status murk_lit_read(murk_lit_rows *out, const murk_lit *lit,
         murk_reweigh_again(reweighed, lit->followed, lit->optics, at, sides,
                            keys, lit->desc->threads, err);
     out->share = status ? 0 : reweighed->effective_share;
-    if (!status && lit->desc->posts->receivers) {
+    if (!status && lit->desc->instruments->receivers) {
         status = read_receivers(out, lit, reweighed, err);
     }
-    if (!status && lit->desc->posts->groups) {
+    if (!status && lit->desc->instruments->groups) {
         status =
             read_groups(out, lit, reweighed, measured, at, sides, keys, err);
     }

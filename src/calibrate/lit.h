@@ -5,12 +5,12 @@
 
 #include "calibrate/covered.h"
 #include "calibrate/free_keys.h"
-#include "calibrate/posts.h"
+#include "calibrate/instruments.h"
 
 /* What all lights of a condition share; borrowed. */
 typedef struct murk_lit_desc {
     const murk_free_keys *keys;
-    const murk_posts *posts;
+    const murk_instruments *instruments;
     const murk_stage *base; /* imported: files are its own */
     size_t condition;       /* index into keys->condition */
     const size_t *medium;   /* [media] that keys re-weight */
@@ -22,7 +22,7 @@ typedef struct murk_lit_desc {
 
 typedef struct murk_lit {
     const murk_lit_desc *desc;
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_stage *stage;
     murk_optics *optics;
     murk_followed *followed; /* NULL: no row asks for light */

@@ -279,7 +279,7 @@ static murk_status fill(murk_measurements *m, listing *all)
 }
 
 static murk_status from_table(murk_measurements *m, const murk_table *table,
-                              const murk_scene *scene,
+                              const murk_scene_desc *scene,
                               const murk_domain *domain, murk_error *err)
 {
     murk_reading_source source = {
@@ -306,7 +306,7 @@ static murk_status from_table(murk_measurements *m, const murk_table *table,
 }
 
 murk_status murk_measurements_read(murk_measurements **out, const char *path,
-                                   const murk_scene *scene,
+                                   const murk_scene_desc *scene,
                                    const murk_domain *domain, murk_error *err)
 {
     char *text = NULL;

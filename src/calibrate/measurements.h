@@ -82,7 +82,7 @@ typedef struct murk_measurements {
  * of units that are derived from a transmittance by what law they compare. *out
  * is the caller's: murk_measurements_destroy(). */
 murk_status murk_measurements_read(murk_measurements **out, const char *path,
-                                   const murk_scene *scene,
+                                   const murk_scene_desc *scene,
                                    const murk_domain *domain, murk_error *err);
 void murk_measurements_destroy(murk_measurements *measured); /* NULL is fine */
 
@@ -100,6 +100,6 @@ murk_quantity murk_reading_quantity(murk_reading_unit unit);
 /* From W/m2 in a band to a light unit, of the scene's bands, light taken as
  * even in wavelength within each; 1 for others. */
 murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
-                                    const murk_scene *scene);
+                                    const murk_scene_desc *scene);
 
 #endif

@@ -3,7 +3,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "calibrate/beams.h"
-#include "calibrate/foretold.h"
+#include "calibrate/fit_forecast.h"
 #include "calibrate/world_slopes.h"
 #include "study/machine.h"
 
@@ -32,8 +32,8 @@ static void release_world(murk_model_world *w)
 {
     murk_lit_rows_release(&w->rows);
     murk_lit_release(&w->lit);
-    murk_posts_release(&w->posts);
-    murk_scene_destroy(w->scene);
+    murk_instruments_release(&w->instruments);
+    murk_scene_desc_destroy(w->scene);
     free(w->medium);
     free(w->world_slope);
 }
@@ -109,15 +109,15 @@ static murk_status begin_world(murk_model *m, size_t c, const double *start,
     if (status) {
         return status;
     }
-    status =
-        murk_posts_create(&w->posts, m->desc.measured, keys->condition[c], err);
+    status = murk_instruments_create(&w->instruments, m->desc.measured,
+                                     keys->condition[c], err);
     w->desc = (murk_lit_desc){
         .keys = keys,
-        .posts = &w->posts,
-        .base = murk_donor_of(m->desc.donors, keys->condition[c]),
+        .instruments = &w->instruments,
+        .base = murk_imported_stage_of(m->desc.imported, keys->condition[c]),
         .condition = c,
         .threads = m->desc.threads};
-    if (!status && w->posts.lit) {
+    if (!status && w->instruments.lit) {
         status = choose_media(m, c, start, err);
     }
     return status;
@@ -132,10 +132,10 @@ static int by_size(const void *a, const void *b)
 static murk_status list_lit(murk_model *m, murk_error *err)
 {
     for (size_t c = 0; c < m->worlds; ++c) {
-        const murk_posts *posts = &m->world[c].posts;
-        memcpy(m->lit + m->lits, posts->lit_row,
-               posts->lit * sizeof *posts->lit_row);
-        m->lits += posts->lit;
+        const murk_instruments *instruments = &m->world[c].instruments;
+        memcpy(m->lit + m->lits, instruments->lit_row,
+               instruments->lit * sizeof *instruments->lit_row);
+        m->lits += instruments->lit;
     }
     if (m->lits > MURK_MODEL_LIT_ROWS_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, m->desc.measured->path,
@@ -159,19 +159,19 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
         murk_model_world *w = &m->world[c];
         const murk_scene_photons *photons = &w->scene->photons;
         const uint64_t emit = photons->store ? photons->store : photons->emit;
-        if (w->posts.lit && emit < BATCHES_MIN) {
+        if (w->instruments.lit && emit < BATCHES_MIN) {
             return murk_fail(err, MURK_BAD_VALUE, w->scene->path,
                              "photons.emit: %llu, must be %d or more for a fit",
                              (unsigned long long)emit, BATCHES_MIN);
         }
-        if (w->posts.lit && w->scene->continues) {
+        if (w->instruments.lit && w->scene->continues) {
             /* how much light enters would depend on the medium, which the
              * paths that are weighed anew do not know */
             return murk_fail(err, MURK_UNSUPPORTED, w->scene->domain_where,
                              "outside: continued does not go with fits, use "
                              "sides: periodic or outside: empty");
         }
-        if (w->posts.lit && emit < m->batches) {
+        if (w->instruments.lit && emit < m->batches) {
             m->batches = (size_t)emit;
         }
     }
@@ -181,9 +181,9 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
         murk_model_world *w = &m->world[c];
         w->desc.batches = m->batches;
         w->desc.runs = m->runs;
-        if (w->posts.lit) {
+        if (w->instruments.lit) {
             w->world_slope =
-                calloc(w->posts.lit * m->n, sizeof *w->world_slope);
+                calloc(w->instruments.lit * m->n, sizeof *w->world_slope);
             status = w->world_slope
                          ? murk_lit_rows_create(&w->rows, &w->desc, m->n, err)
                          : no_memory(err);
@@ -245,7 +245,7 @@ murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
 static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
 {
     murk_model_world *w = &m->world[c];
-    const size_t lit = w->posts.lit;
+    const size_t lit = w->instruments.lit;
     double *slope = calloc(2 * lit + 1, sizeof *slope), *error = slope + lit;
     murk_status status = slope ? MURK_OK : no_memory(err);
     for (size_t k = 0; k < m->n && !status; ++k) {
@@ -270,20 +270,20 @@ static void warn_of_few(const murk_model *m, const murk_model_world *w)
 {
     const murk_followed *f = w->lit.followed;
     const murk_measurements *measured = m->desc.measured;
-    size_t *photons = calloc(w->posts.receivers + 1, sizeof *photons);
+    size_t *photons = calloc(w->instruments.receivers + 1, sizeof *photons);
     for (size_t i = 0; photons && i < f->n; ++i) {
         const murk_contribution *c = &f->contribution[i];
-        photons[murk_contribution_is_record(c) ? w->posts.receivers
+        photons[murk_contribution_is_record(c) ? w->instruments.receivers
                                                : c->receiver]++;
     }
     size_t few = 0, first = 0;
-    for (size_t i = 0; photons && i < w->posts.receivers; ++i) {
+    for (size_t i = 0; photons && i < w->instruments.receivers; ++i) {
         if (photons[i] < PHOTONS_FEW) {
             first = few++ ? first : i;
         }
     }
     if (few) {
-        const size_t row = w->posts.lit_row[first];
+        const size_t row = w->instruments.lit_row[first];
         murk_warn(
             measured->path,
             "line %zu%s: %zu photons pass its sphere, from which neither "
@@ -298,17 +298,17 @@ static void warn_of_few(const murk_model *m, const murk_model_world *w)
 /* What cannot fit is refused before light is traced. */
 static murk_status foretell(murk_model *m, murk_error *err)
 {
-    murk_foretold foretold;
-    const murk_status status = murk_model_foretell(&foretold, m, err);
+    murk_fit_forecast forecast;
+    const murk_status status = murk_model_forecast(&forecast, m, err);
     if (status) {
         return status;
     }
-    m->memory_bytes = foretold.bytes;
+    m->memory_bytes = forecast.bytes;
     const double have = murk_machine_memory_bytes();
-    if (m->desc.foretold) {
-        m->desc.foretold(m->desc.context, foretold.bytes, have);
+    if (m->desc.forecast) {
+        m->desc.forecast(m->desc.context, forecast.bytes, have);
     }
-    return foretold.bytes <= have
+    return forecast.bytes <= have
                ? MURK_OK
                : murk_fail(
                      err, MURK_BAD_VALUE, m->world[0].scene->photons.where,
@@ -316,7 +316,7 @@ static murk_status foretell(murk_model *m, murk_error *err)
                      "light and take %.3g GB, must be at most the %.3g "
                      "GB that are free: fewer photons, receivers, "
                      "sensors or free keys",
-                     foretold.contributions, foretold.bytes / 1e9, have / 1e9);
+                     forecast.contributions, forecast.bytes / 1e9, have / 1e9);
 }
 
 /* All worlds, dark. */
@@ -336,8 +336,8 @@ static murk_status build_worlds(murk_model *m, const double *value,
                                       m->desc.keys->condition[c], err);
         }
         if (!status) {
-            murk_posts_warn_of_cut(&w->posts, m->desc.measured,
-                                   w->lit.stage->surfaces);
+            murk_instruments_warn_of_cut(&w->instruments, m->desc.measured,
+                                         w->lit.stage->surfaces);
         }
     }
     return status;
@@ -346,7 +346,7 @@ static murk_status build_worlds(murk_model *m, const double *value,
 static murk_status light_world(murk_model *m, size_t c, murk_error *err)
 {
     murk_model_world *w = &m->world[c];
-    if (!w->posts.lit) {
+    if (!w->instruments.lit) {
         return MURK_OK;
     }
     murk_status status = murk_lit_light(&w->lit, 0, err);

@@ -8,8 +8,8 @@
 #ifndef MURK_CALIBRATE_MODEL_H
 #define MURK_CALIBRATE_MODEL_H
 
-#include "calibrate/donors.h"
 #include "calibrate/free_keys.h"
+#include "calibrate/imported_stages.h"
 
 /* Rows that need photons share them, and their covariance is kept whole. */
 #define MURK_MODEL_LIT_ROWS_MAX 4000
@@ -18,10 +18,10 @@ typedef struct murk_model_desc {
     const murk_free_keys *keys;
     const murk_measurements *measured;
     unsigned threads;
-    const murk_donors *donors; /* of the keys' scene */
+    const murk_imported_stages *imported; /* of the keys' scene */
     /* Before light is first traced, on the caller's thread: the memory that it
      * all will take, and what there is [bytes]; may be NULL. */
-    void (*foretold)(void *context, double bytes, double have_bytes);
+    void (*forecast)(void *context, double bytes, double have_bytes);
     void *context;
 } murk_model_desc;
 

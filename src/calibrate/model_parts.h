@@ -7,8 +7,8 @@
 
 /* One condition. */
 typedef struct murk_model_world {
-    murk_scene *scene; /* at the start */
-    murk_posts posts;
+    murk_scene_desc *scene; /* at the start */
+    murk_instruments instruments;
     size_t *medium; /* [scene->n_media] that keys re-weight */
     murk_lit_desc desc;
     murk_lit lit;

@@ -85,7 +85,7 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
     return MURK_OK;
 }
 
-static murk_status check_sensors(const murk_scene *scene, murk_error *err)
+static murk_status check_sensors(const murk_scene_desc *scene, murk_error *err)
 {
     return scene->sensors.given
                ? MURK_OK
@@ -95,7 +95,7 @@ static murk_status check_sensors(const murk_scene *scene, murk_error *err)
 }
 
 murk_status murk_next_check(const murk_measurements *measured,
-                            const murk_scene *scene, murk_error *err)
+                            const murk_scene_desc *scene, murk_error *err)
 {
     murk_next kind;
     const murk_reading *example;
@@ -199,13 +199,12 @@ static void weigh_rows(double *row, double *error, const double *predicted,
                        const double *slope, size_t rows, double relative_error,
                        const murk_free_keys *keys, const double *value)
 {
-    double most = 0;
+    double max = 0;
     for (size_t i = 0; i < rows; ++i) {
-        most = fmax(most, fabs(predicted[i]));
+        max = fmax(max, fabs(predicted[i]));
     }
     for (size_t i = 0; i < rows; ++i) {
-        error[i] =
-            relative_error * fmax(fabs(predicted[i]), FLOOR_SHARE * most);
+        error[i] = relative_error * fmax(fabs(predicted[i]), FLOOR_SHARE * max);
         for (size_t k = 0; k < keys->n; ++k) {
             const double by_x = keys->key[k].is_log ? value[k] : 1;
             const double at = slope[i * keys->n + k] * by_x;
@@ -327,7 +326,7 @@ murk_status murk_next_propose(murk_next *out, size_t k,
     if (!status) {
         const murk_model_desc of = {.keys = desc->keys,
                                     .measured = &rows,
-                                    .donors = desc->donors,
+                                    .imported = desc->imported,
                                     .threads = desc->threads};
         status = murk_model_create(&model, &of, err);
     }

@@ -35,7 +35,7 @@ typedef struct murk_next {
 /* Refuses where no fitted reading is of light or coverage, whose places could
  * be chosen, or where the scene has no sensors: before anything is fitted. */
 murk_status murk_next_check(const murk_measurements *measured,
-                            const murk_scene *scene, murk_error *err);
+                            const murk_scene_desc *scene, murk_error *err);
 
 /* About a finished calibration. Release it also after a failure. */
 murk_status murk_next_propose(murk_next *out, size_t k,

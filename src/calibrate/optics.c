@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static murk_status no_memory(const murk_scene *scene, murk_error *err)
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, scene->path,
                      "no memory for its optics");
@@ -15,7 +15,7 @@ static murk_status no_memory(const murk_scene *scene, murk_error *err)
 
 static murk_status fill_media(murk_optics *o, murk_error *err)
 {
-    const murk_scene *scene = o->scene;
+    const murk_scene_desc *scene = o->scene;
     o->extinction_per_m = calloc(o->media + 1, sizeof *o->extinction_per_m);
     o->albedo = calloc(o->media + 1, sizeof *o->albedo);
     if (!o->extinction_per_m || !o->albedo) {
@@ -43,17 +43,17 @@ static murk_status copy_power(murk_optics *o, const double *power_w,
 }
 
 /* power_w NULL: to be worked out, in the domain. */
-static murk_status create(murk_optics **out, murk_scene *scene,
+static murk_status create(murk_optics **out, murk_scene_desc *scene,
                           const murk_domain *domain, const double *power_w,
                           murk_error *err)
 {
     murk_optics *o = calloc(1, sizeof *o);
     if (!o) {
         const murk_status status = no_memory(scene, err);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
         return status;
     }
-    const bool was_silent = murk_warn_hush(true);
+    const bool was_silent = murk_warn_quiet(true);
     o->scene = scene;
     o->media = scene->n_media;
     o->bands = scene->bands;
@@ -63,7 +63,7 @@ static murk_status create(murk_optics **out, murk_scene *scene,
         status = power_w ? copy_power(o, power_w, err)
                          : murk_relight_powers(&o->power_w, scene, domain, err);
     }
-    murk_warn_hush(was_silent);
+    murk_warn_quiet(was_silent);
     if (status) {
         murk_optics_destroy(o);
         return status;
@@ -72,13 +72,13 @@ static murk_status create(murk_optics **out, murk_scene *scene,
     return MURK_OK;
 }
 
-murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
+murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err)
 {
     return create(out, scene, domain, NULL, err);
 }
 
-murk_status murk_optics_create_lit(murk_optics **out, murk_scene *scene,
+murk_status murk_optics_create_lit(murk_optics **out, murk_scene_desc *scene,
                                    const double *power_w, murk_error *err)
 {
     return create(out, scene, NULL, power_w, err);
@@ -91,7 +91,7 @@ void murk_optics_destroy(murk_optics *optics)
         free(optics->albedo);
         murk_phases_destroy(optics->phases);
         free(optics->power_w);
-        murk_scene_destroy(optics->scene);
+        murk_scene_desc_destroy(optics->scene);
         free(optics);
     }
 }

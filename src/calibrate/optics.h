@@ -20,17 +20,17 @@ typedef struct murk_optics {
     murk_spectrum *albedo;           /* [media]; 0 where it is a grid */
     murk_phases *phases;             /* phases->medium[media][band] */
     double *power_w;                 /* [channels]; all 0: it is dark */
-    murk_scene *scene;               /* owned: what it was read from */
+    murk_scene_desc *scene;          /* owned: what it was read from */
 } murk_optics;
 
 /* Takes the scene over, also on failure. Says no warnings: those are the
  * stage's to say. *out is the caller's. */
-murk_status murk_optics_create(murk_optics **out, murk_scene *scene,
+murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err);
 void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
 
 /* The same where the channels' power is known: power_w[channels], copied. */
-murk_status murk_optics_create_lit(murk_optics **out, murk_scene *scene,
+murk_status murk_optics_create_lit(murk_optics **out, murk_scene_desc *scene,
                                    const double *power_w, murk_error *err);
 
 /* Whether a medium turns light alike in a band of both, to 1e-7 of the density

@@ -91,8 +91,8 @@ static murk_status predict_light(murk_model *m, size_t c, const double *value,
         status = murk_lit_read(&w->rows, &w->lit, m->desc.measured, at,
                                around.side, with_slopes ? m->n : 0, err);
     }
-    for (size_t i = 0; i < w->posts.lit && !status; ++i) {
-        const size_t row = w->posts.lit_row[i];
+    for (size_t i = 0; i < w->instruments.lit && !status; ++i) {
+        const size_t row = w->instruments.lit_row[i];
         predicted[row] = w->rows.value[i];
         for (size_t k = 0; k < m->n; ++k) {
             const double by_world = w->world_slope[i * m->n + k];
@@ -122,9 +122,9 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
     if (!status) {
         status = murk_beams_create(&beams, w->lit.stage, optics, err);
     }
-    for (size_t i = 0; i < w->posts.beams && !status; ++i) {
+    for (size_t i = 0; i < w->instruments.beams && !status; ++i) {
         const murk_reading *reading =
-            &measured->reading[measured->row[w->posts.beam_row[i]].first];
+            &measured->reading[measured->row[w->instruments.beam_row[i]].first];
         double transmittance, unused;
         status = murk_beam_transmittance(&transmittance, beams, reading, err);
         out[i] = murk_reading_in_unit(
@@ -140,7 +140,7 @@ static murk_status beam_differences(double *out, const murk_model *m, size_t c,
                                     const double *value, size_t k, double low,
                                     double high, murk_error *err)
 {
-    const size_t beams = m->world[c].posts.beams;
+    const size_t beams = m->world[c].instruments.beams;
     double *moved = malloc((m->n + beams) * sizeof *moved);
     if (!moved) {
         return no_memory(err);
@@ -178,9 +178,9 @@ static murk_status beam_slopes(const murk_model *m, size_t c,
                                const double *value, size_t k, double *room,
                                double *slope, murk_error *err)
 {
-    const murk_posts *posts = &m->world[c].posts;
+    const murk_instruments *instruments = &m->world[c].instruments;
     const murk_free_key *key = &m->desc.keys->key[k];
-    double *wide = room + posts->beams, low, high;
+    double *wide = room + instruments->beams, low, high;
     murk_free_key_around(m->desc.keys, k, value[k], &low, &high);
     murk_status status = beam_differences(room, m, c, value, k, low, high, err);
     if (!status && key->kind == MURK_FREE_WORLD) {
@@ -188,9 +188,10 @@ static murk_status beam_slopes(const murk_model *m, size_t c,
         status = beam_differences(wide, m, c, value, k, low, high, err);
     }
     const bool takes_wide = !status && key->kind == MURK_FREE_WORLD &&
-                            are_of_steps(room, wide, posts->beams);
-    for (size_t i = 0; i < posts->beams && !status; ++i) {
-        slope[posts->beam_row[i] * m->n + k] = takes_wide ? wide[i] : room[i];
+                            are_of_steps(room, wide, instruments->beams);
+    for (size_t i = 0; i < instruments->beams && !status; ++i) {
+        slope[instruments->beam_row[i] * m->n + k] =
+            takes_wide ? wide[i] : room[i];
     }
     return status;
 }
@@ -199,15 +200,15 @@ static murk_status predict_beams(const murk_model *m, size_t c,
                                  const double *value, double *predicted,
                                  double *slope, murk_error *err)
 {
-    const murk_posts *posts = &m->world[c].posts;
+    const murk_instruments *instruments = &m->world[c].instruments;
     const murk_free_keys *keys = m->desc.keys;
-    double *room = malloc(2 * (posts->beams + 1) * sizeof *room);
+    double *room = malloc(2 * (instruments->beams + 1) * sizeof *room);
     murk_status status = room ? MURK_OK : no_memory(err);
     if (!status) {
         status = beams_at(room, m, c, value, err);
     }
-    for (size_t i = 0; i < posts->beams && !status; ++i) {
-        predicted[posts->beam_row[i]] = room[i];
+    for (size_t i = 0; i < instruments->beams && !status; ++i) {
+        predicted[instruments->beam_row[i]] = room[i];
     }
     for (size_t k = 0; slope && k < m->n && !status; ++k) {
         if (keys->key[k].kind != MURK_FREE_GAIN &&
@@ -264,12 +265,12 @@ murk_status murk_model_predict(murk_model *m, const double *value,
     }
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
-        if (w->posts.lit) {
+        if (w->instruments.lit) {
             status = predict_light(m, c, value, slope != NULL, predicted, slope,
                                    err);
             *effective_share = fmin(*effective_share, w->rows.share);
         }
-        if (!status && w->posts.beams) {
+        if (!status && w->instruments.beams) {
             status = predict_beams(m, c, value, predicted, slope, err);
         }
     }
@@ -298,11 +299,11 @@ murk_status murk_model_noise(const murk_model *m, const size_t **lit, size_t *n,
     }
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_model_world *w = &m->world[c];
-        for (size_t i = 0; i < w->posts.lit; ++i) {
-            const size_t row = w->posts.lit_row[i], to = m->place[row];
+        for (size_t i = 0; i < w->instruments.lit; ++i) {
+            const size_t row = w->instruments.lit_row[i], to = m->place[row];
             for (size_t b = 0; b < m->batches; ++b) {
                 batch[b * m->lits + to] =
-                    m->factor[row] * w->rows.batch[b * w->posts.lit + i];
+                    m->factor[row] * w->rows.batch[b * w->instruments.lit + i];
             }
         }
     }
@@ -321,9 +322,9 @@ const size_t *murk_model_lit(const murk_model *m, size_t *n)
 static void add_part(double *to, const murk_model *m, const murk_model_world *w,
                      size_t i, size_t run, double value)
 {
-    const size_t row = w->posts.lit_row[i], gain = m->gain_key[row];
+    const size_t row = w->instruments.lit_row[i], gain = m->gain_key[row];
     const double factor = m->factor[row];
-    const double *slope = w->rows.run + (run * w->posts.lit + i) * m->n;
+    const double *slope = w->rows.run + (run * w->instruments.lit + i) * m->n;
     to[0] = factor * value;
     for (size_t k = 0; k < m->n; ++k) {
         to[1 + k] = factor * slope[k];
@@ -348,13 +349,15 @@ murk_status murk_model_parts(const murk_model *m, size_t *runs, double **part,
     }
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_model_world *w = &m->world[c];
-        for (size_t j = 0; j < m->runs * w->posts.lit; ++j) {
-            const size_t run = j / w->posts.lit, i = j % w->posts.lit;
+        for (size_t j = 0; j < m->runs * w->instruments.lit; ++j) {
+            const size_t run = j / w->instruments.lit,
+                         i = j % w->instruments.lit;
             double value = 0;
             for (size_t b = run * each; b < (run + 1) * each; ++b) {
-                value += w->rows.batch[b * w->posts.lit + i];
+                value += w->rows.batch[b * w->instruments.lit + i];
             }
-            const size_t to = run * m->lits + m->place[w->posts.lit_row[i]];
+            const size_t to =
+                run * m->lits + m->place[w->instruments.lit_row[i]];
             add_part(all + to * width, m, w, i, run, value);
         }
     }

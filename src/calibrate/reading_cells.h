@@ -37,7 +37,7 @@ extern const char *const murk_reading_kinds[MURK_READING_KINDS];
 typedef struct murk_reading_source {
     const murk_table *table;
     long column[MURK_READING_COLUMNS]; /* -1: not there */
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     const murk_domain *domain;
 } murk_reading_source;
 

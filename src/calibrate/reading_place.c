@@ -35,7 +35,7 @@ static murk_status inside(const murk_reading_row *at,
 
 static murk_status read_band(murk_reading *out, const murk_reading_row *at)
 {
-    const murk_scene *scene = at->source->scene;
+    const murk_scene_desc *scene = at->source->scene;
     double nm = NAN;
     out->band = -1;
     if (murk_reading_cell(at, MURK_COLUMN_BAND)[0] == '\0') {
@@ -66,7 +66,7 @@ static murk_status read_band(murk_reading *out, const murk_reading_row *at)
 }
 
 static murk_status read_angle(const murk_reading_row *at,
-                              murk_reading_column column, double most_deg,
+                              murk_reading_column column, double max_deg,
                               double *rad)
 {
     double deg = NAN;
@@ -76,9 +76,9 @@ static murk_status read_angle(const murk_reading_row *at,
                                  "nothing, but a sensor of this type needs it");
     }
     const murk_status status = murk_reading_number(at, column, &deg);
-    if (!status && !(fabs(deg) <= most_deg)) {
+    if (!status && !(fabs(deg) <= max_deg)) {
         snprintf(text, sizeof text, "%.9g, must be %g..%g degrees", deg,
-                 -most_deg, most_deg);
+                 -max_deg, max_deg);
         return murk_reading_fail(at, column, text);
     }
     *rad = deg * RAD_PER_DEG;
@@ -170,7 +170,7 @@ static murk_status read_segment(murk_reading *out, const murk_reading_row *at)
 static murk_status read_acceptance(murk_reading *out,
                                    const murk_reading_row *at)
 {
-    const double most = out->kind == MURK_READ_IRRADIANCE ? 90 : 180;
+    const double maximum = out->kind == MURK_READ_IRRADIANCE ? 90 : 180;
     double deg = NAN;
     char text[96];
     out->acceptance_rad = NAN;
@@ -180,9 +180,9 @@ static murk_status read_acceptance(murk_reading *out,
     const murk_status status =
         murk_reading_number(at, MURK_COLUMN_ACCEPTANCE, &deg);
     const bool is_good = out->kind == MURK_READ_IRRADIANCE ? deg > 0 : deg >= 0;
-    if (!status && !(is_good && deg <= most)) {
+    if (!status && !(is_good && deg <= maximum)) {
         snprintf(text, sizeof text, "%.9g, must be %s %g degrees", deg,
-                 most < 180 ? "more than 0 and at most" : "0 to", most);
+                 maximum < 180 ? "more than 0 and at most" : "0 to", maximum);
         return murk_reading_fail(at, MURK_COLUMN_ACCEPTANCE, text);
     }
     out->acceptance_rad = deg * RAD_PER_DEG;

@@ -57,7 +57,7 @@ static murk_status check_cells(const murk_reading_row *at,
 
 static murk_status read_condition(murk_reading *out, const murk_reading_row *at)
 {
-    const murk_scene *scene = at->source->scene;
+    const murk_scene_desc *scene = at->source->scene;
     const char *known[MURK_SCENE_CONDITIONS_MAX];
     out->condition = SIZE_MAX;
     if (murk_reading_cell(at, MURK_COLUMN_CONDITION)[0] == '\0') {
@@ -145,7 +145,7 @@ static murk_status read_unit(murk_reading *out, const murk_reading_row *at)
 static murk_status check_counts(const murk_reading *out,
                                 const murk_reading_row *at)
 {
-    const murk_scene *scene = at->source->scene;
+    const murk_scene_desc *scene = at->source->scene;
     const murk_spectrum count = murk_reading_per_watt(out->unit, scene);
     double sum = 0;
     for (int b = 0; b < scene->bands; ++b) {

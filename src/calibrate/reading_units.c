@@ -14,8 +14,8 @@
 
 /* Beyond these the logarithm and its slope leave the range of numbers, and
  * nothing that was measured lies there. */
-#define T_LEAST 1e-300
-#define T_MOST  (1 - 0x1p-53)
+#define T_MIN 1e-300
+#define T_MAX (1 - 0x1p-53)
 
 #define COVERAGE BIT(MURK_READ_COVERAGE)
 #define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
@@ -25,7 +25,7 @@
 typedef struct unit_row {
     const char *name;
     unsigned kinds;
-    double least, most; /* beyond which a reading is of another unit */
+    double min, max; /* beyond which a reading is of another unit */
     const char *range;
     const char *law;
 } unit_row;
@@ -192,8 +192,8 @@ murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
                                     const char *where, murk_error *err)
 {
     const unit_row *u = &UNITS[unit];
-    const bool is_above = u->least != 0 || value > 0;
-    return is_above && value >= u->least && value <= u->most
+    const bool is_above = u->min != 0 || value > 0;
+    return is_above && value >= u->min && value <= u->max
                ? MURK_OK
                : murk_fail(err, MURK_BAD_VALUE, where,
                            "%.9g as a %s, must be %s", value, u->name,
@@ -211,9 +211,7 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
         *slope = 1;
         return model;
     }
-    const double t = model < T_LEAST  ? T_LEAST
-                     : model > T_MOST ? T_MOST
-                                      : model;
+    const double t = model < T_MIN ? T_MIN : model > T_MAX ? T_MAX : model;
     const double per_m = -log(t) / length_m;
     const double d_per_m = -1 / (t * length_m);
     switch (unit) {
@@ -248,7 +246,7 @@ murk_quantity murk_reading_quantity(murk_reading_unit unit)
 }
 
 murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
-                                    const murk_scene *scene)
+                                    const murk_scene_desc *scene)
 {
     murk_spectrum out = murk_spectrum_flat(1, scene->bands);
     const murk_quantity quantity = murk_reading_quantity(unit);

@@ -1,5 +1,5 @@
 /* What receivers read of re-weighted light. */
-#include "base/crew.h"
+#include "base/pool.h"
 #include "calibrate/reweigh.h"
 
 #include <assert.h>
@@ -87,7 +87,7 @@ void murk_receivers_read(double *value, double *slope, double *batch,
     memset(slope, 0, slopes * sizeof *slope);
     memset(batch, 0, batches * receivers * sizeof *batch);
     memset(j.slope_batch, 0, j.runs * slopes * sizeof *j.slope_batch);
-    murk_crew_run(threads, j.runs, read_run, &j);
+    murk_pool_run(threads, j.runs, read_run, &j);
     for (size_t b = 0; b < batches; ++b) {
         for (size_t r = 0; r < receivers; ++r) {
             value[r] += batch[b * receivers + r];

@@ -43,18 +43,18 @@ static bool set_turn_room(murk_recorded *r, size_t room)
 /* At least `more` beyond what is there. */
 static bool make_room(murk_recorded *r, size_t media, size_t more)
 {
-    const size_t least = r->n + more, grown = r->room + r->room / 2;
-    return least <= r->room || set_room(r, media,
-                                        least > grown        ? least
-                                        : grown < FIRST_ROOM ? FIRST_ROOM
-                                                             : grown);
+    const size_t min = r->n + more, grown = r->room + r->room / 2;
+    return min <= r->room || set_room(r, media,
+                                      min > grown          ? min
+                                      : grown < FIRST_ROOM ? FIRST_ROOM
+                                                           : grown);
 }
 
 static bool make_turn_room(murk_recorded *r, size_t more)
 {
-    const size_t least = r->turns + more, grown = r->turn_room * 3 / 2;
-    return least <= r->turn_room ||
-           set_turn_room(r, least > grown        ? least
+    const size_t min = r->turns + more, grown = r->turn_room * 3 / 2;
+    return min <= r->turn_room ||
+           set_turn_room(r, min > grown          ? min
                             : grown < FIRST_ROOM ? FIRST_ROOM
                                                  : grown);
 }
@@ -86,7 +86,7 @@ void murk_recorded_fit(murk_recorded *r, size_t media)
 
 static void begin_photon(murk_recorder *r, murk_photon_history *f)
 {
-    f->pile.turns = f->needed; /* nothing came after the others */
+    f->buffer.turns = f->needed; /* nothing came after the others */
     f->first = f->needed;
     f->turns = 0;
     for (size_t m = 0; m < r->media; ++m) {
@@ -100,20 +100,20 @@ static void begin_photon(murk_recorder *r, murk_photon_history *f)
 static murk_contribution *add(murk_recorder *r, murk_photon_history *f,
                               float **path, float **chord)
 {
-    murk_recorded *pile = &f->pile;
-    if (f->is_short_of_memory || !make_room(pile, r->media, 1)) {
+    murk_recorded *buffer = &f->buffer;
+    if (f->is_short_of_memory || !make_room(buffer, r->media, 1)) {
         f->is_short_of_memory = true;
         return NULL;
     }
-    const size_t i = pile->n++;
-    *path = pile->path_m + i * r->media;
-    *chord = pile->chord_m + i * r->media;
-    memcpy(pile->count + i * r->media, f->count,
-           r->media * sizeof *pile->count);
-    f->needed = pile->turns;
-    pile->contribution[i] =
+    const size_t i = buffer->n++;
+    *path = buffer->path_m + i * r->media;
+    *chord = buffer->chord_m + i * r->media;
+    memcpy(buffer->count + i * r->media, f->count,
+           r->media * sizeof *buffer->count);
+    f->needed = buffer->turns;
+    buffer->contribution[i] =
         (murk_contribution){.first = (uint32_t)f->first, .turns = f->turns};
-    return &pile->contribution[i];
+    return &buffer->contribution[i];
 }
 
 /* Density path [m] of a kept medium along a part of the leg. */
@@ -139,7 +139,7 @@ static double taken(const murk_receiver *receiver, const murk_trace_leg *leg)
         return 1;
     }
     const double cosine = -murk_dot(n, leg->direction);
-    return cosine > 0 && cosine >= receiver->least_cosine ? cosine : 0;
+    return cosine > 0 && cosine >= receiver->min_cosine ? cosine : 0;
 }
 
 void murk_recorder_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
@@ -194,8 +194,8 @@ static void record(murk_recorder *r, murk_photon_history *f,
         chord[m] = 0;
     }
     if (is_volume && r->index_of[made->medium] >= 0) {
-        ++f->pile.count[(f->pile.n - 1) * r->media +
-                        (size_t)r->index_of[made->medium]];
+        ++f->buffer.count[(f->buffer.n - 1) * r->media +
+                          (size_t)r->index_of[made->medium]];
     }
 }
 
@@ -211,14 +211,14 @@ static void turn(murk_recorder *r, murk_photon_history *f,
     if (!r->desc->keeps_cosines) {
         return;
     }
-    murk_recorded *pile = &f->pile;
-    if (f->is_short_of_memory || !make_turn_room(pile, 1)) {
+    murk_recorded *buffer = &f->buffer;
+    if (f->is_short_of_memory || !make_turn_room(buffer, 1)) {
         f->is_short_of_memory = true;
         return;
     }
     const double s = 1 - murk_dot(event->direction_in, event->direction_out);
-    pile->turn[pile->turns] = (float)(s < 0 ? 0 : s > 2 ? 2 : s);
-    pile->turn_medium[pile->turns++] = (uint8_t)m;
+    buffer->turn[buffer->turns] = (float)(s < 0 ? 0 : s > 2 ? 2 : s);
+    buffer->turn_medium[buffer->turns++] = (uint8_t)m;
 }
 
 void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
@@ -229,9 +229,9 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
         begin_photon(r, f);
         return;
     }
-    if (r->harvest) {
-        murk_harvest_event(r->harvest, batch, event);
-        const double share = murk_harvest_share(r->harvest, event);
+    if (r->buffers) {
+        murk_record_buffers_event(r->buffers, batch, event);
+        const double share = murk_record_buffers_share(r->buffers, event);
         if (share > 0 && r->desc->keeps_records) {
             record(r, f, event, share);
         }
@@ -243,15 +243,16 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
 
 /* ---- waves ---- */
 
-/* Moves a pile's contributions up to and with photon `last` behind the others.
+/* Moves a record buffer's contributions up to and with photon `last` behind the
+ * others.
  */
 static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
 {
-    murk_recorded *pile = &f->pile, *all = &r->all;
+    murk_recorded *buffer = &f->buffer, *all = &r->all;
     const size_t media = r->media;
     size_t n = 0, turns = 0;
-    while (n < pile->n && pile->contribution[n].photon <= last) {
-        const murk_contribution *c = &pile->contribution[n++];
+    while (n < buffer->n && buffer->contribution[n].photon <= last) {
+        const murk_contribution *c = &buffer->contribution[n++];
         turns = (size_t)c->first + c->turns;
     }
     turns = r->desc->keeps_cosines ? turns : 0;
@@ -261,48 +262,48 @@ static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
         return false;
     }
     for (size_t i = 0; i < n; ++i) {
-        all->contribution[all->n + i] = pile->contribution[i];
+        all->contribution[all->n + i] = buffer->contribution[i];
         all->contribution[all->n + i].first += (uint32_t)all->turns;
     }
     if (n > 0 && media > 0) {
         const size_t to = all->n * media, many = n * media;
-        memcpy(all->path_m + to, pile->path_m, many * sizeof *all->path_m);
-        memcpy(all->chord_m + to, pile->chord_m, many * sizeof *all->chord_m);
-        memcpy(all->count + to, pile->count, many * sizeof *all->count);
+        memcpy(all->path_m + to, buffer->path_m, many * sizeof *all->path_m);
+        memcpy(all->chord_m + to, buffer->chord_m, many * sizeof *all->chord_m);
+        memcpy(all->count + to, buffer->count, many * sizeof *all->count);
     }
     if (turns > 0) {
-        memcpy(all->turn + all->turns, pile->turn, turns * sizeof *all->turn);
-        memcpy(all->turn_medium + all->turns, pile->turn_medium, turns);
+        memcpy(all->turn + all->turns, buffer->turn, turns * sizeof *all->turn);
+        memcpy(all->turn_medium + all->turns, buffer->turn_medium, turns);
     }
     all->n += n;
     all->turns += turns;
-    pile->n = pile->turns = f->needed = 0;
+    buffer->n = buffer->turns = f->needed = 0;
     return true;
 }
 
-/* The harvest's records since then, which are those of the same events in the
- * same order, are told the numbers of their contributions. */
+/* The set of record buffers's records since then, which are those of the same
+ * events in the same order, are told the numbers of their contributions. */
 static void number_records(murk_recorder *r, size_t first, size_t surface,
                            size_t volume)
 {
     for (size_t i = first; i < r->all.n; ++i) {
         const uint32_t receiver = r->all.contribution[i].receiver;
         if (receiver == MURK_RECORD_OF_SURFACE) {
-            r->harvest->surface.photon[surface++].emitted = (uint32_t)i;
+            r->buffers->surface.photon[surface++].emitted = (uint32_t)i;
         } else if (receiver == MURK_RECORD_OF_VOLUME) {
-            r->harvest->volume.photon[volume++].emitted = (uint32_t)i;
+            r->buffers->volume.photon[volume++].emitted = (uint32_t)i;
         }
     }
-    assert(!r->desc->keeps_records || (surface == r->harvest->surface.n &&
-                                       volume == r->harvest->volume.n));
+    assert(!r->desc->keeps_records || (surface == r->buffers->surface.n &&
+                                       volume == r->buffers->volume.n));
 }
 
 murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
                                  murk_error *err)
 {
     const size_t first = r->all.n;
-    const size_t surface = r->harvest ? r->harvest->surface.n : 0;
-    const size_t volume = r->harvest ? r->harvest->volume.n : 0;
+    const size_t surface = r->buffers ? r->buffers->surface.n : 0;
+    const size_t volume = r->buffers ? r->buffers->volume.n : 0;
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
         if (!move(r, &r->follower[b], last)) {
             return murk_fail(err, MURK_NO_MEMORY, "fit",
@@ -311,8 +312,9 @@ murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
                              (double)r->all.n, (double)r->all.turns);
         }
     }
-    if (r->harvest) {
-        const murk_status status = murk_harvest_gather(r->harvest, last, err);
+    if (r->buffers) {
+        const murk_status status =
+            murk_record_buffers_gather(r->buffers, last, err);
         if (status) {
             return status;
         }
@@ -354,7 +356,7 @@ static bool make_followers(murk_recorder *r)
 
 murk_status murk_recorder_create(murk_recorder **out,
                                  const murk_followed_desc *desc,
-                                 murk_harvest *harvest, murk_error *err)
+                                 murk_record_buffers *buffers, murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_recorder *r = calloc(1, sizeof *r);
@@ -362,7 +364,7 @@ murk_status murk_recorder_create(murk_recorder **out,
         r->desc = desc;
         r->world = desc->stage->media;
         r->media = desc->media;
-        r->harvest = harvest;
+        r->buffers = buffers;
         r->alone = calloc(desc->media + 1, sizeof(murk_media *));
     }
     if (!r || !r->alone || !make_followers(r)) {
@@ -390,7 +392,7 @@ void murk_recorder_destroy(murk_recorder *r)
         return;
     }
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
-        release(&r->follower[b].pile);
+        release(&r->follower[b].buffer);
         free(r->follower[b].path_m);
         free(r->follower[b].count);
         free(r->follower[b].chord);

@@ -1,13 +1,13 @@
 /* From a tracer's legs and events to contributions. Private to this room.
  *
- * Each batch of a wave has its own pile, written by one thread; piles are
- * emptied in batch order (as study/harvest.h does, which decides what is a
- * record and keeps it). */
+ * Each batch of a wave has its own record buffer, written by one thread; record
+ * buffers are emptied in batch order (as study/record_buffers.h does, which
+ * decides what is a record and keeps it). */
 #ifndef MURK_CALIBRATE_RECORDER_H
 #define MURK_CALIBRATE_RECORDER_H
 
 #include "calibrate/chords.h"
-#include "study/harvest.h"
+#include "study/record_buffers.h"
 
 /* Contributions, and what goes with them; as murk_followed names them. */
 typedef struct murk_recorded {
@@ -22,10 +22,10 @@ typedef struct murk_recorded {
 
 /* What a batch's present photon has behind it. */
 typedef struct murk_photon_history {
-    murk_recorded pile;
+    murk_recorded buffer;
     bool is_short_of_memory;
-    size_t first;      /* its first turn in the pile */
-    size_t needed;     /* turns of the pile that contributions need */
+    size_t first;      /* its first turn in the record buffer */
+    size_t needed;     /* turns of the record buffer that contributions need */
     uint32_t turns;    /* its scatterings */
     double *path_m;    /* [media] */
     uint32_t *count;   /* [media] */
@@ -39,15 +39,16 @@ typedef struct murk_recorder {
     murk_media **alone;           /* [media] each by itself */
     int index_of[MURK_MEDIA_MAX]; /* in desc->medium; -1: not kept */
     murk_chords *chords;
-    murk_harvest *harvest; /* NULL: nothing is stored or counted */
+    murk_record_buffers *buffers; /* NULL: nothing is stored or counted */
     murk_photon_history follower[MURK_WAVE_BATCHES];
     murk_recorded all; /* gathered */
 } murk_recorder;
 
-/* Borrows desc and harvest. *out is the caller's: murk_recorder_destroy(). */
+/* Borrows desc and set of record buffers. *out is the caller's:
+ * murk_recorder_destroy(). */
 murk_status murk_recorder_create(murk_recorder **out,
                                  const murk_followed_desc *desc,
-                                 murk_harvest *harvest, murk_error *err);
+                                 murk_record_buffers *buffers, murk_error *err);
 void murk_recorder_destroy(murk_recorder *recorder); /* NULL is fine */
 
 /* The tracer's callbacks; context is the recorder. */
@@ -57,7 +58,8 @@ void murk_recorder_leg(void *context, uint64_t batch,
                        const murk_trace_leg *leg);
 
 /* Moves the wave's contributions, up to and with photon `last`, to `all`, and
- * the harvest's records likewise, which get their contributions' numbers. */
+ * the set of record buffers's records likewise, which get their contributions'
+ * numbers. */
 murk_status murk_recorder_gather(murk_recorder *recorder, uint64_t last,
                                  murk_error *err);
 

@@ -1,7 +1,7 @@
 #include "calibrate/reweigh.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "calibrate/change.h"
 
 #include <assert.h>
@@ -17,7 +17,7 @@
 #define SERIES_BELOW 0.1
 
 /* A density of 0 counts as this, whose logarithm is finite. */
-#define LEAST_DENSITY 1e-300
+#define MIN_DENSITY 1e-300
 
 typedef struct job {
     const murk_followed *followed;
@@ -61,7 +61,7 @@ typedef struct turns {
 
 static double log_density(const murk_phase *phase, double mu)
 {
-    return log(fmax(murk_phase_density(phase, mu), LEAST_DENSITY));
+    return log(fmax(murk_phase_density(phase, mu), MIN_DENSITY));
 }
 
 static void take_turn(const job *j, turns *t, size_t i, size_t band)
@@ -247,7 +247,7 @@ static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
     if (!j.sums) {
         return false;
     }
-    murk_crew_run(threads, STRETCHES, add_stretch, &j);
+    murk_pool_run(threads, STRETCHES, add_stretch, &j);
     out->effective_share = 1;
     for (size_t i = 0; i < kinds; ++i) {
         worth all = j.sums[i];
@@ -303,7 +303,7 @@ murk_status murk_reweigh_again(murk_reweighed *out,
         goto done;
     }
     job j = {followed, changes, out, turned};
-    murk_crew_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
+    murk_pool_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
     const bool has_room = find_effective_share(out, followed, threads);
     if (murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

@@ -198,8 +198,8 @@ static bool watch(void *context, const murk_least_squares_step *step)
     if (s->is_scouting) {
         return !murk_interrupted();
     }
-    s->is_starved = step->is_successful && s->share < MURK_LEAST_SHARE;
-    return !s->is_starved && !murk_interrupted();
+    s->is_undersampled = step->is_successful && s->share < MURK_MIN_SHARE;
+    return !s->is_undersampled && !murk_interrupted();
 }
 
 murk_least_squares murk_fit_problem(murk_fit_search *s, const double *lower,
@@ -262,7 +262,7 @@ static murk_status offset_rows(murk_fit_search *s, const double *jacobian,
 
 /* Looks at x, in light that is traced there unless the light at hand is good
  * enough (is_lit): residuals, slopes, cost, and the offset of the rows. */
-static murk_status trace_at(murk_fit_search *s, const murk_fit_desk *d,
+static murk_status trace_at(murk_fit_search *s, const murk_fit_workspace *d,
                             bool is_lit, double *x, double *cost,
                             murk_error *err)
 {
@@ -293,7 +293,7 @@ static murk_status trace_at(murk_fit_search *s, const murk_fit_desk *d,
 }
 
 /* Handles the end of a search. True if light must be traced again at x. */
-static bool ended(murk_fit_search *s, const murk_fit_desk *d, double *x,
+static bool ended(murk_fit_search *s, const murk_fit_workspace *d, double *x,
                   const murk_least_squares_found *found,
                   murk_calibration_start *to)
 {
@@ -321,8 +321,8 @@ static bool has_world_key(const murk_fit_search *s)
  * becomes the end, and *is_lit whether the light describes it well enough for
  * the search to go on there. Slopes by world keys are those of the traced
  * place, so with such keys light is traced anyhow. */
-static murk_status scout(murk_fit_search *s, const murk_fit_desk *d, double *x,
-                         bool *is_lit, murk_error *err)
+static murk_status scout(murk_fit_search *s, const murk_fit_workspace *d,
+                         double *x, bool *is_lit, murk_error *err)
 {
     double *from = d->before;
     memcpy(from, x, s->n * sizeof *x);
@@ -352,7 +352,7 @@ static murk_status scout(murk_fit_search *s, const murk_fit_desk *d, double *x,
     if (status) { /* the light at hand leads nowhere: trace at the start */
         memcpy(x, from, s->n * sizeof *x);
     }
-    *is_lit = !status && s->share >= MURK_LEAST_SHARE && !has_world_key(s);
+    *is_lit = !status && s->share >= MURK_MIN_SHARE && !has_world_key(s);
     if (!status && !*is_lit) { /* is a trace worth while there? */
         murk_fit_search_residuals(s, d->residual, NULL);
         s->is_dropped =
@@ -361,10 +361,11 @@ static murk_status scout(murk_fit_search *s, const murk_fit_desk *d, double *x,
     return MURK_OK;
 }
 
-static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
-                          murk_calibration_start *to, murk_error *err)
+static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
+                          double *x, murk_calibration_start *to,
+                          murk_error *err)
 {
-    const size_t most = s->desc->traces_max ? s->desc->traces_max : TRACES_MAX;
+    const size_t max = s->desc->traces_max ? s->desc->traces_max : TRACES_MAX;
     const size_t bytes = s->n * sizeof *x;
     double best = INFINITY;
     bool is_lit = false;
@@ -383,12 +384,12 @@ static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
         is_lit = false;
         const bool is_nowhere = status && status != MURK_NO_MEMORY &&
                                 status != MURK_INTERRUPTED && isfinite(best) &&
-                                s->traces < most;
+                                s->traces < max;
         if (status && !is_nowhere) {
             return murk_fail(err, status, told.where, "%s", told.text);
         }
         if (is_nowhere ||
-            (cost > 2 * best + (double)s->n_fitted && s->traces < most)) {
+            (cost > 2 * best + (double)s->n_fitted && s->traces < max)) {
             for (size_t k = 0; k < s->n; ++k) { /* leapt too far */
                 x[k] = .5 * (x[k] + d->before[k]);
             }
@@ -401,36 +402,36 @@ static murk_status search(murk_fit_search *s, const murk_fit_desk *d, double *x,
         const murk_least_squares problem =
             murk_fit_problem(s, d->lower, d->upper);
         bool settled_away = false;
-        s->is_starved = false;
+        s->is_undersampled = false;
         status = murk_least_squares_solve(&found, x, &problem, err);
         if (status || murk_interrupted()) {
             return status ? status
                           : murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }
-        if (!s->is_starved && s->n_lit &&
+        if (!s->is_undersampled && s->n_lit &&
             found.end == MURK_LEAST_SQUARES_CONVERGED) {
             status = murk_fit_settle(s, d, x, err);
             if (status) {
                 return status;
             }
-            settled_away = s->is_starved;
+            settled_away = s->is_undersampled;
         }
-        const bool goes_on = s->is_starved || ended(s, d, x, &found, to);
+        const bool goes_on = s->is_undersampled || ended(s, d, x, &found, to);
         if (!goes_on) {
             return murk_fit_search_look(s, x, err);
         }
-        if (s->traces >= most) {
+        if (s->traces >= max) {
             to->converged = false;
             snprintf(to->why, sizeof to->why,
                      "light was traced %zu times and still had to be traced "
                      "anew: start nearer, or free fewer keys",
                      s->traces);
-            if (!s->is_starved) { /* what light of no world has shown */
+            if (!s->is_undersampled) { /* what light of no world has shown */
                 memcpy(x, d->traced, bytes);
             }
             return murk_fit_search_look(s, x, err);
         }
-        if (s->is_starved && !settled_away) {
+        if (s->is_undersampled && !settled_away) {
             memcpy(x, d->traced, bytes);
             status = murk_fit_leap(s, x, d->residual, d->jacobian, err);
             if (status) {
@@ -448,12 +449,12 @@ murk_status murk_fit_search_run(murk_fit_search *s, double *x,
     if (!room) {
         return no_memory(err);
     }
-    const murk_fit_desk d = {.residual = room,
-                             .jacobian = room + rows,
-                             .traced = room + rows + rows * n,
-                             .before = room + rows + rows * n + n,
-                             .lower = room + rows + rows * n + 2 * n,
-                             .upper = room + rows + rows * n + 3 * n};
+    const murk_fit_workspace d = {.residual = room,
+                                  .jacobian = room + rows,
+                                  .traced = room + rows + rows * n,
+                                  .before = room + rows + rows * n + n,
+                                  .lower = room + rows + rows * n + 2 * n,
+                                  .upper = room + rows + rows * n + 3 * n};
     for (size_t k = 0; k < n; ++k) {
         d.lower[k] = murk_free_lowest(&s->desc->keys->key[k]);
         d.upper[k] = murk_free_highest(&s->desc->keys->key[k]);

@@ -22,10 +22,10 @@ typedef struct murk_fit_search {
     double share;
     size_t evaluations;
     int iterations;
-    size_t traces;   /* of this start */
-    size_t start;    /* its number */
-    bool is_starved; /* the last search ended for want of light */
-    bool has_light;  /* the last search ended well, so its light can be used */
+    size_t traces;        /* of this start */
+    size_t start;         /* its number */
+    bool is_undersampled; /* the last search ended for want of light */
+    bool has_light; /* the last search ended well, so its light can be used */
     bool shares_light;   /* the next search begins on that light */
     bool is_scouting;    /* least squares go on however little light is left */
     double cost_to_beat; /* of the best start so far */

@@ -10,8 +10,8 @@
 #define LEAP_SHARE  .5 /* of the width of bounds */
 
 /* A step shorter than this, in standard errors, settles it. */
-#define SETTLED     .02
-#define SETTLE_MOST 8
+#define SETTLED    .02
+#define SETTLE_MAX 8
 
 static murk_status no_memory(murk_error *err)
 {
@@ -94,7 +94,7 @@ static double root_weight(const murk_fit_search *s, double residual)
 }
 
 /* One step from x towards where the equation without photons' bias holds. */
-static murk_status settle_step(murk_fit_search *s, const murk_fit_desk *d,
+static murk_status settle_step(murk_fit_search *s, const murk_fit_workspace *d,
                                double *x, double *room, double *length,
                                murk_error *err)
 {
@@ -125,19 +125,19 @@ static murk_status settle_step(murk_fit_search *s, const murk_fit_desk *d,
     return status;
 }
 
-murk_status murk_fit_settle(murk_fit_search *s, const murk_fit_desk *d,
+murk_status murk_fit_settle(murk_fit_search *s, const murk_fit_workspace *d,
                             double *x, murk_error *err)
 {
     const size_t n = s->n;
     double *room = calloc(s->n_fitted * (n + 1) + 2 * n + 1, sizeof *room);
     murk_status status = room ? MURK_OK : no_memory(err);
     double length = INFINITY;
-    for (int i = 0; i < SETTLE_MOST && !status && length > SETTLED; ++i) {
+    for (int i = 0; i < SETTLE_MAX && !status && length > SETTLED; ++i) {
         double *before = room + s->n_fitted * (n + 1) + n;
         memcpy(before, x, n * sizeof *x);
         status = settle_step(s, d, x, room, &length, err);
-        if (!status && s->share < MURK_LEAST_SHARE) {
-            s->is_starved = true; /* of light there */
+        if (!status && s->share < MURK_MIN_SHARE) {
+            s->is_undersampled = true; /* of light there */
             memcpy(x, before, n * sizeof *x);
             break;
         }

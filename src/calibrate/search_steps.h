@@ -9,11 +9,11 @@
 #include <math.h>
 
 /* Room and bounds of one search. */
-typedef struct murk_fit_desk {
+typedef struct murk_fit_workspace {
     double *residual, *jacobian; /* where light was traced */
     double *traced, *before;     /* [n] there, and the time before */
     double *lower, *upper;
-} murk_fit_desk;
+} murk_fit_workspace;
 
 /* A positive key goes no further than this factor from its start: it is then as
  * good as nothing, or as all there can be, and says so as a value at a bound
@@ -49,7 +49,8 @@ murk_status murk_fit_leap(murk_fit_search *search, double *x,
 
 /* From where least squares end to where they would without photons' noise in
  * slopes. search->is_starved where there is too little light for that. */
-murk_status murk_fit_settle(murk_fit_search *search, const murk_fit_desk *desk,
-                            double *x, murk_error *err);
+murk_status murk_fit_settle(murk_fit_search *search,
+                            const murk_fit_workspace *workspace, double *x,
+                            murk_error *err);
 
 #endif

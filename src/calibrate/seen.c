@@ -1,7 +1,7 @@
 #include "calibrate/seen.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/position.h"
 #include "base/tally.h"
 #include "medium/acceptance.h"
@@ -18,9 +18,9 @@
  * order. */
 #define MEMORY_SHARE 0.45
 
-typedef struct finding {
+typedef struct incumbent {
     const murk_seen_desc *desc;
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     murk_seen *seen;
     murk_photon_map *empty;
     murk_sight *sight;          /* through clear media */
@@ -32,7 +32,7 @@ typedef struct finding {
     murk_sightlines *pose;            /* [poses] */
     murk_sightlines_room room;
     murk_tally failures;
-} finding;
+} incumbent;
 
 double murk_seen_extinction(double extinction_per_m, double albedo,
                             const murk_phase *phase, double acceptance_rad)
@@ -57,7 +57,7 @@ bool murk_seen_keeps(const murk_followed *followed, size_t medium)
 
 static void look_from(void *context, unsigned worker, uint64_t number)
 {
-    finding *f = context;
+    incumbent *f = context;
     murk_sightlines *lines = &f->pose[number];
     if (!murk_sightlines_find(lines, &f->through[lines->acceptance_all], worker,
                               &f->desc->pose[number], &f->room)) {
@@ -67,7 +67,7 @@ static void look_from(void *context, unsigned worker, uint64_t number)
 
 static void join(void *context, uint64_t group)
 {
-    finding *f = context;
+    incumbent *f = context;
     const size_t *of = f->desc->group, poses = f->desc->poses;
     size_t first = 0, last;
     while (first < poses && of[first] < group) {
@@ -84,7 +84,7 @@ static void join(void *context, uint64_t group)
 /* ---- all ---- */
 
 /* Which of the different acceptances a pose has, in the order of poses. */
-static murk_status sort_acceptances(finding *f, murk_error *err)
+static murk_status sort_acceptances(incumbent *f, murk_error *err)
 {
     const murk_seen_desc *desc = f->desc;
     murk_seen *seen = f->seen;
@@ -109,7 +109,7 @@ static murk_status sort_acceptances(finding *f, murk_error *err)
     return status;
 }
 
-static double extinction_of(const finding *f, size_t medium, int band,
+static double extinction_of(const incumbent *f, size_t medium, int band,
                             double acceptance_rad)
 {
     const murk_scene_medium *m = &f->scene->media[medium];
@@ -119,7 +119,7 @@ static double extinction_of(const finding *f, size_t medium, int band,
 }
 
 /* The media that were not kept, as a sensor of that acceptance sees them. */
-static murk_status make_other(finding *f, size_t a, murk_spectrum *extinction,
+static murk_status make_other(incumbent *f, size_t a, murk_spectrum *extinction,
                               murk_error *err)
 {
     memset(extinction, 0, f->scene->n_media * sizeof *extinction);
@@ -135,7 +135,7 @@ static murk_status make_other(finding *f, size_t a, murk_spectrum *extinction,
                               err);
 }
 
-static murk_status make_media(finding *f, murk_error *err)
+static murk_status make_media(incumbent *f, murk_error *err)
 {
     const murk_followed *followed = f->desc->followed;
     const murk_stage *stage = f->desc->stage;
@@ -178,11 +178,11 @@ static murk_status make_media(finding *f, murk_error *err)
 
 /* Sight that sees a record by surfaces and boundaries alone. Records' emitted
  * numbers are those of their contributions. */
-static murk_status make_sight(finding *f, murk_error *err)
+static murk_status make_sight(incumbent *f, murk_error *err)
 {
     const murk_stage *stage = f->desc->stage;
     const murk_followed *followed = f->desc->followed;
-    const murk_scene_placement *wish = &f->scene->placement;
+    const murk_scene_placement *settings = &f->scene->placement;
     murk_sensor_type *types = murk_poses_types(f->scene);
     if (!types) {
         return murk_fail(err, MURK_NO_MEMORY, f->scene->sensors.where,
@@ -194,7 +194,7 @@ static murk_status make_sight(finding *f, murk_error *err)
     const murk_sight_desc desc = {
         .surfaces = stage->surfaces,
         .media = f->clear,
-        .hulls = stage->hulls,
+        .boundary_meshes = stage->boundary_meshes,
         .domain = stage->world.domain,
         .surface_map = followed->surface ? followed->surface : f->empty,
         .volume_map = followed->volume ? followed->volume : f->empty,
@@ -203,20 +203,20 @@ static murk_status make_sight(finding *f, murk_error *err)
         .types = f->scene->sensors.types,
         .north = f->scene->north,
         .visibility =
-            wish->by_normal ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY,
-        .through_sheets = wish->through != MURK_SCENE_BLOCK,
-        .weights = {.balanced = wish->balanced,
-                    .surface = wish->weight_surface,
-                    .volume = wish->weight_volume},
+            settings->by_normal ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY,
+        .through_sheets = settings->through != MURK_SCENE_BLOCK,
+        .weights = {.balanced = settings->balanced,
+                    .surface = settings->weight_surface,
+                    .volume = settings->weight_volume},
         .interest = murk_goals_interest(stage->goals),
         .threads = f->desc->threads,
-        .where = wish->where};
+        .where = settings->where};
     const murk_status status = murk_sight_create(&f->sight, &desc, err);
     free(types);
     return status;
 }
 
-static void weigh(const finding *f)
+static void weigh(const incumbent *f)
 {
     const murk_sight_desc *sight = murk_sight_described(f->sight);
     const murk_followed *followed = f->desc->followed;
@@ -238,7 +238,7 @@ static void weigh(const finding *f)
     }
 }
 
-static void look_through(finding *f)
+static void look_through(incumbent *f)
 {
     const murk_seen *seen = f->seen;
     const bool has_sheets =
@@ -272,7 +272,7 @@ static murk_status check_poses(const murk_seen_desc *desc, murk_error *err)
     return MURK_OK;
 }
 
-static murk_status set_aside(finding *f, murk_error *err)
+static murk_status set_aside(incumbent *f, murk_error *err)
 {
     const murk_seen_desc *desc = f->desc;
     murk_seen *seen = calloc(1, sizeof *seen);
@@ -297,7 +297,7 @@ static murk_status set_aside(finding *f, murk_error *err)
                      "no memory to look at %zu records", desc->followed->n);
 }
 
-static murk_status outcome(const finding *f, murk_error *err)
+static murk_status outcome(const incumbent *f, murk_error *err)
 {
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -312,7 +312,7 @@ static murk_status outcome(const finding *f, murk_error *err)
     return MURK_OK;
 }
 
-static void release(finding *f)
+static void release(incumbent *f)
 {
     for (size_t j = 0; f->pose && j < f->desc->poses; ++j) {
         murk_sightlines_release(&f->pose[j]);
@@ -337,9 +337,10 @@ static void release(finding *f)
 murk_status murk_seen_create(murk_seen **out, const murk_seen_desc *desc,
                              murk_error *err)
 {
-    finding f = {.desc = desc,
-                 .scene = desc->stage->scene,
-                 .room.most_bytes = MEMORY_SHARE * murk_machine_memory_bytes()};
+    incumbent f = {.desc = desc,
+                   .scene = desc->stage->scene,
+                   .room.max_bytes =
+                       MEMORY_SHARE * murk_machine_memory_bytes()};
     murk_status status = check_poses(desc, err);
     if (!status) {
         status = set_aside(&f, err);
@@ -359,11 +360,11 @@ murk_status murk_seen_create(murk_seen **out, const murk_seen_desc *desc,
     if (!status) {
         weigh(&f);
         look_through(&f);
-        murk_crew_run_workers(desc->threads, desc->poses, look_from, &f);
+        murk_pool_run_workers(desc->threads, desc->poses, look_from, &f);
         status = outcome(&f, err);
     }
     if (!status) {
-        murk_crew_run(desc->threads, desc->groups, join, &f);
+        murk_pool_run(desc->threads, desc->groups, join, &f);
         status = outcome(&f, err);
     }
     if (!status) {

@@ -8,7 +8,7 @@
 /* Sightlines that let less through of the light as traced are left out: a
  * coverage misses less than this by each, and less than its root where the
  * media have thinned to half. Looks leave out 8000 times as much. */
-#define LEAST_THROUGH 0x1p-30
+#define MIN_THROUGH 0x1p-30
 
 #define CHUNK 512 /* sightlines measured together */
 
@@ -60,7 +60,7 @@ static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
         for (size_t m = 0; m < media; ++m) {
             kept += extinction[m] * depth[i * media + m];
         }
-        if (!(rest * exp(-kept) >= LEAST_THROUGH)) {
+        if (!(rest * exp(-kept) >= MIN_THROUGH)) {
             continue;
         }
         lines->contribution[lines->n] = p->emitted;
@@ -80,9 +80,9 @@ bool murk_sightlines_find(murk_sightlines *out,
 {
     murk_look look;
     murk_sight_look(t->sight, worker, pose, &look);
-    const int64_t most = (int64_t)(look.seen * bytes_each(t));
-    murk_tally_add(&room->bytes, most);
-    if ((double)murk_tally_read(&room->bytes) > room->most_bytes) {
+    const int64_t max = (int64_t)(look.seen * bytes_each(t));
+    murk_tally_add(&room->bytes, max);
+    if ((double)murk_tally_read(&room->bytes) > room->max_bytes) {
         return false;
     }
     double *depth = malloc(CHUNK * t->media * sizeof *depth + 1);
@@ -99,7 +99,7 @@ bool murk_sightlines_find(murk_sightlines *out,
         shrunk(out->contribution, out->n * sizeof *out->contribution);
     out->path_m = shrunk(out->path_m, out->n * t->media * sizeof *out->path_m);
     out->rest = shrunk(out->rest, out->n * sizeof *out->rest);
-    murk_tally_add(&room->bytes, (int64_t)(out->n * bytes_each(t)) - most);
+    murk_tally_add(&room->bytes, (int64_t)(out->n * bytes_each(t)) - max);
     return true;
 }
 
@@ -148,7 +148,7 @@ bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
     uint32_t before = 0;
     for (size_t c = 0; c < contributions; ++c) {
         const uint32_t here = place[c];
-        out->most = here > out->most ? here : out->most;
+        out->max = here > out->max ? here : out->max;
         place[c] = before;
         before += here;
     }

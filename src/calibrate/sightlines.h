@@ -8,7 +8,7 @@
 /* Of one group: by contribution rising, those of one contribution in the order
  * of the group's poses. */
 typedef struct murk_sightlines {
-    size_t n, most; /* in all, to one record */
+    size_t n, max; /* in all, to one record */
     uint32_t *contribution;
     float *path_m; /* [n][media] density path of the kept media */
     float *rest;   /* [n] let through by sheets and other media; NULL: all */
@@ -30,7 +30,7 @@ typedef struct murk_sightlines_through {
 
 /* Memory that lines may take, and do. */
 typedef struct murk_sightlines_room {
-    double most_bytes;
+    double max_bytes;
     murk_tally bytes;
 } murk_sightlines_room;
 

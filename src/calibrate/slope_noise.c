@@ -12,7 +12,7 @@
 
 /* Where more of what a direction seems to tell is noise, a step along it would
  * be, too. */
-#define NOISE_MOST .5
+#define NOISE_MAX .5
 
 static murk_status no_memory(murk_error *err)
 {
@@ -284,7 +284,7 @@ murk_status murk_slope_noise_step(double *step, double *length,
             along += a.axis[q * a.rank + r] * of / a.singular[r];
         }
         const double kept = 1 - a.part[q];
-        if (a.part[q] > NOISE_MOST) {
+        if (a.part[q] > NOISE_MAX) {
             continue;
         }
         *length += along * along / kept;
@@ -301,14 +301,14 @@ murk_status murk_slope_noise_step(double *step, double *length,
     return MURK_OK;
 }
 
-murk_status murk_slope_noise_information(double *rows_out, double *most,
+murk_status murk_slope_noise_information(double *rows_out, double *max,
                                          const murk_slope_noise *noise,
                                          const double *jacobian, size_t rows,
                                          size_t n, murk_error *err)
 {
     axes a;
     const murk_status status = find_axes(&a, noise, jacobian, rows, n, err);
-    *most = !status && a.rank ? a.part[0] : 0;
+    *max = !status && a.rank ? a.part[0] : 0;
     memset(rows_out, 0, n * n * sizeof *rows_out);
     for (size_t q = 0; q < a.rank && !status; ++q) {
         const double left =

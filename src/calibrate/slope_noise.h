@@ -56,7 +56,7 @@ murk_status murk_slope_noise_step(double *step, double *length,
 /* Rows [n][n] that carry the information there is: their J^T J is the inverse
  * of the covariance above. *most is the largest part of what any direction
  * seems to tell that is photons' noise; 1 and more: nothing is told. */
-murk_status murk_slope_noise_information(double *rows_out, double *most,
+murk_status murk_slope_noise_information(double *rows_out, double *max,
                                          const murk_slope_noise *noise,
                                          const double *jacobian, size_t rows,
                                          size_t n, murk_error *err);

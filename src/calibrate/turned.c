@@ -40,7 +40,7 @@ static void drop_optics(murk_yaml *medium)
 }
 
 /* All of the world but optics and lights, as text; NULL when out of memory. */
-static char *print_world(const murk_scene *scene)
+static char *print_world(const murk_scene_desc *scene)
 {
     murk_yaml *root = NULL;
     if (murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved),
@@ -57,7 +57,7 @@ static char *print_world(const murk_scene *scene)
     return text;
 }
 
-static murk_status print_lights(char **out, const murk_scene *scene,
+static murk_status print_lights(char **out, const murk_scene_desc *scene,
                                 murk_error *err)
 {
     char *text = NULL;
@@ -66,7 +66,7 @@ static murk_status print_lights(char **out, const murk_scene *scene,
     if (!to) {
         return no_memory(err);
     }
-    murk_status status = murk_light_shapes_print(to, scene, err);
+    murk_status status = murk_source_shapes_print(to, scene, err);
     const bool failed = ferror(to) != 0;
     if ((fclose(to) != 0 || failed) && !status) {
         status = no_memory(err);
@@ -79,8 +79,8 @@ static murk_status print_lights(char **out, const murk_scene *scene,
     return MURK_OK;
 }
 
-static murk_status compare_worlds(bool *differs, const murk_scene *a,
-                                  const murk_scene *b, murk_error *err)
+static murk_status compare_worlds(bool *differs, const murk_scene_desc *a,
+                                  const murk_scene_desc *b, murk_error *err)
 {
     char *world_a = print_world(a), *world_b = print_world(b);
     char *lights_a = NULL, *lights_b = NULL;

@@ -15,7 +15,7 @@ typedef struct murk_turned {
 
 /* Adds to *turned. Two scenes of one file; what neither a medium's optics nor a
  * light's power says is held against each other key by key, and lights by where
- * and how they shine. Fails as murk_light_shapes_print(). */
+ * and how they shine. Fails as murk_source_shapes_print(). */
 murk_status murk_turned_add(murk_turned *turned, const murk_optics *a,
                             const murk_optics *b, murk_error *err);
 

@@ -7,7 +7,7 @@
 /* The wide step, of a positive key's value, of the width of its bounds, or of
  * what else a length in metres may be worth. */
 #define STEP_SHARE .1
-#define STEP_LEAST .1
+#define STEP_MIN   .1
 
 /* Differences over one step. */
 typedef struct difference {
@@ -21,7 +21,7 @@ void murk_world_span(const murk_free_key *key, double value, double share,
     const double step =
         share * (key->is_log  ? STEP_SHARE * value
                  : is_bounded ? STEP_SHARE * (key->upper - key->lower)
-                              : fmax(STEP_SHARE * fabs(value), STEP_LEAST));
+                              : fmax(STEP_SHARE * fabs(value), STEP_MIN));
     *low = fmax(value - step, key->lower);
     *high = fmin(value + step, key->upper);
 }
@@ -43,7 +43,7 @@ static void differ(difference *out, const murk_lit_desc *desc,
                    const murk_lit_rows *low, const murk_lit_rows *high,
                    double span)
 {
-    const size_t lit = desc->posts->lit;
+    const size_t lit = desc->instruments->lit;
     const double batches = (double)desc->batches;
     for (size_t i = 0; i < lit; ++i) {
         out->slope[i] = (high->value[i] - low->value[i]) / span;
@@ -92,7 +92,7 @@ murk_status murk_world_slopes(double *slope, double *slope_error,
                               const murk_measurements *measured, size_t key,
                               const double *value, murk_error *err)
 {
-    const size_t lit = desc->posts->lit;
+    const size_t lit = desc->instruments->lit;
     double *room = calloc(4 * lit + 1, sizeof *room);
     if (!room) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");

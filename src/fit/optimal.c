@@ -277,19 +277,19 @@ static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
     }
     qsort(c->pick, c->k, sizeof *c->pick, by_number);
     for (size_t p = 0; p < c->k; ++p) {
-        double most = -1;
+        double max = -1;
         size_t at = p;
         for (size_t q = p; q < c->k; ++q) {
             const double variance = lay_update(c, p, c->pick[q]);
-            if (variance > most) {
-                most = variance;
+            if (variance > max) {
+                max = variance;
                 at = q;
             }
         }
         const size_t first = c->pick[at];
         memmove(c->pick + p + 1, c->pick + p, (at - p) * sizeof *c->pick);
         c->pick[p] = first;
-        pick[p] = (murk_optimal_pick){first, log1p(most)};
+        pick[p] = (murk_optimal_pick){first, log1p(max)};
         (void)lay_update(c, p, first);
     }
     return MURK_OK;

@@ -148,7 +148,7 @@ typedef enum purpose {
 } purpose;
 
 typedef struct tour {
-    murk_child *child;
+    murk_subprocess *child;
     const murk_import_order *order;
     const struct aiScene *scene;
     purpose purpose;
@@ -173,7 +173,8 @@ static murk_status send_vertices(tour *t, const struct aiMesh *mesh,
             t->vertex[3 * n + 1] = (float)p.y;
             t->vertex[3 * n + 2] = (float)p.z;
         }
-        status = murk_child_send(t->child, t->vertex, n * 3 * sizeof(float));
+        status =
+            murk_subprocess_send(t->child, t->vertex, n * 3 * sizeof(float));
     }
     return status;
 }
@@ -197,8 +198,8 @@ static murk_status send_triangles(tour *t, const struct aiMesh *mesh)
             }
             ++n;
         }
-        status =
-            murk_child_send(t->child, t->index, n * each * sizeof(uint32_t));
+        status = murk_subprocess_send(t->child, t->index,
+                                      n * each * sizeof(uint32_t));
     }
     return status;
 }
@@ -296,7 +297,7 @@ static murk_status send_names(const tour *t)
                                 &own) == aiReturn_SUCCESS) {
             memcpy(name, own.data, strnlen(own.data, MURK_NAME_SIZE - 1));
         }
-        status = murk_child_send(t->child, name, sizeof name);
+        status = murk_subprocess_send(t->child, name, sizeof name);
     }
     return status;
 }
@@ -329,7 +330,8 @@ static void one_line(char *text)
     }
 }
 
-murk_status murk_import_work(murk_child *child, void *context, murk_error *err)
+murk_status murk_import_work(murk_subprocess *child, void *context,
+                             murk_error *err)
 {
     const murk_import_order *order = context;
     murk_import_source source;
@@ -367,7 +369,7 @@ murk_status murk_import_work(murk_child *child, void *context, murk_error *err)
     t->head.materials = scene->mNumMaterials;
     murk_status status = check_counts(t, err);
     if (!status) {
-        status = murk_child_send(child, &t->head, sizeof t->head);
+        status = murk_subprocess_send(child, &t->head, sizeof t->head);
     }
     for (int p = SEND_VERTICES; p <= SEND_MATERIALS && !status; ++p) {
         t->purpose = (purpose)p;

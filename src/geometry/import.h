@@ -6,7 +6,7 @@
 #ifndef MURK_GEOMETRY_IMPORT_H
 #define MURK_GEOMETRY_IMPORT_H
 
-#include "base/child.h"
+#include "base/subprocess.h"
 #include "geometry/mesh.h"
 
 typedef struct murk_import_head {
@@ -19,7 +19,8 @@ typedef struct murk_import_order {
     murk_mesh_import import;
 } murk_import_order;
 
-/* A murk_child_work; context is a murk_import_order. */
-murk_status murk_import_work(murk_child *child, void *context, murk_error *err);
+/* A murk_subprocess_work; context is a murk_import_order. */
+murk_status murk_import_work(murk_subprocess *child, void *context,
+                             murk_error *err);
 
 #endif

@@ -13,7 +13,7 @@
 #include <assert.h>
 #include <stdlib.h>
 
-#define LEAST_LEAVES   8 /* spacing, in steps off a surface */
+#define MIN_LEAVES     8 /* spacing, in steps off a surface */
 #define INTERRUPT_MASK 0xfff
 
 /* Every place is within 3/4 + 1/3 of a spacing of a foot, so a foot stands for
@@ -21,9 +21,9 @@
  * degrees are one surface: more area cannot do with as few feet as allowed. */
 #define SQUARES_A_FOOT 7.4
 
-double murk_lay_least_m(const murk_surfaces *surfaces)
+double murk_lay_min_m(const murk_surfaces *surfaces)
 {
-    return LEAST_LEAVES * surfaces->leave_m;
+    return MIN_LEAVES * surfaces->leave_m;
 }
 
 /* One triangle that is laid over, in the world; false where it is not. */
@@ -40,7 +40,7 @@ static bool face_of(const murk_laying *l, size_t i, murk_triangle *t,
     t->c = murk_add(t->c, soup->anchor);
     *normal = murk_unit(murk_triangle_normal(t));
     const double rise = fabs(normal->z);
-    if (!(rise >= l->lay->least_rise && rise <= l->lay->most_rise)) {
+    if (!(rise >= l->lay->min_rise && rise <= l->lay->max_rise)) {
         return false;
     }
     *part = murk_triangle_in_box(t, &l->lay->within);
@@ -218,7 +218,7 @@ murk_status murk_surfaces_lay(murk_foot **out, size_t *n,
                               murk_error *err)
 {
     assert(out && n && surfaces && lay && where);
-    assert(lay->spacing_m > murk_lay_least_m(surfaces));
+    assert(lay->spacing_m > murk_lay_min_m(surfaces));
     murk_laying l = {.surfaces = surfaces,
                      .lay = lay,
                      .where = where,
@@ -231,7 +231,7 @@ murk_status murk_surfaces_lay(murk_foot **out, size_t *n,
     murk_progress_begin("mounts", 3 * (uint64_t)surfaces->soup.triangles,
                         "faces");
     if (measure(&l)) {
-        if (l.squares > SQUARES_A_FOOT * (double)lay->most) {
+        if (l.squares > SQUARES_A_FOOT * (double)lay->max) {
             l.status = murk_laying_refuse(&l);
         }
         lay_all(&l);

@@ -24,16 +24,16 @@ typedef struct murk_foot {
 } murk_foot;
 
 typedef struct murk_lay {
-    double spacing_m;      /* more than murk_lay_least_m() */
+    double spacing_m;      /* more than murk_lay_min_m() */
     murk_box within;       /* feet lie in it; it may be flat */
     const bool *materials; /* [murk_surfaces_materials()] which are laid over;
                               NULL: all */
-    double least_rise, most_rise; /* of |normal.z|: 1 is level, 0 upright */
-    size_t most;                  /* more feet fail */
+    double min_rise, max_rise; /* of |normal.z|: 1 is level, 0 upright */
+    size_t max;                /* more feet fail */
 } murk_lay;
 
 /* Spacings up to this [m] are lost in rounding. */
-double murk_lay_least_m(const murk_surfaces *surfaces);
+double murk_lay_min_m(const murk_surfaces *surfaces);
 
 /* (*out)[*n] is the caller's: free(). Order: by pattern or not, then by the
  * order of triangles and spheres. Fails with MURK_BAD_VALUE at `where` when

@@ -38,12 +38,12 @@ murk_status murk_laying_refuse(const murk_laying *l)
     return murk_fail(l->err, MURK_BAD_VALUE, l->where,
                      "spacing_m is %g m, which lays more than %zu places over "
                      "its surfaces, the most there may be",
-                     l->lay->spacing_m, l->lay->most);
+                     l->lay->spacing_m, l->lay->max);
 }
 
 static murk_status keep(murk_laying *l, const murk_foot *foot)
 {
-    if (l->n == l->lay->most) {
+    if (l->n == l->lay->max) {
         return murk_laying_refuse(l);
     }
     if (l->n == l->room) {
@@ -68,7 +68,7 @@ void murk_laying_offer(murk_laying *l, murk_vec3 place, murk_vec3 normal)
                           fmin(fmax(place.z, box->min.z), box->max.z)};
     const double rise = fabs(normal.z);
     if (l->status || !(murk_length(murk_sub(at, place)) <= l->slack_m) ||
-        !(rise >= l->lay->least_rise && rise <= l->lay->most_rise)) {
+        !(rise >= l->lay->min_rise && rise <= l->lay->max_rise)) {
         return;
     }
     comparison c = {.l = l, .foot = {at, normal}};

@@ -7,7 +7,7 @@
  * and say nothing. Two meshes whose surfaces cross have an edge of one that
  * passes through a triangle of the other, so both are held against each
  * other. */
-#include "geometry/hull.h"
+#include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"
 
@@ -18,7 +18,7 @@
 #define PLACES_MAX 64
 
 typedef struct sampling {
-    const murk_hull *other;
+    const murk_boundary_mesh *other;
     double tolerance_m;
     bool any_inside, any_outside;
     murk_vec3 place;
@@ -35,7 +35,7 @@ static void sample(sampling *s, murk_vec3 point)
         murk_surfaces_near(s->other->shape, point, s->tolerance_m)) {
         return;
     }
-    const bool is_inside = murk_hull_holds(s->other, point);
+    const bool is_inside = murk_boundary_mesh_holds(s->other, point);
     if (is_inside ? !s->any_inside : !s->any_outside) {
         s->place = point;
     }
@@ -69,7 +69,7 @@ static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
     const double length = murk_length(way);
     const murk_vec3 direction = murk_scale(1 / length, way);
     places p = {.n = 0};
-    murk_hull_gather(s->other, from, direction, 0, length, note, &p);
+    murk_boundary_mesh_gather(s->other, from, direction, 0, length, note, &p);
     if (p.n == 0) {
         return;
     }
@@ -91,9 +91,9 @@ static bool overlaps(const murk_box *a, const murk_box *b)
            a->min.z <= b->max.z && b->min.z <= a->max.z;
 }
 
-static bool has_parts_on_both_sides(const murk_hull *one,
-                                    const murk_hull *other, double tolerance_m,
-                                    murk_vec3 *place)
+static bool has_parts_on_both_sides(const murk_boundary_mesh *one,
+                                    const murk_boundary_mesh *other,
+                                    double tolerance_m, murk_vec3 *place)
 {
     const murk_soup *soup = &one->shape->soup;
     sampling s = {.other = other, .tolerance_m = tolerance_m};
@@ -112,8 +112,9 @@ static bool has_parts_on_both_sides(const murk_hull *one,
     return is_decided(&s);
 }
 
-bool murk_hull_meets(const murk_hull *one, const murk_hull *other,
-                     double tolerance_m, murk_vec3 *place)
+bool murk_boundary_mesh_meets(const murk_boundary_mesh *one,
+                              const murk_boundary_mesh *other,
+                              double tolerance_m, murk_vec3 *place)
 {
     const murk_box a = murk_surfaces_describe(one->shape).bounds_m;
     const murk_box b = murk_surfaces_describe(other->shape).bounds_m;

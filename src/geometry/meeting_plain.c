@@ -3,7 +3,7 @@
  * corners settle the second, and for triangles and boxes separating axes the
  * first (Akenine-Moeller, J. Graph. Tools 6 (2001) 29,
  * doi:10.1080/10867651.2001.10487535). */
-#include "geometry/hull.h"
+#include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"
 
@@ -87,10 +87,11 @@ static bool is_out(const murk_plain_shape *s, murk_vec3 p, double tolerance)
     return false;
 }
 
-bool murk_hull_meets_plain(const murk_hull *hull, const murk_plain_shape *shape,
-                           double tolerance_m, murk_vec3 *place)
+bool murk_boundary_mesh_meets_plain(const murk_boundary_mesh *boundary_mesh,
+                                    const murk_plain_shape *shape,
+                                    double tolerance_m, murk_vec3 *place)
 {
-    const murk_soup *soup = &hull->shape->soup;
+    const murk_soup *soup = &boundary_mesh->shape->soup;
     murk_affine to_local = murk_affine_identity();
     if (shape->plain != MURK_PLAIN_BELOW &&
         !murk_affine_invert(&shape->to_world, &to_local)) {

@@ -132,12 +132,12 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
                           murk_error *err)
 {
     murk_import_head head;
-    const size_t most = size / 4;
+    const size_t maximum = size / 4;
     bool fits = size >= sizeof head;
     if (fits) {
         take(&head, sizeof head, &bytes);
-        fits = head.vertices <= most && head.triangles <= most &&
-               head.materials <= most &&
+        fits = head.vertices <= maximum && head.triangles <= maximum &&
+               head.materials <= maximum &&
                size - sizeof head == head.vertices * 3 * sizeof(float) +
                                          head.triangles * 4 * sizeof(uint32_t) +
                                          head.materials * MURK_NAME_SIZE;
@@ -187,9 +187,10 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
         status = look_at_file(path, &file_bytes, where, err);
     }
     if (!status) {
-        const murk_child_limits limits = murk_child_limits_for(file_bytes);
-        status = murk_child_run(&bytes, &size, murk_import_work, &order,
-                                &limits, where, err);
+        const murk_subprocess_limits limits =
+            murk_subprocess_limits_for(file_bytes);
+        status = murk_subprocess_run(&bytes, &size, murk_import_work, &order,
+                                     &limits, where, err);
     }
     if (status) {
         goto done;

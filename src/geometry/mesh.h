@@ -1,9 +1,9 @@
 /* Triangle meshes from files of any format that Assimp reads (OBJ, PLY, STL,
  * glTF, Collada, FBX, IFC, ...).
  *
- * The file is parsed in a child process with limits (base/child.h), checked
- * (finite coordinates, indices in range), and handed over as plain arrays in
- * metres with z up. Call before any thread or ray device exists. */
+ * The file is parsed in a child process with limits (base/subprocess.h),
+ * checked (finite coordinates, indices in range), and handed over as plain
+ * arrays in metres with z up. Call before any thread or ray device exists. */
 #ifndef MURK_GEOMETRY_MESH_H
 #define MURK_GEOMETRY_MESH_H
 

@@ -18,7 +18,7 @@ static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
                             murk_vec3 p)
 {
     murk_vec3 nearest = {INFINITY, INFINITY, INFINITY};
-    double least = INFINITY;
+    double min = INFINITY;
     bool is_over = true;
     for (size_t i = 0; i < polygon->n; ++i) {
         const murk_vec3 a = polygon->corner[i],
@@ -27,8 +27,8 @@ static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
             murk_dot(murk_cross(murk_sub(b, a), murk_sub(p, a)), normal) >= 0;
         const murk_vec3 here = nearest_on_segment(a, b, p);
         const double distance = murk_length(murk_sub(here, p));
-        if (distance < least) {
-            least = distance;
+        if (distance < min) {
+            min = distance;
             nearest = here;
         }
     }

@@ -7,8 +7,8 @@
  * triangles first. */
 #include "base/log.h"
 #include "base/position.h"
+#include "geometry/boundary_mesh.h"
 #include "geometry/gather.h"
-#include "geometry/hull.h"
 #include "geometry/triangle.h"
 
 #include <stdlib.h>
@@ -48,7 +48,7 @@ static void look_for_piercing(void *context, size_t triangle, double distance_m)
 
 /* Each edge belongs to two triangles: counted by halves, and at the first
  * place found. */
-static void count_crossings(murk_hull *b, const uint32_t *same,
+static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
                             murk_vec3 *first)
 {
     const murk_soup *soup = &b->shape->soup;
@@ -64,9 +64,9 @@ static void count_crossings(murk_hull *b, const uint32_t *same,
                           .ends = {same[from], same[to]}};
             const murk_vec3 way = murk_sub(p.to, p.from);
             const double length = murk_length(way);
-            murk_hull_gather(b, murk_add(p.from, soup->anchor),
-                             murk_scale(1 / length, way), 0, length,
-                             look_for_piercing, &p);
+            murk_boundary_mesh_gather(b, murk_add(p.from, soup->anchor),
+                                      murk_scale(1 / length, way), 0, length,
+                                      look_for_piercing, &p);
             if (p.is_pierced && halves++ == 0) {
                 *first = murk_add(murk_along(p.from, 0.5, way), soup->anchor);
             }
@@ -91,7 +91,7 @@ static void add_one(void *context, size_t triangle, double distance_m)
 
 /* Whether a triangle's normal by winding points inside: by three rays to that
  * side, none likely to meet an edge. */
-static bool points_inside(const murk_hull *b, size_t triangle)
+static bool points_inside(const murk_boundary_mesh *b, size_t triangle)
 {
     const double tilt[3][2] = {{0.31, 0.17}, {-0.23, 0.29}, {0.13, -0.37}};
     const murk_soup *soup = &b->shape->soup;
@@ -106,14 +106,14 @@ static bool points_inside(const murk_hull *b, size_t triangle)
         tally count = {.beyond_m = OWN_UNITS * b->shape->unit_m};
         const murk_vec3 d = murk_unit(murk_along(
             murk_along(normal, tilt[i][0], side), tilt[i][1], other));
-        murk_hull_gather(b, murk_add(middle, soup->anchor), d, 0, INFINITY,
-                         add_one, &count);
+        murk_boundary_mesh_gather(b, murk_add(middle, soup->anchor), d, 0,
+                                  INFINITY, add_one, &count);
         odd += count.is_odd;
     }
     return odd >= 2;
 }
 
-static murk_status learn_sides(murk_hull *b, const murk_patches *p,
+static murk_status learn_sides(murk_boundary_mesh *b, const murk_patches *p,
                                const char *where, murk_error *err)
 {
     const murk_soup *soup = &b->shape->soup;
@@ -155,8 +155,8 @@ done:
     return status;
 }
 
-murk_status murk_hull_find_sides(murk_hull *b, const char *where,
-                                 murk_error *err)
+murk_status murk_boundary_mesh_find_sides(murk_boundary_mesh *b,
+                                          const char *where, murk_error *err)
 {
     const murk_soup *soup = &b->shape->soup;
     murk_patches p;

@@ -14,7 +14,7 @@ typedef struct plain {
 struct murk_zones {
     plain *plain; /* [plains] */
     size_t plains;
-    murk_hulls *hulls; /* NULL: no zone is a mesh */
+    murk_boundary_meshes *boundary_meshes; /* NULL: no zone is a mesh */
 };
 
 static murk_status add_plain(murk_zones *zones, const murk_zone *zone,
@@ -34,7 +34,7 @@ static murk_status add_plain(murk_zones *zones, const murk_zone *zone,
 static murk_status fill(murk_zones *made, const murk_zone *zones, size_t n,
                         murk_error *err)
 {
-    murk_hull_desc desc[MURK_ZONE_MESHES_MAX];
+    murk_boundary_mesh_desc desc[MURK_ZONE_MESHES_MAX];
     size_t meshes = 0;
     for (size_t i = 0; i < n; ++i) {
         if (zones[i].shape != MURK_ZONE_MESH) {
@@ -50,13 +50,14 @@ static murk_status fill(murk_zones *made, const murk_zone *zones, size_t n,
                              "are meshes",
                              MURK_ZONE_MESHES_MAX);
         }
-        desc[meshes] = (murk_hull_desc){.region = (int)meshes,
-                                        .mesh = zones[i].mesh,
-                                        .to_world = zones[i].to_world,
-                                        .where = zones[i].where};
+        desc[meshes] = (murk_boundary_mesh_desc){.region = (int)meshes,
+                                                 .mesh = zones[i].mesh,
+                                                 .to_world = zones[i].to_world,
+                                                 .where = zones[i].where};
         ++meshes;
     }
-    return meshes > 0 ? murk_hulls_create(&made->hulls, desc, meshes, err)
+    return meshes > 0 ? murk_boundary_meshes_create(&made->boundary_meshes,
+                                                    desc, meshes, err)
                       : MURK_OK;
 }
 
@@ -85,7 +86,7 @@ done:
 void murk_zones_destroy(murk_zones *zones)
 {
     if (zones) {
-        murk_hulls_destroy(zones->hulls);
+        murk_boundary_meshes_destroy(zones->boundary_meshes);
         free(zones->plain);
         free(zones);
     }
@@ -105,5 +106,6 @@ bool murk_zones_contain(const murk_zones *zones, murk_vec3 point)
             return true;
         }
     }
-    return zones->hulls && murk_hulls_at(zones->hulls, point) != 0;
+    return zones->boundary_meshes &&
+           murk_boundary_meshes_at(zones->boundary_meshes, point) != 0;
 }

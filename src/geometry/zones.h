@@ -2,15 +2,15 @@
  * and closed meshes, each moved by a similarity.
  *
  * Zones are no surfaces and no regions: light knows nothing of them. Boxes and
- * spheres hold their boundary. A mesh must be closed as geometry/hulls.h says;
- * in its boundary, to rounding, either answer may come. Immutable after
- * creation: any number of threads may ask. */
+ * spheres hold their boundary. A mesh must be closed as
+ * geometry/boundary_meshes.h says; in its boundary, to rounding, either answer
+ * may come. Immutable after creation: any number of threads may ask. */
 #ifndef MURK_GEOMETRY_ZONES_H
 #define MURK_GEOMETRY_ZONES_H
 
-#include "geometry/hulls.h"
+#include "geometry/boundary_meshes.h"
 
-#define MURK_ZONE_MESHES_MAX MURK_HULLS_MAX
+#define MURK_ZONE_MESHES_MAX MURK_BOUNDARY_MESHES_MAX
 
 typedef enum murk_zone_shape {
     MURK_ZONE_BOX,

@@ -22,16 +22,15 @@ static inline void cross(murk_brick_walk *w, int shift)
                           ? INFINITY
                           : (face - w->origin[axis]) * w->inverse[axis];
     }
-    const double least =
-        murk_smaller(murk_smaller(leave[0], leave[1]), leave[2]);
+    const double min = murk_smaller(murk_smaller(leave[0], leave[1]), leave[2]);
     for (int axis = 0; axis < 3; ++axis) {
-        const double place = w->origin[axis] + least * w->direction[axis];
-        w->at[axis] = leave[axis] > least || w->inverse[axis] == 0
+        const double place = w->origin[axis] + min * w->direction[axis];
+        w->at[axis] = leave[axis] > min || w->inverse[axis] == 0
                           ? murk_voxel_at(place, first[axis], last[axis])
                       : w->inverse[axis] > 0 ? last[axis] + 1
                                              : first[axis] - 1;
     }
-    w->to = murk_smaller(murk_larger(least, w->from), w->end);
+    w->to = murk_smaller(murk_larger(min, w->from), w->end);
 }
 
 void murk_brick_walk_begin(murk_brick_walk *walk, const murk_bricks *bricks,
@@ -65,7 +64,7 @@ bool murk_brick_walk_next(murk_brick_walk *walk)
     if (!w->block || !murk_holds(w->block_first, w->at, MURK_BLOCK)) {
         const murk_brick_sight s = murk_bricks_look(b, w->at);
         w->block = s.table;
-        w->block_least = s.bound;
+        w->block_min = s.bound;
         murk_remember(w->block_first, w->at, MURK_BLOCK);
         if (!s.table) {
             w->bound = (double)s.bound;
@@ -74,7 +73,7 @@ bool murk_brick_walk_next(murk_brick_walk *walk)
         }
     }
     const float bound = w->block[murk_brick_in_block(b->edge_shift, w->at)];
-    w->bound = (double)(bound < w->block_least ? w->block_least : bound);
+    w->bound = (double)(bound < w->block_min ? w->block_min : bound);
     cross(w, b->edge_shift);
     return true;
 }

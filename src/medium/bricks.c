@@ -125,10 +125,10 @@ static inline int part_of_leaf(int layer)
 static bool add_leaf(murk_bricks *b, const int32_t at[3], const float *value)
 {
     static const int part_first[3] = {0, 1, 7}, part_last[3] = {0, 6, 7};
-    float most[3][3][3] = {{{0}}};
+    float max[3][3][3] = {{{0}}};
     for (int i = 0; i < 8; ++i) {
         for (int j = 0; j < 8; ++j) {
-            float *row = most[part_of_leaf(i)][part_of_leaf(j)];
+            float *row = max[part_of_leaf(i)][part_of_leaf(j)];
             for (int k = 0; k < 8; ++k, ++value) {
                 raise(&row[part_of_leaf(k)], *value);
             }
@@ -136,7 +136,7 @@ static bool add_leaf(murk_bricks *b, const int32_t at[3], const float *value)
     }
     for (int n = 0; n < 27; ++n) {
         const int part[3] = {n / 9, n / 3 % 3, n % 3};
-        const float value_here = most[part[0]][part[1]][part[2]];
+        const float value_here = max[part[0]][part[1]][part[2]];
         int32_t first[3], last[3];
         for (int axis = 0; axis < 3; ++axis) {
             first[axis] = at[axis] + part_first[part[axis]] - b->above;

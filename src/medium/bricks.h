@@ -59,7 +59,7 @@ typedef struct murk_brick_walk {
 
     /* The block last met; the least that its bounds are. */
     const float *block;
-    float block_least;
+    float block_min;
     int32_t block_first[3];
 } murk_brick_walk;
 

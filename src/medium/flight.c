@@ -103,30 +103,30 @@ static bool cross_courses(ray *r, double from, double to,
                           r->direction, from, to);
     }
     while (from < to) {
-        double least = to;
+        double min = to;
         for (size_t i = 0; i < n; ++i) {
             while (murk_course_to(&course[i]) <= from &&
                    murk_course_next(&course[i])) {
             }
-            least = fmin(least, murk_course_to(&course[i]));
+            min = fmin(min, murk_course_to(&course[i]));
         }
         murk_cubic total = {{even_per_m, 0, 0, 0}};
         for (size_t i = 0; i < n; ++i) {
-            cubic[i] = murk_course_cubic(&course[i], from, least);
+            cubic[i] = murk_course_cubic(&course[i], from, min);
             murk_cubic_add(&total, extinction_of(r, places[i]), &cubic[i]);
         }
         const bool is_even =
             total.c[1] == 0 && total.c[2] == 0 && total.c[3] == 0;
-        const double length = least - from;
-        if (is_even ? cross_even(r, from, least, total.c[0])
-                    : cross_cubic(r, from, least, &total)) {
+        const double length = min - from;
+        if (is_even ? cross_even(r, from, min, total.c[0])
+                    : cross_cubic(r, from, min, &total)) {
             const double s = length > 0 ? (r->stop_m - from) / length : 0;
             for (size_t i = 0; i < n; ++i) {
                 density[i] = murk_cubic_value(&cubic[i], s);
             }
             return true;
         }
-        from = least;
+        from = min;
     }
     return false;
 }

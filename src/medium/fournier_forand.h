@@ -12,8 +12,8 @@
 
 /* Slopes: at 3 there is no integral, at 5 no forward peak, and next to either
  * no table of sane size. */
-#define MURK_FORAND_LEAST 3.0001
-#define MURK_FORAND_MOST  4.9999
+#define MURK_FORAND_MIN 3.0001
+#define MURK_FORAND_MAX 4.9999
 
 /* Density [1/sr] at s = 1 - cos(angle), 0 < s <= 2. Needs 1.001 <= n <= 2 and
  * 3 < slope < 5; positive there. Goes as s^((slope - 5) / 2) towards s = 0. */

@@ -1,8 +1,8 @@
 #include "medium/grid.h"
 
-#include "base/child.h"
 #include "base/inputs.h"
 #include "base/log.h"
+#include "base/subprocess.h"
 #include "medium/march.h"
 #include "medium/tree.h"
 #include "medium/vdb_bridge.h"
@@ -18,7 +18,7 @@
 /* A sparse tree unfolds: a node of 4096 voxels takes some 8 kB in a file and
  * 262 kB here, twice while it is converted. Three times that is plenty, and
  * keeps a small hostile file from costing seconds. */
-#define LEAST_BYTES         UINT64_C(400000000)
+#define MIN_BYTES           UINT64_C(400000000)
 #define BYTES_PER_FILE_BYTE 200
 
 #define ALIGNMENT 64 /* what NanoVDB asks of its buffers, at least 32 */
@@ -31,7 +31,7 @@ struct murk_grid {
 
 /* What the child is to do, and where its result goes. */
 typedef struct job {
-    murk_child *child;
+    murk_subprocess *child;
     const char *path, *name; /* of a file */
     const size_t *size;      /* of samples */
     const float *density;
@@ -45,12 +45,13 @@ static murk_status send_grid(void *context, const murk_vdb_facts *facts,
                              const void *bytes, size_t size)
 {
     const job *j = context;
-    const murk_status status = murk_child_send(j->child, facts, sizeof *facts);
+    const murk_status status =
+        murk_subprocess_send(j->child, facts, sizeof *facts);
     return status || size == 0 ? status
-                               : murk_child_send(j->child, bytes, size);
+                               : murk_subprocess_send(j->child, bytes, size);
 }
 
-static murk_status read_in_child(murk_child *child, void *context,
+static murk_status read_in_child(murk_subprocess *child, void *context,
                                  murk_error *err)
 {
     job *j = context;
@@ -59,7 +60,7 @@ static murk_status read_in_child(murk_child *child, void *context,
                          err);
 }
 
-static murk_status make_in_child(murk_child *child, void *context,
+static murk_status make_in_child(murk_subprocess *child, void *context,
                                  murk_error *err)
 {
     job *j = context;
@@ -151,18 +152,17 @@ done:
     return status;
 }
 
-static murk_status run(murk_grid **out, murk_child_work work, job *j,
+static murk_status run(murk_grid **out, murk_subprocess_work work, job *j,
                        uint64_t input_bytes, murk_error *err)
 {
-    murk_child_limits limits = murk_child_limits_for(input_bytes);
-    if (input_bytes <
-        (limits.memory_bytes - LEAST_BYTES) / BYTES_PER_FILE_BYTE) {
-        limits.memory_bytes = LEAST_BYTES + BYTES_PER_FILE_BYTE * input_bytes;
+    murk_subprocess_limits limits = murk_subprocess_limits_for(input_bytes);
+    if (input_bytes < (limits.memory_bytes - MIN_BYTES) / BYTES_PER_FILE_BYTE) {
+        limits.memory_bytes = MIN_BYTES + BYTES_PER_FILE_BYTE * input_bytes;
     }
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =
-        murk_child_run(&sent, &size, work, j, &limits, j->where, err);
+        murk_subprocess_run(&sent, &size, work, j, &limits, j->where, err);
     if (!status) {
         status = adopt(out, sent, size, j->is_albedo, j->where, err);
     }

@@ -1,9 +1,9 @@
 /* Density grids from OpenVDB files, as NanoVDB buffers.
  *
- * The file is parsed in a child process with limits (base/child.h), checked
- * (float, half or double, not a level set, finite, not negative, sane size) and
- * handed over as one NanoVDB float grid; huge sparse boxes are never densified.
- * Call before any thread or ray device exists.
+ * The file is parsed in a child process with limits (base/subprocess.h),
+ * checked (float, half or double, not a level set, finite, not negative, sane
+ * size) and handed over as one NanoVDB float grid; huge sparse boxes are never
+ * densified. Call before any thread or ray device exists.
  *
  * Source: Museth, ACM Trans. Graph. 32 (2013) 27, doi:10.1145/2487228.2487235;
  * Museth, NanoVDB, SIGGRAPH Talks 2021, doi:10.1145/3450623.3464653. */

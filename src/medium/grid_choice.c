@@ -6,7 +6,7 @@
 
 /* So many bytes of a list are enough to find what was meant. */
 #define ENOUGH_LISTED 400
-#define MOST_LISTED   (ENOUGH_LISTED + 200) /* and one more entry */
+#define MAX_LISTED    (ENOUGH_LISTED + 200) /* and one more entry */
 
 static bool is_float(const murk_grid_entry *entry)
 {
@@ -20,7 +20,7 @@ static bool is_density(const murk_grid_entry *entry)
 }
 
 /* "density (float), temperature (float)" */
-static void list(char text[MOST_LISTED], const murk_grid_entry *entry, size_t n)
+static void list(char text[MAX_LISTED], const murk_grid_entry *entry, size_t n)
 {
     size_t used = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -29,7 +29,7 @@ static void list(char text[MOST_LISTED], const murk_grid_entry *entry, size_t n)
             return;
         }
         const int length =
-            snprintf(text + used, MOST_LISTED - used, "%s%.100s (%.60s)",
+            snprintf(text + used, MAX_LISTED - used, "%s%.100s (%.60s)",
                      i ? ", " : "", entry[i].unique,
                      entry[i].is_level_set ? "level set" : entry[i].type);
         used += length > 0 ? (size_t)length : 0;
@@ -115,7 +115,7 @@ murk_status murk_grid_choose(size_t *chosen, const murk_grid_entry *entry,
     }
     const found all =
         name ? those_named(entry, n, name) : those_meant(entry, n);
-    char there[MOST_LISTED];
+    char there[MAX_LISTED];
     list(there, entry, n);
     if (all.n == 0) {
         return name ? murk_fail(err, MURK_BAD_VALUE, where,

@@ -1,7 +1,7 @@
 #include "medium/grid_write.h"
 
-#include "base/child.h"
 #include "base/file.h"
+#include "base/subprocess.h"
 #include "medium/tree.h"
 #include "medium/vdb_bridge.h"
 
@@ -20,14 +20,14 @@
 #define LEAF_BYTES  UINT64_C(2304)
 #define LOWER_BYTES UINT64_C(40000)
 #define UPPER_BYTES UINT64_C(300000)
-#define LEAST_BYTES UINT64_C(400000000) /* the package's own */
+#define MIN_BYTES   UINT64_C(400000000) /* the package's own */
 
 /* Generous: some 2e7 voxels a second are usual. */
 #define VOXELS_PER_SECOND UINT64_C(1000000)
-#define LEAST_SECONDS     60
+#define MIN_SECONDS       60
 
 typedef struct job {
-    murk_child *child;
+    murk_subprocess *child;
     const char *where;
     murk_vdb_field field[MURK_GRID_FIELDS_MAX];
     size_t n;
@@ -94,10 +94,10 @@ static uint64_t nodes(const size_t size[3], size_t edge)
 
 static murk_status send_bytes(void *context, const void *bytes, size_t size)
 {
-    return murk_child_send(((job *)context)->child, bytes, size);
+    return murk_subprocess_send(((job *)context)->child, bytes, size);
 }
 
-static murk_status write_in_child(murk_child *child, void *context,
+static murk_status write_in_child(murk_subprocess *child, void *context,
                                   murk_error *err)
 {
     job *j = context;
@@ -172,15 +172,15 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
         n * (nodes(size, 8) * LEAF_BYTES + nodes(size, 128) * LOWER_BYTES +
              nodes(size, 4096) * UPPER_BYTES);
     const uint64_t values = (uint64_t)n * size[0] * size[1] * size[2];
-    const murk_child_limits limits = {
-        .memory_bytes = LEAST_BYTES + 4 * tree_bytes,
-        .handed_bytes = LEAST_BYTES + tree_bytes,
-        .seconds = LEAST_SECONDS + (unsigned)(values / VOXELS_PER_SECOND)};
+    const murk_subprocess_limits limits = {
+        .memory_bytes = MIN_BYTES + 4 * tree_bytes,
+        .handed_bytes = MIN_BYTES + tree_bytes,
+        .seconds = MIN_SECONDS + (unsigned)(values / VOXELS_PER_SECOND)};
     unsigned char *bytes = NULL;
     size_t n_bytes = 0;
     murk_error told = {0};
-    status = murk_child_run(&bytes, &n_bytes, write_in_child, &j, &limits, path,
-                            &told);
+    status = murk_subprocess_run(&bytes, &n_bytes, write_in_child, &j, &limits,
+                                 path, &told);
     if (status) { /* nothing of the user's was read: it is the run that fails */
         status = status == MURK_BAD_FILE ? MURK_RUN_FAILED : status;
         return murk_fail(err, status, path, "cannot write: %s", told.text);

@@ -11,19 +11,20 @@ typedef struct meeting {
 } meeting;
 
 /* A row of to_local is the normal of that face, in the world. */
-static murk_vec3 face_normal(const murk_shell *shell, int axis)
+static murk_vec3 face_normal(const murk_region_boundary *region_boundary,
+                             int axis)
 {
-    const double *row = shell->to_local.matrix[axis];
+    const double *row = region_boundary->to_local.matrix[axis];
     return murk_vec(row[0], row[1], row[2]);
 }
 
 /* Out through the nearest of the faces that the ray heads for, wherever it
  * stands: one already passed is met at once. Parallel faces give infinity or
  * NaN, which is never less. */
-static bool leave_box(const murk_shell *shell, murk_vec3 o, murk_vec3 d,
-                      meeting *met)
+static bool leave_box(const murk_region_boundary *region_boundary, murk_vec3 o,
+                      murk_vec3 d, meeting *met)
 {
-    const murk_box *box = &shell->box;
+    const murk_box *box = &region_boundary->box;
     const double ahead[3] = {
         d.x == 0 ? INFINITY : ((d.x > 0 ? box->max.x : box->min.x) - o.x) / d.x,
         d.y == 0 ? INFINITY : ((d.y > 0 ? box->max.y : box->min.y) - o.y) / d.y,
@@ -41,21 +42,23 @@ static bool leave_box(const murk_shell *shell, murk_vec3 o, murk_vec3 d,
         return false;
     }
     met->distance = fmax(0, met->distance);
-    met->normal = face_normal(shell, axis);
+    met->normal = face_normal(region_boundary, axis);
     return true;
 }
 
 /* Where a ray outside enters. A ray that stands on a face lies inside by
  * rounding only: it has just left when the way out is nearer than the way in,
  * so what counts is whether the middle of its chord lies ahead. */
-static bool enter_box(const murk_shell *shell, murk_vec3 o, murk_vec3 d,
-                      meeting *met)
+static bool enter_box(const murk_region_boundary *region_boundary, murk_vec3 o,
+                      murk_vec3 d, meeting *met)
 {
     const double from[3] = {o.x, o.y, o.z}, along[3] = {d.x, d.y, d.z};
-    const double min[3] = {shell->box.min.x, shell->box.min.y,
-                           shell->box.min.z};
-    const double max[3] = {shell->box.max.x, shell->box.max.y,
-                           shell->box.max.z};
+    const double min[3] = {region_boundary->box.min.x,
+                           region_boundary->box.min.y,
+                           region_boundary->box.min.z};
+    const double max[3] = {region_boundary->box.max.x,
+                           region_boundary->box.max.y,
+                           region_boundary->box.max.z};
     double t0 = -INFINITY, t1 = INFINITY;
     int axis = -1;
     for (int i = 0; i < 3; ++i) {
@@ -79,48 +82,51 @@ static bool enter_box(const murk_shell *shell, murk_vec3 o, murk_vec3 d,
         return false;
     }
     met->distance = fmax(0, t0);
-    met->normal = face_normal(shell, axis);
+    met->normal = face_normal(region_boundary, axis);
     return true;
 }
 
 /* The middle of the chord lies at `nearest`, so the rule of enter_box() is
  * that the ray heads inwards. Inside, rounding may leave no chord for a ray
  * that grazes: it is then left at its nearest point. */
-static bool meet_sphere(const murk_shell *shell, bool is_inside, murk_vec3 o,
-                        murk_vec3 d, meeting *met)
+static bool meet_sphere(const murk_region_boundary *region_boundary,
+                        bool is_inside, murk_vec3 o, murk_vec3 d, meeting *met)
 {
     const double square = murk_dot(d, d);
-    const double nearest = murk_dot(murk_sub(shell->center, o), d) / square;
-    const murk_vec3 off = murk_sub(murk_along(o, nearest, d), shell->center);
-    const double left = shell->radius * shell->radius - murk_dot(off, off);
+    const double nearest =
+        murk_dot(murk_sub(region_boundary->center, o), d) / square;
+    const murk_vec3 off =
+        murk_sub(murk_along(o, nearest, d), region_boundary->center);
+    const double left =
+        region_boundary->radius * region_boundary->radius - murk_dot(off, off);
     const double half = left > 0 ? sqrt(left / square) : 0;
     if (!is_inside && !(half > 0 && nearest > 0)) {
         return false;
     }
     met->distance = fmax(0, is_inside ? nearest + half : nearest - half);
     const murk_vec3 n =
-        murk_sub(murk_along(o, met->distance, d), shell->center);
-    const double(*m)[3] = shell->to_local.matrix;
+        murk_sub(murk_along(o, met->distance, d), region_boundary->center);
+    const double(*m)[3] = region_boundary->to_local.matrix;
     met->normal = murk_vec(m[0][0] * n.x + m[1][0] * n.y + m[2][0] * n.z,
                            m[0][1] * n.x + m[1][1] * n.y + m[2][1] * n.z,
                            m[0][2] * n.x + m[1][2] * n.y + m[2][2] * n.z);
     return true;
 }
 
-static bool meet(const murk_shell *shell, bool is_inside, murk_vec3 o,
-                 murk_vec3 d, meeting *met)
+static bool meet(const murk_region_boundary *region_boundary, bool is_inside,
+                 murk_vec3 o, murk_vec3 d, meeting *met)
 {
-    if (shell->is_moved) {
-        o = murk_affine_point(&shell->to_local, o);
-        d = murk_affine_direction(&shell->to_local, d);
+    if (region_boundary->is_moved) {
+        o = murk_affine_point(&region_boundary->to_local, o);
+        d = murk_affine_direction(&region_boundary->to_local, d);
     }
-    switch (shell->shape) {
+    switch (region_boundary->shape) {
     case MURK_REGION_BOX:
     case MURK_REGION_BELOW:
-        return is_inside ? leave_box(shell, o, d, met)
-                         : enter_box(shell, o, d, met);
+        return is_inside ? leave_box(region_boundary, o, d, met)
+                         : enter_box(region_boundary, o, d, met);
     case MURK_REGION_SPHERE:
-        return meet_sphere(shell, is_inside, o, d, met);
+        return meet_sphere(region_boundary, is_inside, o, d, met);
     case MURK_REGION_EVERYWHERE:
     case MURK_REGION_GRID:
     case MURK_REGION_MESH:
@@ -131,23 +137,23 @@ static bool meet(const murk_shell *shell, bool is_inside, murk_vec3 o,
 
 /* The normal facing where the ray came from, unit. */
 static murk_vec3 facing(const meeting *met, bool is_inside, murk_vec3 direction,
-                        const murk_shell *shell)
+                        const murk_region_boundary *region_boundary)
 {
     const murk_vec3 n = murk_unit(met->normal);
-    const bool flips = shell->shape == MURK_REGION_SPHERE
+    const bool flips = region_boundary->shape == MURK_REGION_SPHERE
                            ? is_inside
                            : murk_dot(n, direction) > 0;
     return flips ? murk_scale(-1, n) : n;
 }
 
 /* In the shell's frame the face is where row . p + shift = at. */
-static murk_flat flat_of(const murk_shell *shell, int axis, double at,
-                         bool is_upper)
+static murk_flat flat_of(const murk_region_boundary *region_boundary, int axis,
+                         double at, bool is_upper)
 {
-    const murk_vec3 row = face_normal(shell, axis);
-    const murk_vec3 s = shell->to_local.shift;
+    const murk_vec3 row = face_normal(region_boundary, axis);
+    const murk_vec3 s = region_boundary->to_local.shift;
     const double shift = axis == 0 ? s.x : axis == 1 ? s.y : s.z;
-    return (murk_flat){.region = shell->region,
+    return (murk_flat){.region = region_boundary->region,
                        .point =
                            murk_scale((at - shift) / murk_dot(row, row), row),
                        .normal = murk_scale(is_upper ? 1 : -1, murk_unit(row))};
@@ -156,17 +162,18 @@ static murk_flat flat_of(const murk_shell *shell, int axis, double at,
 size_t murk_media_flats(const murk_media *media, murk_flat flat[MURK_FLATS_MAX])
 {
     size_t n = 0;
-    for (size_t i = 0; i < media->n_shells; ++i) {
-        const murk_shell *shell = &media->shells[i];
-        if (shell->shape != MURK_REGION_BOX &&
-            shell->shape != MURK_REGION_BELOW) {
+    for (size_t i = 0; i < media->n_boundaries; ++i) {
+        const murk_region_boundary *region_boundary = &media->boundaries[i];
+        if (region_boundary->shape != MURK_REGION_BOX &&
+            region_boundary->shape != MURK_REGION_BELOW) {
             continue;
         }
-        const murk_vec3 a = shell->box.min, b = shell->box.max;
+        const murk_vec3 a = region_boundary->box.min,
+                        b = region_boundary->box.max;
         const double at[6] = {a.x, b.x, a.y, b.y, a.z, b.z};
         for (int k = 0; k < 6; ++k) {
             if (isfinite(at[k])) {
-                flat[n++] = flat_of(shell, k / 2, at[k], k % 2 == 1);
+                flat[n++] = flat_of(region_boundary, k / 2, at[k], k % 2 == 1);
             }
         }
     }
@@ -178,24 +185,24 @@ size_t murk_media_indices(const murk_media *media,
 {
     size_t n = 0;
     index[n++] = 1;
-    for (size_t i = 0; i < media->n_shells; ++i) {
-        index[n++] = media->shells[i].ior;
+    for (size_t i = 0; i < media->n_boundaries; ++i) {
+        index[n++] = media->boundaries[i].ior;
     }
     return n;
 }
 
 bool murk_media_bends(const murk_media *media)
 {
-    return media->n_shells > 0;
+    return media->n_boundaries > 0;
 }
 
 murk_inside murk_media_inside(const murk_media *media, murk_vec3 point)
 {
     murk_inside inside = 0;
-    for (size_t i = 0; i < media->n_shells; ++i) {
-        const murk_shell *shell = &media->shells[i];
-        if (murk_shell_holds(shell, point)) {
-            inside |= (murk_inside)1 << shell->region;
+    for (size_t i = 0; i < media->n_boundaries; ++i) {
+        const murk_region_boundary *region_boundary = &media->boundaries[i];
+        if (murk_region_boundary_holds(region_boundary, point)) {
+            inside |= (murk_inside)1 << region_boundary->region;
         }
     }
     return inside;
@@ -203,9 +210,9 @@ murk_inside murk_media_inside(const murk_media *media, murk_vec3 point)
 
 double murk_media_index(const murk_media *media, murk_inside inside)
 {
-    for (size_t i = media->n_shells; i-- > 0;) {
-        if (inside >> media->shells[i].region & 1) {
-            return media->shells[i].ior;
+    for (size_t i = media->n_boundaries; i-- > 0;) {
+        if (inside >> media->boundaries[i].region & 1) {
+            return media->boundaries[i].ior;
         }
     }
     return 1;
@@ -222,10 +229,10 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
               direction.z)) {
         return false; /* meets nothing; no shape has to think of it */
     }
-    for (size_t i = 0; i < media->n_shells; ++i) {
-        const murk_shell *shell = &media->shells[i];
-        const bool is_inside = inside >> shell->region & 1;
-        if (!meet(shell, is_inside, origin, direction, &met[i])) {
+    for (size_t i = 0; i < media->n_boundaries; ++i) {
+        const murk_region_boundary *region_boundary = &media->boundaries[i];
+        const bool is_inside = inside >> region_boundary->region & 1;
+        if (!meet(region_boundary, is_inside, origin, direction, &met[i])) {
             met[i].distance = INFINITY;
         } else if (met[i].distance < nearest) {
             nearest = met[i].distance;
@@ -236,19 +243,20 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
         return false;
     }
     *boundary = (murk_boundary){.distance_m = nearest};
-    for (size_t i = 0; i < media->n_shells; ++i) {
-        const murk_shell *shell = &media->shells[i];
+    for (size_t i = 0; i < media->n_boundaries; ++i) {
+        const murk_region_boundary *region_boundary = &media->boundaries[i];
         const double behind = met[i].distance - nearest;
         if (!(behind < INFINITY)) {
             continue;
         }
-        const bool is_inside = inside >> shell->region & 1;
-        const murk_vec3 normal = facing(&met[i], is_inside, direction, shell);
+        const bool is_inside = inside >> region_boundary->region & 1;
+        const murk_vec3 normal =
+            facing(&met[i], is_inside, direction, region_boundary);
         if (behind * fabs(murk_dot(normal, direction)) <= media->near_m) {
-            boundary->crossed |= (murk_inside)1 << shell->region;
-            boundary->region = shell->region;
+            boundary->crossed |= (murk_inside)1 << region_boundary->region;
+            boundary->region = region_boundary->region;
             boundary->normal = normal;
-            boundary->mean_square_slope = shell->mean_square_slope;
+            boundary->mean_square_slope = region_boundary->mean_square_slope;
         }
     }
     return true;
@@ -258,12 +266,13 @@ murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
                                murk_vec3 point, int axis)
 {
     murk_inside wrapped = inside;
-    for (size_t i = 0; i < media->n_shells; ++i) {
-        const murk_shell *shell = &media->shells[i];
-        const murk_inside bit = (murk_inside)1 << shell->region;
-        if (!shell->spans[axis]) {
-            wrapped =
-                murk_shell_holds(shell, point) ? wrapped | bit : wrapped & ~bit;
+    for (size_t i = 0; i < media->n_boundaries; ++i) {
+        const murk_region_boundary *region_boundary = &media->boundaries[i];
+        const murk_inside bit = (murk_inside)1 << region_boundary->region;
+        if (!region_boundary->spans[axis]) {
+            wrapped = murk_region_boundary_holds(region_boundary, point)
+                          ? wrapped | bit
+                          : wrapped & ~bit;
         }
     }
     return wrapped;
@@ -274,7 +283,7 @@ bool murk_media_interface_between(const murk_media *media, murk_vec3 from,
 {
     const murk_vec3 way = murk_sub(to, from);
     const double length = murk_length(way);
-    if (media->n_shells == 0 || !(length > 0)) {
+    if (media->n_boundaries == 0 || !(length > 0)) {
         return false;
     }
     const murk_vec3 direction = murk_scale(1 / length, way);
@@ -287,7 +296,7 @@ bool murk_media_interface_between(const murk_media *media, murk_vec3 from,
     murk_boundary b;
     /* A convex shell is entered and left once. */
     for (size_t i = 0;
-         i < 2 * media->n_shells &&
+         i < 2 * media->n_boundaries &&
          murk_media_boundary(media, inside, murk_along(from, gone, direction),
                              direction, length - gone, &b);
          ++i) {

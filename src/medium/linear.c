@@ -136,9 +136,9 @@ static void load_cell(murk_linear *m)
 static void cross_cell(murk_linear *m)
 {
     load_cell(m);
-    const double least =
+    const double min =
         murk_smaller(murk_smaller(m->cross[0], m->cross[1]), m->cross[2]);
-    m->to = murk_smaller(murk_larger(least, m->from), m->end);
+    m->to = murk_smaller(murk_larger(min, m->from), m->end);
 }
 
 /* On to the next cell of the block; false when that lies outside. */

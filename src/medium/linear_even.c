@@ -33,7 +33,7 @@ static bool find_even_box(murk_linear *m, even_box *box)
     box->value[0] = own.value;
     box->size = own.size;
     for (;;) {
-        int32_t least = box->size;
+        int32_t min = box->size;
         box->behind = axes_at_end(m->at, box->size);
         for (unsigned which = 1; which < 8; ++which) {
             if (which & ~box->behind) {
@@ -47,12 +47,12 @@ static bool find_even_box(murk_linear *m, even_box *box)
                 return false;
             }
             box->value[which] = other.value;
-            least = other.size < least ? other.size : least;
+            min = other.size < min ? other.size : min;
         }
-        if (least == box->size) {
+        if (min == box->size) {
             return true;
         }
-        box->size = least;
+        box->size = min;
     }
 }
 
@@ -79,23 +79,23 @@ static void place_between(murk_linear *m, const int32_t first[3],
 static void cross_between(murk_linear *m, const int32_t first[3],
                           const int32_t last[3])
 {
-    double leave[3], least = INFINITY;
+    double leave[3], min = INFINITY;
     for (int axis = 0; axis < 3; ++axis) {
         const double face =
             m->inverse[axis] > 0 ? (double)last[axis] + 1 : (double)first[axis];
         leave[axis] = m->inverse[axis] == 0
                           ? INFINITY
                           : (face - m->origin[axis]) * m->inverse[axis];
-        least = murk_smaller(least, leave[axis]);
+        min = murk_smaller(min, leave[axis]);
     }
-    place_between(m, first, last, least);
+    place_between(m, first, last, min);
     for (int axis = 0; axis < 3; ++axis) {
-        if (leave[axis] <= least && m->inverse[axis] != 0) {
+        if (leave[axis] <= min && m->inverse[axis] != 0) {
             m->at[axis] =
                 m->inverse[axis] > 0 ? last[axis] + 1 : first[axis] - 1;
         }
     }
-    m->to = murk_smaller(murk_larger(least, m->from), m->end);
+    m->to = murk_smaller(murk_larger(min, m->from), m->end);
 }
 
 static void cross_even_box(murk_linear *m, const even_box *box)
@@ -122,7 +122,7 @@ static void cross_even_box(murk_linear *m, const even_box *box)
 static void skip_to_root_cell(murk_linear *m)
 {
     const murk_root_cell *nearest = NULL;
-    double least = m->end;
+    double min = m->end;
     for (size_t i = 0; i < m->tree->n_cells; ++i) {
         const murk_root_cell *cell = &m->tree->cells[i];
         double t0 = m->from, t1 = m->end;
@@ -133,12 +133,12 @@ static void skip_to_root_cell(murk_linear *m)
                 murk_clip_axis(low, low + MURK_ROOT_CELL + 1, m->origin[axis],
                                m->inverse[axis], &t0, &t1);
         }
-        if (is_met && t0 < least) {
-            least = t0;
+        if (is_met && t0 < min) {
+            min = t0;
             nearest = cell;
         }
     }
-    m->to = least;
+    m->to = min;
     for (int axis = 0; axis < 3; ++axis) {
         m->low[axis] = m->at[axis];
     }
@@ -149,7 +149,7 @@ static void skip_to_root_cell(murk_linear *m)
         const int32_t last[3] = {f[0] + MURK_ROOT_CELL - 1,
                                  f[1] + MURK_ROOT_CELL - 1,
                                  f[2] + MURK_ROOT_CELL - 1};
-        place_between(m, first, last, least);
+        place_between(m, first, last, min);
     }
 }
 

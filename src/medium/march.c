@@ -45,25 +45,25 @@ static void place_in_cell(murk_march *m, const int32_t first[3], int32_t size,
 static void skip_to_root_cell(murk_march *m)
 {
     const murk_root_cell *nearest = NULL;
-    double least = m->end;
+    double min = m->end;
     for (size_t i = 0; i < m->tree->n_cells; ++i) {
         double t0 = m->from, t1 = m->end;
-        if (clip_root_cell(m, &m->tree->cells[i], &t0, &t1) && t0 < least) {
-            least = t0;
+        if (clip_root_cell(m, &m->tree->cells[i], &t0, &t1) && t0 < min) {
+            min = t0;
             nearest = &m->tree->cells[i];
         }
     }
-    m->to = least;
+    m->to = min;
     m->value = 0;
     if (nearest) {
-        place_in_cell(m, nearest->first, MURK_ROOT_CELL, least);
+        place_in_cell(m, nearest->first, MURK_ROOT_CELL, min);
     }
 }
 
 /* One segment across a cell of one value. */
 static void cross_cell(murk_march *m, int32_t size, double value)
 {
-    double leave[3], least = INFINITY;
+    double leave[3], min = INFINITY;
     int32_t first[3];
     for (int axis = 0; axis < 3; ++axis) {
         first[axis] = m->at[axis] & ~(size - 1);
@@ -72,16 +72,16 @@ static void cross_cell(murk_march *m, int32_t size, double value)
         leave[axis] = m->inverse[axis] == 0
                           ? INFINITY
                           : (face - m->origin[axis]) * m->inverse[axis];
-        least = murk_smaller(least, leave[axis]);
+        min = murk_smaller(min, leave[axis]);
     }
-    place_in_cell(m, first, size, least);
+    place_in_cell(m, first, size, min);
     for (int axis = 0; axis < 3; ++axis) {
-        if (leave[axis] <= least && m->inverse[axis] != 0) {
+        if (leave[axis] <= min && m->inverse[axis] != 0) {
             m->at[axis] =
                 m->inverse[axis] > 0 ? first[axis] + size : first[axis] - 1;
         }
     }
-    m->to = murk_smaller(murk_larger(least, m->from), m->end);
+    m->to = murk_smaller(murk_larger(min, m->from), m->end);
     m->value = value;
 }
 
@@ -91,9 +91,9 @@ static inline void cross_voxel(murk_march *m)
     const int *in = m->in_leaf, *mirror = m->mirror;
     m->value = m->leaf[((in[0] ^ mirror[0]) << 6) | ((in[1] ^ mirror[1]) << 3) |
                        (in[2] ^ mirror[2])];
-    const double least =
+    const double min =
         murk_smaller(murk_smaller(m->cross[0], m->cross[1]), m->cross[2]);
-    m->to = murk_smaller(murk_larger(least, m->from), m->end);
+    m->to = murk_smaller(murk_larger(min, m->from), m->end);
 }
 
 static void enter_leaf(murk_march *m, const unsigned char *node)

@@ -240,27 +240,27 @@ static bool is_similarity(const murk_affine *a)
     return off <= SIMILAR * square[0];
 }
 
-static murk_status shell_all(murk_media *media, const murk_region *regions,
-                             size_t n_regions, const murk_box *domain,
-                             murk_error *err)
+static murk_status boundary_all(murk_media *media, const murk_region *regions,
+                                size_t n_regions, const murk_box *domain,
+                                murk_error *err)
 {
-    media->near_m = murk_shell_near(domain);
+    media->near_m = murk_region_boundary_near(domain);
     for (size_t i = 0; i < n_regions; ++i) {
         if (!(regions[i].ior > 0)) {
             continue;
         }
-        if (!murk_shell_make(&media->shells[media->n_shells], i, &regions[i],
-                             domain) ||
-            !is_similarity(&media->shells[media->n_shells].to_local)) {
+        if (!murk_region_boundary_make(&media->boundaries[media->n_boundaries],
+                                       i, &regions[i], domain) ||
+            !is_similarity(&media->boundaries[media->n_boundaries].to_local)) {
             return murk_fail(err, MURK_BAD_VALUE,
                              place_of(regions[i].where, "region"),
                              "a region with an index must keep its shape "
                              "when it is moved: no shear, one scale");
         }
-        ++media->n_shells;
+        ++media->n_boundaries;
     }
-    return murk_shells_check(media->shells, media->n_shells, regions, domain,
-                             err);
+    return murk_region_boundaries_check(media->boundaries, media->n_boundaries,
+                                        regions, domain, err);
 }
 
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
@@ -290,9 +290,9 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
     if (made) {
         made->media = calloc(n_media + 1, sizeof *made->media);
         made->places = calloc(n_regions + 1, sizeof *made->places);
-        made->shells = calloc(n_regions + 1, sizeof *made->shells);
+        made->boundaries = calloc(n_regions + 1, sizeof *made->boundaries);
     }
-    if (!made || !made->media || !made->places || !made->shells) {
+    if (!made || !made->media || !made->places || !made->boundaries) {
         status = murk_fail(err, MURK_NO_MEMORY, "regions",
                            "no memory for %zu regions", n_regions);
         goto done;
@@ -307,7 +307,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
                     made->places[0].filling == MURK_FILLED_EVENLY &&
                     !made->media[made->places[0].medium].albedo_grid;
     if (!status) {
-        status = shell_all(made, regions, n_regions, domain, err);
+        status = boundary_all(made, regions, n_regions, domain, err);
     }
     if (status) {
         goto done;
@@ -325,7 +325,7 @@ static void release_places(murk_media *media)
         murk_bricks_destroy(media->places[i].bricks);
     }
     free(media->places);
-    free(media->shells);
+    free(media->boundaries);
 }
 
 murk_media *murk_media_borrowing(const murk_media *media)

@@ -4,7 +4,7 @@
 
 #include "medium/media.h"
 #include "medium/place.h"
-#include "medium/shell.h"
+#include "medium/region_boundary.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,8 +14,9 @@ struct murk_media {
     size_t n_media;
     murk_place *places;
     size_t n_places;
-    murk_shell *shells; /* of the regions with an index, as listed */
-    size_t n_shells;
+    murk_region_boundary
+        *boundaries; /* of the regions with an index, as listed */
+    size_t n_boundaries;
     bool borrows_places;          /* places and shells are another's */
     bool is_even;                 /* one region, everywhere, filled evenly */
     double near_m;                /* boundaries nearer than this are one */

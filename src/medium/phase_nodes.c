@@ -7,7 +7,7 @@
 #define TWO_PI 6.283185307179586
 
 /* 1 - cos of the smallest angle whose cosine is not rounded to 1. */
-#define S_LEAST 0x1p-54
+#define S_MIN 0x1p-54
 
 static void add(murk_phase_nodes *nodes, murk_phase_node node)
 {
@@ -231,7 +231,7 @@ double murk_phase_table_share(const murk_phase_table *table, double s)
 double murk_phase_table_density(const murk_phase_table *table, double mu)
 {
     assert(mu >= -1 && mu <= 1);
-    const double s = fmax(1 - mu, S_LEAST);
+    const double s = fmax(1 - mu, S_MIN);
     const murk_phase_node *node = table->node;
     if (s < node->s) {
         return node->density * pow(s / node->s, table->power);

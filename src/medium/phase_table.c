@@ -1,7 +1,7 @@
 #include "medium/phase_table.h"
 
 #include "medium/fournier_forand.h"
-#include "medium/phase_kept.h"
+#include "medium/phase_cache.h"
 #include "medium/phase_nodes.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #define DEGREE 0.017453292519943295
 
 #define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere lies before */
-#define LEAST_DEG     1e-6  /* a smaller angle has the cosine of 0 */
+#define MIN_DEG       1e-6  /* a smaller angle has the cosine of 0 */
 #define LAST_DEG_MIN  150.0 /* less than 7 % behind */
 #define ROWS_MAX      1000000
 #define VALUE_MIN     1e-30
@@ -41,9 +41,9 @@ static murk_status check_angle(const murk_phase_rows *rows, size_t i,
 {
     const double angle = rows->angle_deg[i];
     char text[160] = "";
-    if (!(angle == 0 || (angle >= LEAST_DEG && angle <= 180))) {
+    if (!(angle == 0 || (angle >= MIN_DEG && angle <= 180))) {
         snprintf(text, sizeof text, "%.9g, must be 0 or %g..180 degrees", angle,
-                 LEAST_DEG);
+                 MIN_DEG);
     } else if (i > 0 && !(angle > rows->angle_deg[i - 1])) {
         snprintf(text, sizeof text,
                  "%.9g, must be more than the %.9g degrees before", angle,
@@ -205,12 +205,12 @@ murk_status murk_phase_table_create(murk_phase_table **out,
     }
     const murk_phase_origin origin = {rows->rows, rows->angle_deg,
                                       rows->phase_per_sr};
-    if (murk_phase_kept_find(out, &origin)) {
+    if (murk_phase_cache_find(out, &origin)) {
         return MURK_OK;
     }
     status = lay_table(out, rows, err);
     if (!status) {
-        murk_phase_kept_put(*out, &origin);
+        murk_phase_cache_put(*out, &origin);
     }
     return status;
 }
@@ -251,14 +251,14 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
                          "1.001..2",
                          n);
     }
-    if (!(slope >= MURK_FORAND_LEAST && slope <= MURK_FORAND_MOST)) {
+    if (!(slope >= MURK_FORAND_MIN && slope <= MURK_FORAND_MAX)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "slope mu of Fournier-Forand is %g, must be %g..%g",
-                         slope, MURK_FORAND_LEAST, MURK_FORAND_MOST);
+                         slope, MURK_FORAND_MIN, MURK_FORAND_MAX);
     }
     const forand f = {n, slope};
     const murk_phase_origin origin = {1, &n, &slope};
-    if (murk_phase_kept_find(out, &origin)) {
+    if (murk_phase_cache_find(out, &origin)) {
         return MURK_OK;
     }
     const double s = forand_head(&f);
@@ -267,7 +267,7 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
     murk_phase_nodes_law(&nodes, 2, forand_density, &f);
     const murk_status status = murk_phase_nodes_finish(out, &nodes, where, err);
     if (!status) {
-        murk_phase_kept_put(*out, &origin);
+        murk_phase_cache_put(*out, &origin);
     }
     return status;
 }

@@ -242,14 +242,14 @@ void set_name(murk_vdb_facts &facts, const std::string &name)
 murk_status convert(const openvdb::DoubleGrid &fine, const char *name,
                     openvdb::FloatGrid::Ptr &grid, const Place &at)
 {
-    const double most = std::numeric_limits<float>::max();
+    const double upper = std::numeric_limits<float>::max();
     for (auto it = fine.tree().cbeginValueAll(); it; ++it) {
-        if (std::isfinite(*it) && std::fabs(*it) > most) {
+        if (std::isfinite(*it) && std::fabs(*it) > upper) {
             const openvdb::Coord v = it.getCoord();
             return murk_fail(at.err, MURK_BAD_VALUE, at.where,
                              "grid %.100s holds %g at voxel (%d, %d, %d), "
                              "must be at most %g, as floats hold",
-                             name, *it, v.x(), v.y(), v.z(), most);
+                             name, *it, v.x(), v.y(), v.z(), upper);
         }
     }
     grid = std::make_shared<openvdb::FloatGrid>(fine);

@@ -2,8 +2,8 @@
  * checked, as a NanoVDB float grid; and dense fields as the bytes of a file.
  * Inside this room only; plain C for both sides.
  *
- * Runs in a child process (base/child.h): a hostile file may crash it or make
- * it ask for any memory.
+ * Runs in a child process (base/subprocess.h): a hostile file may crash it or
+ * make it ask for any memory.
  *
  * Source: Museth, ACM Trans. Graph. 32 (2013) 27, doi:10.1145/2487228.2487235;
  * Museth, NanoVDB, SIGGRAPH Talks 2021, doi:10.1145/3450623.3464653. */

@@ -1,7 +1,7 @@
 #include "photonmap/map.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "photonmap/order.h"
 #include "photonmap/tree.h"
 
@@ -41,9 +41,9 @@ static void put_box(murk_boxes *boxes, size_t box, const float min[3],
 
 static void put_empty_box(murk_boxes *boxes, size_t box)
 {
-    const float most[3] = {INFINITY, INFINITY, INFINITY};
-    const float least[3] = {-INFINITY, -INFINITY, -INFINITY};
-    put_box(boxes, box, most, least);
+    const float maximum[3] = {INFINITY, INFINITY, INFINITY};
+    const float minimum[3] = {-INFINITY, -INFINITY, -INFINITY};
+    put_box(boxes, box, maximum, minimum);
 }
 
 static void box_of_photons(const murk_photon *photons, size_t n, float min[3],
@@ -158,7 +158,7 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
         goto done;
     }
     if (map->levels > 0) {
-        murk_crew_run(threads, murk_groups_of(map->n_boxes[0]), leaf_boxes_job,
+        murk_pool_run(threads, murk_groups_of(map->n_boxes[0]), leaf_boxes_job,
                       map);
     }
     for (unsigned level = 1; level < map->levels; ++level) {

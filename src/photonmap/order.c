@@ -1,7 +1,7 @@
 #include "photonmap/order.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "photonmap/scan.h"
 
 #include <float.h>
@@ -226,9 +226,9 @@ int murk_order(murk_photon *photons, size_t n, unsigned threads)
     size_t nodes = 1;
     if (threads > 1 && leaves > LEAVES_SERIAL) {
         for (; nodes < SUBTREES; nodes *= 2, o.span /= 2) {
-            murk_crew_run(threads, nodes, split_job, &o);
+            murk_pool_run(threads, nodes, split_job, &o);
         }
     }
-    murk_crew_run(threads, nodes, subtree_job, &o);
+    murk_pool_run(threads, nodes, subtree_job, &o);
     return !murk_interrupted();
 }

@@ -1,5 +1,5 @@
 /* The search behind placement/at_least.h. For each count: the plan that
- * placement/finding.h makes for the mean, and the best strict plan of one
+ * placement/incumbent.h makes for the mean, and the best strict plan of one
  * sensor fewer with one more, both moved uphill by the strict share; where
  * neither meets the target and the bound leaves it open, branch and bound
  * (placement/exact.h) with a judge.
@@ -13,7 +13,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "placement/finding.h"
+#include "placement/incumbent.h"
 #include "placement/place_check.h"
 
 #include <assert.h>
@@ -26,11 +26,11 @@
 
 typedef struct run {
     const murk_place_desc *desc;
-    const murk_oracle *oracle;
+    const murk_evaluator *evaluator;
     const murk_rulebook *book; /* NULL: no rules but a count */
     size_t views;              /* that each photon is to have */
-    murk_finding mean;         /* plans by the mean */
-    murk_standing standing;    /* with rules: of what stands */
+    murk_incumbent mean;       /* plans by the mean */
+    murk_partial_plan partial; /* with rules: of what stands */
     murk_cover cover;          /* of what stands */
     murk_cover wanting;        /* one layer: full but where one view lacks */
     uint32_t *open;            /* [candidates] that may join */
@@ -38,7 +38,7 @@ typedef struct run {
     uint32_t *plan, *trial;    /* [most sensors]; plan: the best of a count */
     size_t size, trial_size;
     uint64_t value; /* strict, of plan */
-    uint64_t rows, rows_most;
+    uint64_t rows, rows_max;
     murk_place_result *result;
 } run;
 
@@ -83,8 +83,8 @@ static uint64_t strict_of(const murk_cover *cover, const murk_layout *layout)
 
 static void join(run *r, uint32_t candidate)
 {
-    const murk_row row = murk_oracle_row(r->oracle, 0, candidate);
-    murk_cover_add(&r->cover, r->oracle->layout, &row);
+    const murk_row row = murk_evaluator_row(r->evaluator, 0, candidate);
+    murk_cover_add(&r->cover, r->evaluator->layout, &row);
     ++r->rows;
 }
 
@@ -92,15 +92,15 @@ static void join(run *r, uint32_t candidate)
 static void stand(run *r, const uint32_t *plan, size_t size, size_t but,
                   size_t wanted)
 {
-    murk_cover_clear(&r->cover, r->oracle->layout);
+    murk_cover_clear(&r->cover, r->evaluator->layout);
     if (r->book) {
-        murk_standing_clear(&r->standing, wanted);
+        murk_partial_plan_clear(&r->partial, wanted);
     }
     for (size_t k = 0; k < size; ++k) {
         if (k != but) {
             join(r, plan[k]);
             if (r->book) {
-                murk_standing_add(&r->standing, plan[k]);
+                murk_partial_plan_add(&r->partial, plan[k]);
             }
         }
     }
@@ -108,11 +108,11 @@ static void stand(run *r, const uint32_t *plan, size_t size, size_t but,
 
 static uint64_t strict_value(run *r, const uint32_t *plan, size_t size)
 {
-    murk_cover_clear(&r->cover, r->oracle->layout);
+    murk_cover_clear(&r->cover, r->evaluator->layout);
     for (size_t k = 0; k < size; ++k) {
         join(r, plan[k]);
     }
-    return strict_of(&r->cover, r->oracle->layout);
+    return strict_of(&r->cover, r->evaluator->layout);
 }
 
 /* Keeps the plan if it is the best of its count. */
@@ -145,12 +145,12 @@ static bool holds(const uint32_t *plan, size_t size, size_t but,
 static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
                       uint32_t *now)
 {
-    const murk_oracle *o = r->oracle;
+    const murk_evaluator *o = r->evaluator;
     const size_t words = o->layout->words;
     size_t n = 0;
     for (uint32_t j = 0; j < o->candidates; ++j) {
         if (!holds(plan, size, but, j) &&
-            (!r->book || murk_standing_admits(&r->standing, j, true))) {
+            (!r->book || murk_partial_plan_admits(&r->partial, j, true))) {
             r->open[n++] = j;
         }
     }
@@ -162,8 +162,8 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
         r->wanting.full[i] = enough | ~nearly;
     }
     const unsigned threads = o->problem->threads;
-    murk_oracle_gains(o, &r->wanting, r->open, n, threads, 0, r->strict);
-    murk_oracle_gains(o, &r->cover, r->open, n, threads, 0, r->sum);
+    murk_evaluator_gains(o, &r->wanting, r->open, n, threads, 0, r->strict);
+    murk_evaluator_gains(o, &r->cover, r->open, n, threads, 0, r->sum);
     r->rows += 2 * n;
     r->result->evaluations += n;
     size_t best = n;
@@ -171,9 +171,9 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
         const worth w = {r->strict[k], r->sum[k]};
         bool is_better = best == n;
         if (!is_better) { /* of equals, the sensor that stands there stays */
-            const worth most = {r->strict[best], r->sum[best]};
+            const worth max = {r->strict[best], r->sum[best]};
             is_better =
-                is_more(w, most) || (!is_more(most, w) && r->open[k] == *now);
+                is_more(w, max) || (!is_more(max, w) && r->open[k] == *now);
         }
         if (is_better) {
             best = k;
@@ -189,12 +189,12 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
  * views, is more, until none moves or the work of searching is spent. */
 static void relocate(run *r)
 {
-    const size_t fixed = r->book ? r->book->rules->fixed_count : 0;
+    const size_t fixed = r->book ? r->book->constraints->fixed_count : 0;
     const size_t n = r->trial_size, movers = n - fixed;
     size_t still = 0; /* sensors in a row that did not move */
     for (size_t at = 0; still < movers && !murk_interrupted();
          at = (at + 1) % movers) {
-        if (r->rows > r->rows_most) {
+        if (r->rows > r->rows_max) {
             r->result->is_work_cut = true;
             return;
         }
@@ -228,7 +228,7 @@ static uint64_t judge(void *context, const uint32_t *plan, size_t size,
 {
     run *r = context;
     keep_better(r, plan, size, strict_value(r, plan, size));
-    return r->value >= r->desc->target ? r->oracle->layout->whole : known;
+    return r->value >= r->desc->target ? r->evaluator->layout->whole : known;
 }
 
 /* Under rules: the best plan, found with fewer than n, filled up by whoever may
@@ -258,7 +258,7 @@ static murk_status prove(run *r, size_t n, uint64_t *upper, murk_error *err)
                               : 0;
     const bool is_wanted = r->desc->method == MURK_PLACE_BEST ||
                            r->desc->method == MURK_PLACE_EXACT;
-    murk_finding *p = &r->mean;
+    murk_incumbent *p = &r->mean;
     uint64_t bound =
         murk_bound_tighten(&p->bound, n, below, p->plan, p->size, ROUNDS);
     bound = bound < *upper ? bound : *upper;
@@ -290,9 +290,9 @@ static murk_status find_count(run *r, size_t n, bool from,
                               const uint32_t *mean_from, murk_curve_point *mean,
                               murk_curve_point *point, murk_error *err)
 {
-    murk_finding *p = &r->mean;
+    murk_incumbent *p = &r->mean;
     const bool was_cut = r->result->is_cut;
-    murk_status status = murk_finding_count(p, n, mean_from, mean, err);
+    murk_status status = murk_incumbent_count(p, n, mean_from, mean, err);
     r->result->is_cut = was_cut; /* it was to do without branch and bound */
     if (status || murk_interrupted()) {
         return status;
@@ -327,7 +327,7 @@ static murk_status find_count(run *r, size_t n, bool from,
 /* Counts from the first that may do on, until one's plan meets the target. */
 static murk_status find_all(run *r, murk_error *err)
 {
-    murk_finding *p = &r->mean;
+    murk_incumbent *p = &r->mean;
     murk_place_result *result = r->result;
     const size_t first = p->first > r->views ? p->first : r->views;
     /* Fewer sensors see no more where each plan can be filled up: then what is
@@ -369,14 +369,14 @@ static murk_status find_all(run *r, murk_error *err)
 
 static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
 {
-    const murk_oracle *o = r->oracle;
+    const murk_evaluator *o = r->evaluator;
     const size_t n = o->candidates + 1;
     r->open = malloc(n * sizeof *r->open);
     r->strict = malloc(n * sizeof *r->strict);
     r->sum = malloc(n * sizeof *r->sum);
     r->plan = calloc(n, sizeof *r->plan);
     r->trial = calloc(n, sizeof *r->trial);
-    r->rows_most = murk_search_rows_most(o);
+    r->rows_max = murk_search_rows_max(o);
     if (!r->open || !r->strict || !r->sum || !r->plan || !r->trial ||
         !murk_cover_init(&r->cover, o->layout, true) ||
         !murk_cover_init_single(&r->wanting, o->layout, true)) {
@@ -385,7 +385,7 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
     }
     if (r->book) {
         const murk_status status =
-            murk_standing_init(&r->standing, r->book, err);
+            murk_partial_plan_init(&r->partial, r->book, err);
         if (status) {
             return status;
         }
@@ -410,9 +410,9 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
     desc->target = enough < o->ceiling ? enough : o->ceiling;
     desc->nodes = 0;
     const murk_status status =
-        murk_finding_init(&r->mean, o, r->book, desc, r->result, err);
+        murk_incumbent_init(&r->mean, o, r->book, desc, r->result, err);
     if (!status && !r->book) {
-        murk_finding_greedy(&r->mean);
+        murk_incumbent_greedy(&r->mean);
     }
     return status;
 }
@@ -443,8 +443,8 @@ static int by_number(const void *a, const void *b)
 
 static void release(run *r)
 {
-    murk_finding_release(&r->mean);
-    murk_standing_release(&r->standing);
+    murk_incumbent_release(&r->mean);
+    murk_partial_plan_release(&r->partial);
     murk_cover_release(&r->cover);
     murk_cover_release(&r->wanting);
     free(r->open);
@@ -460,26 +460,28 @@ murk_status murk_place_at_least(murk_place_result *out,
                                 const murk_place_desc *desc, murk_error *err)
 {
     assert(out && problem && matrix && desc && desc->target > 0);
-    murk_oracle oracle = {0};
+    murk_evaluator evaluator = {0};
     murk_rulebook rulebook = {0};
     murk_place_result result = {.guarantee = "none"};
     murk_place_desc of_mean = *desc;
     run r = {.desc = desc,
-             .oracle = &oracle,
-             .book = desc->rules ? &rulebook : NULL,
+             .evaluator = &evaluator,
+             .book = desc->constraints ? &rulebook : NULL,
              .views = murk_problem_layers(problem),
              .result = &result};
     murk_status status = murk_place_check(problem, true, desc, err);
     if (!status && r.book) {
-        status = murk_rulebook_init(&rulebook, desc->rules, problem->candidates,
-                                    desc->count, true, err);
+        status =
+            murk_rulebook_init(&rulebook, desc->constraints,
+                               problem->candidates, desc->count, true, err);
     }
     if (!status) {
-        status = murk_oracle_init(&oracle, problem, matrix, r.book,
-                                  r.book ? rulebook.most_sensors : desc->count,
-                                  desc->keep_dominated, err);
+        status =
+            murk_evaluator_init(&evaluator, problem, matrix, r.book,
+                                r.book ? rulebook.max_sensors : desc->count,
+                                desc->keep_dominated, err);
     }
-    oracle.search_work = desc->search_work;
+    evaluator.search_work = desc->search_work;
     if (!status) {
         status = begin(&r, &of_mean, err);
     }
@@ -501,12 +503,12 @@ murk_status murk_place_at_least(murk_place_result *out,
         }
         qsort(result.sensor, result.count, sizeof *result.sensor, by_number);
         result.proven_optimal = result.value == result.upper;
-        result.after_presolve = oracle.undominated;
+        result.after_presolve = evaluator.undominated;
         *out = result;
         result = (murk_place_result){0};
     }
     release(&r);
-    murk_oracle_release(&oracle);
+    murk_evaluator_release(&evaluator);
     murk_rulebook_release(&rulebook);
     murk_place_release(&result);
     return status;

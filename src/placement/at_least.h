@@ -23,7 +23,7 @@
 #include "placement/place.h"
 
 /* `problem` as the strict question sees it: views are clear or none, and
- * at_least, 1..MURK_REDUNDANCY_MOST, of a photon count. Borrows `of`. */
+ * at_least, 1..MURK_REDUNDANCY_MAX, of a photon count. Borrows `of`. */
 typedef struct murk_at_least {
     murk_problem problem;
     const murk_problem *of;

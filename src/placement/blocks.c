@@ -1,6 +1,6 @@
 #include "placement/blocks.h"
 
-#include "base/crew.h"
+#include "base/pool.h"
 
 #include <stdlib.h>
 
@@ -30,7 +30,7 @@ static void gain_of_one(void *context, unsigned worker, uint64_t k)
     const gaining *g = context;
     const size_t n = g->views->blocks->n;
     const murk_row row =
-        murk_oracle_row(g->views->oracle, worker, g->candidate[k]);
+        murk_evaluator_row(g->views->evaluator, worker, g->candidate[k]);
     for (size_t c = 0; c < n; ++c) {
         g->gain[k * n + c] =
             murk_row_gain(&g->views->layout[c], &row, g->cover);
@@ -41,9 +41,9 @@ void murk_block_gains(const murk_block_views *views, const murk_cover *cover,
                       const uint32_t *candidate, size_t count, uint64_t *gain)
 {
     gaining g = {views, cover, candidate, gain};
-    const unsigned threads = murk_oracle_threads(views->oracle, count);
+    const unsigned threads = murk_evaluator_threads(views->evaluator, count);
     if (threads > 1) {
-        murk_crew_run_workers(threads, count, gain_of_one, &g);
+        murk_pool_run_workers(threads, count, gain_of_one, &g);
         return;
     }
     for (size_t k = 0; k < count; ++k) {
@@ -55,14 +55,14 @@ void murk_block_gains(const murk_block_views *views, const murk_cover *cover,
 static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
                               murk_error *err)
 {
-    const murk_problem *problem = v->oracle->problem;
+    const murk_problem *problem = v->evaluator->problem;
     for (size_t i = 0; i < problem->photons; ++i) {
         const bool is_in =
             i >= v->blocks->first[c] && i < v->blocks->first[c + 1];
         weight[i] = is_in ? problem->weight[i] : 0;
     }
     const murk_status status =
-        murk_layout_reweigh(&v->layout[c], v->oracle->layout, weight, err);
+        murk_layout_reweigh(&v->layout[c], v->evaluator->layout, weight, err);
     v->whole[c] = v->unit[c] = v->layout[c].whole;
     const uint64_t reference = v->blocks->reference[c];
     if (v->blocks->measure == MURK_BLOCK_REGRET && v->whole[c] > 0) {
@@ -80,7 +80,7 @@ static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
 
 static murk_status weigh(murk_block_views *v, murk_error *err)
 {
-    const murk_oracle *o = v->oracle;
+    const murk_evaluator *o = v->evaluator;
     murk_cover cover = {0};
     uint32_t *all = malloc((o->candidates + 1) * sizeof *all);
     if (!all || !murk_cover_init(&cover, o->layout, o->all_clear)) {
@@ -92,12 +92,12 @@ static murk_status weigh(murk_block_views *v, murk_error *err)
     for (uint32_t j = 0; j < o->candidates; ++j) {
         all[j] = j;
     }
-    murk_block_gains(v, &cover, all, o->candidates, v->most);
+    murk_block_gains(v, &cover, all, o->candidates, v->max);
     for (uint32_t j = 0; j < o->candidates; ++j) {
-        const murk_row row = murk_oracle_row(o, 0, j);
+        const murk_row row = murk_evaluator_row(o, 0, j);
         murk_cover_add(&cover, o->layout, &row);
         for (size_t c = 0; o->slack && c < v->blocks->n; ++c) {
-            v->most[j * v->blocks->n + c] += o->slack[j];
+            v->max[j * v->blocks->n + c] += o->slack[j];
         }
     }
     for (size_t c = 0; c < v->blocks->n; ++c) {
@@ -109,19 +109,19 @@ static murk_status weigh(murk_block_views *v, murk_error *err)
 }
 
 murk_status murk_block_views_init(murk_block_views *out,
-                                  const murk_oracle *oracle,
+                                  const murk_evaluator *evaluator,
                                   const murk_blocks *blocks, murk_error *err)
 {
-    const size_t photons = oracle->problem->photons;
-    *out = (murk_block_views){.blocks = blocks, .oracle = oracle};
+    const size_t photons = evaluator->problem->photons;
+    *out = (murk_block_views){.blocks = blocks, .evaluator = evaluator};
     uint32_t *weight = calloc(photons + 1, sizeof *weight);
-    out->most = calloc(oracle->candidates * blocks->n + 1, sizeof *out->most);
+    out->max = calloc(evaluator->candidates * blocks->n + 1, sizeof *out->max);
     murk_status status =
-        weight && out->most
+        weight && out->max
             ? MURK_OK
             : murk_fail(err, MURK_NO_MEMORY, "",
                         "no memory for %zu conditions of %zu candidates",
-                        blocks->n, oracle->candidates);
+                        blocks->n, evaluator->candidates);
     for (size_t c = 0; !status && c < blocks->n; ++c) {
         status = view_block(out, c, weight, err);
     }
@@ -134,6 +134,6 @@ void murk_block_views_release(murk_block_views *views)
     for (size_t c = 0; c < MURK_BLOCKS_MAX; ++c) {
         murk_layout_release(&views->layout[c]);
     }
-    free(views->most);
+    free(views->max);
     *views = (murk_block_views){0};
 }

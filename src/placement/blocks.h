@@ -14,7 +14,7 @@
 #ifndef MURK_PLACEMENT_BLOCKS_H
 #define MURK_PLACEMENT_BLOCKS_H
 
-#include "placement/oracle.h"
+#include "placement/evaluator.h"
 
 #define MURK_BLOCKS_MAX 64
 #define MURK_SHARE_ONE  (UINT64_C(1) << 52)
@@ -38,19 +38,19 @@ typedef struct murk_blocks {
 
 typedef struct murk_block_views {
     const murk_blocks *blocks;
-    const murk_oracle *oracle;           /* over all of them */
-    murk_layout layout[MURK_BLOCKS_MAX]; /* slots as the oracle's */
+    const murk_evaluator *evaluator;     /* over all of them */
+    murk_layout layout[MURK_BLOCKS_MAX]; /* slots as the evaluator's */
     uint64_t whole[MURK_BLOCKS_MAX];     /* weight times MURK_CLEAR */
     /* A block's worth is value / unit + offset, in units of MURK_SHARE_ONE. */
     uint64_t unit[MURK_BLOCKS_MAX], offset[MURK_BLOCKS_MAX];
-    uint64_t *most; /* [candidates][n] no gain is more: value by itself, and
+    uint64_t *max; /* [candidates][n] no gain is more: value by itself, and
                        what rounding may add */
     uint64_t ceiling[MURK_BLOCKS_MAX]; /* all candidates chosen */
 } murk_block_views;
 
 /* Borrows both. Release also after a failure. */
 murk_status murk_block_views_init(murk_block_views *out,
-                                  const murk_oracle *oracle,
+                                  const murk_evaluator *evaluator,
                                   const murk_blocks *blocks, murk_error *err);
 void murk_block_views_release(murk_block_views *views);
 

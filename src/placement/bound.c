@@ -15,7 +15,7 @@
 #define GROW       1.1
 #define SHRINK     0.66
 #define PATIENCE   5
-#define LEAST_STEP 1e-4
+#define MIN_STEP   1e-4
 
 /* The last slopes' share of the mean: of the first rounds all count alike,
  * later it falls slowly. */
@@ -26,14 +26,14 @@
 
 /* Slopes count in these units where a sum must not depend on its order. */
 #define SLOPE_UNIT 0x1p-10F
-#define SLOPE_MOST 63.0F
+#define SLOPE_MAX  63.0F
 
-murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
+murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
                             murk_error *err)
 {
-    const size_t slots = oracle->layout->slots + 1;
-    const size_t n = oracle->candidates + 1;
-    *out = (murk_bound){.oracle = oracle,
+    const size_t slots = evaluator->layout->slots + 1;
+    const size_t n = evaluator->candidates + 1;
+    *out = (murk_bound){.evaluator = evaluator,
                         .threshold = calloc(slots, sizeof *out->threshold),
                         .lowest = calloc(slots, sizeof *out->lowest),
                         .mean = calloc(slots, sizeof *out->mean),
@@ -41,19 +41,20 @@ murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
                         .gain = calloc(n, sizeof *out->gain),
                         .live = calloc(n, sizeof *out->live),
                         .top = calloc(n, sizeof *out->top)};
-    murk_status status = murk_thresholds_init(&out->thresholds, oracle, err);
+    murk_status status =
+        murk_multipliers_init(&out->multipliers, evaluator, err);
     if (!status && (!out->threshold || !out->lowest || !out->mean ||
                     !out->down || !out->gain || !out->live || !out->top ||
-                    !murk_cover_init(&out->cover, oracle->layout, false))) {
+                    !murk_cover_init(&out->cover, evaluator->layout, false))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to bound plans for %zu photons",
-                           oracle->layout->photons);
+                           evaluator->layout->photons);
     }
-    if (!status && oracle->book) {
-        status = murk_relaxed_init(&out->relaxed, oracle->book, err);
+    if (!status && evaluator->book) {
+        status = murk_relaxed_init(&out->relaxed, evaluator->book, err);
     }
-    if (!status && oracle->book) {
-        status = murk_standing_init(&out->fixed, oracle->book, err);
+    if (!status && evaluator->book) {
+        status = murk_partial_plan_init(&out->fixed, evaluator->book, err);
     }
     if (status) {
         murk_bound_release(out);
@@ -70,21 +71,21 @@ void murk_bound_release(murk_bound *bound)
     free(bound->gain);
     free(bound->live);
     free(bound->top);
-    murk_thresholds_release(&bound->thresholds);
+    murk_multipliers_release(&bound->multipliers);
     murk_cover_release(&bound->cover);
     murk_relaxed_release(&bound->relaxed);
-    murk_standing_release(&bound->fixed);
+    murk_partial_plan_release(&bound->fixed);
     *bound = (murk_bound){0};
 }
 
 /* What plan[n] sees, in b->cover. */
 static void cover_plan(murk_bound *b, const uint32_t *plan, size_t n)
 {
-    const murk_layout *layout = b->oracle->layout;
+    const murk_layout *layout = b->evaluator->layout;
     murk_cover_clear(&b->cover, layout);
     for (size_t k = 0; k < n; ++k) {
-        const murk_row row = murk_oracle_row(b->oracle, 0, plan[k]);
-        b->looks += b->oracle->matrix ? 0 : 1;
+        const murk_row row = murk_evaluator_row(b->evaluator, 0, plan[k]);
+        b->looks += b->evaluator->matrix ? 0 : 1;
         murk_cover_add(&b->cover, layout, &row);
     }
 }
@@ -92,7 +93,7 @@ static void cover_plan(murk_bound *b, const uint32_t *plan, size_t n)
 static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
 {
     cover_plan(b, plan, n);
-    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
+    for (size_t i = 0; i < b->evaluator->layout->slots; ++i) {
         b->threshold[i] = b->cover.best[i];
     }
 }
@@ -128,7 +129,7 @@ static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
     for (size_t k = 0; k + 1 < n; ++k) {
         others = murk_sum_saturated(others, b->top[k].bound);
     }
-    const uint64_t grain = b->oracle->grain;
+    const uint64_t grain = b->evaluator->grain;
     const uint64_t last = b->top[n - 1].bound;
     size_t kept = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
@@ -142,13 +143,14 @@ static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
 }
 
 /* The same under rules. */
-static void leave_out_by_rules(murk_bound *b, uint64_t base, uint64_t lower)
+static void leave_out_by_constraints(murk_bound *b, uint64_t base,
+                                     uint64_t lower)
 {
-    const uint64_t grain = b->oracle->grain;
+    const uint64_t grain = b->evaluator->grain;
     size_t kept = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
         const uint64_t others =
-            murk_relaxed_others(&b->relaxed, b->standing, b->live[k]);
+            murk_relaxed_others(&b->relaxed, b->partial, b->live[k]);
         const uint64_t with =
             murk_sum_saturated(base, murk_sum_saturated(others, b->gain[k]));
         if (with - with % grain > lower) {
@@ -170,7 +172,7 @@ static double share_of(size_t round)
 /* Forgets slopes and step, not the thresholds. */
 static void begin_descent(murk_bound *b)
 {
-    memset(b->mean, 0, b->oracle->layout->slots * sizeof *b->mean);
+    memset(b->mean, 0, b->evaluator->layout->slots * sizeof *b->mean);
     b->round = b->since_gain = 0;
     b->step = FIRST_STEP;
 }
@@ -178,10 +180,10 @@ static void begin_descent(murk_bound *b)
 /* Takes the present slopes into their mean. */
 static void take_slopes(murk_bound *b, size_t chosen)
 {
-    const size_t slots = b->oracle->layout->slots;
+    const size_t slots = b->evaluator->layout->slots;
     const float share = (float)share_of(b->round++);
-    b->looks += b->oracle->matrix ? 0 : chosen;
-    murk_thresholds_slopes(&b->thresholds, b->top, chosen, b->down);
+    b->looks += b->evaluator->matrix ? 0 : chosen;
+    murk_multipliers_slopes(&b->multipliers, b->top, chosen, b->down);
     for (size_t i = 0; i < slots; ++i) {
         b->mean[i] += share * (b->down[i] - b->mean[i]);
     }
@@ -191,7 +193,7 @@ static void take_slopes(murk_bound *b, size_t chosen)
 static inline float way_down(const murk_bound *b, size_t slot)
 {
     const float down = b->mean[slot], at = b->lowest[slot];
-    const bool is_out = down > 0 ? at < b->thresholds.floor[slot] + 0.5F
+    const bool is_out = down > 0 ? at < b->multipliers.floor[slot] + 0.5F
                                  : at > MURK_CLEAR - 0.5F;
     return is_out ? 0 : down;
 }
@@ -200,14 +202,14 @@ static inline float way_down(const murk_bound *b, size_t slot)
  * however photons of equal views are put together. */
 static double square_of_way(const murk_bound *b)
 {
-    const murk_layout *layout = b->oracle->layout;
+    const murk_layout *layout = b->evaluator->layout;
     uint64_t low = 0, high = 0;
     for (size_t i = 0; i < layout->slots; ++i) {
         float down = way_down(b, i) / SLOPE_UNIT;
         down = down < 0 ? -down : down;
-        const uint64_t whole = (uint64_t)(down < SLOPE_MOST / SLOPE_UNIT
-                                              ? down + 0.5F
-                                              : SLOPE_MOST / SLOPE_UNIT);
+        const uint64_t whole =
+            (uint64_t)(down < SLOPE_MAX / SLOPE_UNIT ? down + 0.5F
+                                                     : SLOPE_MAX / SLOPE_UNIT);
         const uint64_t term = layout->weight[i] * (whole * whole);
         low += term & UINT32_MAX;
         high += term >> 32;
@@ -224,22 +226,20 @@ static void step_down(murk_bound *b, double excess)
 {
     const double square = square_of_way(b);
     const float length = square > 0 ? (float)(b->step * excess / square) : 0;
-    for (size_t i = 0; i < b->oracle->layout->slots; ++i) {
+    for (size_t i = 0; i < b->evaluator->layout->slots; ++i) {
         const float to = b->lowest[i] - length * way_down(b, i);
-        const float least = b->thresholds.floor[i];
-        b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR
-                          : to > least    ? to
-                                          : least;
+        const float min = b->multipliers.floor[i];
+        b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR : to > min ? to : min;
     }
 }
 
 /* What the live candidates can make at most; b->top[chosen] do. */
 static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 {
-    if (b->standing) {
+    if (b->partial) {
         return murk_sum_saturated(
-            b->base, murk_relaxed_top(&b->relaxed, b->standing, b->live,
-                                      b->gain, b->live_count, b->top, chosen));
+            b->base, murk_relaxed_top(&b->relaxed, b->partial, b->live, b->gain,
+                                      b->live_count, b->top, chosen));
     }
     *chosen = find_top(b, n);
     uint64_t sum = b->base;
@@ -252,18 +252,18 @@ static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 /* The bound at the present thresholds; b->top[chosen] make it. */
 static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
 {
-    b->base = murk_thresholds_take(&b->thresholds, b->threshold);
-    murk_thresholds_gains(&b->thresholds, b->live, b->live_count, b->gain);
+    b->base = murk_multipliers_take(&b->multipliers, b->threshold);
+    murk_multipliers_gains(&b->multipliers, b->live, b->live_count, b->gain);
     b->evaluations += b->live_count;
-    b->looks += b->oracle->matrix ? 0 : b->live_count;
+    b->looks += b->evaluator->matrix ? 0 : b->live_count;
     return sum_top(b, n, chosen);
 }
 
 static void drop_hopeless(murk_bound *b, size_t n, size_t chosen,
                           uint64_t lower)
 {
-    if (b->standing) {
-        leave_out_by_rules(b, b->base, lower);
+    if (b->partial) {
+        leave_out_by_constraints(b, b->base, lower);
     } else {
         leave_out(b, b->base, n, chosen, lower);
     }
@@ -272,13 +272,13 @@ static void drop_hopeless(murk_bound *b, size_t n, size_t chosen,
 /* Lowers the bound over the live candidates. */
 static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 {
-    const murk_oracle *o = b->oracle;
+    const murk_evaluator *o = b->evaluator;
     const size_t slots = o->layout->slots;
     uint64_t upper = o->ceiling, lowest = UINT64_MAX;
     size_t chosen = 0;
     memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
     for (size_t round = 0; round < rounds && upper > lower; ++round) {
-        if (murk_interrupted() || (round > 0 && b->step < LEAST_STEP)) {
+        if (murk_interrupted() || (round > 0 && b->step < MIN_STEP)) {
             break;
         }
         uint64_t now = evaluate(b, n, &chosen);
@@ -298,7 +298,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (upper <= lower) {
             break;
         }
-        if (round + 1 == rounds && !b->thresholds.stand) {
+        if (round + 1 == rounds && !b->multipliers.stand) {
             break;
         }
         drop_hopeless(b, n, chosen, lower);
@@ -307,7 +307,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             step_down(b, (double)(lowest - lower));
         }
     }
-    if (b->thresholds.stand && upper > lower && rounds > 0) {
+    if (b->multipliers.stand && upper > lower && rounds > 0) {
         memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
         evaluate(b, n, &chosen);
         drop_hopeless(b, n, chosen, lower);
@@ -318,32 +318,33 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 
 static void raise_to(murk_bound *b, const murk_cover *stand)
 {
-    murk_thresholds_stand(&b->thresholds, stand);
-    for (size_t i = 0; stand && i < b->oracle->layout->slots; ++i) {
-        const float least = b->thresholds.floor[i];
-        b->threshold[i] = b->threshold[i] > least ? b->threshold[i] : least;
+    murk_multipliers_stand(&b->multipliers, stand);
+    for (size_t i = 0; stand && i < b->evaluator->layout->slots; ++i) {
+        const float min = b->multipliers.floor[i];
+        b->threshold[i] = b->threshold[i] > min ? b->threshold[i] : min;
     }
 }
 
 /* The fixed sensors stand, and whom they admit may join. */
-static uint64_t tighten_by_rules(murk_bound *b, size_t n, uint64_t lower,
-                                 size_t rounds)
+static uint64_t tighten_by_constraints(murk_bound *b, size_t n, uint64_t lower,
+                                       size_t rounds)
 {
-    const murk_oracle *o = b->oracle;
-    const murk_rules *rules = o->book->rules;
+    const murk_evaluator *o = b->evaluator;
+    const murk_constraints *constraints = o->book->constraints;
     murk_cover_clear(&b->cover, o->layout);
-    murk_standing_clear(&b->fixed, n);
-    for (size_t k = 0; k < rules->fixed_count; ++k) {
-        const uint32_t j = (uint32_t)rules->fixed[k];
-        const murk_row row = murk_oracle_row(o, 0, j);
+    murk_partial_plan_clear(&b->fixed, n);
+    for (size_t k = 0; k < constraints->fixed_count; ++k) {
+        const uint32_t j = (uint32_t)constraints->fixed[k];
+        const murk_row row = murk_evaluator_row(o, 0, j);
         b->looks += o->matrix ? 0 : 1;
         murk_cover_add(&b->cover, o->layout, &row);
-        murk_standing_add(&b->fixed, j);
+        murk_partial_plan_add(&b->fixed, j);
     }
-    b->standing = &b->fixed;
+    b->partial = &b->fixed;
     b->live_count = 0;
     for (size_t k = 0; k < o->needed_count; ++k) {
-        if (murk_standing_admits(&b->fixed, o->needed[k].candidate, false)) {
+        if (murk_partial_plan_admits(&b->fixed, o->needed[k].candidate,
+                                     false)) {
             b->live[b->live_count++] = o->needed[k].candidate;
         }
     }
@@ -355,7 +356,7 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds)
 {
-    const murk_oracle *o = b->oracle;
+    const murk_evaluator *o = b->evaluator;
     if (plan) {
         start_at_plan(b, plan, plan_count);
     }
@@ -363,9 +364,9 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
         begin_descent(b);
     }
     b->last_count = n;
-    b->standing = NULL;
+    b->partial = NULL;
     if (o->book) {
-        return tighten_by_rules(b, n, lower, rounds);
+        return tighten_by_constraints(b, n, lower, rounds);
     }
     raise_to(b, NULL);
     b->live_count = o->needed_count;
@@ -389,8 +390,8 @@ uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
 size_t murk_bound_top(murk_bound *b, size_t n, uint32_t *top)
 {
     size_t chosen = 0;
-    b->base = murk_thresholds_take(&b->thresholds, b->threshold);
-    murk_thresholds_gains(&b->thresholds, b->live, b->live_count, b->gain);
+    b->base = murk_multipliers_take(&b->multipliers, b->threshold);
+    murk_multipliers_gains(&b->multipliers, b->live, b->live_count, b->gain);
     b->evaluations += b->live_count;
     sum_top(b, n, &chosen);
     for (size_t k = 0; k < chosen; ++k) {

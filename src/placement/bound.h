@@ -9,7 +9,7 @@
  * Lagrangian bound of facility location, with u_i = w_i t_i; for 0/1 rows it
  * is sum (w - u) + top-n sum b u with u = w (1 - t). Where more than the
  * clearest view counts, or views are independent chances, both sums are others
- * (placement/thresholds.h). Thresholds are whole numbers, so the bound is an
+ * (placement/multipliers.h). Thresholds are whole numbers, so the bound is an
  * exact integer and holds in spite of rounding. Subgradient steps lower it,
  * by the volume algorithm: from where it was lowest, down the mean of the
  * slopes met. Candidates that provably are in no plan better than the best
@@ -26,11 +26,11 @@
 #ifndef MURK_PLACEMENT_BOUND_H
 #define MURK_PLACEMENT_BOUND_H
 
+#include "placement/multipliers.h"
 #include "placement/relaxed.h"
-#include "placement/thresholds.h"
 
 typedef struct murk_bound {
-    const murk_oracle *oracle;
+    const murk_evaluator *evaluator;
     float *threshold; /* [slots] where the last call stopped */
     float *lowest;    /* [slots] where its bound was lowest */
     float *mean;      /* [slots] of slopes, of `round` rounds so far */
@@ -38,7 +38,7 @@ typedef struct murk_bound {
     double step;
     size_t last_count; /* that these belong to; 0: to none */
     float *down;       /* [slots] slopes */
-    murk_thresholds thresholds;
+    murk_multipliers multipliers;
     murk_cover cover; /* of the plan it starts from, or of the fixed */
     uint64_t *gain;   /* [candidates] above the thresholds */
     uint32_t *live;   /* [candidates] not yet left out */
@@ -47,12 +47,12 @@ typedef struct murk_bound {
     murk_ranked *top;     /* [candidates] */
     uint64_t evaluations; /* candidates weighed */
     uint64_t looks;
-    murk_relaxed relaxed;          /* with rules: instead of the top n */
-    const murk_standing *standing; /* what the n join; NULL: no rules */
-    murk_standing fixed;           /* with rules: the fixed sensors */
+    murk_relaxed relaxed;             /* with rules: instead of the top n */
+    const murk_partial_plan *partial; /* what the n join; NULL: no rules */
+    murk_partial_plan fixed;          /* with rules: the fixed sensors */
 } murk_bound;
 
-murk_status murk_bound_init(murk_bound *out, const murk_oracle *oracle,
+murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
                             murk_error *err);
 void murk_bound_release(murk_bound *bound);
 

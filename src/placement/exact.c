@@ -24,18 +24,18 @@ typedef struct level {
 
 typedef struct exact {
     murk_bound *bound;
-    const murk_oracle *oracle;
+    const murk_evaluator *evaluator;
     size_t n;
     level *level; /* [n + 1 less those fixed], made when first needed */
     size_t fixed; /* sensors that stand at the root */
-    murk_standing standing; /* with rules: of the chosen */
-    uint32_t *chosen;       /* [n] */
-    uint32_t *members;      /* [candidates] of a leaf's parent */
-    uint64_t *gain;         /* [candidates] likewise */
+    murk_partial_plan partial; /* with rules: of the chosen */
+    uint32_t *chosen;          /* [n] */
+    uint32_t *members;         /* [candidates] of a leaf's parent */
+    uint64_t *gain;            /* [candidates] likewise */
     uint32_t *plan;
     size_t size;    /* of the plan */
     uint64_t value; /* of the plan */
-    uint64_t weighings, weighings_most;
+    uint64_t weighings, weighings_max;
     const murk_judge *judge; /* NULL: plans are worth their value */
     bool is_cut, lacks_memory;
 } exact;
@@ -43,15 +43,15 @@ typedef struct exact {
 static void count_work(exact *e, uint64_t candidates)
 {
     const uint64_t nodes = e->weighings / MURK_NODE_WEIGHINGS;
-    e->weighings += murk_oracle_work(e->oracle, candidates);
+    e->weighings += murk_evaluator_work(e->evaluator, candidates);
     murk_progress_add(e->weighings / MURK_NODE_WEIGHINGS - nodes);
-    e->is_cut |= e->weighings > e->weighings_most || murk_interrupted();
+    e->is_cut |= e->weighings > e->weighings_max || murk_interrupted();
 }
 
 /* A plan's value is a multiple of the grain. */
 static uint64_t in_grains(const exact *e, uint64_t value)
 {
-    return value - value % e->oracle->grain;
+    return value - value % e->evaluator->grain;
 }
 
 static void take_if_better(exact *e, size_t size, uint64_t value)
@@ -70,23 +70,23 @@ static void take_if_better(exact *e, size_t size, uint64_t value)
 /* Whether what stands is a plan, or can be made one. */
 static bool is_plan(const exact *e)
 {
-    return !e->oracle->book->has_conflicts ||
-           murk_standing_is_plan(&e->standing);
+    return !e->evaluator->book->has_conflicts ||
+           murk_partial_plan_is_plan(&e->partial);
 }
 
 static murk_cover *graded(const exact *e, level *l)
 {
-    return e->oracle->all_clear ? &l->graded : &l->cover;
+    return e->evaluator->all_clear ? &l->graded : &l->cover;
 }
 
 /* Of the n members, those that may make a better plan. */
 static size_t keep_promising(exact *e, const level *l, size_t n)
 {
-    if (!e->oracle->slack) {
+    if (!e->evaluator->slack) {
         return n;
     }
-    murk_oracle_mosts(e->oracle, &l->cover, e->members, n,
-                      e->oracle->problem->threads, 0, e->gain);
+    murk_evaluator_mosts(e->evaluator, &l->cover, e->members, n,
+                         e->evaluator->problem->threads, 0, e->gain);
     size_t kept = 0;
     for (size_t k = 0; k < n; ++k) {
         if (l->value + e->gain[k] > e->value) {
@@ -103,8 +103,8 @@ static void finish(exact *e, const level *l)
         e->members[k] = l->live[k].candidate;
     }
     const size_t n = keep_promising(e, l, l->live_count);
-    murk_oracle_gains(e->oracle, &l->cover, e->members, n,
-                      e->oracle->problem->threads, 0, e->gain);
+    murk_evaluator_gains(e->evaluator, &l->cover, e->members, n,
+                         e->evaluator->problem->threads, 0, e->gain);
     count_work(e, n);
     for (size_t k = 0; k < n; ++k) {
         e->chosen[e->n - 1] = e->members[k];
@@ -118,7 +118,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
                             const float *threshold, size_t rounds)
 {
     murk_bound *b = e->bound;
-    const size_t slots = e->oracle->layout->slots;
+    const size_t slots = e->evaluator->layout->slots;
     if (threshold != b->threshold) {
         memcpy(b->threshold, threshold, slots * sizeof *threshold);
     }
@@ -126,7 +126,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
         b->live[k] = l->live[k].candidate;
     }
     b->live_count = l->live_count;
-    b->standing = e->oracle->book ? &e->standing : NULL;
+    b->partial = e->evaluator->book ? &e->partial : NULL;
     b->evaluations = 0;
     const uint64_t upper =
         murk_bound_tighten_within(b, left, e->value, graded(e, l), rounds);
@@ -137,7 +137,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
     }
     l->live_count = b->live_count;
     l->base = b->base;
-    if (e->oracle->book) {
+    if (e->evaluator->book) {
         murk_relaxed_sort(&b->relaxed, l->live, l->live_count);
     } else {
         murk_ranked_sort(l->live, l->live_count);
@@ -148,9 +148,9 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
 /* What the level's candidates from number k on can make together. */
 static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
 {
-    if (e->oracle->book) {
-        const uint64_t rest = murk_relaxed_rest(
-            &e->bound->relaxed, &e->standing, l->live + k, l->live_count - k);
+    if (e->evaluator->book) {
+        const uint64_t rest = murk_relaxed_rest(&e->bound->relaxed, &e->partial,
+                                                l->live + k, l->live_count - k);
         return in_grains(e, murk_sum_saturated(l->base, rest));
     }
     uint64_t sum = l->base;
@@ -160,16 +160,16 @@ static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
     return in_grains(e, sum);
 }
 
-static bool level_init(level *l, const murk_oracle *oracle)
+static bool level_init(level *l, const murk_evaluator *evaluator)
 {
-    const size_t slots = oracle->layout->slots + 1;
-    if (!murk_cover_init(&l->cover, oracle->layout, oracle->all_clear) ||
-        (oracle->all_clear &&
-         !murk_cover_init(&l->graded, oracle->layout, false))) {
+    const size_t slots = evaluator->layout->slots + 1;
+    if (!murk_cover_init(&l->cover, evaluator->layout, evaluator->all_clear) ||
+        (evaluator->all_clear &&
+         !murk_cover_init(&l->graded, evaluator->layout, false))) {
         return false;
     }
     l->threshold = calloc(slots, sizeof *l->threshold);
-    l->live = calloc(oracle->candidates + 1, sizeof *l->live);
+    l->live = calloc(evaluator->candidates + 1, sizeof *l->live);
     return l->threshold && l->live;
 }
 
@@ -186,7 +186,7 @@ static void level_release(level *l)
 static bool level_ready(exact *e, size_t depth)
 {
     level *l = &e->level[depth];
-    if (!l->live && !level_init(l, e->oracle)) {
+    if (!l->live && !level_init(l, e->evaluator)) {
         level_release(l);
         e->lacks_memory = e->is_cut = true;
     }
@@ -197,14 +197,14 @@ static bool level_ready(exact *e, size_t depth)
 static void join(const exact *e, level *to, const level *from,
                  uint32_t candidate)
 {
-    const murk_layout *layout = e->oracle->layout;
-    const murk_row row = murk_oracle_row(e->oracle, 0, candidate);
+    const murk_layout *layout = e->evaluator->layout;
+    const murk_row row = murk_evaluator_row(e->evaluator, 0, candidate);
     to->value = from->value + murk_row_gain(layout, &row, &from->cover);
     if (to != from) {
         murk_cover_copy(&to->cover, layout, &from->cover);
     }
     murk_cover_add(&to->cover, layout, &row);
-    if (e->oracle->all_clear) {
+    if (e->evaluator->all_clear) {
         if (to != from) {
             murk_cover_copy(&to->graded, layout, &from->graded);
         }
@@ -217,7 +217,8 @@ static void keep_admitted(const exact *e, level *l)
 {
     size_t kept = 0;
     for (size_t k = 0; k < l->live_count; ++k) {
-        if (murk_standing_admits(&e->standing, l->live[k].candidate, false)) {
+        if (murk_partial_plan_admits(&e->partial, l->live[k].candidate,
+                                     false)) {
             l->live[kept++] = l->live[k];
         }
     }
@@ -233,8 +234,8 @@ static void descend(exact *e, size_t depth, size_t k)
     join(e, to, from, candidate);
     to->live_count = from->live_count - k - 1;
     memcpy(to->live, from->live + k + 1, to->live_count * sizeof *to->live);
-    if (e->oracle->book) {
-        murk_standing_add(&e->standing, candidate);
+    if (e->evaluator->book) {
+        murk_partial_plan_add(&e->partial, candidate);
         keep_admitted(e, to);
     }
 }
@@ -246,7 +247,7 @@ static uint64_t explore(exact *e, size_t depth, const float *threshold,
 {
     level *l = &e->level[depth];
     const size_t left = e->n - e->fixed - depth;
-    const murk_rulebook *book = e->oracle->book;
+    const murk_rulebook *book = e->evaluator->book;
     if (book && is_plan(e)) {
         take_if_better(e, e->fixed + depth, l->value);
     }
@@ -275,7 +276,7 @@ static uint64_t explore(exact *e, size_t depth, const float *threshold,
         const uint64_t below =
             explore(e, depth + 1, l->threshold, ROUNDS_BELOW);
         if (book) {
-            murk_standing_drop_last(&e->standing);
+            murk_partial_plan_drop_last(&e->partial);
         }
         highest = below > highest ? below : highest;
     }
@@ -285,21 +286,21 @@ static uint64_t explore(exact *e, size_t depth, const float *threshold,
 /* The root, with the fixed sensors. */
 static void stand_fixed(exact *e)
 {
-    const murk_rules *rules = e->oracle->book->rules;
+    const murk_constraints *constraints = e->evaluator->book->constraints;
     level *root = &e->level[0];
-    murk_standing_clear(&e->standing, e->n);
-    for (size_t k = 0; k < rules->fixed_count; ++k) {
-        e->chosen[k] = (uint32_t)rules->fixed[k];
+    murk_partial_plan_clear(&e->partial, e->n);
+    for (size_t k = 0; k < constraints->fixed_count; ++k) {
+        e->chosen[k] = (uint32_t)constraints->fixed[k];
         join(e, root, root, e->chosen[k]);
-        murk_standing_add(&e->standing, e->chosen[k]);
+        murk_partial_plan_add(&e->partial, e->chosen[k]);
     }
-    e->fixed = rules->fixed_count;
+    e->fixed = constraints->fixed_count;
     keep_admitted(e, root);
 }
 
 static bool exact_init(exact *e)
 {
-    const size_t candidates = e->oracle->candidates + 1;
+    const size_t candidates = e->evaluator->candidates + 1;
     e->level = calloc(e->n + 1, sizeof *e->level);
     e->chosen = calloc(e->n, sizeof *e->chosen);
     e->members = calloc(candidates, sizeof *e->members);
@@ -312,7 +313,7 @@ static void exact_release(exact *e)
     for (size_t k = 0; e->level && k <= e->n; ++k) {
         level_release(&e->level[k]);
     }
-    murk_standing_release(&e->standing);
+    murk_partial_plan_release(&e->partial);
     free(e->level);
     free(e->chosen);
     free(e->members);
@@ -324,18 +325,18 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint64_t value, uint64_t upper, uint64_t nodes,
                               const murk_judge *judge, murk_error *err)
 {
-    const murk_oracle *oracle = bound->oracle;
-    assert(oracle->matrix && n >= 1);
+    const murk_evaluator *evaluator = bound->evaluator;
+    assert(evaluator->matrix && n >= 1);
     exact e = {.bound = bound,
-               .oracle = oracle,
+               .evaluator = evaluator,
                .n = n,
                .plan = plan,
                .size = size,
                .value = value,
                .judge = judge,
-               .weighings_most = nodes < UINT64_MAX / MURK_NODE_WEIGHINGS
-                                     ? nodes * MURK_NODE_WEIGHINGS
-                                     : UINT64_MAX};
+               .weighings_max = nodes < UINT64_MAX / MURK_NODE_WEIGHINGS
+                                    ? nodes * MURK_NODE_WEIGHINGS
+                                    : UINT64_MAX};
     murk_status status = MURK_OK;
     *out = (murk_exact){
         .value = value, .upper = upper, .is_cut = true, .size = size};
@@ -343,8 +344,8 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         out->is_cut = upper > value;
         return MURK_OK;
     }
-    if (oracle->book) {
-        status = murk_standing_init(&e.standing, oracle->book, err);
+    if (evaluator->book) {
+        status = murk_partial_plan_init(&e.partial, evaluator->book, err);
     }
     if (!status && !exact_init(&e)) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
@@ -355,10 +356,11 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
     }
     level *root = &e.level[0];
     /* where they are too few for a plan, anyone may fill it */
-    root->live_count =
-        oracle->needed_count < n ? oracle->candidates : oracle->needed_count;
-    memcpy(root->live, oracle->needed, root->live_count * sizeof *root->live);
-    if (oracle->book) {
+    root->live_count = evaluator->needed_count < n ? evaluator->candidates
+                                                   : evaluator->needed_count;
+    memcpy(root->live, evaluator->needed,
+           root->live_count * sizeof *root->live);
+    if (evaluator->book) {
         stand_fixed(&e);
     }
     murk_progress_begin("prove", nodes, "nodes at most");
@@ -366,7 +368,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
     murk_progress_end();
     if (n > e.fixed + 1) {
         memcpy(bound->threshold, root->threshold,
-               oracle->layout->slots * sizeof *bound->threshold);
+               evaluator->layout->slots * sizeof *bound->threshold);
     }
     if (e.lacks_memory) {
         status = murk_fail(err, MURK_NO_MEMORY, "",

@@ -20,7 +20,7 @@
 #include "placement/bound.h"
 
 /* The unit of work that is limited, so that the same run gives the same plan:
- * so many weighings of one photon for one candidate (murk_oracle_work). */
+ * so many weighings of one photon for one candidate (murk_evaluator_work). */
 #define MURK_NODE_WEIGHINGS 32768
 
 /* Where a plan is not judged by its value under the bound's weights: judge()

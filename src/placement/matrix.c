@@ -1,7 +1,7 @@
 #include "placement/matrix.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "base/tally.h"
 #include "placement/merge.h"
@@ -18,7 +18,7 @@
 typedef struct filling {
     const murk_problem *problem;
     murk_matrix *matrix;
-    uint64_t most_bytes;
+    uint64_t max_bytes;
     _Atomic uint64_t *print; /* [photons], NULL: none is taken */
     murk_tally bytes;
     murk_tally out_of_memory; /* rows that could not be had */
@@ -30,7 +30,7 @@ static double gigabytes(uint64_t bytes)
 }
 
 static murk_status too_big(murk_error *err, const murk_problem *problem,
-                           const char *about, double gb, uint64_t most_bytes)
+                           const char *about, double gb, uint64_t max_bytes)
 {
     return murk_fail(err, MURK_RUN_FAILED, "",
                      "the coverage matrix of %zu candidates and %zu photons "
@@ -38,11 +38,11 @@ static murk_status too_big(murk_error *err, const murk_problem *problem,
                      "candidates or photons, or `knowledge: unknown`, need "
                      "less",
                      problem->candidates, problem->photons, about, gb,
-                     gigabytes(most_bytes));
+                     gigabytes(max_bytes));
 }
 
 /* The most that the rows can take, whatever is seen. */
-static uint64_t most_possible(const murk_layout *layout, size_t candidates)
+static uint64_t max_possible(const murk_layout *layout, size_t candidates)
 {
     return (uint64_t)candidates *
            (sizeof(murk_row) + 64 + layout->slots * sizeof(uint16_t));
@@ -57,7 +57,7 @@ static size_t pilot_candidate(size_t k, size_t candidates)
 }
 
 static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
-                         uint64_t most_bytes, murk_error *err)
+                         uint64_t max_bytes, murk_error *err)
 {
     double bytes = 0;
     for (size_t k = 0; k < PILOT_LOOKS && !murk_interrupted(); ++k) {
@@ -67,8 +67,8 @@ static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
         bytes += (double)murk_row_bytes(layout, &look) / PILOT_LOOKS;
     }
     bytes = (bytes + sizeof(murk_row)) * (double)problem->candidates;
-    if (bytes > (double)most_bytes) {
-        return too_big(err, problem, "about", bytes * 1e-9, most_bytes);
+    if (bytes > (double)max_bytes) {
+        return too_big(err, problem, "about", bytes * 1e-9, max_bytes);
     }
     return MURK_OK;
 }
@@ -76,7 +76,7 @@ static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
 static void fill_row(void *context, unsigned worker, uint64_t batch)
 {
     filling *f = context;
-    if ((uint64_t)murk_tally_read(&f->bytes) > f->most_bytes ||
+    if ((uint64_t)murk_tally_read(&f->bytes) > f->max_bytes ||
         murk_tally_read(&f->out_of_memory) > 0) {
         return;
     }
@@ -95,15 +95,15 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
 }
 
 static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
-                        uint64_t most_bytes, _Atomic uint64_t *print,
+                        uint64_t max_bytes, _Atomic uint64_t *print,
                         murk_error *err)
 {
     filling f = {.problem = problem,
                  .matrix = matrix,
                  .print = print,
-                 .most_bytes = most_bytes};
+                 .max_bytes = max_bytes};
     murk_progress_begin("sense", problem->candidates, "candidates");
-    murk_crew_run_workers(problem->threads, problem->candidates, fill_row, &f);
+    murk_pool_run_workers(problem->threads, problem->candidates, fill_row, &f);
     murk_progress_end();
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -114,9 +114,9 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
                          "and %zu photons",
                          problem->candidates, problem->photons);
     }
-    if ((uint64_t)murk_tally_read(&f.bytes) > most_bytes) {
-        return too_big(err, problem, "more than", gigabytes(most_bytes),
-                       most_bytes);
+    if ((uint64_t)murk_tally_read(&f.bytes) > max_bytes) {
+        return too_big(err, problem, "more than", gigabytes(max_bytes),
+                       max_bytes);
     }
     matrix->all_clear = true;
     matrix->memory_bytes = sizeof *matrix + (size_t)murk_tally_read(&f.bytes);
@@ -135,17 +135,17 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
 }
 
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
-                               uint64_t most_bytes, murk_error *err)
+                               uint64_t max_bytes, murk_error *err)
 {
     const bool is_worth =
         problem->photons >= PHOTONS_WORTH_MERGING && !problem->is_reweighed;
     return murk_matrix_make(
-        out, problem, most_bytes,
+        out, problem, max_bytes,
         is_worth ? MURK_MERGE_WHERE_IT_PAYS : MURK_MERGE_NEVER, err);
 }
 
 murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
-                             uint64_t most_bytes, murk_merging merging,
+                             uint64_t max_bytes, murk_merging merging,
                              murk_error *err)
 {
     assert(out && problem && problem->threads > 0);
@@ -167,11 +167,11 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     }
     status = murk_layout_init(&matrix->layout, problem, true, err);
     if (!status && problem->candidates > 0 &&
-        most_possible(&matrix->layout, problem->candidates) > most_bytes) {
-        status = pilot(problem, &matrix->layout, most_bytes, err);
+        max_possible(&matrix->layout, problem->candidates) > max_bytes) {
+        status = pilot(problem, &matrix->layout, max_bytes, err);
     }
     if (!status) {
-        status = fill(matrix, problem, most_bytes, print, err);
+        status = fill(matrix, problem, max_bytes, print, err);
     }
     if (!status && print) {
         status = murk_merge(matrix, problem, print,

@@ -23,7 +23,7 @@ typedef enum murk_merging {
 
 /* murk_matrix_create(), which merges where it pays. */
 murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
-                             uint64_t most_bytes, murk_merging merging,
+                             uint64_t max_bytes, murk_merging merging,
                              murk_error *err);
 
 #endif

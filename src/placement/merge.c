@@ -1,7 +1,7 @@
 #include "placement/merge.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/tally.h"
 
 #include <stdlib.h>
@@ -257,7 +257,7 @@ static void merging_release(merging *m)
 static void rewrite(merging *m)
 {
     murk_matrix *matrix = m->matrix;
-    murk_crew_run_workers(m->threads, matrix->candidates, store_row, m);
+    murk_pool_run_workers(m->threads, matrix->candidates, store_row, m);
     const murk_layout old = matrix->layout;
     m->layout.common = old.common; /* what is worth a step stays */
     if (!old.doses) {
@@ -287,7 +287,7 @@ murk_status murk_merge(murk_matrix *matrix, const murk_problem *problem,
                       (is_forced || cost_of(&m.layout) <
                                         COST_KEPT * cost_of(&matrix->layout));
     if (pays) {
-        murk_crew_run_workers(m.threads, matrix->candidates, check_row, &m);
+        murk_pool_run_workers(m.threads, matrix->candidates, check_row, &m);
     }
     if (pays && !murk_interrupted() && murk_tally_read(&m.differ) == 0) {
         rewrite(&m);

@@ -2,9 +2,9 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "placement/finding.h"
+#include "placement/guarantee.h"
+#include "placement/incumbent.h"
 #include "placement/place_check.h"
-#include "placement/promise.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -22,24 +22,24 @@ murk_place_desc murk_place_defaults(void)
 
 /* The curve's last count: the one asked for, or the first that reaches the
  * target. */
-static bool is_last(const murk_finding *p, size_t k, uint64_t value)
+static bool is_last(const murk_incumbent *p, size_t k, uint64_t value)
 {
     return p->desc->target ? value >= p->desc->target || k == p->last
                            : k == p->last;
 }
 
-static murk_status find_all(murk_finding *p, murk_error *err)
+static murk_status find_all(murk_incumbent *p, murk_error *err)
 {
     murk_place_result *result = p->result;
     const murk_place_desc *desc = p->desc;
     if (desc->method != MURK_PLACE_SPOQ && !p->book) {
-        murk_finding_greedy(p);
+        murk_incumbent_greedy(p);
     }
     murk_curve_point last = {0};
     const uint32_t *from = NULL;
     murk_status status = MURK_OK;
     for (size_t k = p->first; !status && !murk_interrupted(); ++k) {
-        status = murk_finding_count(p, k, from, &last, err);
+        status = murk_incumbent_count(p, k, from, &last, err);
         if (status) {
             break;
         }
@@ -62,7 +62,7 @@ static murk_status find_all(murk_finding *p, murk_error *err)
     result->is_work_cut = p->search.is_cut || p->starts.is_cut;
     result->evaluations += p->search.evaluations + p->starts.all_evaluations;
     result->looks += p->search.looks + p->starts.all_looks + p->bound.looks +
-                     p->oracle->looks;
+                     p->evaluator->looks;
     return status;
 }
 
@@ -79,7 +79,7 @@ static void join_bounds(murk_curve_point *curve, size_t n,
                         const murk_rulebook *book, uint64_t rounding)
 {
     const bool may_go =
-        !book || (!book->has_least && book->rules->fixed_count == 0);
+        !book || (!book->has_min && book->constraints->fixed_count == 0);
     for (size_t k = 1; k < n && may_go; ++k) {
         const uint64_t before = curve[k - 1].upper + rounding;
         curve[k].upper =
@@ -96,16 +96,16 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static const char *guarantee_of(const murk_finding *p)
+static const char *guarantee_of(const murk_incumbent *p)
 {
     /* best and exact start from greedy and only improve; relocation alone
      * would give n / (2n - 1), which is less. */
     const bool is_greedy =
         p->desc->method != MURK_PLACE_SPOQ && (!p->book || p->is_greedy_done);
-    return is_greedy ? murk_promise(p->book) : "none";
+    return is_greedy ? murk_guarantee(p->book) : "none";
 }
 
-static uint64_t cost_of(const murk_finding *p)
+static uint64_t cost_of(const murk_incumbent *p)
 {
     uint64_t sum = 0;
     for (size_t k = 0; p->book && k < p->size; ++k) {
@@ -114,9 +114,9 @@ static uint64_t cost_of(const murk_finding *p)
     return sum;
 }
 
-static murk_status miss_target(const murk_finding *p, murk_error *err)
+static murk_status miss_target(const murk_incumbent *p, murk_error *err)
 {
-    const double whole = (double)p->oracle->layout->whole;
+    const double whole = (double)p->evaluator->layout->whole;
     const double target = (double)p->desc->target / whole;
     if (p->result->upper < p->desc->target) {
         return murk_fail(err, MURK_BAD_VALUE, "",
@@ -134,35 +134,35 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
                          const murk_matrix *matrix, const murk_place_desc *desc,
                          murk_error *err)
 {
-    murk_oracle oracle = {0};
+    murk_evaluator evaluator = {0};
     murk_rulebook rulebook = {0};
-    const murk_rulebook *book = desc->rules ? &rulebook : NULL;
-    murk_finding p = {0};
+    const murk_rulebook *book = desc->constraints ? &rulebook : NULL;
+    murk_incumbent p = {0};
     murk_place_result result = {0};
     murk_status status = murk_place_check(problem, matrix != NULL, desc, err);
     if (!status && book) {
-        const bool is_most = desc->target || desc->rules->budget > 0;
+        const bool is_max = desc->target || desc->constraints->budget > 0;
         status = murk_rulebook_init(
-            &rulebook, desc->rules, problem->candidates,
-            desc->count > 0 ? desc->count : problem->candidates, is_most, err);
+            &rulebook, desc->constraints, problem->candidates,
+            desc->count > 0 ? desc->count : problem->candidates, is_max, err);
     }
     if (!status) {
-        status = murk_oracle_init(&oracle, problem, matrix, book,
-                                  book ? book->most_sensors : desc->count,
-                                  desc->keep_dominated, err);
+        status = murk_evaluator_init(&evaluator, problem, matrix, book,
+                                     book ? book->max_sensors : desc->count,
+                                     desc->keep_dominated, err);
     }
-    oracle.search_work = desc->search_work;
+    evaluator.search_work = desc->search_work;
     if (!status) {
-        status = murk_finding_init(&p, &oracle, book, desc, &result, err);
+        status = murk_incumbent_init(&p, &evaluator, book, desc, &result, err);
     }
-    if (!status && desc->target > oracle.ceiling) {
-        status =
-            murk_fail(err, MURK_BAD_VALUE, "",
-                      "target %.6g cannot be reached: all %zu usable "
-                      "candidates together see %.6g",
-                      (double)desc->target / (double)oracle.layout->whole,
-                      oracle.candidates,
-                      (double)oracle.ceiling / (double)oracle.layout->whole);
+    if (!status && desc->target > evaluator.ceiling) {
+        status = murk_fail(
+            err, MURK_BAD_VALUE, "",
+            "target %.6g cannot be reached: all %zu usable "
+            "candidates together see %.6g",
+            (double)desc->target / (double)evaluator.layout->whole,
+            evaluator.candidates,
+            (double)evaluator.ceiling / (double)evaluator.layout->whole);
     }
     if (status) {
         goto done;
@@ -188,22 +188,23 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     qsort(result.sensor, result.count, sizeof *result.sensor, by_number);
     if (result.curve) {
         join_bounds(result.curve, result.curve_points, book,
-                    oracle.layout->doses
-                        ? MURK_WORTH_SLACK * (oracle.layout->whole / MURK_CLEAR)
+                    evaluator.layout->doses
+                        ? MURK_WORTH_SLACK *
+                              (evaluator.layout->whole / MURK_CLEAR)
                         : 0);
         result.upper = result.curve[result.curve_points - 1].upper;
     }
     result.proven_optimal = result.value == result.upper;
     result.guarantee = guarantee_of(&p);
     result.cost = cost_of(&p);
-    result.ceiling = oracle.ceiling;
-    result.whole = oracle.layout->whole;
-    result.after_presolve = oracle.undominated;
+    result.ceiling = evaluator.ceiling;
+    result.whole = evaluator.layout->whole;
+    result.after_presolve = evaluator.undominated;
     *out = result;
     result = (murk_place_result){0};
 done:
-    murk_finding_release(&p);
-    murk_oracle_release(&oracle);
+    murk_incumbent_release(&p);
+    murk_evaluator_release(&evaluator);
     murk_rulebook_release(&rulebook);
     murk_place_release(&result);
     return status;

@@ -19,8 +19,8 @@
  * With a target, counts are tried from 1 up; where a count's plan falls short
  * though its bound does not, branch and bound has its say before the next.
  *
- * Under rules (placement/rules.h) every method keeps to them: a move is one
- * that leaves a plan, and the certificate speaks of those; with a budget
+ * Under rules (placement/constraints.h) every method keeps to them: a move is
+ * one that leaves a plan, and the certificate speaks of those; with a budget
  * greedy goes by gain per cost, against the best single sensor, and sensors
  * are also added where they can be paid. A count that the rules bring to a dead
  * end is met by any plan that a search finds, improved.
@@ -32,8 +32,8 @@
 #ifndef MURK_PLACEMENT_PLACE_H
 #define MURK_PLACEMENT_PLACE_H
 
+#include "placement/constraints.h"
 #include "placement/problem.h"
-#include "placement/rules.h"
 
 /* In weighings of one photon for one candidate, of which some 16 take a
  * nanosecond: half a minute of one processor. A plan of 5 sensors among 1188
@@ -64,10 +64,10 @@ typedef struct murk_place_desc {
     bool with_curve; /* also the best found for 1 .. count - 1 sensors; under
                         rules from the fewest that they allow on; not with a
                         budget */
-    const murk_rules *rules; /* NULL: none but the count; borrowed. With a
-                                budget count is the most sensors, 0: any
+    const murk_constraints *constraints; /* NULL: none but the count; borrowed.
+                                With a budget count is the most sensors, 0: any
                                 number */
-    bool keep_dominated;     /* no presolve: for comparison */
+    bool keep_dominated;                 /* no presolve: for comparison */
 } murk_place_desc;
 
 murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1e6, 1, true */

@@ -1,14 +1,14 @@
 #include "placement/place_check.h"
 
-#define WEIGHT_MOST ((UINT64_C(1) << 47) - 1) /* problem.h */
+#define WEIGHT_MAX ((UINT64_C(1) << 47) - 1) /* problem.h */
 
 static murk_status check_views(const murk_problem *problem, murk_error *err)
 {
     const size_t layers = murk_problem_layers(problem);
-    if (layers > MURK_REDUNDANCY_MOST) {
+    if (layers > MURK_REDUNDANCY_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "redundancy is %zu, must be 1..%d", layers,
-                         MURK_REDUNDANCY_MOST);
+                         MURK_REDUNDANCY_MAX);
     }
     if (problem->combining == MURK_COMBINE_INDEPENDENT && layers > 1) {
         return murk_fail(err, MURK_BAD_VALUE, "",
@@ -20,12 +20,12 @@ static murk_status check_views(const murk_problem *problem, murk_error *err)
     for (size_t i = 0; i < problem->photons; ++i) {
         weight += problem->weight[i];
     }
-    if (weight > WEIGHT_MOST / layers) {
+    if (weight > WEIGHT_MAX / layers) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "weights add up to %llu, must be %llu at most with "
                          "redundancy %zu",
                          (unsigned long long)weight,
-                         (unsigned long long)(WEIGHT_MOST / layers), layers);
+                         (unsigned long long)(WEIGHT_MAX / layers), layers);
     }
     return MURK_OK;
 }
@@ -33,7 +33,7 @@ static murk_status check_views(const murk_problem *problem, murk_error *err)
 murk_status murk_place_check(const murk_problem *problem, bool known,
                              const murk_place_desc *desc, murk_error *err)
 {
-    const bool has_budget = desc->rules && desc->rules->budget > 0;
+    const bool has_budget = desc->constraints && desc->constraints->budget > 0;
     if (has_budget && desc->target) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "a target and a budget are given, must be one");

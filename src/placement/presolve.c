@@ -1,7 +1,7 @@
 #include "placement/presolve.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "placement/gain.h"
 
 #include <stdatomic.h>
@@ -9,7 +9,7 @@
 
 /* Pairs grow with the square: beyond this many candidates the search itself is
  * cheaper than finding whom it may skip. */
-#define CANDIDATES_MOST 10000
+#define CANDIDATES_MAX 10000
 
 typedef struct presolving {
     const murk_matrix *matrix;
@@ -61,7 +61,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (size_t j = 0; j < n; ++j) {
         dominator[j] = (uint32_t)j;
     }
-    if (n > CANDIDATES_MOST) {
+    if (n > CANDIDATES_MAX) {
         return MURK_OK;
     }
     murk_status status = MURK_OK;
@@ -83,7 +83,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (uint32_t k = 0; k < n; ++k) {
         atomic_init(&p.first[k], k);
     }
-    murk_crew_run_workers(threads, n, mark, &p);
+    murk_pool_run_workers(threads, n, mark, &p);
     for (size_t k = 0; k < n; ++k) {
         dominator[order[k]] = order[atomic_load(&p.first[k])];
     }
@@ -126,7 +126,7 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
                                size_t needed, murk_error *err)
 {
     const size_t n = matrix->candidates;
-    if (n > CANDIDATES_MOST || needed >= n) {
+    if (n > CANDIDATES_MAX || needed >= n) {
         return MURK_OK;
     }
     murk_cover cover = {0};

@@ -5,8 +5,8 @@
 #ifndef MURK_PLACEMENT_PRESOLVE_H
 #define MURK_PLACEMENT_PRESOLVE_H
 
+#include "placement/constraints.h"
 #include "placement/matrix.h"
-#include "placement/rules.h"
 
 /* order[candidates]: by falling value alone. Fills
  * dominator[candidates] with the first undominated candidate in that order

@@ -36,7 +36,7 @@ typedef enum murk_combining {
                                 clarity; one view is worth just itself */
 } murk_combining;
 
-#define MURK_REDUNDANCY_MOST 16
+#define MURK_REDUNDANCY_MAX 16
 
 typedef struct murk_problem {
     size_t photons, candidates;
@@ -52,7 +52,7 @@ typedef struct murk_problem {
                           kept apart (murk_matrix_reweigh) */
     murk_combining combining;
     unsigned redundancy; /* views of a photon that count, 0 or 1: one, up to
-                            MURK_REDUNDANCY_MOST; with INDEPENDENT all do, and
+                            MURK_REDUNDANCY_MAX; with INDEPENDENT all do, and
                             it is 0 or 1 */
 } murk_problem;
 
@@ -69,7 +69,7 @@ typedef struct murk_matrix murk_matrix;
 /* Fails with MURK_RUN_FAILED, naming the figures, when it would take more than
  * most_bytes. Looks once at every candidate, with progress. */
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
-                               uint64_t most_bytes, murk_error *err);
+                               uint64_t max_bytes, murk_error *err);
 /* The same looks under other weights, weight[photons]: shares the rows of
  * `from`, which must outlive it. */
 murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,

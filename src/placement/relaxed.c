@@ -48,11 +48,11 @@ murk_status murk_relaxed_init(murk_relaxed *out, const murk_rulebook *book,
                           .have = calloc(book->classes, sizeof *out->have),
                           .is_used =
                               calloc(book->sites + 1, sizeof *out->is_used)};
-    const bool has_tolls = book->has_budget && book->has_caps;
-    if (has_tolls) {
-        out->toll = calloc(book->classes, sizeof *out->toll);
+    const bool has_multipliers = book->has_budget && book->has_caps;
+    if (has_multipliers) {
+        out->multiplier = calloc(book->classes, sizeof *out->multiplier);
     }
-    if (!out->order || (has_tolls && !out->toll) || !out->picked ||
+    if (!out->order || (has_multipliers && !out->multiplier) || !out->picked ||
         !out->priced || !out->value || !out->cost || !out->have ||
         !out->is_used) {
         murk_relaxed_release(out);
@@ -71,23 +71,23 @@ void murk_relaxed_release(murk_relaxed *relaxed)
     free(relaxed->cost);
     free(relaxed->have);
     free(relaxed->is_used);
-    free(relaxed->toll);
+    free(relaxed->multiplier);
     *relaxed = (murk_relaxed){0};
 }
 
 /* The best `left` under caps, and least counts if told so; into picked. */
-static uint64_t pick_by_class(murk_relaxed *r, const murk_standing *s,
+static uint64_t pick_by_class(murk_relaxed *r, const murk_partial_plan *s,
                               const murk_ranked *ranked, size_t n, size_t left,
-                              bool with_least, size_t *chosen)
+                              bool with_min, size_t *chosen)
 {
     const murk_rulebook *book = r->book;
-    size_t missing = with_least ? s->missing : 0, kept = 0;
+    size_t missing = with_min ? s->missing : 0, kept = 0;
     uint64_t sum = 0;
     memcpy(r->have, s->have, book->classes * sizeof *r->have);
     for (size_t k = 0; k < n && kept < left; ++k) {
         const uint32_t class = book->class_of[ranked[k].candidate];
-        const bool is_asked = with_least && r->have[class] < book->least[class];
-        if (r->have[class] < book->most[class] &&
+        const bool is_asked = with_min && r->have[class] < book->min[class];
+        if (r->have[class] < book->max[class] &&
             (is_asked || kept + 1 + missing <= left)) {
             ++r->have[class];
             missing -= is_asked;
@@ -131,23 +131,24 @@ static uint64_t product_saturated(uint64_t a, uint64_t b)
     return product > UINT64_MAX ? UINT64_MAX : (uint64_t)product;
 }
 
-/* Sorts by density and adds up; with tolls, what is left of gains after them,
- * and the fees for what a standing plan leaves of the caps. */
-static void price(murk_relaxed *r, size_t n, const murk_standing *s)
+/* Sorts by density and adds up; with multipliers, what is left of gains after
+ * them, and the fees for what a standing plan leaves of the caps. */
+static void price(murk_relaxed *r, size_t n, const murk_partial_plan *s)
 {
     const murk_rulebook *book = r->book;
-    murk_toll *toll = s ? r->toll : NULL;
+    murk_constraint_multiplier *multiplier = s ? r->multiplier : NULL;
     r->fees = 0;
-    for (size_t c = 0; toll && c < book->classes; ++c) {
-        toll[c].charged = toll[c].toll;
+    for (size_t c = 0; multiplier && c < book->classes; ++c) {
+        multiplier[c].charged = multiplier[c].multiplier;
         r->fees = murk_sum_saturated(
-            r->fees,
-            product_saturated(toll[c].toll, book->most[c] - s->have[c]));
+            r->fees, product_saturated(multiplier[c].multiplier,
+                                       book->max[c] - s->have[c]));
     }
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = r->order[k].candidate;
         const uint64_t gain = r->order[k].bound;
-        const uint64_t charged = toll ? toll[book->class_of[j]].toll : 0;
+        const uint64_t charged =
+            multiplier ? multiplier[book->class_of[j]].multiplier : 0;
         r->priced[k] = (murk_priced){gain > charged ? gain - charged : 0,
                                      murk_rulebook_cost(book, j), j};
     }
@@ -207,8 +208,10 @@ static void pick_by_cost(murk_relaxed *r, uint64_t budget, size_t *chosen)
 /* A class that fills more than its cap allows is charged more, one that leaves
  * places less: by steps that grow while they go on and halve where they turn
  * (Riedmiller, Braun, Proc. IEEE ICNN (1993) 586,
- * doi:10.1109/ICNN.1993.298623). `picked` is what the tolls of now let in. */
-static void learn_tolls(murk_relaxed *r, const murk_standing *s, size_t picked)
+ * doi:10.1109/ICNN.1993.298623). `picked` is what the multipliers of now let
+ * in. */
+static void learn_multipliers(murk_relaxed *r, const murk_partial_plan *s,
+                              size_t picked)
 {
     const murk_rulebook *book = r->book;
     memset(r->have, 0, book->classes * sizeof *r->have);
@@ -217,10 +220,10 @@ static void learn_tolls(murk_relaxed *r, const murk_standing *s, size_t picked)
             r->picked[k].bound > 0;
     }
     /* more than the greatest gain keeps nobody else out */
-    const uint64_t most = r->live ? r->order[0].bound : 0;
+    const uint64_t max = r->live ? r->order[0].bound : 0;
     for (size_t c = 0; c < book->classes; ++c) {
-        murk_toll *t = &r->toll[c];
-        const size_t places = book->most[c] - s->have[c];
+        murk_constraint_multiplier *t = &r->multiplier[c];
+        const size_t places = book->max[c] - s->have[c];
         const int way = r->have[c] > places ? 1 : r->have[c] < places ? -1 : 0;
         if (t->step == 0) { /* a first guess: what an average sensor brings */
             t->step = picked ? r->value[picked < r->live ? picked : r->live] /
@@ -232,16 +235,16 @@ static void learn_tolls(murk_relaxed *r, const murk_standing *s, size_t picked)
             t->step = murk_sum_saturated(t->step, t->step / 4);
         }
         if (way > 0) {
-            t->toll = murk_sum_saturated(t->toll, t->step);
-            t->toll = t->toll < most ? t->toll : most;
+            t->multiplier = murk_sum_saturated(t->multiplier, t->step);
+            t->multiplier = t->multiplier < max ? t->multiplier : max;
         } else if (way < 0) {
-            t->toll -= t->step < t->toll ? t->step : t->toll;
+            t->multiplier -= t->step < t->multiplier ? t->step : t->multiplier;
         }
         t->way = way ? way : t->way;
     }
 }
 
-uint64_t murk_relaxed_top(murk_relaxed *r, const murk_standing *s,
+uint64_t murk_relaxed_top(murk_relaxed *r, const murk_partial_plan *s,
                           const uint32_t *live, const uint64_t *gain, size_t n,
                           murk_ranked *top, size_t *chosen)
 {
@@ -277,14 +280,14 @@ uint64_t murk_relaxed_top(murk_relaxed *r, const murk_standing *s,
             *chosen = paid;
             memcpy(top, r->picked, paid * sizeof *top);
         }
-        if (r->toll) {
-            learn_tolls(r, s, paid);
+        if (r->multiplier) {
+            learn_multipliers(r, s, paid);
         }
     }
     return best;
 }
 
-uint64_t murk_relaxed_others(const murk_relaxed *r, const murk_standing *s,
+uint64_t murk_relaxed_others(const murk_relaxed *r, const murk_partial_plan *s,
                              uint32_t candidate)
 {
     if (!r->book->has_budget) {
@@ -294,7 +297,7 @@ uint64_t murk_relaxed_others(const murk_relaxed *r, const murk_standing *s,
     const uint64_t cost = murk_rulebook_cost(r->book, candidate);
     /* its own place is taken, and free of charge to the others */
     const uint64_t own =
-        r->toll ? r->toll[r->book->class_of[candidate]].charged : 0;
+        r->multiplier ? r->multiplier[r->book->class_of[candidate]].charged : 0;
     const uint64_t fees = r->fees == UINT64_MAX
                               ? r->fees
                               : r->fees - (own < r->fees ? own : r->fees);
@@ -316,7 +319,7 @@ void murk_relaxed_sort(murk_relaxed *r, murk_ranked *ranked, size_t n)
     }
 }
 
-uint64_t murk_relaxed_rest(murk_relaxed *r, const murk_standing *s,
+uint64_t murk_relaxed_rest(murk_relaxed *r, const murk_partial_plan *s,
                            const murk_ranked *ranked, size_t n)
 {
     if (!r->book->has_budget) {

@@ -4,8 +4,8 @@
  * Caps and least counts are kept to exactly (they form a matroid, where taking
  * the greatest that still fits is best); of several kinds of rules the least
  * of what each allows alone counts: at most one a site, and of a budget the
- * fractional knapsack, with caps by Lagrangian tolls on places. Spacing and
- * lists of conflicts are left out.
+ * fractional knapsack, with caps by Lagrangian multipliers on places. Spacing
+ * and lists of conflicts are left out.
  *
  * Source: Edmonds, Math. Program. 1 (1971) 127, doi:10.1007/BF01584082
  * (matroids); Dantzig, Oper. Res. 5 (1957) 266, doi:10.1287/opre.5.2.266
@@ -13,8 +13,8 @@
 #ifndef MURK_PLACEMENT_RELAXED_H
 #define MURK_PLACEMENT_RELAXED_H
 
-#include "placement/oracle.h"
-#include "placement/standing.h"
+#include "placement/evaluator.h"
+#include "placement/partial_plan.h"
 
 typedef struct murk_priced {
     uint64_t gain, cost;
@@ -23,11 +23,11 @@ typedef struct murk_priced {
 
 /* What each sensor of a class is charged for its place, so that classes keep
  * their caps; it is learnt from call to call, and any is valid. */
-typedef struct murk_toll {
-    uint64_t toll, step;
+typedef struct murk_constraint_multiplier {
+    uint64_t multiplier, step;
     uint64_t charged; /* when last priced */
     int way;          /* of the last step: -1, 0, 1 */
-} murk_toll;
+} murk_constraint_multiplier;
 
 typedef struct murk_relaxed {
     const murk_rulebook *book;
@@ -39,7 +39,8 @@ typedef struct murk_relaxed {
     size_t *have;    /* [classes] */
     bool *is_used;   /* [sites] */
     uint64_t others; /* that one fewer can bring, without a budget */
-    murk_toll *toll; /* [classes] with a budget and caps; NULL: none */
+    murk_constraint_multiplier
+        *multiplier; /* [classes] with a budget and caps; NULL: none */
     uint64_t fees;   /* of all places that the caps leave, last priced */
     double carry;    /* of fractions of candidates not yet picked */
 } murk_relaxed;
@@ -51,20 +52,23 @@ void murk_relaxed_release(murk_relaxed *relaxed);
 /* The most that live[n], each bringing gain[k], can bring to what stands.
  * top[] gets those that do, *chosen many; of a candidate picked in part, as
  * often as its part is. */
-uint64_t murk_relaxed_top(murk_relaxed *relaxed, const murk_standing *standing,
+uint64_t murk_relaxed_top(murk_relaxed *relaxed,
+                          const murk_partial_plan *partial,
                           const uint32_t *live, const uint64_t *gain, size_t n,
                           murk_ranked *top, size_t *chosen);
 
 /* After that: the most that others can bring where this candidate is in. */
 uint64_t murk_relaxed_others(const murk_relaxed *relaxed,
-                             const murk_standing *standing, uint32_t candidate);
+                             const murk_partial_plan *partial,
+                             uint32_t candidate);
 
 /* Puts the candidates in the order in which murk_relaxed_rest() picks. */
 void murk_relaxed_sort(murk_relaxed *relaxed, murk_ranked *ranked, size_t n);
 
 /* At least what ranked[n], so ordered, can bring to what stands; of a part of
  * the order no more than of the whole. */
-uint64_t murk_relaxed_rest(murk_relaxed *relaxed, const murk_standing *standing,
+uint64_t murk_relaxed_rest(murk_relaxed *relaxed,
+                           const murk_partial_plan *partial,
                            const murk_ranked *ranked, size_t n);
 
 /* For qsort() of murk_priced: gain per cost, falling, what brings nothing

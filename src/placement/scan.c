@@ -8,15 +8,15 @@
 
 uint64_t murk_scan_stand(murk_search *s, uint32_t candidate)
 {
-    const murk_layout *layout = s->oracle->layout;
-    const murk_row row = murk_oracle_row(s->oracle, s->worker, candidate);
-    s->looks += s->oracle->matrix ? 0 : 1;
+    const murk_layout *layout = s->evaluator->layout;
+    const murk_row row = murk_evaluator_row(s->evaluator, s->worker, candidate);
+    s->looks += s->evaluator->matrix ? 0 : 1;
     s->rows += 2; /* weighed and joined */
     const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
     murk_cover_add(&s->cover, layout, &row);
-    s->is_standing[candidate] = true;
-    if (s->oracle->book) {
-        murk_standing_add(&s->standing, candidate);
+    s->is_partial[candidate] = true;
+    if (s->evaluator->book) {
+        murk_partial_plan_add(&s->partial, candidate);
     }
     return gain;
 }
@@ -24,10 +24,10 @@ uint64_t murk_scan_stand(murk_search *s, uint32_t candidate)
 uint64_t murk_scan_stand_others(murk_search *s, const uint32_t *plan, size_t n,
                                 size_t but)
 {
-    murk_cover_clear(&s->cover, s->oracle->layout);
-    memset(s->is_standing, 0, s->oracle->candidates * sizeof *s->is_standing);
-    if (s->oracle->book) {
-        murk_standing_clear(&s->standing, s->standing.wanted);
+    murk_cover_clear(&s->cover, s->evaluator->layout);
+    memset(s->is_partial, 0, s->evaluator->candidates * sizeof *s->is_partial);
+    if (s->evaluator->book) {
+        murk_partial_plan_clear(&s->partial, s->partial.wanted);
     }
     uint64_t value = 0;
     for (size_t k = 0; k < n; ++k) {
@@ -40,11 +40,11 @@ uint64_t murk_scan_stand_others(murk_search *s, const uint32_t *plan, size_t n,
 
 uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
 {
-    murk_oracle_gains(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
-                      s->chunk_gain);
+    murk_evaluator_gains(s->evaluator, &s->cover, s->chunk, n, s->threads,
+                         s->worker, s->chunk_gain);
     s->evaluations += n;
     s->rows += n;
-    s->looks += s->oracle->matrix ? 0 : n;
+    s->looks += s->evaluator->matrix ? 0 : n;
     for (size_t k = 0; k < n; ++k) {
         s->gain[s->chunk[k]] = s->chunk_gain[k];
         best = s->chunk_gain[k] > best ? s->chunk_gain[k] : best;
@@ -55,27 +55,27 @@ uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
 /* Weighs those of the chunk that may be the best: first the most promising. */
 static uint64_t weigh_promising(murk_search *s, size_t n, uint64_t best)
 {
-    if (!s->most || n == 0) {
+    if (!s->max || n == 0) {
         return murk_scan_weigh(s, n, best);
     }
-    murk_oracle_mosts(s->oracle, &s->cover, s->chunk, n, s->threads, s->worker,
-                      s->chunk_gain);
+    murk_evaluator_mosts(s->evaluator, &s->cover, s->chunk, n, s->threads,
+                         s->worker, s->chunk_gain);
     s->evaluations += n;
     size_t first = 0;
     for (size_t k = 0; k < n; ++k) {
-        s->most[s->chunk[k]] = s->chunk_gain[k];
+        s->max[s->chunk[k]] = s->chunk_gain[k];
         first = s->chunk_gain[k] > s->chunk_gain[first] ? k : first;
     }
     const uint32_t held = s->chunk[0];
     s->chunk[0] = s->chunk[first];
     s->chunk[first] = held;
-    if (s->most[s->chunk[0]] < best) {
+    if (s->max[s->chunk[0]] < best) {
         return best;
     }
     best = murk_scan_weigh(s, 1, best);
     size_t kept = 0;
     for (size_t k = 1; k < n; ++k) {
-        if (s->most[s->chunk[k]] >= best) {
+        if (s->max[s->chunk[k]] >= best) {
             s->chunk[kept++] = s->chunk[k];
         }
     }
@@ -86,7 +86,7 @@ static uint64_t weigh_promising(murk_search *s, size_t n, uint64_t best)
  * the best. */
 static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
 {
-    const size_t n = s->oracle->undominated;
+    const size_t n = s->evaluator->undominated;
     uint64_t best = 0;
     for (size_t k = 0; k < n && ranking[k].bound >= best;) {
         if (murk_interrupted()) {
@@ -108,7 +108,7 @@ static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
 /* The dominated whose dominator has the best gain: they may tie. */
 static void weigh_dominated(murk_search *s, uint64_t best)
 {
-    const murk_oracle *o = s->oracle;
+    const murk_evaluator *o = s->evaluator;
     size_t gathered = 0;
     for (size_t k = o->undominated; k < o->candidates; ++k) {
         const uint32_t j = o->ranked[k].candidate;
@@ -139,10 +139,10 @@ uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
                               const uint32_t *plan, size_t n, size_t but,
                               uint64_t value)
 {
-    const murk_oracle *o = s->oracle;
+    const murk_evaluator *o = s->evaluator;
     memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
-    if (s->most) {
-        memset(s->most, 0xff, o->candidates * sizeof *s->most);
+    if (s->max) {
+        memset(s->max, 0xff, o->candidates * sizeof *s->max);
     }
     uint64_t best = 0;
     if (value < o->ceiling) {
@@ -169,15 +169,15 @@ uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
 void murk_scan_sharpen(murk_search *s)
 {
     /* what was weighed can only fall, but for rounding */
-    const size_t n = s->oracle->undominated;
+    const size_t n = s->evaluator->undominated;
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = s->ranking[k].candidate;
         if (s->gain[j] != NOT_WEIGHED) {
             s->ranking[k].bound = s->gain[j] + murk_scan_slack(s, j);
-        } else if (s->most && s->most[j] != NOT_WEIGHED) {
-            const uint64_t most = s->most[j] + murk_scan_slack(s, j);
+        } else if (s->max && s->max[j] != NOT_WEIGHED) {
+            const uint64_t max = s->max[j] + murk_scan_slack(s, j);
             uint64_t *bound = &s->ranking[k].bound;
-            *bound = most < *bound ? most : *bound;
+            *bound = max < *bound ? max : *bound;
         }
     }
     murk_ranked_sort(s->ranking, n);

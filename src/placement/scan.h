@@ -16,15 +16,15 @@ uint64_t murk_scan_stand_others(murk_search *s, const uint32_t *plan, size_t n,
  * counts, one that stands adds nothing and need not be told apart. */
 static inline bool murk_scan_is_open(const murk_search *s, uint32_t candidate)
 {
-    return s->oracle->book
-               ? murk_standing_admits(&s->standing, candidate, s->is_move)
-               : !s->has_many_views || !s->is_standing[candidate];
+    return s->evaluator->book
+               ? murk_partial_plan_admits(&s->partial, candidate, s->is_move)
+               : !s->has_many_views || !s->is_partial[candidate];
 }
 
 /* By how much the candidate may add more later, by rounding. */
 static inline uint64_t murk_scan_slack(const murk_search *s, uint32_t candidate)
 {
-    return s->oracle->slack ? s->oracle->slack[candidate] : 0;
+    return s->evaluator->slack ? s->evaluator->slack[candidate] : 0;
 }
 
 /* Weighs the n candidates gathered in the chunk, into s->gain and
@@ -33,7 +33,7 @@ uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best);
 
 /* Fills tie with all candidates that add most to what stands (the plan less
  * its entry `but`, worth `value`) and returns how much. The ranking is of the
- * oracle's candidates, with bounds on what each may add. */
+ * evaluator's candidates, with bounds on what each may add. */
 uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
                               const uint32_t *plan, size_t n, size_t but,
                               uint64_t value);

@@ -10,23 +10,24 @@
 
 #define CHUNK MURK_SEARCH_CHUNK
 
-uint64_t murk_search_rows_most(const murk_oracle *oracle)
+uint64_t murk_search_rows_max(const murk_evaluator *evaluator)
 {
     const uint64_t work =
-        oracle->search_work ? oracle->search_work : MURK_SEARCH_WORK;
-    return oracle->matrix ? work / murk_oracle_work(oracle, 1) : UINT64_MAX;
+        evaluator->search_work ? evaluator->search_work : MURK_SEARCH_WORK;
+    return evaluator->matrix ? work / murk_evaluator_work(evaluator, 1)
+                             : UINT64_MAX;
 }
 
-murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
+murk_status murk_search_init(murk_search *out, const murk_evaluator *evaluator,
                              unsigned worker, unsigned threads, murk_error *err)
 {
-    const size_t n = oracle->candidates + 1;
-    const bool has_budget = oracle->book && oracle->book->has_budget;
-    *out = (murk_search){.oracle = oracle,
-                         .has_many_views = oracle->layout->layers > 1 ||
-                                           oracle->layout->doses,
+    const size_t n = evaluator->candidates + 1;
+    const bool has_budget = evaluator->book && evaluator->book->has_budget;
+    *out = (murk_search){.evaluator = evaluator,
+                         .has_many_views = evaluator->layout->layers > 1 ||
+                                           evaluator->layout->doses,
                          .worker = worker,
-                         .rows_most = UINT64_MAX,
+                         .rows_max = UINT64_MAX,
                          .threads = threads,
                          .gain = malloc(n * sizeof *out->gain),
                          .tie = malloc(n * sizeof *out->tie),
@@ -34,26 +35,27 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
                          .ranking = malloc(n * sizeof *out->ranking),
                          .chunk_gain = calloc(CHUNK, sizeof *out->chunk_gain),
                          .chunk = malloc(CHUNK * sizeof *out->chunk),
-                         .is_standing = calloc(n, sizeof *out->is_standing)};
+                         .is_partial = calloc(n, sizeof *out->is_partial)};
     if (has_budget) {
         out->priced = malloc(n * sizeof *out->priced);
     }
-    const bool is_quicker = oracle->matrix && oracle->slack;
+    const bool is_quicker = evaluator->matrix && evaluator->slack;
     if (is_quicker) {
-        out->most = malloc(n * sizeof *out->most);
+        out->max = malloc(n * sizeof *out->max);
     }
     if (!out->gain || !out->tie || (has_budget && !out->priced) ||
         !out->shuffle || !out->ranking || !out->chunk_gain || !out->chunk ||
-        !out->is_standing || (is_quicker && !out->most) ||
-        !murk_cover_init(&out->cover, oracle->layout, oracle->all_clear)) {
+        !out->is_partial || (is_quicker && !out->max) ||
+        !murk_cover_init(&out->cover, evaluator->layout,
+                         evaluator->all_clear)) {
         murk_search_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to search %zu candidates for %zu photons",
-                         oracle->candidates, oracle->layout->photons);
+                         evaluator->candidates, evaluator->layout->photons);
     }
     murk_status status = MURK_OK;
-    if (oracle->book) {
-        status = murk_standing_init(&out->standing, oracle->book, err);
+    if (evaluator->book) {
+        status = murk_partial_plan_init(&out->partial, evaluator->book, err);
     }
     if (status) {
         murk_search_release(out);
@@ -64,7 +66,7 @@ murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
 void murk_search_release(murk_search *search)
 {
     murk_cover_release(&search->cover);
-    murk_standing_release(&search->standing);
+    murk_partial_plan_release(&search->partial);
     free(search->priced);
     free(search->gain);
     free(search->tie);
@@ -72,8 +74,8 @@ void murk_search_release(murk_search *search)
     free(search->ranking);
     free(search->chunk_gain);
     free(search->chunk);
-    free(search->is_standing);
-    free(search->most);
+    free(search->is_partial);
+    free(search->max);
     *search = (murk_search){0};
 }
 
@@ -83,11 +85,11 @@ void murk_search_release(murk_search *search)
  * (k + 1), and each bound has 2 of slack.) */
 static void note_reach(murk_search *s, uint64_t value)
 {
-    const size_t n = s->oracle->undominated;
-    uint64_t most = value;
+    const size_t n = s->evaluator->undominated;
+    uint64_t max = value;
     for (size_t k = 0; k < s->reach_count; ++k) {
-        most = murk_sum_saturated(most, k < n ? s->ranking[k].bound : 0);
-        s->reach[k] = most < s->reach[k] ? most : s->reach[k];
+        max = murk_sum_saturated(max, k < n ? s->ranking[k].bound : 0);
+        s->reach[k] = max < s->reach[k] ? max : s->reach[k];
     }
 }
 
@@ -95,40 +97,41 @@ static void note_reach(murk_search *s, uint64_t value)
  * those fixed. Returns how many are given. */
 static size_t begin(murk_search *s, uint32_t *plan, size_t given, size_t n)
 {
-    const murk_rulebook *book = s->oracle->book;
+    const murk_rulebook *book = s->evaluator->book;
     if (!book) {
         return given;
     }
-    murk_standing_clear(&s->standing,
-                        book->has_budget ? book->most_sensors : n);
+    murk_partial_plan_clear(&s->partial,
+                            book->has_budget ? book->max_sensors : n);
     s->is_move = false;
-    const size_t fixed = book->rules->fixed_count;
+    const size_t fixed = book->constraints->fixed_count;
     for (size_t k = given; k < fixed; ++k) {
-        plan[k] = (uint32_t)book->rules->fixed[k];
+        plan[k] = (uint32_t)book->constraints->fixed[k];
     }
     return given > fixed ? given : fixed;
 }
 
 static size_t fixed_count(const murk_search *s)
 {
-    return s->oracle->book ? s->oracle->book->rules->fixed_count : 0;
+    return s->evaluator->book ? s->evaluator->book->constraints->fixed_count
+                              : 0;
 }
 
 static bool has_budget(const murk_search *s)
 {
-    return s->oracle->book && s->oracle->book->has_budget;
+    return s->evaluator->book && s->evaluator->book->has_budget;
 }
 
 /* Whether a plan under a budget needs no more that bring nothing. */
 static bool is_enough(const murk_search *s, uint64_t gain)
 {
-    return gain == 0 && has_budget(s) && s->standing.missing == 0;
+    return gain == 0 && has_budget(s) && s->partial.missing == 0;
 }
 
 uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after)
 {
-    const murk_oracle *o = s->oracle;
+    const murk_evaluator *o = s->evaluator;
     memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
     given = begin(s, plan, given, n);
     uint64_t value = murk_scan_stand_others(s, plan, given, given);
@@ -160,7 +163,7 @@ uint64_t murk_search_greedy(murk_search *s, uint32_t *plan, size_t given,
  * weighed keep what they now bring. Returns the densest, gain 0: none adds. */
 static murk_priced find_densest(murk_search *s)
 {
-    const size_t n = s->oracle->candidates;
+    const size_t n = s->evaluator->candidates;
     murk_priced best = {.gain = 0};
     qsort(s->priced, n, sizeof *s->priced, murk_by_density);
     for (size_t k = 0; k < n && s->priced[k].gain > 0 && !murk_interrupted();) {
@@ -195,11 +198,10 @@ static murk_priced find_densest(murk_search *s)
 /* The cheapest that a least count still asks for; false when there is none. */
 static bool find_asked(const murk_search *s, uint32_t *candidate)
 {
-    const murk_rulebook *book = s->oracle->book;
+    const murk_rulebook *book = s->evaluator->book;
     for (size_t c = 0; c < book->classes; ++c) {
         for (size_t k = book->class_first[c];
-             k < book->class_first[c + 1] &&
-             s->standing.have[c] < book->least[c];
+             k < book->class_first[c + 1] && s->partial.have[c] < book->min[c];
              ++k) {
             if (murk_scan_is_open(s, book->by_cost[k])) {
                 *candidate = book->by_cost[k];
@@ -212,14 +214,14 @@ static bool find_asked(const murk_search *s, uint32_t *candidate)
 
 uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given)
 {
-    const murk_oracle *o = s->oracle;
-    size_t n = begin(s, plan, given, o->book->most_sensors);
+    const murk_evaluator *o = s->evaluator;
+    size_t n = begin(s, plan, given, o->book->max_sensors);
     uint64_t value = murk_scan_stand_others(s, plan, n, n);
     for (uint32_t j = 0; j < o->candidates; ++j) {
-        s->priced[j] = (murk_priced){murk_oracle_most(o, j),
+        s->priced[j] = (murk_priced){murk_evaluator_most(o, j),
                                      murk_rulebook_cost(o->book, j), j};
     }
-    while (n < o->book->most_sensors && !murk_interrupted()) {
+    while (n < o->book->max_sensors && !murk_interrupted()) {
         const murk_priced best = find_densest(s);
         plan[n] = best.candidate;
         if (best.gain == 0 && !find_asked(s, &plan[n])) {
@@ -235,7 +237,7 @@ uint64_t murk_search_spend(murk_search *s, uint32_t *plan, size_t given)
 static void draw_start(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
                        uint64_t restart)
 {
-    const size_t m = s->oracle->candidates;
+    const size_t m = s->evaluator->candidates;
     murk_draw_begin(s->shuffle, m);
     for (uint32_t k = 0; k < n; ++k) {
         plan[k] = murk_draw_next(s->shuffle, m, k, seed, restart);
@@ -247,22 +249,22 @@ static void draw_start(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
 static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
                                uint32_t seed, uint64_t restart)
 {
-    const size_t m = s->oracle->candidates;
+    const size_t m = s->evaluator->candidates;
     const size_t fixed = begin(s, plan, 0, n);
     for (size_t k = 0; k < fixed; ++k) {
-        murk_standing_add(&s->standing, plan[k]);
+        murk_partial_plan_add(&s->partial, plan[k]);
     }
     murk_draw_begin(s->shuffle, m);
-    for (uint32_t k = 0; k < m && s->standing.size < s->standing.wanted; ++k) {
+    for (uint32_t k = 0; k < m && s->partial.size < s->partial.wanted; ++k) {
         const uint32_t candidate =
             murk_draw_next(s->shuffle, m, k, seed, restart);
         if (murk_scan_is_open(s, candidate)) {
-            plan[s->standing.size] = candidate;
-            murk_standing_add(&s->standing, candidate);
+            plan[s->partial.size] = candidate;
+            murk_partial_plan_add(&s->partial, candidate);
         }
     }
-    if (murk_standing_is_plan(&s->standing)) {
-        return s->standing.size;
+    if (murk_partial_plan_is_plan(&s->partial)) {
+        return s->partial.size;
     }
     memcpy(plan, s->spare, s->spare_size * sizeof *plan);
     return s->spare_size;
@@ -271,7 +273,7 @@ static size_t draw_ruled_start(murk_search *s, uint32_t *plan, size_t n,
 size_t murk_search_draw(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
                         uint64_t restart)
 {
-    if (s->oracle->book) {
+    if (s->evaluator->book) {
         return draw_ruled_start(s, plan, n, seed, restart);
     }
     draw_start(s, plan, n, seed, restart);
@@ -281,7 +283,7 @@ size_t murk_search_draw(murk_search *s, uint32_t *plan, size_t n, uint32_t seed,
 /* Whether the work is to end here. */
 static bool is_over(murk_search *s)
 {
-    s->is_cut = s->is_cut || s->rows > s->rows_most;
+    s->is_cut = s->is_cut || s->rows > s->rows_max;
     return s->is_cut || murk_interrupted();
 }
 
@@ -300,8 +302,8 @@ uint64_t murk_search_spoq(murk_search *s, uint32_t *plan, size_t n,
             const size_t mover = fixed + s->shuffle[k];
             s->is_move = true;
             const uint64_t others = murk_scan_stand_others(s, plan, n, mover);
-            value = others + murk_scan_candidates(s, s->oracle->ranked, plan, n,
-                                                  mover, others);
+            value = others + murk_scan_candidates(s, s->evaluator->ranked, plan,
+                                                  n, mover, others);
             uint32_t word[4];
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
@@ -336,7 +338,7 @@ static uint64_t settle(murk_search *s, uint32_t *plan, size_t n)
         const size_t k = fixed + at;
         const uint64_t others = murk_scan_stand_others(s, plan, n, k);
         const uint64_t best =
-            murk_scan_candidates(s, s->oracle->ranked, plan, n, k, others);
+            murk_scan_candidates(s, s->evaluator->ranked, plan, n, k, others);
         value = others + best;
         if (best > 0 && s->gain[plan[k]] != best) {
             plan[k] = s->tie[0];

@@ -16,14 +16,14 @@
 
 /* One worker's desk; carries nothing from one plan to the next. */
 typedef struct murk_search {
-    const murk_oracle *oracle;
+    const murk_evaluator *evaluator;
     unsigned worker;     /* who looks when threads is 1 */
     unsigned threads;    /* spread over each scan */
     murk_cover cover;    /* of what stands */
     bool has_many_views; /* more than the clearest of a photon count */
-    bool *is_standing;   /* [candidates] */
-    uint64_t *most;      /* [candidates] of this scan, gain is not more; NULL
-                            where weighing is as quick */
+    bool *is_partial;    /* [candidates] */
+    uint64_t *max;       /* [candidates] of this scan, gain is not more; NULL
+                             where weighing is as quick */
     uint64_t *gain;      /* [candidates] of this scan, or NOT_WEIGHED */
     uint32_t *tie;       /* [ties] the candidates that add most, rising */
     size_t ties;
@@ -32,8 +32,8 @@ typedef struct murk_search {
     uint64_t *chunk_gain;
     uint32_t *chunk;
     uint64_t evaluations, looks; /* counted since last set to 0 */
-    uint64_t rows, rows_most;    /* weighed or joined likewise; SPOQ and
-                                    relocation end beyond rows_most, */
+    uint64_t rows, rows_max;     /* weighed or joined likewise; SPOQ and
+                                     relocation end beyond rows_most, */
     bool is_cut;                 /* which is said here */
     size_t size; /* sensors of the plan last made; under rules it may differ
                     from what was asked for */
@@ -42,7 +42,7 @@ typedef struct murk_search {
     uint64_t *reach; /* [reach_count], borrowed */
     size_t reach_count;
     /* With rules. */
-    murk_standing standing;
+    murk_partial_plan partial;
     bool is_move;          /* who joins must make a plan of what stands */
     murk_priced *priced;   /* [candidates] */
     const uint32_t *spare; /* [spare_size] a plan for starts that end short */
@@ -51,9 +51,9 @@ typedef struct murk_search {
 
 /* Rows that a search may take (MURK_SEARCH_WORK): any number where looks are
  * made again and again. */
-uint64_t murk_search_rows_most(const murk_oracle *oracle);
+uint64_t murk_search_rows_max(const murk_evaluator *evaluator);
 
-murk_status murk_search_init(murk_search *out, const murk_oracle *oracle,
+murk_status murk_search_init(murk_search *out, const murk_evaluator *evaluator,
                              unsigned worker, unsigned threads,
                              murk_error *err);
 void murk_search_release(murk_search *search);

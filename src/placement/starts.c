@@ -1,7 +1,7 @@
 #include "placement/starts.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "placement/place.h"
 
@@ -33,20 +33,21 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
     t->looks[batch] = s->looks;
 }
 
-murk_status murk_starts_init(murk_starts *t, const murk_oracle *oracle,
+murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
                              size_t count, uint32_t seed, murk_error *err)
 {
     /* In an unknown environment, and where a scan is long, threads share each
      * scan; else each takes a start of its own. */
-    const unsigned threads = oracle->problem->threads;
+    const unsigned threads = evaluator->problem->threads;
     const bool is_wide =
-        !oracle->matrix || murk_oracle_threads(oracle, MURK_SEARCH_CHUNK) > 1;
+        !evaluator->matrix ||
+        murk_evaluator_threads(evaluator, MURK_SEARCH_CHUNK) > 1;
     const unsigned workers = is_wide ? 1 : threads;
     const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
     *t = (murk_starts){.seed = seed,
                        .count = count,
                        .search = calloc(workers, sizeof *t->search),
-                       .wave_most = wave,
+                       .wave_max = wave,
                        .plan = calloc(wave * count, sizeof *t->plan),
                        .size = calloc(wave, sizeof *t->size),
                        .value = calloc(wave, sizeof *t->value),
@@ -60,14 +61,14 @@ murk_status murk_starts_init(murk_starts *t, const murk_oracle *oracle,
     }
     murk_status status = MURK_OK;
     /* one start must not take it all: others run beside it */
-    const uint64_t rows_most =
-        murk_search_rows_most(oracle) / STARTS_OF_ALL_WORK;
+    const uint64_t rows_max =
+        murk_search_rows_max(evaluator) / STARTS_OF_ALL_WORK;
     for (; t->workers < workers && !status; ++t->workers) {
-        status = murk_search_init(&t->search[t->workers], oracle, t->workers,
+        status = murk_search_init(&t->search[t->workers], evaluator, t->workers,
                                   is_wide ? threads : 1, err);
     }
     for (unsigned k = 0; k < t->workers && !status; ++k) {
-        t->search[k].rows_most = rows_most;
+        t->search[k].rows_max = rows_max;
     }
     return status;
 }
@@ -95,25 +96,25 @@ void murk_starts_spare(murk_starts *t, const uint32_t *plan, size_t size)
 }
 
 uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
-                         uint64_t value, uint64_t upper, size_t most,
+                         uint64_t value, uint64_t upper, size_t max,
                          size_t *made)
 {
     size_t without_gain = 0, done = 0;
     t->n = n;
-    const uint64_t rows_most = murk_search_rows_most(t->search[0].oracle);
-    while (done < most && without_gain < MURK_STARTS_WITHOUT_GAIN &&
-           value < upper && t->all_rows <= rows_most && !murk_interrupted()) {
-        const size_t left = most - done;
-        const size_t wave = left < t->wave_most ? left : t->wave_most;
+    const uint64_t rows_max = murk_search_rows_max(t->search[0].evaluator);
+    while (done < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
+           value < upper && t->all_rows <= rows_max && !murk_interrupted()) {
+        const size_t left = max - done;
+        const size_t wave = left < t->wave_max ? left : t->wave_max;
         t->first = done;
         if (t->workers > 1) {
-            murk_crew_run_workers(t->workers, wave, run_start, t);
+            murk_pool_run_workers(t->workers, wave, run_start, t);
         } else {
             run_start(t, 0, 0);
         }
         for (size_t k = 0;
              k < wave && without_gain < MURK_STARTS_WITHOUT_GAIN &&
-             value < upper && t->all_rows <= rows_most;
+             value < upper && t->all_rows <= rows_max;
              ++k) {
             ++done;
             ++without_gain;
@@ -130,6 +131,6 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
         murk_progress_add(wave);
     }
     *made += done;
-    t->is_cut = t->is_cut || t->all_rows > rows_most;
+    t->is_cut = t->is_cut || t->all_rows > rows_max;
     return value;
 }

@@ -7,10 +7,10 @@
 typedef struct murk_starts {
     murk_search *search; /* [workers] */
     unsigned workers;
-    size_t wave_most; /* made between two looks at the stop */
-    size_t count;     /* sensors of a plan at most */
-    uint32_t *plan;   /* [wave_most][count] */
-    size_t *size;     /* [wave_most] sensors of each */
+    size_t wave_max; /* made between two looks at the stop */
+    size_t count;    /* sensors of a plan at most */
+    uint32_t *plan;  /* [wave_most][count] */
+    size_t *size;    /* [wave_most] sensors of each */
     uint64_t *value, *evaluations, *looks, *rows; /* [wave_most] */
     size_t n;                                     /* sensors wanted now */
     uint32_t seed;
@@ -22,7 +22,7 @@ typedef struct murk_starts {
 } murk_starts;
 
 /* For plans of at most `count` sensors. Release it also after a failure. */
-murk_status murk_starts_init(murk_starts *out, const murk_oracle *oracle,
+murk_status murk_starts_init(murk_starts *out, const murk_evaluator *evaluator,
                              size_t count, uint32_t seed, murk_error *err);
 void murk_starts_release(murk_starts *starts);
 
@@ -33,7 +33,7 @@ void murk_starts_spare(murk_starts *starts, const uint32_t *plan, size_t size);
  * better than plan[*size], worth value; stops after 20 in a row without gain,
  * or when `upper` is met. Returns the best value and adds the starts made. */
 uint64_t murk_starts_try(murk_starts *starts, uint32_t *plan, size_t *size,
-                         size_t n, uint64_t value, uint64_t upper, size_t most,
+                         size_t n, uint64_t value, uint64_t upper, size_t max,
                          size_t *made);
 
 #endif

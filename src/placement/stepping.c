@@ -1,7 +1,7 @@
 #include "placement/stepping.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "placement/gain.h"
 
 #include <assert.h>
@@ -91,7 +91,7 @@ uint32_t murk_stepping_best(murk_stepping *s, const uint32_t *open, size_t n,
         if (taken == 0) {
             break;
         }
-        murk_crew_run_workers(s->problem->threads, taken, weigh, s);
+        murk_pool_run_workers(s->problem->threads, taken, weigh, s);
         s->looks += taken;
         for (size_t k = 0; k < taken; ++k) {
             const uint32_t j = s->chunk[k].candidate;

@@ -15,11 +15,11 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
 {
     const murk_place_desc *desc = w->desc;
     murk_status status =
-        murk_oracle_init(&w->oracle, problem, matrix, w->book,
-                         w->book ? w->book->most_sensors : desc->count,
-                         desc->keep_dominated, err);
+        murk_evaluator_init(&w->evaluator, problem, matrix, w->book,
+                            w->book ? w->book->max_sensors : desc->count,
+                            desc->keep_dominated, err);
     if (!status) {
-        status = murk_block_views_init(&w->views, &w->oracle, blocks, err);
+        status = murk_block_views_init(&w->views, &w->evaluator, blocks, err);
     }
     if (!status) {
         status = murk_worst_search_init(&w->search, &w->views, err);
@@ -32,7 +32,7 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
     }
     const bool is_curve =
         (desc->with_curve || desc->target) && !(w->book && w->book->has_budget);
-    w->last = w->book ? w->book->most_sensors : desc->count;
+    w->last = w->book ? w->book->max_sensors : desc->count;
     w->first = !is_curve ? w->last : w->book ? w->book->fewest_sensors : 1;
     w->plan = calloc(w->last, sizeof *w->plan);
     w->trial = calloc(w->last, sizeof *w->trial);
@@ -51,7 +51,7 @@ static void release(murk_worst_run *w)
     murk_worst_bound_release(&w->bound);
     murk_worst_search_release(&w->search);
     murk_block_views_release(&w->views);
-    murk_oracle_release(&w->oracle);
+    murk_evaluator_release(&w->evaluator);
     free(w->plan);
     free(w->trial);
     free(w->spare);
@@ -149,7 +149,7 @@ static void fill(murk_place_result *result, const murk_worst_run *w)
     result->guarantee = "none";
     result->ceiling = murk_worst_ceiling(w);
     result->whole = MURK_SHARE_ONE;
-    result->after_presolve = w->oracle.undominated;
+    result->after_presolve = w->evaluator.undominated;
     result->evaluations = w->search.evaluations;
 }
 
@@ -164,15 +164,15 @@ murk_status murk_place_worst(murk_place_result *out,
     murk_rulebook rulebook = {0};
     murk_place_result result = {0};
     murk_worst_run w = {.desc = desc,
-                        .book = desc->rules ? &rulebook : NULL,
+                        .book = desc->constraints ? &rulebook : NULL,
                         .blocks = blocks->n,
                         .result = &result};
     murk_status status = murk_place_check(problem, true, desc, err);
-    if (!status && desc->rules) {
-        const bool is_most = desc->target || desc->rules->budget > 0;
+    if (!status && desc->constraints) {
+        const bool is_max = desc->target || desc->constraints->budget > 0;
         status = murk_rulebook_init(
-            &rulebook, desc->rules, problem->candidates,
-            desc->count > 0 ? desc->count : problem->candidates, is_most, err);
+            &rulebook, desc->constraints, problem->candidates,
+            desc->count > 0 ? desc->count : problem->candidates, is_max, err);
     }
     if (!status) {
         status = begin(&w, problem, matrix, blocks, &result, err);
@@ -182,7 +182,8 @@ murk_status murk_place_worst(murk_place_result *out,
             err, MURK_BAD_VALUE, "",
             "target %.6g cannot be reached in the worst condition: all %zu "
             "usable candidates together see %.6g of it",
-            (double)desc->target / (double)MURK_SHARE_ONE, w.oracle.candidates,
+            (double)desc->target / (double)MURK_SHARE_ONE,
+            w.evaluator.candidates,
             (double)murk_worst_ceiling(&w) / (double)MURK_SHARE_ONE);
     }
     if (status) {

@@ -10,29 +10,29 @@
 typedef murk_uint128 wide;
 
 /* Scaled weights add up to less than this, and none reaches 2^32. */
-#define WEIGHT_SUM  0x1p46
-#define WEIGHT_MOST 0x1p31
+#define WEIGHT_SUM 0x1p46
+#define WEIGHT_MAX 0x1p31
 
 /* Blocks are weighed by whole factors below FACTOR_MOST, over 2^shift. */
-#define FACTOR_MOST 0x1p31
-#define SHIFT_MOST  31
+#define FACTOR_MAX 0x1p31
+#define SHIFT_MAX  31
 
 /* Above the smallest block value of any plan. With regret that value can exceed
  * 1, because a plan may beat the reference. */
-#define WORTH_MOST (UINT64_C(1) << 60)
+#define WORTH_MAX (UINT64_C(1) << 60)
 
 /* No block is ever lost sight of. */
-#define LAMBDA_LEAST 1e-9
+#define LAMBDA_MIN 1e-9
 
 murk_status murk_worst_bound_init(murk_worst_bound *out,
                                   const murk_block_views *views,
                                   murk_error *err)
 {
-    const murk_oracle *o = views->oracle;
+    const murk_evaluator *o = views->evaluator;
     const size_t n = o->candidates + 1, blocks = views->blocks->n;
     *out = (murk_worst_bound){
         .views = views,
-        .oracle = *o,
+        .evaluator = *o,
         .weight = calloc(o->problem->photons + 1, sizeof *out->weight),
         .top = calloc(n, sizeof *out->top),
         .gains = calloc(n, sizeof *out->gains)};
@@ -52,8 +52,8 @@ murk_status murk_worst_bound_init(murk_worst_bound *out,
             ? murk_worst_bound_weigh(out, lambda, err)
             : murk_fail(err, MURK_NO_MEMORY, "",
                         "no memory to bound plans for %zu conditions", blocks);
-    out->oracle.layout = &out->layout;
-    return status ? status : murk_bound_init(&out->bound, &out->oracle, err);
+    out->evaluator.layout = &out->layout;
+    return status ? status : murk_bound_init(&out->bound, &out->evaluator, err);
 }
 
 void murk_worst_bound_release(murk_worst_bound *b)
@@ -72,7 +72,7 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                              uint64_t *factor)
 {
     const size_t n = b->views->blocks->n;
-    double sum = 0, most = 0;
+    double sum = 0, max = 0;
     for (size_t c = 0; c < n; ++c) {
         sum +=
             lambda[c] * (double)b->views->whole[c] / (double)b->views->unit[c];
@@ -81,13 +81,13 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
     double scale = WEIGHT_SUM * MURK_CLEAR / fmax(1, sum * (1 - 0x1p-40));
     for (size_t c = 0; c < n; ++c) {
         const double per_unit = lambda[c] / (double)b->views->unit[c];
-        scale = fmin(scale, WEIGHT_MOST / (per_unit * b->heaviest[c]));
-        scale = fmin(scale, FACTOR_MOST / per_unit);
-        most = fmax(most, per_unit);
+        scale = fmin(scale, WEIGHT_MAX / (per_unit * b->heaviest[c]));
+        scale = fmin(scale, FACTOR_MAX / per_unit);
+        max = fmax(max, per_unit);
     }
-    const int exponent = ilogb(scale * most * (1 - 0x1p-50));
+    const int exponent = ilogb(scale * max * (1 - 0x1p-50));
     const unsigned shift = exponent >= 30   ? 0
-                           : exponent <= -1 ? SHIFT_MOST
+                           : exponent <= -1 ? SHIFT_MAX
                                             : (unsigned)(30 - exponent);
     for (size_t c = 0; c < n; ++c) {
         factor[c] = (uint64_t)ldexp(scale * (1 - 0x1p-50) * lambda[c] /
@@ -101,7 +101,7 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
                                    murk_error *err)
 {
     const murk_block_views *views = b->views;
-    const murk_problem *problem = views->oracle->problem;
+    const murk_problem *problem = views->evaluator->problem;
     uint64_t factor[MURK_BLOCKS_MAX];
     const unsigned shift = find_factors(b, lambda, factor);
     const uint64_t up = ((uint64_t)1 << shift) - 1;
@@ -119,13 +119,13 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
         }
     }
     b->one = (uint64_t)(one >> shift);
-    const murk_status status =
-        murk_layout_reweigh(&b->layout, views->oracle->layout, b->weight, err);
+    const murk_status status = murk_layout_reweigh(
+        &b->layout, views->evaluator->layout, b->weight, err);
     if (!status) {
         b->bound.last_count = 0; /* its slopes were of other weights */
-        b->oracle.ceiling = b->layout.whole;
-        b->oracle.grain =
-            (uint64_t)b->layout.common * (b->oracle.all_clear ? MURK_CLEAR : 1);
+        b->evaluator.ceiling = b->layout.whole;
+        b->evaluator.grain = (uint64_t)b->layout.common *
+                             (b->evaluator.all_clear ? MURK_CLEAR : 1);
     }
     return status;
 }
@@ -136,33 +136,33 @@ uint64_t murk_worst_bound_value(const murk_worst_bound *b, uint64_t share)
     if (needed <= b->free) { /* the offsets alone reach it */
         return 0;
     }
-    const wide least = (needed - b->free - 1) / MURK_SHARE_ONE + 1;
-    return (uint64_t)least - 1;
+    const wide min = (needed - b->free - 1) / MURK_SHARE_ONE + 1;
+    return (uint64_t)min - 1;
 }
 
 uint64_t murk_worst_bound_share(const murk_worst_bound *b, uint64_t value)
 {
     const wide share = ((wide)value * MURK_SHARE_ONE + b->free) / b->one;
-    return share < WORTH_MOST ? (uint64_t)share : WORTH_MOST;
+    return share < WORTH_MAX ? (uint64_t)share : WORTH_MAX;
 }
 
 /* What the bound at the present thresholds sees of each block, as a share. */
 static void find_shares(murk_worst_bound *b, size_t n, double *share)
 {
     const murk_block_views *v = b->views;
-    murk_thresholds *t = &b->bound.thresholds;
+    murk_multipliers *t = &b->bound.multipliers;
     const size_t chosen = murk_bound_top(&b->bound, n, b->top);
     for (size_t c = 0; c < v->blocks->n; ++c) {
-        t->oracle = &b->block[c];
-        double sum = (double)murk_thresholds_take(t, b->bound.threshold);
-        murk_thresholds_gains(t, b->top, chosen, b->gains);
+        t->evaluator = &b->block[c];
+        double sum = (double)murk_multipliers_take(t, b->bound.threshold);
+        murk_multipliers_gains(t, b->top, chosen, b->gains);
         for (size_t k = 0; k < chosen; ++k) {
             sum += (double)b->gains[k];
         }
         share[c] = sum / (double)v->unit[c] +
                    (double)v->offset[c] / (double)MURK_SHARE_ONE;
     }
-    t->oracle = &b->oracle;
+    t->evaluator = &b->evaluator;
 }
 
 /* lambda_c times exp(-step * (share_c - mean) / widest), made to sum 1. */
@@ -179,7 +179,7 @@ static void step_lambda(const murk_worst_bound *b, const double *share,
     }
     for (size_t c = 0; c < n; ++c) {
         const double off = widest > 0 ? (share[c] - mean) / widest : 0;
-        lambda[c] = fmax(LAMBDA_LEAST, b->lambda[c] * exp(-step * off));
+        lambda[c] = fmax(LAMBDA_MIN, b->lambda[c] * exp(-step * off));
         sum += lambda[c];
     }
     for (size_t c = 0; c < n; ++c) {
@@ -206,8 +206,8 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
                                      murk_error *err)
 {
     const size_t blocks = b->views->blocks->n;
-    const murk_rulebook *book = b->oracle.book;
-    const size_t left = n - (book ? book->rules->fixed_count : 0);
+    const murk_rulebook *book = b->evaluator.book;
+    const size_t left = n - (book ? book->constraints->fixed_count : 0);
     double lambda[MURK_BLOCKS_MAX], average[MURK_BLOCKS_MAX] = {0};
     uint64_t lowest =
         bound_here(b, n, lower, plan, plan_count, plan ? rounds * 2 : rounds);

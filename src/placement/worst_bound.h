@@ -23,8 +23,8 @@ __extension__ typedef unsigned __int128 murk_uint128;
 
 typedef struct murk_worst_bound {
     const murk_block_views *views;
-    murk_oracle oracle; /* the views', under the weights of lambda */
-    murk_oracle block[MURK_BLOCKS_MAX]; /* and under those of one block */
+    murk_evaluator evaluator; /* the views', under the weights of lambda */
+    murk_evaluator block[MURK_BLOCKS_MAX]; /* and under those of one block */
     murk_layout layout;
     murk_bound bound;
     uint32_t *weight;                       /* [photons] */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Levels tried between the best known and the bound. */
-#define LEVELS_MOST  16
+#define LEVELS_MAX   16
 #define LEVEL_FINEST (MURK_SHARE_ONE >> 16)
 
 /* Random starts in a row without gain that end them. */
@@ -28,12 +28,12 @@ static bool is_plan(murk_worst_run *w, const uint32_t *plan, size_t size,
     if (!w->book) {
         return size == n;
     }
-    murk_standing *s = &w->search.standing;
-    murk_standing_clear(s, w->book->has_budget ? w->book->most_sensors : n);
+    murk_partial_plan *s = &w->search.partial;
+    murk_partial_plan_clear(s, w->book->has_budget ? w->book->max_sensors : n);
     for (size_t k = 0; k < size; ++k) {
-        murk_standing_add(s, plan[k]);
+        murk_partial_plan_add(s, plan[k]);
     }
-    return murk_standing_is_plan(s);
+    return murk_partial_plan_is_plan(s);
 }
 
 /* Keeps trial[search.size] if it is a plan, and better. */
@@ -93,8 +93,8 @@ static void saturate(murk_worst_run *w, size_t n)
 {
     climb_to(w, n, MURK_NO_LEVEL);
     uint64_t low = w->has_plan ? w->value : 0, high = w->upper;
-    for (int k = 0; k < LEVELS_MOST && high > low &&
-                    high - low > LEVEL_FINEST && !murk_interrupted();
+    for (int k = 0; k < LEVELS_MAX && high > low && high - low > LEVEL_FINEST &&
+                    !murk_interrupted();
          ++k) {
         const uint64_t level = low + (high - low) / 2;
         climb_to(w, n, level);
@@ -131,10 +131,10 @@ static void draw(murk_worst_run *w, size_t n, uint64_t restart)
     murk_worst_draw(&w->search, w->trial, n, w->desc->seed, restart);
 }
 
-static void try_starts(murk_worst_run *w, size_t n, size_t most)
+static void try_starts(murk_worst_run *w, size_t n, size_t max)
 {
     size_t without_gain = 0;
-    for (size_t k = 0; k < most && without_gain < STARTS_WITHOUT_GAIN &&
+    for (size_t k = 0; k < max && without_gain < STARTS_WITHOUT_GAIN &&
                        w->value < w->upper && !murk_interrupted();
          ++k) {
         draw(w, n, k);
@@ -177,7 +177,7 @@ murk_status murk_worst_prove(murk_worst_run *w, size_t n, murk_error *err)
     const murk_status status =
         murk_exact_search(&exact, &w->bound.bound, w->plan, w->size, n,
                           murk_worst_bound_value(&w->bound, w->value),
-                          w->bound.oracle.ceiling, w->desc->nodes, &by, err);
+                          w->bound.evaluator.ceiling, w->desc->nodes, &by, err);
     if (status) {
         return status;
     }
@@ -186,9 +186,9 @@ murk_status murk_worst_prove(murk_worst_run *w, size_t n, murk_error *err)
     const uint64_t upper = murk_worst_bound_share(&w->bound, exact.upper);
     w->upper = upper < w->upper ? upper : w->upper;
     if (w->book) { /* what it found may have to be filled up */
-        const murk_climb least = {.is_least = true};
+        const murk_climb min = {.is_min = true};
         memcpy(w->trial, w->plan, w->size * sizeof *w->plan);
-        w->value = murk_worst_greedy(&w->search, &least, w->trial, w->size, n);
+        w->value = murk_worst_greedy(&w->search, &min, w->trial, w->size, n);
         w->size = w->search.size;
         memcpy(w->plan, w->trial, w->size * sizeof *w->plan);
     }
@@ -204,13 +204,14 @@ static murk_status find_spare(murk_worst_run *w, size_t n, murk_error *err)
     if (!w->book || !w->book->has_conflicts) {
         return MURK_OK;
     }
-    murk_standing *standing = &w->search.standing;
+    murk_partial_plan *partial = &w->search.partial;
     bool is_sure;
-    murk_standing_clear(standing, n);
-    for (size_t k = 0; k < w->book->rules->fixed_count; ++k) {
-        murk_standing_add(standing, (uint32_t)w->book->rules->fixed[k]);
+    murk_partial_plan_clear(partial, n);
+    for (size_t k = 0; k < w->book->constraints->fixed_count; ++k) {
+        murk_partial_plan_add(partial,
+                              (uint32_t)w->book->constraints->fixed[k]);
     }
-    if (!murk_standing_find_plan(standing, &is_sure)) {
+    if (!murk_partial_plan_find_plan(partial, &is_sure)) {
         return murk_interrupted()
                    ? MURK_OK
                    : murk_fail(err, MURK_RUN_FAILED, "",
@@ -219,23 +220,23 @@ static murk_status find_spare(murk_worst_run *w, size_t n, murk_error *err)
                                        : "no plan found: of %zu sensors at "
                                          "%zu usable candidates that keeps "
                                          "all rules",
-                               n, w->oracle.candidates);
+                               n, w->evaluator.candidates);
     }
-    w->search.spare_size = standing->size;
-    memcpy(w->spare, standing->member, standing->size * sizeof *w->spare);
+    w->search.spare_size = partial->size;
+    memcpy(w->spare, partial->member, partial->size * sizeof *w->spare);
     w->search.spare = w->spare;
     return MURK_OK;
 }
 
 uint64_t murk_worst_ceiling(const murk_worst_run *w)
 {
-    uint64_t least = UINT64_MAX;
+    uint64_t min = UINT64_MAX;
     for (size_t c = 0; c < w->blocks; ++c) {
         const uint64_t share =
             murk_block_worth(&w->views, c, w->views.ceiling[c]);
-        least = share < least ? share : least;
+        min = share < min ? share : min;
     }
-    return least;
+    return min;
 }
 
 /* The best plan of n that the method finds, and its bound. */
@@ -263,10 +264,10 @@ static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
             w, n, murk_worst_value(&w->search, w->trial, w->search.size));
     }
     if (from && method == MURK_PLACE_BEST) {
-        const murk_climb least = {.is_least = true};
+        const murk_climb min = {.is_min = true};
         memcpy(w->trial, from, (n - 1) * sizeof *from);
         const uint64_t value =
-            murk_worst_greedy(&w->search, &least, w->trial, n - 1, n);
+            murk_worst_greedy(&w->search, &min, w->trial, n - 1, n);
         relocate_and_keep(w, n, value);
     }
 }

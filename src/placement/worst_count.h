@@ -11,7 +11,7 @@ typedef struct murk_worst_run {
     const murk_place_desc *desc;
     const murk_rulebook *book;
     size_t blocks;
-    murk_oracle oracle;
+    murk_evaluator evaluator;
     murk_block_views views;
     murk_worst_search search;
     murk_worst_bound bound;

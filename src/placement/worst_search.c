@@ -18,23 +18,23 @@ murk_status murk_worst_search_init(murk_worst_search *out,
                                    const murk_block_views *views,
                                    murk_error *err)
 {
-    const murk_oracle *o = views->oracle;
+    const murk_evaluator *o = views->evaluator;
     const size_t n = o->candidates + 1, blocks = views->blocks->n;
     *out =
         (murk_worst_search){.views = views,
-                            .oracle = o,
-                            .most = malloc(n * blocks * sizeof *out->most),
+                            .evaluator = o,
+                            .max = malloc(n * blocks * sizeof *out->max),
                             .gain = malloc(CHUNK * blocks * sizeof *out->gain),
                             .chunk = malloc(CHUNK * sizeof *out->chunk),
                             .hope = malloc(n * sizeof *out->hope)};
     murk_status status = MURK_OK;
-    if (!out->most || !out->gain || !out->chunk || !out->hope ||
+    if (!out->max || !out->gain || !out->chunk || !out->hope ||
         !murk_cover_init(&out->cover, o->layout, o->all_clear)) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to search %zu candidates", o->candidates);
     }
     if (!status && o->book) {
-        status = murk_standing_init(&out->standing, o->book, err);
+        status = murk_partial_plan_init(&out->partial, o->book, err);
     }
     if (!status) {
         status = murk_search_init(&out->draw, o, 0, 1, err);
@@ -45,9 +45,9 @@ murk_status murk_worst_search_init(murk_worst_search *out,
 void murk_worst_search_release(murk_worst_search *s)
 {
     murk_search_release(&s->draw);
-    murk_standing_release(&s->standing);
+    murk_partial_plan_release(&s->partial);
     murk_cover_release(&s->cover);
-    free(s->most);
+    free(s->max);
     free(s->gain);
     free(s->chunk);
     free(s->hope);
@@ -65,11 +65,11 @@ static bool is_more(murk_worth a, murk_worth b)
 static murk_worth worth_with(const murk_worst_search *s,
                              const murk_climb *climb, const uint64_t *gain)
 {
-    murk_worth out = {climb->is_least ? UINT64_MAX : 0, 0};
+    murk_worth out = {climb->is_min ? UINT64_MAX : 0, 0};
     for (size_t c = 0; c < s->views->blocks->n; ++c) {
         const uint64_t share =
             murk_block_worth(s->views, c, s->value[c] + (gain ? gain[c] : 0));
-        if (climb->is_least) {
+        if (climb->is_min) {
             out.first = share < out.first ? share : out.first;
             out.second += share;
         } else {
@@ -80,19 +80,19 @@ static murk_worth worth_with(const murk_worst_search *s,
     return out;
 }
 
-static const murk_climb BY_LEAST = {.is_least = true};
+static const murk_climb BY_LEAST = {.is_min = true};
 
 /* ---- what stands ---- */
 
 static void stand(murk_worst_search *s, uint32_t candidate)
 {
-    const murk_row row = murk_oracle_row(s->oracle, 0, candidate);
+    const murk_row row = murk_evaluator_row(s->evaluator, 0, candidate);
     for (size_t c = 0; c < s->views->blocks->n; ++c) {
         s->value[c] += murk_row_gain(&s->views->layout[c], &row, &s->cover);
     }
-    murk_cover_add(&s->cover, s->oracle->layout, &row);
-    if (s->oracle->book) {
-        murk_standing_add(&s->standing, candidate);
+    murk_cover_add(&s->cover, s->evaluator->layout, &row);
+    if (s->evaluator->book) {
+        murk_partial_plan_add(&s->partial, candidate);
     }
 }
 
@@ -100,10 +100,10 @@ static void stand(murk_worst_search *s, uint32_t candidate)
 static void stand_others(murk_worst_search *s, const uint32_t *plan, size_t n,
                          size_t but)
 {
-    murk_cover_clear(&s->cover, s->oracle->layout);
+    murk_cover_clear(&s->cover, s->evaluator->layout);
     memset(s->value, 0, sizeof s->value);
-    if (s->oracle->book) {
-        murk_standing_clear(&s->standing, s->standing.wanted);
+    if (s->evaluator->book) {
+        murk_partial_plan_clear(&s->partial, s->partial.wanted);
     }
     for (size_t k = 0; k < n; ++k) {
         if (k != but) {
@@ -136,8 +136,8 @@ static bool is_open(const murk_worst_search *s, const question *q,
                     uint32_t candidate)
 {
     return !holds(q->plan, q->n, q->but, candidate) &&
-           (!s->oracle->book ||
-            murk_standing_admits(&s->standing, candidate, q->is_move));
+           (!s->evaluator->book ||
+            murk_partial_plan_admits(&s->partial, candidate, q->is_move));
 }
 
 static int by_hope(const void *a, const void *b)
@@ -155,14 +155,14 @@ static int by_hope(const void *a, const void *b)
 static bool find_best(murk_worst_search *s, const question *q,
                       murk_worth *worth, uint32_t *best)
 {
-    const murk_oracle *o = s->oracle;
+    const murk_evaluator *o = s->evaluator;
     const size_t blocks = s->views->blocks->n;
     size_t n = 0;
     for (size_t k = 0; k < o->undominated; ++k) {
         const uint32_t j = o->ranked[k].candidate;
-        const murk_worth most = worth_with(s, q->climb, s->most + j * blocks);
-        if (is_more(most, *worth) && is_open(s, q, j)) {
-            s->hope[n++] = (murk_hope){most, j};
+        const murk_worth max = worth_with(s, q->climb, s->max + j * blocks);
+        if (is_more(max, *worth) && is_open(s, q, j)) {
+            s->hope[n++] = (murk_hope){max, j};
         }
     }
     qsort(s->hope, n, sizeof *s->hope, by_hope);
@@ -197,7 +197,7 @@ static bool find_best(murk_worst_search *s, const question *q,
 static bool find_any(const murk_worst_search *s, const question *q,
                      uint32_t *candidate)
 {
-    for (uint32_t j = 0; j < s->oracle->candidates; ++j) {
+    for (uint32_t j = 0; j < s->evaluator->candidates; ++j) {
         if (is_open(s, q, j)) {
             *candidate = j;
             return true;
@@ -216,7 +216,7 @@ uint64_t murk_worst_value(murk_worst_search *s, const uint32_t *plan, size_t n)
 
 static bool has_budget(const murk_worst_search *s)
 {
-    return s->oracle->book && s->oracle->book->has_budget;
+    return s->evaluator->book && s->evaluator->book->has_budget;
 }
 
 /* Under rules: the plan is to have n sensors, or n at most, and begins with
@@ -224,15 +224,15 @@ static bool has_budget(const murk_worst_search *s)
 static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
                     size_t n)
 {
-    const murk_rulebook *book = s->oracle->book;
+    const murk_rulebook *book = s->evaluator->book;
     if (!book) {
         return given;
     }
-    murk_standing_clear(&s->standing,
-                        book->has_budget ? book->most_sensors : n);
-    const size_t fixed = book->rules->fixed_count;
+    murk_partial_plan_clear(&s->partial,
+                            book->has_budget ? book->max_sensors : n);
+    const size_t fixed = book->constraints->fixed_count;
     for (size_t k = given; k < fixed; ++k) {
-        plan[k] = (uint32_t)book->rules->fixed[k];
+        plan[k] = (uint32_t)book->constraints->fixed[k];
     }
     return given > fixed ? given : fixed;
 }
@@ -240,8 +240,8 @@ static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
 /* What stands can only grow from here on: gains never exceed those alone. */
 static void forget_gains(murk_worst_search *s)
 {
-    memcpy(s->most, s->views->most,
-           s->oracle->candidates * s->views->blocks->n * sizeof *s->most);
+    memcpy(s->max, s->views->max,
+           s->evaluator->candidates * s->views->blocks->n * sizeof *s->max);
 }
 
 uint64_t murk_worst_greedy(murk_worst_search *s, const murk_climb *climb,
@@ -260,7 +260,7 @@ uint64_t murk_worst_greedy(murk_worst_search *s, const murk_climb *climb,
             worth = worth_with(s, &BY_LEAST, NULL);
             is_found = find_best(s, &q, &worth, &plan[k]);
         }
-        const bool is_enough = has_budget(s) && s->standing.missing == 0;
+        const bool is_enough = has_budget(s) && s->partial.missing == 0;
         if (!is_found && (is_enough || !find_any(s, &q, &plan[k]))) {
             break;
         }
@@ -273,8 +273,8 @@ uint64_t murk_worst_greedy(murk_worst_search *s, const murk_climb *climb,
 /* Moves single sensors until none gains. */
 static void settle(murk_worst_search *s, uint32_t *plan, size_t n)
 {
-    const murk_rulebook *book = s->oracle->book;
-    const size_t fixed = book ? book->rules->fixed_count : 0;
+    const murk_rulebook *book = s->evaluator->book;
+    const size_t fixed = book ? book->constraints->fixed_count : 0;
     const size_t movers = n - fixed;
     size_t still = 0; /* sensors in a row that did not move */
     forget_gains(s);
@@ -304,7 +304,7 @@ uint64_t murk_worst_relocate(murk_worst_search *s, uint32_t *plan, size_t n)
     while (has_budget(s) && !murk_interrupted()) {
         const size_t before = s->size;
         murk_worst_greedy(s, &BY_LEAST, plan, before,
-                          s->oracle->book->most_sensors);
+                          s->evaluator->book->max_sensors);
         if (s->size == before) {
             break;
         }

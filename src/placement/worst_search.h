@@ -24,18 +24,18 @@ typedef struct murk_worth {
 /* What a search climbs: sum_c factor[c] min(share_c, level); or, with is_least,
  * the least share, then the sum of all. Factors are at most 2^7. */
 typedef struct murk_climb {
-    bool is_least;
+    bool is_min;
     uint64_t level; /* MURK_NO_LEVEL: none */
     uint64_t factor[MURK_BLOCKS_MAX];
 } murk_climb;
 
 typedef struct murk_worst_search {
     const murk_block_views *views;
-    const murk_oracle *oracle;
+    const murk_evaluator *evaluator;
     murk_cover cover;                /* of what stands */
     uint64_t value[MURK_BLOCKS_MAX]; /* of what stands, by block */
-    murk_standing standing;          /* with rules */
-    uint64_t *most;                  /* [candidates][n] no gain is more */
+    murk_partial_plan partial;       /* with rules */
+    uint64_t *max;                   /* [candidates][n] no gain is more */
     uint64_t *gain;                  /* [a chunk][n] */
     uint32_t *chunk;
     struct murk_hope *hope; /* [candidates] */

@@ -40,12 +40,12 @@
 static const struct row {
     double nm, water_per_m, chi, e;
 } row[] = {
-    {MURK_CASE_1_LEAST_NM, .01042, .11748, .64358},
+    {MURK_CASE_1_MIN_NM, .01042, .11748, .64358},
     {412, .007932, .122858, .653270},
     {443, .009480, .107212, .673358},
     {490, .01660, .07242, .68955},
     {510, .03385, .05943, .68567},
-    {MURK_CASE_1_MOST_NM, .06053, .03996, .64204},
+    {MURK_CASE_1_MAX_NM, .06053, .03996, .64204},
 };
 enum { ROWS = sizeof row / sizeof *row };
 
@@ -138,14 +138,14 @@ double murk_case_1_absorption(double wavelength_nm,
         return 0;
     }
     double ratio;
-    if (nm < MURK_CASE_1_MOST_NM) {
+    if (nm < MURK_CASE_1_MAX_NM) {
         double share;
         const size_t i = place_of(nm, &share);
         ratio = (1 - share) * ratio_at(&row[i], c) +
                 share * ratio_at(&row[i + 1], c);
     } else {
-        const double share = fmin(1, (nm - MURK_CASE_1_MOST_NM) /
-                                         (BRICAUD_NM - MURK_CASE_1_MOST_NM));
+        const double share = fmin(1, (nm - MURK_CASE_1_MAX_NM) /
+                                         (BRICAUD_NM - MURK_CASE_1_MAX_NM));
         ratio = (1 - share) * ratio_at(&row[ROWS - 1], c) + share;
     }
     return ratio * of_parts(nm, c);

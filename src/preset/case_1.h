@@ -6,8 +6,8 @@
 #define MURK_PRESET_CASE_1_H
 
 /* Wavelengths of the observed law; the law is linear between them. */
-#define MURK_CASE_1_LEAST_NM 400.0
-#define MURK_CASE_1_MOST_NM  555.0
+#define MURK_CASE_1_MIN_NM 400.0
+#define MURK_CASE_1_MAX_NM 555.0
 
 /* Diffuse attenuation of daylight, Kw + chi C^e, within those wavelengths. */
 double murk_case_1_kd(double wavelength_nm, double chlorophyll_mg_per_m3);

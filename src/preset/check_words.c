@@ -9,8 +9,8 @@ static murk_preset_word of_mor(const murk_preset_word *visibility)
 {
     murk_preset_word mor = *visibility;
     const double factor = murk_visibility_of_mor(1);
-    mor.least[0] /= factor;
-    mor.most[0] /= factor;
+    mor.min[0] /= factor;
+    mor.max[0] /= factor;
     mor.has_preset = false;
     return mor;
 }
@@ -50,11 +50,11 @@ murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
         return fail_unknown(preset, where, err);
     }
     for (int k = 0; k < murk_word_numbers(word); ++k) {
-        if (!(value[k] >= range.least[k] && value[k] <= range.most[k])) {
+        if (!(value[k] >= range.min[k] && value[k] <= range.max[k])) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "%.9g, must be %.6g..%.6g %s for %s", value[k],
-                             range.least[k], range.most[k],
-                             murk_word_unit(word), preset->name);
+                             range.min[k], range.max[k], murk_word_unit(word),
+                             preset->name);
         }
     }
     return MURK_OK;

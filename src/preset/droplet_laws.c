@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/crew.h"
+#include "base/cache.h"
 #include "base/interrupt.h"
-#include "base/kept.h"
+#include "base/pool.h"
 #include "preset/droplets.h"
 #include "preset/refraction.h"
 
@@ -90,7 +90,7 @@ static murk_status lay(nodes *all, const murk_law_call *call, murk_error *err)
 
 /* What droplets do does not depend on how many there are: a fit of visibility
  * asks for the same ones each time. */
-static murk_kept kept = MURK_KEPT_NONE;
+static murk_cache kept = MURK_CACHE_NONE;
 
 typedef struct solved {
     murk_droplet_optics optics;
@@ -104,7 +104,7 @@ static void solve_node(void *context, uint64_t batch)
     const double key[] = {all->shape.a, all->shape.b, all->shape.c, one->nm};
     const size_t phase_bytes = all->angles * sizeof *one->phase;
     size_t size;
-    solved *found = murk_kept_find(&kept, key, sizeof key, &size);
+    solved *found = murk_cache_find(&kept, key, sizeof key, &size);
     if (found) {
         one->optics = found->optics;
         memcpy(one->phase, found->phase, phase_bytes);
@@ -117,13 +117,13 @@ static void solve_node(void *context, uint64_t batch)
     if (!one->status) {
         solved made = {.optics = one->optics};
         memcpy(made.phase, one->phase, phase_bytes);
-        murk_kept_put(&kept, key, sizeof key, &made, sizeof made);
+        murk_cache_put(&kept, key, sizeof key, &made, sizeof made);
     }
 }
 
 static murk_status solve(nodes *all, const char *where, murk_error *err)
 {
-    murk_crew_run(murk_crew_processors(), all->n, solve_node, all);
+    murk_pool_run(murk_pool_processors(), all->n, solve_node, all);
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, where, "interrupted");
     }

@@ -146,8 +146,8 @@ static double weight_large(double x)
 
 /* Scanned in equal steps of ln x, which is safe as the integrand has one peak
  * and is wider than 1/40 for every shape that passes the check. */
-void murk_droplet_ends(const murk_droplet_population *population, double *least,
-                       double *most)
+void murk_droplet_ends(const murk_droplet_population *population, double *min,
+                       double *max)
 {
     const double step = 1. / 64;
     const int from = -64 * 14, to = 64 * 10; /* x 8e-7..2.2e4 */
@@ -174,6 +174,6 @@ void murk_droplet_ends(const murk_droplet_population *population, double *least,
             break;
         }
     }
-    *least = fmax(exp(low * step), MURK_MIE_SIZE_MIN);
-    *most = fmin(exp(high * step), MURK_MIE_SIZE_MAX);
+    *min = fmax(exp(low * step), MURK_MIE_SIZE_MIN);
+    *max = fmin(exp(high * step), MURK_MIE_SIZE_MAX);
 }

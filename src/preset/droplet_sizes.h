@@ -54,7 +54,7 @@ double murk_droplet_area(const murk_droplet_population *population, double x);
 
 /* The sizes that matter: those between which all but 1e-7 of the integral lies,
  * by the weight of each end; none that Mie's series does not take. */
-void murk_droplet_ends(const murk_droplet_population *population, double *least,
-                       double *most);
+void murk_droplet_ends(const murk_droplet_population *population, double *min,
+                       double *max);
 
 #endif

@@ -41,12 +41,11 @@ typedef struct ladder {
     size_t steps;
 } ladder;
 
-static ladder ladder_of(double least, double most)
+static ladder ladder_of(double min, double max)
 {
-    ladder out = {.wide = fmax(WIDE_MIN, most / WIDE_PARTS),
-                  .step = FIRST_STEP};
-    out.from = log(least) + least / out.wide;
-    const double to = log(most) + most / out.wide;
+    ladder out = {.wide = fmax(WIDE_MIN, max / WIDE_PARTS), .step = FIRST_STEP};
+    out.from = log(min) + min / out.wide;
+    const double to = log(max) + max / out.wide;
     out.steps = (size_t)ceil((to - out.from) / out.step) + 1;
     return out;
 }
@@ -83,7 +82,7 @@ typedef struct task {
     murk_droplet_population population;
     murk_mie_index index; /* k at least FAINT_K */
     double faint;         /* true k over that one */
-    double most;          /* largest size parameter */
+    double max;           /* largest size parameter */
     size_t angles;
     const double *mu;
     double *intensity; /* [angles] */
@@ -93,7 +92,7 @@ static void add_sphere(sums *total, const task *job, const ladder *nodes,
                        double s)
 {
     const double x = size_at(nodes, s);
-    if (!(x >= MURK_MIE_SIZE_MIN && x <= job->most)) {
+    if (!(x >= MURK_MIE_SIZE_MIN && x <= job->max)) {
         return; /* rounding, or past the last step */
     }
     const double stretch = 1 / (1 + x / nodes->wide); /* d(ln x) / ds */
@@ -192,13 +191,13 @@ murk_status murk_droplets_solve(murk_droplet_optics *out,
     task job = {.population = murk_droplet_population_of(shape, wavelength_nm),
                 .index = {index.n, fmax(index.k, FAINT_K)}};
     job.faint = index.k / job.index.k;
-    double least;
-    murk_droplet_ends(&job.population, &least, &job.most);
-    murk_status status = murk_mie_create(&job.mie, job.most, err);
+    double min;
+    murk_droplet_ends(&job.population, &min, &job.max);
+    murk_status status = murk_mie_create(&job.mie, job.max, err);
     if (status) {
         return status;
     }
-    const ladder first = ladder_of(least, job.most);
+    const ladder first = ladder_of(min, job.max);
     sums now;
     const int level = settle(&now, &job, &first, tolerance);
     if (level > HALVINGS) {

@@ -30,7 +30,7 @@ typedef struct murk_law_result {
 
 typedef struct murk_law_parameter {
     const char *name; /* NULL ends the list */
-    double least, most;
+    double min, max;
 } murk_law_parameter;
 
 /* Words are given as a bit set: 1u << MURK_WORD_RAIN. */

@@ -90,7 +90,7 @@ typedef struct murk_preset_source {
 typedef struct murk_preset_word {
     bool is_known, has_preset;
     double preset[MURK_WORD_NUMBERS_MAX];
-    double least[MURK_WORD_NUMBERS_MAX], most[MURK_WORD_NUMBERS_MAX];
+    double min[MURK_WORD_NUMBERS_MAX], max[MURK_WORD_NUMBERS_MAX];
 } murk_preset_word;
 
 typedef struct murk_preset {

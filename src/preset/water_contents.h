@@ -10,8 +10,8 @@
 #ifndef MURK_PRESET_WATER_CONTENTS_H
 #define MURK_PRESET_WATER_CONTENTS_H
 
-#define MURK_CHLOROPHYLL_LEAST_NM 400.0
-#define MURK_CHLOROPHYLL_MOST_NM  700.0
+#define MURK_CHLOROPHYLL_MIN_NM 400.0
+#define MURK_CHLOROPHYLL_MAX_NM 700.0
 
 /* All particles that come with chlorophyll [mg/m3], 0 or more, between the two
  * wavelengths above: A C^E. */

@@ -79,13 +79,12 @@ static murk_status check_chlorophyll(const murk_law_call *call, murk_error *err)
 {
     for (size_t i = 0; i < call->n; ++i) {
         const double nm = call->wavelength_nm[i];
-        if (!(nm >= MURK_CHLOROPHYLL_LEAST_NM &&
-              nm <= MURK_CHLOROPHYLL_MOST_NM)) {
+        if (!(nm >= MURK_CHLOROPHYLL_MIN_NM && nm <= MURK_CHLOROPHYLL_MAX_NM)) {
             return murk_fail(err, MURK_BAD_VALUE, call->where,
                              "chlorophyll_mg_per_m3 with a band at %.9g nm, "
                              "must be within %g..%g nm (Bricaud et al. 1998)",
-                             nm, MURK_CHLOROPHYLL_LEAST_NM,
-                             MURK_CHLOROPHYLL_MOST_NM);
+                             nm, MURK_CHLOROPHYLL_MIN_NM,
+                             MURK_CHLOROPHYLL_MAX_NM);
         }
     }
     return MURK_OK;

@@ -12,8 +12,8 @@
 #ifndef MURK_PRESET_WATER_PURE_H
 #define MURK_PRESET_WATER_PURE_H
 
-#define MURK_WATER_LEAST_NM 380.0
-#define MURK_WATER_MOST_NM  727.5
+#define MURK_WATER_MIN_NM 380.0
+#define MURK_WATER_MAX_NM 727.5
 
 /* Light scattered at right angles that is polarised along the beam, as a share
  * of the rest: Farinato & Rowell, J. Chem. Phys. 65 (1976) 593. */

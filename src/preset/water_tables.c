@@ -79,7 +79,7 @@ const murk_water_table murk_water_bricaud_exponent = {
 
 double murk_water_column(const murk_water_table *table, double wavelength_nm)
 {
-    const double at = (wavelength_nm - table->least_nm) / table->step_nm;
+    const double at = (wavelength_nm - table->min_nm) / table->step_nm;
     size_t i = at > 0 ? (size_t)at : 0;
     if (i > table->n - 2) {
         i = table->n - 2;

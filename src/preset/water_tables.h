@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 typedef struct murk_water_table {
-    double least_nm, step_nm;
+    double min_nm, step_nm;
     size_t n;
     const double *value; /* [n] */
 } murk_water_table;

@@ -40,7 +40,7 @@ static void add_of_band(filling *f, const char *layer, const char *title,
         value);
 }
 
-static void add_band(filling *f, const murk_picture *p, int b, double nm)
+static void add_band(filling *f, const murk_image *p, int b, double nm)
 {
     add_of_band(f, "S0", "radiance", MURK_CHANNEL_RADIANCE, nm,
                 p ? p->radiance[b] : NULL);
@@ -54,9 +54,8 @@ static void add_band(filling *f, const murk_picture *p, int b, double nm)
                 p ? p->depth[b] : NULL);
 }
 
-size_t murk_channels_list(const murk_picture *p, int bands,
-                          const double *band_nm, bool has_coverage,
-                          murk_channel *list)
+size_t murk_channels_list(const murk_image *p, int bands, const double *band_nm,
+                          bool has_coverage, murk_channel *list)
 {
     static const struct {
         const char *colour, *colour_title, *error, *error_title, *axis,

@@ -32,7 +32,7 @@ typedef struct murk_channel {
 
 /* Fills list[MURK_CHANNELS_MAX] and returns how many there are. picture NULL:
  * names alone, of pictures with that many bands, with coverage or without. */
-size_t murk_channels_list(const murk_picture *picture, int bands,
+size_t murk_channels_list(const murk_image *picture, int bands,
                           const double *band_nm, bool has_coverage,
                           murk_channel *list);
 

@@ -29,12 +29,12 @@
 /* ---- lights ---- */
 
 /* The largest extent of a lamp from its middle [m]. */
-static double extent_of(const murk_light *light)
+static double extent_of(const murk_source *light)
 {
-    return light->type == MURK_LIGHT_RECT
+    return light->type == MURK_SOURCE_RECT
                ? 0.5 * (murk_length(light->edge1) + murk_length(light->edge2))
-           : light->type == MURK_LIGHT_POINT ? 0
-                                             : light->radius_m;
+           : light->type == MURK_SOURCE_POINT ? 0
+                                              : light->radius_m;
 }
 
 static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
@@ -50,7 +50,7 @@ static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
 
 /* The irradiance that a lamp would bring, for way from the place to its
  * middle. */
-static double lamp_weight(const murk_light *light, int band, murk_vec3 way,
+static double lamp_weight(const murk_source *light, int band, murk_vec3 way,
                           bool has_images)
 {
     const double extent = extent_of(light);
@@ -60,7 +60,7 @@ static double lamp_weight(const murk_light *light, int band, murk_vec3 way,
     if (!(square > 0)) {
         return power;
     }
-    if (light->type == MURK_LIGHT_RECT) {
+    if (light->type == MURK_SOURCE_RECT) {
         const murk_vec3 face =
             murk_unit(murk_cross(light->edge1, light->edge2));
         const double before = -murk_dot(face, way);
@@ -73,7 +73,7 @@ static double lamp_weight(const murk_light *light, int band, murk_vec3 way,
             fmin(1, fmax(0, before + 0.5 * extent) / distance);
         return power * cosine / (MURK_PI * square);
     }
-    if (light->type == MURK_LIGHT_BEAM) {
+    if (light->type == MURK_SOURCE_BEAM) {
         const double ahead = -murk_dot(light->direction, way);
         const double aside2 = fmax(0, murk_dot(way, way) - ahead * ahead);
         const double radius =
@@ -89,10 +89,10 @@ static double lamp_weight(const murk_light *light, int band, murk_vec3 way,
 static double weight_of(const murk_scenery *scenery,
                         const murk_shadow_origin *outlook, size_t light)
 {
-    const murk_world *world = scenery->world;
-    const murk_light *l = murk_lights_get(world->lights, light);
+    const murk_transport_world *world = scenery->world;
+    const murk_source *l = murk_sources_get(world->lights, light);
     murk_vec3 middle;
-    if (!murk_lights_place(world->lights, light, &middle)) {
+    if (!murk_sources_place(world->lights, light, &middle)) {
         return l->power_w.band[outlook->band]; /* irradiance */
     }
     const bool has_images = world->domain.is_periodic;
@@ -110,23 +110,24 @@ static double weight_of(const murk_scenery *scenery,
 
 void murk_choice_rays(const murk_scenery *scenery,
                       const murk_shadow_origin *outlook,
-                      double rays[MURK_LIGHTS_MAX])
+                      double rays[MURK_SOURCES_MAX])
 {
     const size_t n = scenery->n_lit[outlook->band];
     const size_t *lit = scenery->lit[outlook->band];
     const double *chance = scenery->chance[outlook->band];
     double sum = 0;
     for (size_t i = 0; i < n; ++i) {
-        rays[i] =
-            n > MURK_LIGHTS_AT_ONCE ? weight_of(scenery, outlook, lit[i]) : 1;
+        rays[i] = n > MURK_LIGHTMAPS_AT_ONCE
+                      ? weight_of(scenery, outlook, lit[i])
+                      : 1;
         sum += rays[i];
     }
-    for (size_t i = 0; n > MURK_LIGHTS_AT_ONCE && i < n; ++i) {
+    for (size_t i = 0; n > MURK_LIGHTMAPS_AT_ONCE && i < n; ++i) {
         const double blind = chance[i] - (i > 0 ? chance[i - 1] : 0);
         const double share =
             sum > 0 ? (1 - BLIND_SHARE) * rays[i] / sum + BLIND_SHARE * blind
                     : blind;
-        rays[i] = MURK_LIGHTS_AT_ONCE * share;
+        rays[i] = MURK_LIGHTMAPS_AT_ONCE * share;
     }
 }
 
@@ -135,11 +136,11 @@ void murk_choice_rays(const murk_scenery *scenery,
 murk_source_images murk_images_of(const murk_scenery *scenery, size_t light,
                                   murk_vec3 place)
 {
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     const murk_box *box = &world->domain.box;
-    const murk_light *l = murk_lights_get(world->lights, light);
+    const murk_source *l = murk_sources_get(world->lights, light);
     murk_vec3 middle = place;
-    murk_lights_place(world->lights, light, &middle);
+    murk_sources_place(world->lights, light, &middle);
     const murk_vec3 away = murk_sub(middle, place);
     murk_source_images m = {
         .period_m = {box->max.x - box->min.x, box->max.y - box->min.y},

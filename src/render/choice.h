@@ -6,7 +6,7 @@
 #include "render/scenery.h"
 
 /* With more lights than this, so many shadow rays are shared out. */
-#define MURK_LIGHTS_AT_ONCE 4
+#define MURK_LIGHTMAPS_AT_ONCE 4
 
 /* Where shadow rays start. */
 typedef struct murk_shadow_origin {
@@ -17,12 +17,12 @@ typedef struct murk_shadow_origin {
 } murk_shadow_origin;
 
 /* Fills rays[scenery->n_lit[band]]: the mean number of shadow rays to each
- * light that has power in the band; their sum is MURK_LIGHTS_AT_ONCE, or each
- * is 1 where there are no more lights than that. It is 0 only where a lamp
+ * light that has power in the band; their sum is MURK_LIGHTMAPS_AT_ONCE, or
+ * each is 1 where there are no more lights than that. It is 0 only where a lamp
  * cannot light the place. */
 void murk_choice_rays(const murk_scenery *scenery,
                       const murk_shadow_origin *outlook,
-                      double rays[MURK_LIGHTS_MAX]);
+                      double rays[MURK_SOURCES_MAX]);
 
 /* Images of a lamp in a periodic domain, as a place looks for them. */
 typedef struct murk_source_images {

@@ -1,7 +1,7 @@
 #include "render/direct.h"
 
-#include "light/shine.h"
 #include "render/choice.h"
+#include "source/shine.h"
 
 /* Slots of random numbers, apart from those of the lights. */
 #define IMAGE_SLOT 32
@@ -40,16 +40,16 @@ double murk_direct_rest(const murk_scenery *scenery,
     /* How many shadow rays are sent to the light, */
     const murk_shadow_origin outlook = outlook_of(place);
     const size_t *lit = scenery->lit[place->band];
-    double all[MURK_LIGHTS_MAX];
+    double all[MURK_SOURCES_MAX];
     murk_choice_rays(scenery, &outlook, all);
     double rays = 0;
     for (size_t i = 0; i < scenery->n_lit[place->band]; ++i) {
         rays = lit[i] == light ? all[i] : rays;
     }
     /* and of these to the image that has been met. */
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     if (world->domain.is_periodic &&
-        !murk_light_is_distant(murk_lights_get(world->lights, light))) {
+        !murk_source_is_distant(murk_sources_get(world->lights, light))) {
         const murk_source_images images =
             murk_images_of(scenery, light, place->position);
         rays *= murk_images_chance(
@@ -64,9 +64,9 @@ static double light_from(const murk_scenery *scenery,
                          const murk_address *address, uint32_t slot,
                          double rays, murk_balance balance)
 {
-    const murk_world *world = scenery->world;
-    const murk_light *l = murk_lights_get(world->lights, light);
-    const bool is_distant = murk_light_is_distant(l);
+    const murk_transport_world *world = scenery->world;
+    const murk_source *l = murk_sources_get(world->lights, light);
+    const bool is_distant = murk_source_is_distant(l);
     const murk_random4 random = murk_random_at(address, slot);
     murk_vec3 seen_from = place->position;
     if (world->domain.is_periodic && !is_distant) {
@@ -79,8 +79,8 @@ static double light_from(const murk_scenery *scenery,
         seen_from.y -= periods[1] * images.period_m[1];
     }
     murk_shine shine;
-    if (!murk_lights_shine(world->lights, light, place->band, seen_from,
-                           random.u, &shine)) {
+    if (!murk_sources_shine(world->lights, light, place->band, seen_from,
+                            random.u, &shine)) {
         return 0;
     }
     const double answers = answer(place, shine.direction);
@@ -122,10 +122,10 @@ double murk_direct_light(const murk_scenery *scenery,
     const int band = place->band;
     const size_t n = scenery->n_lit[band];
     const murk_shadow_origin outlook = outlook_of(place);
-    double rays[MURK_LIGHTS_MAX];
+    double rays[MURK_SOURCES_MAX];
     murk_choice_rays(scenery, &outlook, rays);
     double sum = 0;
-    if (n <= MURK_LIGHTS_AT_ONCE) {
+    if (n <= MURK_LIGHTMAPS_AT_ONCE) {
         for (uint32_t k = 0; k < n; ++k) {
             sum += light_from(scenery, place, scenery->lit[band][k], address, k,
                               rays[k], balance);
@@ -137,7 +137,7 @@ double murk_direct_light(const murk_scenery *scenery,
         uint32_t sent = 0;
         for (size_t i = 0; i < n; ++i) {
             passed += rays[i];
-            for (; next < passed && sent < MURK_LIGHTS_AT_ONCE;
+            for (; next < passed && sent < MURK_LIGHTMAPS_AT_ONCE;
                  next += 1, ++sent) {
                 sum += light_from(scenery, place, scenery->lit[band][i],
                                   address, sent, rays[i], balance);

@@ -41,7 +41,7 @@ double murk_direct_light(const murk_scenery *scenery,
                          const murk_address *address, murk_balance balance);
 
 /* The share that counts of a light that the ray, gone on from the place, has
- * met in a direction of travel that is drawn per_sr by murk_lights_shine().
+ * met in a direction of travel that is drawn per_sr by murk_sources_shine().
  * wrapped: how far the sides of a periodic domain have moved the ray back since
  * the place; whole periods, which name the image that it has met. */
 double murk_direct_rest(const murk_scenery *scenery,

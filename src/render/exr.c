@@ -129,7 +129,7 @@ murk_status murk_exr_write(const murk_exr *exr, const char *path,
     if (!list) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory for an image");
     }
-    const murk_picture *p = exr->picture;
+    const murk_image *p = exr->picture;
     const size_t n =
         murk_channels_list(p, p->bands, exr->band_nm, p->seen_by != NULL, list);
     murk_file *out = NULL;

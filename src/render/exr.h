@@ -10,7 +10,7 @@
 #include "render/render.h"
 
 typedef struct murk_exr {
-    const murk_picture *picture;
+    const murk_image *picture;
     const double *band_nm; /* [bands], rising */
     bool is_all_round;     /* equirectangular */
     double pixel_aspect;   /* width over height of a pixel */

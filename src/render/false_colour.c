@@ -11,7 +11,7 @@
 #define CELLS 32
 
 /* A logarithmic range spans no more than this. */
-#define SPAN_MOST 1e6
+#define SPAN_MAX 1e6
 
 static const uint8_t VIRIDIS[CELLS + 1][3] = {
     {68, 1, 84},    {71, 13, 96},   {72, 24, 106},  {72, 35, 116},
@@ -34,20 +34,20 @@ bool murk_false_colour_is_log(const murk_channel *channel)
     return channel->kind == MURK_CHANNEL_RADIANCE;
 }
 
-static float most_of(const murk_channel *channel, size_t n)
+static float max_of(const murk_channel *channel, size_t n)
 {
-    float most = 0;
+    float max = 0;
     for (size_t i = 0; i < n; ++i) {
-        most = fmaxf(most, channel->value[i]); /* NAN is passed over */
+        max = fmaxf(max, channel->value[i]); /* NAN is passed over */
     }
-    return most;
+    return max;
 }
 
 /* Where all is alike, about that. */
 static void widen(murk_false_colour *c)
 {
     if (c->is_log) {
-        c->low = fmax(c->low, c->high / SPAN_MOST);
+        c->low = fmax(c->low, c->high / SPAN_MAX);
         if (!(c->low < c->high)) {
             c->low /= 2;
             c->high *= 2;
@@ -68,10 +68,10 @@ murk_status murk_false_colour_range(murk_false_colour *out,
         return MURK_OK;
     }
     if (!is_log && channel->kind == MURK_CHANNEL_COUNT) {
-        out->high = fmax(1, (double)most_of(channel, n));
+        out->high = fmax(1, (double)max_of(channel, n));
         return MURK_OK;
     }
-    float *value = malloc(MURK_SPREAD_MOST * sizeof *value);
+    float *value = malloc(MURK_SPREAD_MAX * sizeof *value);
     if (!value) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for a channel's range");
@@ -120,18 +120,18 @@ static double place_of(const murk_false_colour *c, double value)
 
 /* ---- legend ---- */
 
-#define TICKS_MOST 64
+#define TICKS_MAX 64
 
 typedef struct ticks {
-    double value[TICKS_MOST];
+    double value[TICKS_MAX];
     size_t n;
 } ticks;
 
 /* 1, 2 or 5 times a power of ten: the least that is not less. */
-static double round_step(double least)
+static double round_step(double min)
 {
-    const double power = pow(10, floor(log10(least)));
-    const double m = least / power;
+    const double power = pow(10, floor(log10(min)));
+    const double m = min / power;
     return power * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
 }
 
@@ -139,7 +139,7 @@ static void add_tick(ticks *t, const murk_false_colour *c, double value)
 {
     const double slack = 1e-9; /* of the bar: what rounding moves a tick by */
     const double at = place_of(c, value);
-    if (at >= -slack && at <= 1 + slack && t->n < TICKS_MOST) {
+    if (at >= -slack && at <= 1 + slack && t->n < TICKS_MAX) {
         t->value[t->n++] = value;
     }
 }
@@ -152,7 +152,7 @@ static ticks ticks_of(const murk_false_colour *c, bool is_whole, double wanted)
     if (decades >= 1.5) {
         const double step = fmax(1, ceil(decades / wanted));
         const double first = ceil(log10(c->low) - 1e-9);
-        for (int k = 0; k < TICKS_MOST; ++k) {
+        for (int k = 0; k < TICKS_MAX; ++k) {
             add_tick(&t, c, pow(10, first + k * step));
         }
         return t;
@@ -160,7 +160,7 @@ static ticks ticks_of(const murk_false_colour *c, bool is_whole, double wanted)
     double step = round_step((c->high - c->low) / wanted);
     step = is_whole ? fmax(1, step) : step;
     const double first = ceil(c->low / step - 1e-9);
-    for (int k = 0; k < TICKS_MOST; ++k) {
+    for (int k = 0; k < TICKS_MAX; ++k) {
         const double value = (first + k) * step;
         add_tick(&t, c, fabs(value) < 1e-9 * step ? 0 : value);
     }

@@ -2,17 +2,17 @@
 
 #include <stdlib.h>
 
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/progress.h"
-#include "light/shine.h"
 #include "render/balls.h"
 #include "render/kernel.h"
+#include "source/shine.h"
 
 #define RECORDS_AT_ONCE 1024
 
 /* Of the domain's diagonal: records that lie on one spot, as those of a beam
  * without width do, are spread at least so far. */
-#define LEAST_RADIUS 1e-4
+#define MIN_RADIUS 1e-4
 
 /* One map's records of a band, and their kernels. */
 typedef struct layer {
@@ -52,7 +52,7 @@ static bool counts(const murk_gathering_desc *desc, const murk_photon *p,
 {
     return p->band == band &&
            (desc->takes_first || murk_photon_class(p) != 0 ||
-            !murk_lights_can_shine(desc->scenery->world->lights, p->light) ||
+            !murk_sources_can_shine(desc->scenery->world->lights, p->light) ||
             is_in_solid(desc->scenery, p));
 }
 
@@ -62,21 +62,21 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
 {
     const murk_photon *all = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
-    size_t most = 0, kept = 0;
+    size_t maximum = 0, kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        most += all[i].band == band;
+        maximum += all[i].band == band;
     }
-    murk_photon *photons = malloc((most + 1) * sizeof *photons);
+    murk_photon *photons = malloc((maximum + 1) * sizeof *photons);
     if (!photons) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for %zu photons", most);
+                         "no memory for %zu photons", maximum);
     }
     for (size_t i = 0; i < n; ++i) {
         if (counts(desc, &all[i], band)) {
             photons[kept++] = all[i];
         }
     }
-    murk_progress_add(most - kept);
+    murk_progress_add(maximum - kept);
     murk_photon *fitting = realloc(photons, (kept + 1) * sizeof *photons);
     return murk_photon_map_create(out, fitting ? fitting : photons, kept,
                                   desc->threads, err);
@@ -87,7 +87,7 @@ typedef struct laying {
     murk_probing probing;
     const layer *layer;
     murk_ball_extent *extent;
-    double least_m;
+    double min_m;
 } laying;
 
 static murk_ball_extent extent_of(const murk_scenery *scenery,
@@ -126,7 +126,7 @@ static void lay(void *context, uint64_t batch)
         const size_t there = murk_photon_map_nearest(map, murk_photon_place(p),
                                                      k, found, square_m2);
         const double radius =
-            fmax(l->least_m, there > 0 ? sqrt(square_m2[there - 1]) : 0);
+            fmax(l->min_m, there > 0 ? sqrt(square_m2[there - 1]) : 0);
         murk_kernel *kernel = &l->layer->kernel[i];
         *kernel = murk_kernel_of(&l->probing, p, radius, i);
         l->extent[i] = extent_of(l->desc->scenery, p, kernel);
@@ -147,14 +147,14 @@ static murk_status make(layer *out, const murk_gathering_desc *desc,
                 .probing = murk_probing_of(desc->scenery, desc->seed),
                 .layer = out,
                 .extent = calloc(n + 1, sizeof *l.extent),
-                .least_m =
-                    LEAST_RADIUS * murk_length(murk_sub(box->max, box->min))};
+                .min_m =
+                    MIN_RADIUS * murk_length(murk_sub(box->max, box->min))};
     out->kernel = calloc(n + 1, sizeof *out->kernel);
     if (!l.extent || !out->kernel) {
         status = murk_fail(err, MURK_NO_MEMORY, "render",
                            "no memory for the kernels of %zu photons", n);
     } else {
-        murk_crew_run(desc->threads, n / RECORDS_AT_ONCE + 1, lay, &l);
+        murk_pool_run(desc->threads, n / RECORDS_AT_ONCE + 1, lay, &l);
         status = murk_balls_create(&out->balls, l.extent, n, err);
     }
     free(l.extent);

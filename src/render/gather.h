@@ -11,7 +11,7 @@
  *
  * Whether first events count is the caller's choice: where shadow rays find
  * direct light they must not, but for those of lights that no shadow ray finds
- * (light/shine.h), and in solids, where none goes.
+ * (source/shine.h), and in solids, where none goes.
  *
  * Photons are independent, records of one photon are not: contributions are
  * told by groups of photons that were emitted one after the other (so that

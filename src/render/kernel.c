@@ -7,7 +7,7 @@
 /* Less than this share of a kernel in sight is too little to be measured so: a
  * corner between three walls leaves a quarter of a disc, an eighth of a
  * ball. */
-#define LEAST_SHARE 0.1
+#define MIN_SHARE 0.1
 
 #define HALVINGS 10
 
@@ -22,16 +22,18 @@
 
 /* From one probe of a ball to the next, so many shells: without a factor in
  * common with how many there are, so that each has one. */
-#define SHELLS 29
+#define BOUNDARIES 29
 
-static murk_inside meshes_at(const murk_world *world, murk_vec3 place)
+static murk_inside meshes_at(const murk_transport_world *world, murk_vec3 place)
 {
-    return world->hulls ? murk_hulls_at(world->hulls, place) : 0;
+    return world->boundary_meshes
+               ? murk_boundary_meshes_at(world->boundary_meshes, place)
+               : 0;
 }
 
 static double index_at(const murk_scenery *scenery, murk_vec3 place)
 {
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     return scenery->bends
                ? murk_media_index(world->media,
                                   meshes_at(world, place) |
@@ -39,7 +41,8 @@ static double index_at(const murk_scenery *scenery, murk_vec3 place)
                : 1;
 }
 
-static double scattering_at(const murk_world *world, int band, murk_vec3 place)
+static double scattering_at(const murk_transport_world *world, int band,
+                            murk_vec3 place)
 {
     return murk_media_scattering(world->media, band, meshes_at(world, place),
                                  place);
@@ -54,8 +57,8 @@ murk_probing murk_probing_of(const murk_scenery *scenery, uint32_t seed)
         p.disc[i][0] = off * cos(angle);
         p.disc[i][1] = off * sin(angle);
         const double mu = 1 - 2 * (i + 0.5) / MURK_PROBES;
-        const int shell = i * SHELLS % MURK_PROBES;
-        const double r = cbrt((shell + 0.5) / MURK_PROBES);
+        const int boundary = i * BOUNDARIES % MURK_PROBES;
+        const double r = cbrt((boundary + 0.5) / MURK_PROBES);
         p.ball[i][0] = r * sqrt(1 - mu * mu) * cos(angle);
         p.ball[i][1] = r * sqrt(1 - mu * mu) * sin(angle);
         p.ball[i][2] = r * mu;
@@ -85,7 +88,7 @@ static double share_on_surface(const murk_probing *probing, murk_vec3 from,
                                double turn)
 {
     const murk_scenery *scenery = probing->scenery;
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     const double r = kernel->radius_m, eye_m = EYE * r;
     const murk_vec3 eye = murk_along(from, eye_m, up);
     const murk_vec3 down = murk_scale(-1, up);
@@ -150,7 +153,7 @@ static murk_kernel on_surface(const murk_probing *probing,
                               double turn)
 {
     const murk_scenery *scenery = probing->scenery;
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     const murk_vec3 from = murk_photon_place(photon);
     const murk_vec3 up = murk_direction_unpack(photon->normal);
     murk_kernel kernel = {
@@ -162,7 +165,7 @@ static murk_kernel on_surface(const murk_probing *probing,
         !murk_surfaces_fill_disc(world->surfaces, from, up, radius_m);
     for (int i = 0; (kernel.is_cut || scenery->bends) && i < HALVINGS; ++i) {
         share = share_on_surface(probing, from, up, &kernel, turn);
-        if (share >= LEAST_SHARE) {
+        if (share >= MIN_SHARE) {
             break;
         }
         kernel.radius_m /= 2;
@@ -198,7 +201,7 @@ static double mean_scattering(const murk_probing *probing, int band,
                               const murk_vec3 axis[3], double *share)
 {
     const murk_scenery *scenery = probing->scenery;
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     const double r = kernel->radius_m;
     murk_vec3 place[MURK_PROBES];
     for (int i = 0; i < MURK_PROBES; ++i) {
@@ -247,12 +250,12 @@ static murk_kernel in_medium(const murk_probing *probing,
     for (int i = 0; i < HALVINGS; ++i) {
         mean =
             mean_scattering(probing, photon->band, from, &kernel, axis, &share);
-        if (share >= LEAST_SHARE) {
+        if (share >= MIN_SHARE) {
             break;
         }
         kernel.radius_m /= 2;
     }
-    if (!(share >= LEAST_SHARE)) {
+    if (!(share >= MIN_SHARE)) {
         mean = scattering_at(scenery->world, photon->band, from);
     }
     const double r = kernel.radius_m;

@@ -2,8 +2,8 @@
 
 #include <stdlib.h>
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 
 typedef struct search {
     const murk_scenery *scenery;
@@ -53,7 +53,7 @@ murk_status murk_points_find(murk_photon **out, size_t *n,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for %zu points", all);
     }
-    murk_crew_run(threads, rows, look_along_row, &s);
+    murk_pool_run(threads, rows, look_along_row, &s);
     size_t kept = 0;
     for (size_t i = 0; i < all; ++i) {
         if (s.point[i].power_w > 0) {

@@ -19,7 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/tally.h"
 
 /* The window has this standard deviation [pixels] at so many samples a pixel;
@@ -120,6 +120,6 @@ size_t murk_pool_errors(const murk_pooling *pooling, float *error,
         return 0;
     }
     p.mean_variance /= (double)pooled;
-    murk_crew_run(pooling->threads, pooling->height, pool_row, &p);
+    murk_pool_run(pooling->threads, pooling->height, pool_row, &p);
     return (size_t)murk_tally_read(&p.unsure);
 }

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "render/colour.h"
 #include "render/pooled_errors.h"
@@ -38,7 +38,7 @@ typedef struct tile_sums {
 
 typedef struct run {
     const murk_render *render;
-    murk_picture *picture;
+    murk_image *picture;
     murk_scenery scenery;
     murk_gather *gather;
     murk_sampler **sampler; /* [threads] */
@@ -93,7 +93,7 @@ static double take_means(group_sums *s, double n)
 static void look_straight(const run *r, size_t x, size_t y, size_t at)
 {
     const murk_camera *c = &r->render->camera;
-    murk_picture *p = r->picture;
+    murk_image *p = r->picture;
     const murk_vec3 sight =
         murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
     const double reach =
@@ -123,7 +123,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
 {
     const murk_render *render = r->render;
     const murk_trace *trace = render->trace;
-    murk_picture *p = r->picture;
+    murk_image *p = r->picture;
     const size_t at = y * p->width + x;
     const double n = (double)render->samples;
     sums band[MURK_BANDS_MAX] = {{0, 0}}, colour[3] = {{0, 0}};
@@ -197,7 +197,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
 static void look_at_tile(void *context, unsigned worker, uint64_t batch)
 {
     const run *r = context;
-    const murk_picture *p = r->picture;
+    const murk_image *p = r->picture;
     const size_t left = batch % r->tiles_across * TILE;
     const size_t top = batch / r->tiles_across * TILE;
     for (size_t y = top; y < top + TILE && y < p->height; ++y) {
@@ -219,7 +219,7 @@ static size_t channels_of(int bands)
     return (size_t)bands * 5 + 10;
 }
 
-double murk_picture_bytes(size_t width, size_t height, int bands)
+double murk_image_bytes(size_t width, size_t height, int bands)
 {
     return (double)width * (double)height * (double)channels_of(bands) *
            sizeof(float);
@@ -235,15 +235,15 @@ double murk_render_bytes(size_t width, size_t height, int bands,
 {
     const double pooling =
         method == MURK_BY_PATHS ? sizeof(float) + sizeof(uint8_t) : 0;
-    return murk_picture_bytes(width, height, bands) +
+    return murk_image_bytes(width, height, bands) +
            (double)width * (double)height * pooling +
            (double)tiles_along(width) * (double)tiles_along(height) *
                (double)bands * sizeof(tile_sums);
 }
 
-static murk_picture *picture_create(size_t width, size_t height, int bands)
+static murk_image *picture_create(size_t width, size_t height, int bands)
 {
-    murk_picture *p = calloc(1, sizeof *p);
+    murk_image *p = calloc(1, sizeof *p);
     const size_t n = width * height;
     float *value = p ? calloc(n * channels_of(bands), sizeof *value) : NULL;
     if (!value) {
@@ -271,7 +271,7 @@ static murk_picture *picture_create(size_t width, size_t height, int bands)
     return p;
 }
 
-void murk_picture_destroy(murk_picture *picture)
+void murk_image_destroy(murk_image *picture)
 {
     if (picture) {
         free(picture->radiance[0]); /* all channels are one piece, */
@@ -280,7 +280,7 @@ void murk_picture_destroy(murk_picture *picture)
     }
 }
 
-murk_status murk_picture_add_coverage(murk_picture *picture, murk_error *err)
+murk_status murk_image_add_coverage(murk_image *picture, murk_error *err)
 {
     const size_t n = picture->width * picture->height;
     picture->seen_by = malloc(2 * n * sizeof *picture->seen_by);
@@ -298,7 +298,7 @@ murk_status murk_picture_add_coverage(murk_picture *picture, murk_error *err)
 static murk_status set_up(run *r, size_t tiles, murk_error *err)
 {
     const murk_render *render = r->render;
-    const murk_world *world = render->trace->world;
+    const murk_transport_world *world = render->trace->world;
     const unsigned threads = render->threads;
     r->sampler = calloc(threads, sizeof *r->sampler);
     r->tile = calloc(tiles * (size_t)world->bands, sizeof *r->tile);
@@ -347,7 +347,7 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
 
 static void add_up(run *r, size_t tiles)
 {
-    murk_picture *p = r->picture;
+    murk_image *p = r->picture;
     const double n = (double)(p->width * p->height);
     for (int b = 0; b < p->bands; ++b) {
         tile_sums all = {0};
@@ -376,7 +376,7 @@ static void add_up(run *r, size_t tiles)
  * most of a pixel's noise is the records', whose errors have no rare paths. */
 static void pool_errors(run *r)
 {
-    murk_picture *p = r->picture;
+    murk_image *p = r->picture;
     const murk_render *render = r->render;
     const murk_pooling pooling = {.width = p->width,
                                   .height = p->height,
@@ -398,7 +398,7 @@ static void pool_errors(run *r)
     }
 }
 
-murk_status murk_render_run(murk_picture **out, const murk_render *render,
+murk_status murk_render_run(murk_image **out, const murk_render *render,
                             murk_error *err)
 {
     const murk_camera *c = &render->camera;
@@ -410,7 +410,7 @@ murk_status murk_render_run(murk_picture **out, const murk_render *render,
     if (!status) {
         murk_progress_begin("render", c->width * c->height * render->samples,
                             "rays");
-        murk_crew_run_workers(render->threads, tiles, look_at_tile, &r);
+        murk_pool_run_workers(render->threads, tiles, look_at_tile, &r);
         murk_progress_end();
         add_up(&r, tiles);
         if (r.is_lit) {
@@ -428,6 +428,6 @@ murk_status murk_render_run(murk_picture **out, const murk_render *render,
     free(r.scratch);
     murk_gather_destroy(r.gather);
     murk_scenery_release(&r.scenery);
-    murk_picture_destroy(r.picture);
+    murk_image_destroy(r.picture);
     return status;
 }

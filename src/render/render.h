@@ -29,7 +29,7 @@ typedef struct murk_render {
 
 /* Channels of a picture, one after the other, each height * width values by
  * rows from the top. */
-typedef struct murk_picture {
+typedef struct murk_image {
     size_t width, height;
     int bands;
     float *radiance[MURK_BANDS_MAX]; /* [W/m2/sr] */
@@ -45,7 +45,7 @@ typedef struct murk_picture {
     float *position[3]; /* there */
     /* Of the first surface: how many sensors see it, and how clearly the
      * clearest of them; NAN where there is none. NULL before
-     * murk_picture_add_coverage(). */
+     * murk_image_add_coverage(). */
     float *seen_by, *clarity;
     /* Of the picture: over its pixels, or all round over the solid angle, so
      * that 4 pi times it is the scalar irradiance. */
@@ -56,10 +56,10 @@ typedef struct murk_picture {
     size_t unsure;
     /* By maps: what murk_gather_records() says of surface and volume map. */
     size_t records[2][MURK_BANDS_MAX];
-} murk_picture;
+} murk_image;
 
 /* Bytes that a picture takes, */
-double murk_picture_bytes(size_t width, size_t height, int bands);
+double murk_image_bytes(size_t width, size_t height, int bands);
 /* and with it what taking it needs, without the maps' part (render/gather.h).
  */
 double murk_render_bytes(size_t width, size_t height, int bands,
@@ -68,12 +68,12 @@ double murk_render_bytes(size_t width, size_t height, int bands,
 /* The camera stands within the domain. Progress by rays. *out is the caller's.
  * Fails with MURK_NO_MEMORY. Ends early when interrupted: ask
  * murk_interrupted(). */
-murk_status murk_render_run(murk_picture **out, const murk_render *render,
+murk_status murk_render_run(murk_image **out, const murk_render *render,
                             murk_error *err);
-void murk_picture_destroy(murk_picture *picture); /* NULL is fine */
+void murk_image_destroy(murk_image *picture); /* NULL is fine */
 
 /* Sets the coverage's channels aside, NAN all over. Fails with MURK_NO_MEMORY.
  */
-murk_status murk_picture_add_coverage(murk_picture *picture, murk_error *err);
+murk_status murk_image_add_coverage(murk_image *picture, murk_error *err);
 
 #endif

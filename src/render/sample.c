@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "light/shine.h"
+#include "source/shine.h"
 #include "transport/outside.h"
 
 /* A lamp's face that is seen along its own plane: rounding of where it lies
@@ -58,11 +58,11 @@ static void add(murk_sampler *s, part of, double radiance)
 
 /* ---- lights that the ray meets ---- */
 
-static double slack_at(const murk_scenery *scenery, const murk_light *light,
+static double slack_at(const murk_scenery *scenery, const murk_source *light,
                        murk_vec3 sight)
 {
     const murk_vec3 face =
-        light->type == MURK_LIGHT_RECT
+        light->type == MURK_SOURCE_RECT
             ? murk_unit(murk_cross(light->edge1, light->edge2))
             : sight;
     return scenery->margin_m / fmax(GRAZING, fabs(murk_dot(face, sight)));
@@ -76,28 +76,28 @@ static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
         /* by maps all the rest has been counted where the ray went on */
         return s->is_settled && s->method != MURK_BY_PATHS ? 0 : 1;
     }
-    const murk_light *l = murk_lights_get(s->scenery->world->lights, light);
-    const murk_vec3 from = murk_light_is_distant(l)
+    const murk_source *l = murk_sources_get(s->scenery->world->lights, light);
+    const murk_vec3 from = murk_source_is_distant(l)
                                ? s->last.position
                                : murk_sub(s->last.position, s->wrapped);
-    const murk_glare glare = murk_lights_glare(s->scenery->world->lights, light,
-                                               s->band, from, sight);
+    const murk_glare glare = murk_sources_glare(s->scenery->world->lights,
+                                                light, s->band, from, sight);
     return murk_direct_rest(s->scenery, &s->last, light, murk_scale(-1, sight),
                             glare.per_sr, s->wrapped);
 }
 
 static void meet_lamps(murk_sampler *s, const murk_trace_leg *leg)
 {
-    const murk_lights *lights = s->scenery->world->lights;
+    const murk_sources *lights = s->scenery->world->lights;
     const murk_vec3 sight = leg->direction;
     for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
         const size_t light = s->scenery->lit[s->band][i];
-        const murk_light *l = murk_lights_get(lights, light);
-        if (murk_light_is_distant(l)) {
+        const murk_source *l = murk_sources_get(lights, light);
+        if (murk_source_is_distant(l)) {
             continue;
         }
         const murk_glare glare =
-            murk_lights_glare(lights, light, s->band, leg->from, sight);
+            murk_sources_glare(lights, light, s->band, leg->from, sight);
         if (glare.radiance > 0 &&
             glare.distance_m <=
                 leg->length_m + slack_at(s->scenery, l, sight)) {
@@ -110,16 +110,16 @@ static void meet_lamps(murk_sampler *s, const murk_trace_leg *leg)
 
 static void meet_sky(murk_sampler *s, const murk_event *event)
 {
-    const murk_lights *lights = s->scenery->world->lights;
+    const murk_sources *lights = s->scenery->world->lights;
     const murk_vec3 sight = event->direction_out;
     const double square = s->leg.index * s->leg.index;
     for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
         const size_t light = s->scenery->lit[s->band][i];
-        if (!murk_light_is_distant(murk_lights_get(lights, light))) {
+        if (!murk_source_is_distant(murk_sources_get(lights, light))) {
             continue;
         }
         const murk_glare glare =
-            murk_lights_glare(lights, light, s->band, event->position, sight);
+            murk_sources_glare(lights, light, s->band, event->position, sight);
         if (glare.radiance > 0) {
             const double outside =
                 murk_outside_straight(s->scenery->world, s->band,
@@ -285,7 +285,7 @@ static double cone_of(const murk_phase *phase)
     return cone;
 }
 
-static double *cones_of(const murk_world *world)
+static double *cones_of(const murk_transport_world *world)
 {
     const size_t bands = (size_t)world->bands;
     const size_t n = murk_media_count(world->media);

@@ -15,7 +15,7 @@
 
 /* A jump through free heights must rise by this share of the domain's largest
  * coordinate at least: the optical depth of the rise then keeps 6 digits. */
-#define LEAST_RISE 1e-9
+#define MIN_RISE 1e-9
 
 /* A way that has wrapped so often is almost level: its light has crossed the
  * domain often enough to be taken for lost. */
@@ -71,9 +71,9 @@ static double jump_ahead(const pieces *p)
     }
     const double run = fmin((end - z) / dz, p->left_m);
     const double sideways = fmax(fabs(p->direction.x), fabs(p->direction.y));
-    const double least = LEAST_RISE / OFF_BY * scenery->margin_m;
-    return run * sideways > scenery->piece_m && run * fabs(dz) > least ? run
-                                                                       : 0;
+    const double minimum = MIN_RISE / OFF_BY * scenery->margin_m;
+    return run * sideways > scenery->piece_m && run * fabs(dz) > minimum ? run
+                                                                         : 0;
 }
 
 static double wrapped(double x, double min, double max)
@@ -150,9 +150,9 @@ static pieces pieces_of(const murk_scenery *scenery, murk_vec3 from,
 static double piece_through(const pieces *p, int band)
 {
     const murk_scenery *scenery = p->scenery;
-    const murk_world *world = scenery->world;
-    const murk_passages passages =
-        murk_passages_from(world->media, world->hulls, &world->domain, p->from);
+    const murk_transport_world *world = scenery->world;
+    const murk_passages passages = murk_passages_from(
+        world->media, world->boundary_meshes, &world->domain, p->from);
     if (scenery->bends && murk_passage_bends(&passages, p->to)) {
         return 0;
     }
@@ -196,7 +196,7 @@ double murk_scenery_through(const murk_scenery *scenery, int band,
 murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
                                    murk_vec3 direction)
 {
-    const murk_world *world = scenery->world;
+    const murk_transport_world *world = scenery->world;
     murk_scenery_end end = {0};
     pieces p = pieces_of(scenery, from, direction, INFINITY);
     while (next_piece(&p)) {
@@ -214,7 +214,7 @@ murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
         bool bends = false;
         if (scenery->bends) {
             const murk_passages passages = murk_passages_from(
-                world->media, world->hulls, &world->domain, p.from);
+                world->media, world->boundary_meshes, &world->domain, p.from);
             murk_leg leg[MURK_SEGMENT_PIECES];
             murk_index_change change;
             const murk_vec3 to =
@@ -243,9 +243,9 @@ double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
     double depth = 0;
     pieces p = pieces_of(scenery, from, direction, length_m);
     while (scenery->any_media && next_piece(&p)) {
-        const murk_world *world = scenery->world;
+        const murk_transport_world *world = scenery->world;
         const murk_passages passages = murk_passages_from(
-            world->media, world->hulls, &world->domain, p.from);
+            world->media, world->boundary_meshes, &world->domain, p.from);
         depth += p.stretch * murk_passage_depth(&passages, band, p.to);
     }
     return depth;
@@ -257,8 +257,8 @@ double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
  * not reach where the picture is taken. */
 static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
 {
-    const murk_lights *lights = scenery->world->lights;
-    const size_t n = murk_lights_count(lights);
+    const murk_sources *lights = scenery->world->lights;
+    const size_t n = murk_sources_count(lights);
     const size_t bands = (size_t)scenery->world->bands;
     size_t *lit = calloc(n + 1, sizeof *lit);
     double *chance = calloc(n + 1, sizeof *chance);
@@ -272,7 +272,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
     double all = 0;
     for (size_t i = 0; i < n; ++i) {
         const double power =
-            murk_lights_channel_power_w(lights, i * bands + (size_t)band);
+            murk_sources_channel_power_w(lights, i * bands + (size_t)band);
         if (power > 0) {
             lit[n_lit++] = i;
             all += power;
@@ -281,7 +281,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
     double sum = 0;
     for (size_t i = 0; i < n_lit; ++i) {
         const double power =
-            murk_lights_channel_power_w(lights, lit[i] * bands + (size_t)band);
+            murk_sources_channel_power_w(lights, lit[i] * bands + (size_t)band);
         sum += 0.5 * power / all + 0.5 / (double)n_lit;
         chance[i] = sum;
     }
@@ -289,7 +289,8 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
     return MURK_OK;
 }
 
-murk_status murk_scenery_prepare(murk_scenery *scenery, const murk_world *world,
+murk_status murk_scenery_prepare(murk_scenery *scenery,
+                                 const murk_transport_world *world,
                                  murk_error *err)
 {
     const murk_surfaces_facts facts = murk_surfaces_describe(world->surfaces);

@@ -12,7 +12,7 @@
 
 /* Immutable; any number of threads may use it. */
 typedef struct murk_scenery {
-    const murk_world *world;
+    const murk_transport_world *world;
     bool any_surfaces, any_sheets, any_media, bends;
     double margin_m; /* what surfaces in single precision are off by, at most */
     double piece_m;  /* no straight piece is longer sideways */
@@ -25,7 +25,8 @@ typedef struct murk_scenery {
 } murk_scenery;
 
 /* The world must outlive it. Release it also after a failure. */
-murk_status murk_scenery_prepare(murk_scenery *scenery, const murk_world *world,
+murk_status murk_scenery_prepare(murk_scenery *scenery,
+                                 const murk_transport_world *world,
                                  murk_error *err);
 void murk_scenery_release(murk_scenery *scenery);
 

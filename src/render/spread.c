@@ -5,7 +5,7 @@
 size_t murk_spread_step(size_t n)
 {
     /* odd, so that it does not walk down a column of a picture */
-    return (n > 0 ? (n - 1) / MURK_SPREAD_MOST + 1 : 1) | 1;
+    return (n > 0 ? (n - 1) / MURK_SPREAD_MAX + 1 : 1) | 1;
 }
 
 static int compare(const void *a, const void *b)

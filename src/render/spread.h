@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* No more values than this are looked at. */
-#define MURK_SPREAD_MOST ((size_t)1 << 20)
+#define MURK_SPREAD_MAX ((size_t)1 << 20)
 
 /* The step over n values that keeps within it. */
 size_t murk_spread_step(size_t n);

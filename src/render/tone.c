@@ -10,7 +10,7 @@
 
 /* Pixels that are darker than the bright ones by more than so many stops say
  * nothing of how to show these. */
-#define STOPS_MOST 12
+#define STOPS_MAX 12
 
 /* ITU-R BT.709 */
 static double luminance(double r, double g, double b)
@@ -18,18 +18,18 @@ static double luminance(double r, double g, double b)
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
-static double luminance_of(const murk_picture *p, size_t i)
+static double luminance_of(const murk_image *p, size_t i)
 {
     return luminance((double)p->rgb[0][i], (double)p->rgb[1][i],
                      (double)p->rgb[2][i]);
 }
 
 /* Of the bright pixels; 0: all is dark. */
-static murk_status find_bright(double *out, const murk_picture *p,
+static murk_status find_bright(double *out, const murk_image *p,
                                murk_error *err)
 {
     const size_t n = p->width * p->height, step = murk_spread_step(n);
-    float *lit = malloc(MURK_SPREAD_MOST * sizeof *lit);
+    float *lit = malloc(MURK_SPREAD_MAX * sizeof *lit);
     if (!lit) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for an exposure");
@@ -46,15 +46,15 @@ static murk_status find_bright(double *out, const murk_picture *p,
     return MURK_OK;
 }
 
-murk_status murk_tone_stops(double *out, const murk_picture *p, murk_error *err)
+murk_status murk_tone_stops(double *out, const murk_image *p, murk_error *err)
 {
     double bright = 0;
     const murk_status status = find_bright(&bright, p, err);
-    const double least = status ? 0 : ldexp(bright, -STOPS_MOST);
+    const double min = status ? 0 : ldexp(bright, -STOPS_MAX);
     double sum = 0, counted = 0;
-    for (size_t i = 0; least > 0 && i < p->width * p->height; ++i) {
+    for (size_t i = 0; min > 0 && i < p->width * p->height; ++i) {
         const double l = luminance_of(p, i);
-        if (l >= least && isfinite(l)) {
+        if (l >= min && isfinite(l)) {
             sum += log2(l);
             ++counted;
         }
@@ -88,7 +88,7 @@ void murk_tone_pixel(const double rgb[3], double stops, uint8_t out[3])
     }
 }
 
-murk_status murk_tone_raster(murk_raster *out, const murk_picture *p,
+murk_status murk_tone_raster(murk_raster *out, const murk_image *p,
                              double stops, murk_error *err)
 {
     const murk_status status =

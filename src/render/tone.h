@@ -17,14 +17,14 @@
 /* Stops that make the log mean of the luminance middle grey, over the pixels
  * that are within 2^12 of the 99th percentile of those with any light. 0 where
  * all is dark. To a hundredth of a stop. Fails with MURK_NO_MEMORY. */
-murk_status murk_tone_stops(double *out, const murk_picture *picture,
+murk_status murk_tone_stops(double *out, const murk_image *picture,
                             murk_error *err);
 
 /* One colour. */
 void murk_tone_pixel(const double rgb[3], double stops, uint8_t out[3]);
 
 /* raster->rgb is the caller's to free(). Fails with MURK_NO_MEMORY. */
-murk_status murk_tone_raster(murk_raster *out, const murk_picture *picture,
+murk_status murk_tone_raster(murk_raster *out, const murk_image *picture,
                              double stops, murk_error *err);
 
 #endif

@@ -9,80 +9,80 @@
 
 /* ---- what keys are for ---- */
 
-static bool has_threshold(const murk_scene *s)
+static bool has_threshold(const murk_scene_desc *s)
 {
     return s->placement.detection == MURK_SCENE_THRESHOLD;
 }
 
-static bool has_power(const murk_scene *s)
+static bool has_power(const murk_scene_desc *s)
 {
     return s->placement.detection == MURK_SCENE_POWER;
 }
 
-static bool has_neighbours(const murk_scene *s)
+static bool has_neighbours(const murk_scene_desc *s)
 {
     return has_power(s) && !(s->placement.power_radius_m > 0);
 }
 
-static bool bends_sight(const murk_scene *s)
+static bool bends_sight(const murk_scene_desc *s)
 {
     return s->placement.through != MURK_SCENE_REFRACT ||
            !s->placement.by_normal;
 }
 
-static bool explores(const murk_scene *s)
+static bool explores(const murk_scene_desc *s)
 {
     return s->placement.knowledge == MURK_SCENE_EXPLORE;
 }
 
-static bool restarts(const murk_scene *s)
+static bool restarts(const murk_scene_desc *s)
 {
     return s->placement.method == MURK_SCENE_BEST;
 }
 
-static bool branches(const murk_scene *s)
+static bool branches(const murk_scene_desc *s)
 {
     return (s->placement.method == MURK_SCENE_BEST ||
             s->placement.method == MURK_SCENE_EXACT) &&
            s->placement.knowledge == MURK_SCENE_KNOWN;
 }
 
-static bool has_interest(const murk_scene *s)
+static bool has_interest(const murk_scene_desc *s)
 {
     return s->placement.n_interests > 0;
 }
 
-static bool has_jitter(const murk_scene *s)
+static bool has_jitter(const murk_scene_desc *s)
 {
     return s->placement.jitter_m > 0 || s->placement.jitter_rad > 0;
 }
 
-static bool has_over(const murk_scene *s)
+static bool has_over(const murk_scene_desc *s)
 {
     return s->placement.over != MURK_SCENE_OVER_NONE;
 }
 
-static bool has_regret(const murk_scene *s)
+static bool has_regret(const murk_scene_desc *s)
 {
     return s->placement.over == MURK_SCENE_OVER_REGRET;
 }
 
-static bool has_target(const murk_scene *s)
+static bool has_target(const murk_scene_desc *s)
 {
     return s->sensors.target > 0;
 }
 
-static bool has_budget(const murk_scene *s)
+static bool has_budget(const murk_scene_desc *s)
 {
     return s->sensors.budget > 0;
 }
 
-static bool stores(const murk_scene *s)
+static bool stores(const murk_scene_desc *s)
 {
     return s->photons.maps != MURK_SCENE_MAPS_NONE;
 }
 
-static bool asks_time(const murk_scene *s)
+static bool asks_time(const murk_scene_desc *s)
 {
     for (size_t i = 0; i < s->n_lights; ++i) {
         const murk_scene_light *light = &s->lights[i];
@@ -95,14 +95,14 @@ static bool asks_time(const murk_scene *s)
     return false;
 }
 
-static bool has_outside(const murk_scene *s)
+static bool has_outside(const murk_scene_desc *s)
 {
     return !s->domain.is_periodic;
 }
 
 #define WITHOUT "has no effect without "
 
-const murk_idle_rule murk_idle_rules[] = {
+const murk_idle_rule murk_idle_constraints[] = {
     {"domain.outside", has_outside, "has no effect with sides: periodic"},
     {"placement.threshold", has_threshold, WITHOUT "detection: threshold"},
     {"placement.power_radius_m", has_power, WITHOUT "detection: power"},
@@ -132,7 +132,8 @@ const murk_idle_rule murk_idle_rules[] = {
     {NULL, NULL, NULL},
 };
 
-static bool acts_anywhere(const murk_idle_rule *rule, const murk_scene *scene)
+static bool acts_anywhere(const murk_idle_rule *rule,
+                          const murk_scene_desc *scene)
 {
     bool acts = rule->acts(scene);
     for (size_t i = 0; i < scene->n_conditions; ++i) {
@@ -158,14 +159,14 @@ static bool is_preset(const murk_yaml *node, const char *preset)
 
 /* By the user, and not what it would be anyway: scenes as resolved have all
  * keys. */
-static bool is_wish(const murk_yaml *node, const murk_key *row)
+static bool is_settings(const murk_yaml *node, const murk_key *row)
 {
     if (node->kind != MURK_YAML_MAP || !row->keys) {
         return node->line != 0 && !is_preset(node, row->preset);
     }
     for (size_t i = 0; i < node->n; ++i) {
         const murk_key *inner = murk_keys_find(row->keys, node->key[i]);
-        if (!inner || is_wish(node->child[i], inner)) {
+        if (!inner || is_settings(node->child[i], inner)) {
             return true;
         }
     }
@@ -174,7 +175,7 @@ static bool is_wish(const murk_yaml *node, const murk_key *row)
 
 /* ---- the list ---- */
 
-static bool add(murk_scene *scene, const murk_yaml *node, const char *key,
+static bool add(murk_scene_desc *scene, const murk_yaml *node, const char *key,
                 const char *text)
 {
     murk_scene_idle *grown =
@@ -191,7 +192,7 @@ static bool add(murk_scene *scene, const murk_yaml *node, const char *key,
 
 /* Follows what is left of a rule's key, from a node that its first `used` bytes
  * of key[] lead to. */
-static bool follow(murk_scene *scene, const murk_idle_rule *rule,
+static bool follow(murk_scene_desc *scene, const murk_idle_rule *rule,
                    const char *rest, const murk_yaml *node,
                    const murk_keys *keys, char key[MURK_WALK_KEY_SIZE],
                    size_t used)
@@ -219,7 +220,7 @@ static bool follow(murk_scene *scene, const murk_idle_rule *rule,
             has_memory =
                 follow(scene, rule, dot + 1, child, is_any ? keys : row->keys,
                        key, used + (size_t)more);
-        } else if (is_wish(child, row)) {
+        } else if (is_settings(child, row)) {
             has_memory = add(scene, child, key, rule->text);
         }
         key[used] = '\0';
@@ -227,7 +228,7 @@ static bool follow(murk_scene *scene, const murk_idle_rule *rule,
     return has_memory;
 }
 
-static bool has_region(const murk_scene *scene, const char *medium)
+static bool has_region(const murk_scene_desc *scene, const char *medium)
 {
     bool is_used = false;
     for (size_t i = 0; i < scene->n_regions; ++i) {
@@ -240,7 +241,7 @@ static bool has_region(const murk_scene *scene, const char *medium)
     return is_used;
 }
 
-static bool find_media(murk_scene *scene, const murk_yaml *media)
+static bool find_media(murk_scene_desc *scene, const murk_yaml *media)
 {
     bool has_memory = true;
     for (size_t m = 0; media && m < media->n && has_memory; ++m) {
@@ -254,10 +255,10 @@ static bool find_media(murk_scene *scene, const murk_yaml *media)
     return has_memory;
 }
 
-bool murk_idle_find(murk_scene *scene, const murk_yaml *root)
+bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root)
 {
     bool has_memory = find_media(scene, murk_yaml_get(root, "media"));
-    const murk_idle_rule *rule = murk_idle_rules;
+    const murk_idle_rule *rule = murk_idle_constraints;
     for (; rule->key && has_memory; ++rule) {
         char key[MURK_WALK_KEY_SIZE] = "";
         if (!acts_anywhere(rule, scene)) {

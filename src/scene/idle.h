@@ -11,15 +11,15 @@
 /* One row of the table. */
 typedef struct murk_idle_rule {
     const char *key; /* "sensors.types.*.cost": * is any item */
-    bool (*acts)(const murk_scene *scene);
+    bool (*acts)(const murk_scene_desc *scene);
     const char *text; /* "has no effect without sensors.budget" */
 } murk_idle_rule;
 
-extern const murk_idle_rule murk_idle_rules[]; /* key NULL ends it */
+extern const murk_idle_rule murk_idle_constraints[]; /* key NULL ends it */
 
 /* Fills scene->idle from the walked tree `root`: keys that the user has given,
  * not at their default, that act neither in the scene nor in any of its
  * conditions; and media that lie in no region. False when out of memory. */
-bool murk_idle_find(murk_scene *scene, const murk_yaml *root);
+bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root);
 
 #endif

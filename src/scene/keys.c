@@ -41,7 +41,7 @@ murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
 static murk_status check_domain(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
-    return murk_check_box(walk, map, ((murk_scene *)item)->domain.box);
+    return murk_check_box(walk, map, ((murk_scene_desc *)item)->domain.box);
 }
 
 static const murk_word SIDES_WORDS[] = {
@@ -57,18 +57,18 @@ static const murk_word OUTSIDE_WORDS[] = {
 };
 
 static const murk_key DOMAIN_KEYS_ROWS[] = {
-    ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene, domain.box.min)),
-    ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene, domain.box.max)),
+    ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_desc, domain.box.min)),
+    ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_desc, domain.box.max)),
     ROW("sides", WORD, .preset = "open", .words = SIDES_WORDS,
-        AT(murk_scene, domain.is_periodic)),
+        AT(murk_scene_desc, domain.is_periodic)),
     ROW("outside", WORD, .preset = "empty", .words = OUTSIDE_WORDS,
-        AT(murk_scene, continues)),
+        AT(murk_scene_desc, continues)),
     END,
 };
 
 static const murk_keys DOMAIN_KEYS = {.noun = "domain",
                                       .check = check_domain,
-                                      WHERE(murk_scene, domain_where),
+                                      WHERE(murk_scene_desc, domain_where),
                                       .key = DOMAIN_KEYS_ROWS};
 
 /* What others need comes first: bands before spectra, names before their
@@ -88,18 +88,18 @@ static const murk_word UNITS_WORDS[] = {
 };
 
 static const murk_key SCENE_ROWS[] = {
-    ROW("murk", COUNT, NEEDED, .least = 1, .most = 1),
-    ROW("bands_nm", BANDS, .group = 1, .above = true, .most = 1e9, .unit = "nm",
-        .preset = "[550]", .lights = true, AT(murk_scene, band_nm)),
-    ROW("band_edges_nm", BAND_EDGES, .group = 1, .above = true, .most = 1e9,
-        .unit = "nm", .lights = true, AT(murk_scene, band_edge_nm)),
-    ROW("seed", COUNT, .most = 4294967295.0, .preset = "1", .lights = true,
-        AT(murk_scene, seed)),
+    ROW("murk", COUNT, NEEDED, .min = 1, .max = 1),
+    ROW("bands_nm", BANDS, .group = 1, .above = true, .max = 1e9, .unit = "nm",
+        .preset = "[550]", .lights = true, AT(murk_scene_desc, band_nm)),
+    ROW("band_edges_nm", BAND_EDGES, .group = 1, .above = true, .max = 1e9,
+        .unit = "nm", .lights = true, AT(murk_scene_desc, band_edge_nm)),
+    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", .lights = true,
+        AT(murk_scene_desc, seed)),
     ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", .lights = true,
-        AT(murk_scene, north)),
+        AT(murk_scene_desc, north)),
     ROW("site", MAP, .keys = &murk_site_keys, .lights = true),
     ROW("domain", MAP, .keys = &DOMAIN_KEYS, .lights = true,
-        FLAG(murk_scene, has_domain)),
+        FLAG(murk_scene_desc, has_domain)),
     ROW("materials", NAMED, .keys = &murk_material_keys, .preset = "{}",
         .lights = true),
     ROW("geometry", LIST, .keys = &murk_geometry_keys, .preset = "[]",
@@ -108,16 +108,16 @@ static const murk_key SCENE_ROWS[] = {
         .lights = true),
     ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]",
         .lights = true),
-    ROW("lights", LIST, .keys = &murk_light_keys, NEEDED, .lights = true),
+    ROW("lights", LIST, .keys = &murk_lightmap_keys, NEEDED, .lights = true),
     ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}",
         .lights = true),
     ROW("flight", WORD, .preset = "march", .lights = true,
-        .words = FLIGHT_WORDS, AT(murk_scene, by_delta)),
+        .words = FLIGHT_WORDS, AT(murk_scene_desc, by_delta)),
     ROW("units", WORD, .preset = "radiometric", .words = UNITS_WORDS,
-        AT(murk_scene, units)),
+        AT(murk_scene_desc, units)),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
     ROW("sensors", MAP, .keys = &murk_sensor_keys,
-        FLAG(murk_scene, sensors.given)),
+        FLAG(murk_scene_desc, sensors.given)),
     ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),
     ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}"),
     ROW("cameras", LIST, .keys = &murk_camera_keys, .preset = "[]"),
@@ -127,7 +127,7 @@ static const murk_key SCENE_ROWS[] = {
 static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
-    murk_scene *scene = item;
+    murk_scene_desc *scene = item;
     const murk_vec3 n = scene->north;
     const double length = murk_length(n);
     if (n.z != 0 || !(length > 0)) {

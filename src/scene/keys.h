@@ -48,7 +48,7 @@ typedef struct murk_key {
     murk_key_kind kind;
     bool required;      /* in a group: one of the group is */
     bool above, below;  /* `least`, `most` themselves are refused */
-    double least, most; /* both 0: any finite number */
+    double min, max;    /* both 0: any finite number */
     const char *unit;   /* NULL: none */
     const char *preset; /* default, in YAML; NULL: none, may be absent */
     unsigned variants;  /* bit set of the map's variants; 0: all */
@@ -84,7 +84,7 @@ struct murk_keys {
     murk_status (*check)(murk_key_reader *walk, const murk_yaml *map,
                          void *item);
     /* Items of lists and names: */
-    size_t item_size, array_at, count_at, most_items, name_at;
+    size_t item_size, array_at, count_at, max_items, name_at;
     bool needs_item;
     const char *first, *first_preset; /* a name built in, always item 0 */
     bool is_open; /* any keys with any values: check() reads them */

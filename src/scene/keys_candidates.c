@@ -7,22 +7,23 @@
 
 #include "scene/value.h"
 
-#define MOST_CANDIDATES 1e7
+#define MAX_CANDIDATES 1e7
 
 /* max - min over spacing_m is rounded a few times: a last point that passes
  * max by less than this share of a step still counts. */
 #define STEP_SLACK 1e-9
 
-static void fill_size_by_spacing(murk_scene_candidates *wish, double spacing)
+static void fill_size_by_spacing(murk_scene_candidates *settings,
+                                 double spacing)
 {
-    const double min[3] = {wish->grid_min.x, wish->grid_min.y,
-                           wish->grid_min.z};
-    double *const max[3] = {&wish->grid_max.x, &wish->grid_max.y,
-                            &wish->grid_max.z};
+    const double min[3] = {settings->grid_min.x, settings->grid_min.y,
+                           settings->grid_min.z};
+    double *const max[3] = {&settings->grid_max.x, &settings->grid_max.y,
+                            &settings->grid_max.z};
     for (int i = 0; i < 3; ++i) {
         const double steps = fmin(
-            floor((*max[i] - min[i]) / spacing + STEP_SLACK), MOST_CANDIDATES);
-        wish->grid_size[i] = (size_t)steps + 1;
+            floor((*max[i] - min[i]) / spacing + STEP_SLACK), MAX_CANDIDATES);
+        settings->grid_size[i] = (size_t)steps + 1;
         *max[i] = min[i] + steps * spacing;
     }
 }
@@ -30,8 +31,9 @@ static void fill_size_by_spacing(murk_scene_candidates *wish, double spacing)
 static murk_status check_grid(murk_key_reader *walk, const murk_yaml *map,
                               void *item)
 {
-    murk_scene_candidates *wish = &((murk_scene *)item)->sensors.candidates;
-    const murk_vec3 min = wish->grid_min, max = wish->grid_max;
+    murk_scene_candidates *settings =
+        &((murk_scene_desc *)item)->sensors.candidates;
+    const murk_vec3 min = settings->grid_min, max = settings->grid_max;
     if (!(min.x <= max.x && min.y <= max.y && min.z <= max.z)) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "min_m [%.9g, %.9g, %.9g] and max_m "
@@ -42,20 +44,20 @@ static murk_status check_grid(murk_key_reader *walk, const murk_yaml *map,
     const murk_yaml *spacing = murk_yaml_get(map, "spacing_m");
     double spacing_m;
     if (spacing && murk_yaml_number(spacing, &spacing_m)) {
-        fill_size_by_spacing(wish, spacing_m);
+        fill_size_by_spacing(settings, spacing_m);
     }
     const double extent[3] = {max.x - min.x, max.y - min.y, max.z - min.z};
     double points = 1;
     for (int i = 0; i < 3; ++i) {
-        points *= (double)wish->grid_size[i];
-        if (extent[i] == 0 && wish->grid_size[i] > 1) {
+        points *= (double)settings->grid_size[i];
+        if (extent[i] == 0 && settings->grid_size[i] > 1) {
             return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                                   "size %zu along %c where min_m is max_m, "
                                   "must be 1",
-                                  wish->grid_size[i], "xyz"[i]);
+                                  settings->grid_size[i], "xyz"[i]);
         }
     }
-    if (!(points <= MOST_CANDIDATES)) {
+    if (!(points <= MAX_CANDIDATES)) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "%.9g points, must be at most 1e7", points);
     }
@@ -64,11 +66,11 @@ static murk_status check_grid(murk_key_reader *walk, const murk_yaml *map,
 
 static const murk_key GRID_ROWS[] = {
     ROW("min_m", VECTOR, NEEDED, LONG_M,
-        AT(murk_scene, sensors.candidates.grid_min)),
+        AT(murk_scene_desc, sensors.candidates.grid_min)),
     ROW("max_m", VECTOR, NEEDED, LONG_M,
-        AT(murk_scene, sensors.candidates.grid_max)),
-    ROW("size", SIZES, .group = 1, NEEDED, .least = 1, .most = MOST_CANDIDATES,
-        .unit = "points", AT(murk_scene, sensors.candidates.grid_size)),
+        AT(murk_scene_desc, sensors.candidates.grid_max)),
+    ROW("size", SIZES, .group = 1, NEEDED, .min = 1, .max = MAX_CANDIDATES,
+        .unit = "points", AT(murk_scene_desc, sensors.candidates.grid_size)),
     ROW("spacing_m", NUMBER, .group = 1, NEEDED, SIZE_M),
     END,
 };
@@ -76,7 +78,7 @@ static const murk_key GRID_ROWS[] = {
 static const murk_keys GRID = {
     .noun = "grid",
     .check = check_grid,
-    WHERE(murk_scene, sensors.candidates.grid_where),
+    WHERE(murk_scene_desc, sensors.candidates.grid_where),
     .key = GRID_ROWS,
 };
 
@@ -111,7 +113,7 @@ static murk_status read_points(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *item)
 {
     murk_scene_points *points =
-        &((murk_scene *)item)->sensors.candidates.points;
+        &((murk_scene_desc *)item)->sensors.candidates.points;
     const bool is_list = node->kind == MURK_YAML_LIST;
     const size_t n = is_list ? node->n : 1;
     murk_status status = MURK_OK;
@@ -194,7 +196,7 @@ static const murk_keys MOUNT = {
     WHERE(murk_scene_mount, where),
     ITEMS(murk_scene_mount, sensors.candidates.mount,
           sensors.candidates.mounts),
-    .most_items = 64,
+    .max_items = 64,
     .key = MOUNT_ROWS,
 };
 
@@ -206,7 +208,8 @@ static murk_status read_mount(murk_key_reader *walk, const murk_key *key,
         .name = "", .kind = MURK_KEY_MAP, .keys = &MOUNT};
     static const murk_key MANY = {
         .name = "", .kind = MURK_KEY_LIST, .keys = &MOUNT};
-    murk_scene_candidates *wish = &((murk_scene *)item)->sensors.candidates;
+    murk_scene_candidates *settings =
+        &((murk_scene_desc *)item)->sensors.candidates;
     if (node->kind == MURK_YAML_LIST) {
         return murk_walk_value(walk, &MANY, node, item);
     }
@@ -217,12 +220,12 @@ static murk_status read_mount(murk_key_reader *walk, const murk_key *key,
     if (node->kind != MURK_YAML_MAP) {
         return wrong(walk, key, node);
     }
-    wish->mount = calloc(1, sizeof *wish->mount);
-    if (!wish->mount) {
+    settings->mount = calloc(1, sizeof *settings->mount);
+    if (!settings->mount) {
         return murk_walk_no_memory(walk);
     }
-    wish->mounts = 1;
-    return murk_walk_value(walk, &ONE, node, wish->mount);
+    settings->mounts = 1;
+    return murk_walk_value(walk, &ONE, node, settings->mount);
 }
 
 /* ---- zones ---- */
@@ -276,7 +279,7 @@ static const murk_key ZONE_ROWS[] = {
     ROW("mesh", PATH, .group = 1, NEEDED, AT(murk_scene_site_zone, mesh)),
     ROW("unit_m", NUMBER, SIZE_M, MESH, AT(murk_scene_site_zone, unit_m)),
     ROW("up", WORD, MESH, .words = murk_up_words, AT(murk_scene_site_zone, up)),
-    ROW("scale", NUMBER, .above = true, .most = 1e9, .preset = "1",
+    ROW("scale", NUMBER, .above = true, .max = 1e9, .preset = "1",
         AT(murk_scene_site_zone, scale)),
     ROW("rotate_deg", VECTOR, ANY_UNIT, .unit = "degrees",
         .preset = "[0, 0, 0]", AT(murk_scene_site_zone, rotate_deg)),
@@ -292,7 +295,7 @@ static const murk_key ZONE_ROWS[] = {
         WHERE(murk_scene_site_zone, where),                                    \
         ITEMS(murk_scene_site_zone, sensors.candidates.array,                  \
               sensors.candidates.count),                                       \
-        .most_items = 64, .key = ZONE_ROWS,                                    \
+        .max_items = 64, .key = ZONE_ROWS,                                     \
     }
 
 static const murk_keys AVOID = ZONES(avoid, avoids);
@@ -302,24 +305,24 @@ static const murk_keys WITHIN = ZONES(within, withins);
 
 static const murk_key CANDIDATES_ROWS[] = {
     ROW("grid", MAP, .keys = &GRID,
-        FLAG(murk_scene, sensors.candidates.has_grid)),
+        FLAG(murk_scene_desc, sensors.candidates.has_grid)),
     ROW("points", OWN, .read = read_points,
         .allowed = "the name of a file, or a list of such names and of "
                    "[x, y, z]",
-        FLAG(murk_scene, sensors.candidates.points.given)),
+        FLAG(murk_scene_desc, sensors.candidates.points.given)),
     ROW("mount", OWN, .read = read_mount, .keys = &MOUNT, .preset = "free",
         .allowed = "free or a map of keys, or a list of them"),
-    ROW("clearance_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
-        AT(murk_scene, sensors.candidates.clearance_m)),
+    ROW("clearance_m", NUMBER, .max = 1e9, .unit = "m", .preset = "0",
+        AT(murk_scene_desc, sensors.candidates.clearance_m)),
     ROW("avoid", LIST, .keys = &AVOID, .preset = "[]"),
     ROW("within", LIST, .keys = &WITHIN, .preset = "[]"),
-    ROW("spacing_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
-        AT(murk_scene, sensors.spacing_m)),
+    ROW("spacing_m", NUMBER, .max = 1e9, .unit = "m", .preset = "0",
+        AT(murk_scene_desc, sensors.spacing_m)),
     END,
 };
 
 const murk_keys murk_candidate_keys = {
     .noun = "candidates",
-    WHERE(murk_scene, sensors.candidates.where),
+    WHERE(murk_scene_desc, sensors.candidates.where),
     .key = CANDIDATES_ROWS,
 };

@@ -108,18 +108,18 @@ const murk_keys murk_condition_keys = {
     WHERE(murk_scene_condition, where),
     ITEMS(murk_scene_condition, conditions, n_conditions),
     .name_at = offsetof(murk_scene_condition, name),
-    .most_items = MURK_SCENE_CONDITIONS_MAX,
+    .max_items = MURK_SCENE_CONDITIONS_MAX,
     .key = NO_ROWS,
 };
 
 /* ---- weights ---- */
 
 static const murk_key WEIGHT = {
-    .name = "weight", .kind = MURK_KEY_NUMBER, .most = 1e6, .size = 8};
+    .name = "weight", .kind = MURK_KEY_NUMBER, .max = 1e6, .size = 8};
 
 static murk_status no_such_condition(murk_key_reader *walk,
-                                     const murk_scene *scene, const char *name,
-                                     const murk_yaml *node)
+                                     const murk_scene_desc *scene,
+                                     const char *name, const murk_yaml *node)
 {
     const char *names[MURK_SCENE_CONDITIONS_MAX];
     for (size_t i = 0; i < scene->n_conditions; ++i) {
@@ -135,7 +135,7 @@ static murk_status no_such_condition(murk_key_reader *walk,
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    murk_scene *scene = item;
+    murk_scene_desc *scene = item;
     double sum = 0;
     for (size_t i = 0; i < map->n; ++i) {
         size_t k = 0;
@@ -173,7 +173,7 @@ const murk_keys murk_condition_weight_keys = {
 murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
-    const murk_scene *scene = item;
+    const murk_scene_desc *scene = item;
     if (scene->placement.over == MURK_SCENE_OVER_NONE ||
         scene->n_conditions > 0) {
         return MURK_OK;

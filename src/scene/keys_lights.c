@@ -96,16 +96,16 @@ static const murk_key LIGHT_ROWS[] = {
         AT(murk_scene_light, direction)),
     ROW("radius_m", NUMBER, NEEDED, SIZE_M, .variants = SPHERE,
         AT(murk_scene_light, radius_m)),
-    ROW("radius_m", NUMBER, .most = 1e9, .unit = "m", .variants = BEAM,
+    ROW("radius_m", NUMBER, .max = 1e9, .unit = "m", .variants = BEAM,
         .preset = "0", AT(murk_scene_light, radius_m)),
-    ROW("divergence_deg", NUMBER, .most = 90, .unit = "degrees",
+    ROW("divergence_deg", NUMBER, .max = 90, .unit = "degrees",
         .variants = BEAM, .preset = "0", .factor = MURK_PI / 180,
         AT(murk_scene_light, divergence_rad)),
-    ROW("power_w", SHARED, NEEDED, .most = 1e15, .unit = "W", .variants = LAMPS,
+    ROW("power_w", SHARED, NEEDED, .max = 1e15, .unit = "W", .variants = LAMPS,
         AT(murk_scene_light, power_w)),
-    ROW("irradiance_w_per_m2", SHARED, NEEDED, .most = 1e15, .unit = "W/m2",
+    ROW("irradiance_w_per_m2", SHARED, NEEDED, .max = 1e15, .unit = "W/m2",
         .variants = DIRECTIONAL, AT(murk_scene_light, power_w)),
-    ROW("irradiance_w_per_m2", SHARED, .most = 1e15, .unit = "W/m2",
+    ROW("irradiance_w_per_m2", SHARED, .max = 1e15, .unit = "W/m2",
         .variants = BY_TIME | NIGHT_SKY, AT(murk_scene_light, power_w),
         FLAG(murk_scene_light, has_irradiance)),
     ROW("latitude_deg", NUMBER, LATITUDE, .variants = BY_TIME,
@@ -119,15 +119,15 @@ static const murk_key LIGHT_ROWS[] = {
         FLAG(murk_scene_light, site.has_altitude)),
     ROW("time", OWN, .read = read_time, .variants = BY_TIME,
         .allowed = MURK_TIME_ALLOWED),
-    ROW("linke_turbidity", NUMBER, .least = 1, .most = 20,
+    ROW("linke_turbidity", NUMBER, .min = 1, .max = 20,
         .variants = BY_TIME | NIGHT_SKY, .preset = "3",
         AT(murk_scene_light, linke_turbidity)),
     ROW("cover", WORD, .variants = BY_TIME, .preset = "clear",
         .words = COVER_WORDS, AT(murk_scene_light, cover)),
-    ROW("cie_type", COUNT, .variants = SKY, .least = 1, .most = 15,
+    ROW("cie_type", COUNT, .variants = SKY, .min = 1, .max = 15,
         AT(murk_scene_light, cie_type)),
-    ROW("mag_per_arcsec2", NUMBER, .variants = NIGHT_SKY, .least = 10,
-        .most = 30, .unit = "mag/arcsec2", .preset = "21.6",
+    ROW("mag_per_arcsec2", NUMBER, .variants = NIGHT_SKY, .min = 10, .max = 30,
+        .unit = "mag/arcsec2", .preset = "21.6",
         AT(murk_scene_light, mag_per_arcsec2)),
     ROW("aim", LIST, .keys = &murk_portal_keys, .preset = "[]",
         .variants = DIRECTIONAL | BY_TIME | NIGHT_SKY),
@@ -136,7 +136,7 @@ static const murk_key LIGHT_ROWS[] = {
     END,
 };
 
-const murk_keys murk_light_keys = {
+const murk_keys murk_lightmap_keys = {
     .noun = "light",
     .selector = "type",
     .check = check_light,
@@ -144,7 +144,7 @@ const murk_keys murk_light_keys = {
     VARIANT(murk_scene_light, type),
     WHERE(murk_scene_light, where),
     ITEMS(murk_scene_light, lights, n_lights),
-    .most_items = 256,
+    .max_items = 256,
     .needs_item = true,
     .key = LIGHT_ROWS,
 };
@@ -154,7 +154,7 @@ const murk_keys murk_light_keys = {
 static murk_status check_photons(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    const murk_scene_photons *photons = &((murk_scene *)item)->photons;
+    const murk_scene_photons *photons = &((murk_scene_desc *)item)->photons;
     if (photons->store > photons->max_stored) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "store %llu is more than max_stored %llu",
@@ -185,25 +185,25 @@ static const murk_word MAPS_WORDS[] = {
 };
 
 static const murk_key PHOTONS_ROWS[] = {
-    ROW("emit", COUNT, .group = 1, .least = 1, .most = 4294967295.0,
-        .unit = "photons", .preset = "100000", AT(murk_scene, photons.emit)),
-    ROW("store", COUNT, .group = 1, .least = 1, .most = 4294967295.0,
-        .unit = "records", AT(murk_scene, photons.store)),
+    ROW("emit", COUNT, .group = 1, .min = 1, .max = 4294967295.0,
+        .unit = "photons", .preset = "100000",
+        AT(murk_scene_desc, photons.emit)),
+    ROW("store", COUNT, .group = 1, .min = 1, .max = 4294967295.0,
+        .unit = "records", AT(murk_scene_desc, photons.store)),
     ROW("store_when", WORD, .preset = "reflected", .words = STORE_WHEN_WORDS,
-        AT(murk_scene, photons.store_hits)),
-    ROW("least_weight", NUMBER, .least = 1e-5, .most = 1, .preset = "1",
-        AT(murk_scene, photons.least_weight)),
+        AT(murk_scene_desc, photons.store_hits)),
+    ROW("least_weight", NUMBER, .min = 1e-5, .max = 1, .preset = "1",
+        AT(murk_scene_desc, photons.least_weight)),
     ROW("maps", WORD, .preset = "both", .words = MAPS_WORDS,
-        AT(murk_scene, photons.maps)),
-    ROW("max_stored", COUNT, .least = 1, .most = 4294967295.0,
-        .unit = "records", .preset = "100000000",
-        AT(murk_scene, photons.max_stored)),
+        AT(murk_scene_desc, photons.maps)),
+    ROW("max_stored", COUNT, .min = 1, .max = 4294967295.0, .unit = "records",
+        .preset = "100000000", AT(murk_scene_desc, photons.max_stored)),
     END,
 };
 
 const murk_keys murk_photon_keys = {
     .noun = "photons",
     .check = check_photons,
-    WHERE(murk_scene, photons.where),
+    WHERE(murk_scene_desc, photons.where),
     .key = PHOTONS_ROWS,
 };

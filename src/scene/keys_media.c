@@ -42,7 +42,7 @@ static murk_status choose_phase(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-#define COSINE .least = -1, .most = 1, .above = true, .below = true
+#define COSINE .min = -1, .max = 1, .above = true, .below = true
 
 static const murk_key TWO_HG_ITEMS[] = {
     ROW("g1", NUMBER, COSINE),
@@ -52,8 +52,8 @@ static const murk_key TWO_HG_ITEMS[] = {
 };
 
 static const murk_key FOURNIER_FORAND_ITEMS[] = {
-    ROW("n", NUMBER, .least = 1.001, .most = 2),
-    ROW("mu", NUMBER, .least = 3.0001, .most = 4.9999),
+    ROW("n", NUMBER, .min = 1.001, .max = 2),
+    ROW("mu", NUMBER, .min = 3.0001, .max = 4.9999),
     END,
 };
 
@@ -119,7 +119,7 @@ static murk_status check_profile(murk_key_reader *walk, const murk_yaml *map,
 
 static const murk_key PROFILE_ROWS[] = {
     ROW("z_m", NUMBER_LIST, NEEDED, LONG_M, AT(murk_scene_medium, profile_z_m)),
-    ROW("extinction_per_m", SPECTRUM_LIST, NEEDED, .most = 1e9, .unit = "1/m",
+    ROW("extinction_per_m", SPECTRUM_LIST, NEEDED, .max = 1e9, .unit = "1/m",
         AT(murk_scene_medium, profile_per_m)),
     END,
 };
@@ -204,9 +204,9 @@ static const murk_word PHASE_WORDS[] = {
 #define PLAIN   BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID) | BIT(MEDIUM_PROFILE)
 
 static const murk_key DROPLET_SHAPE_ITEMS[] = {
-    ROW("a", NUMBER, .most = 1e3),
-    ROW("b", NUMBER, .above = true, .most = 1e6),
-    ROW("c", NUMBER, .above = true, .most = 100),
+    ROW("a", NUMBER, .max = 1e3),
+    ROW("b", NUMBER, .above = true, .max = 1e6),
+    ROW("c", NUMBER, .above = true, .max = 100),
     END,
 };
 
@@ -215,7 +215,7 @@ static const murk_key DROPLET_SHAPE_ITEMS[] = {
     ROW(name, NUMBER, .variants = PRESETS,                     \
         AT(murk_scene_medium, words.value[MURK_WORD_##id][0]), \
         FLAG(murk_scene_medium, words.given[MURK_WORD_##id]), __VA_ARGS__)
-#define AMOUNT .most = 1e9
+#define AMOUNT .max = 1e9
 
 static const murk_key MEDIUM_ROWS[] = {
     ROW("preset", TEXT, .variants = PRESETS, AT(murk_scene_medium, preset)),
@@ -234,21 +234,21 @@ static const murk_key MEDIUM_ROWS[] = {
     WORD_ROW("sediment_g_per_m3", SEDIMENT, AMOUNT, .unit = "g/m3"),
     WORD_ROW("cdom_per_m", CDOM, AMOUNT, .unit = "1/m"),
     WORD_ROW("beam_attenuation_per_m", BEAM_ATTENUATION, AMOUNT, .unit = "1/m"),
-    WORD_ROW("temperature_c", TEMPERATURE, .least = -100, .most = 100,
+    WORD_ROW("temperature_c", TEMPERATURE, .min = -100, .max = 100,
              .unit = "degrees C"),
-    WORD_ROW("salinity_psu", SALINITY, .most = 100, .unit = "psu"),
-    WORD_ROW("pressure_hpa", PRESSURE, .most = 1e5, .unit = "hPa"),
+    WORD_ROW("salinity_psu", SALINITY, .max = 100, .unit = "psu"),
+    WORD_ROW("pressure_hpa", PRESSURE, .max = 1e5, .unit = "hPa"),
     ROW("vdb", PATH, .group = 1, AT(murk_scene_medium, vdb)),
-    ROW("frame", COUNT, .variants = GRIDS, .most = 999999999,
+    ROW("frame", COUNT, .variants = GRIDS, .max = 999999999,
         AT(murk_scene_medium, frame), FLAG(murk_scene_medium, has_frame)),
     ROW("grid", TEXT, .variants = GRIDS, AT(murk_scene_medium, grid)),
     ROW("interpolation", WORD, .variants = GRIDS, .preset = "nearest",
         .words = INTERPOLATION_WORDS, AT(murk_scene_medium, is_linear)),
     ROW("profile", MAP, .group = 1, .variants = PLAIN, .keys = &PROFILE),
-    ROW("extinction_per_m", SPECTRUM, NEEDED, .most = 1e9, .unit = "1/m",
+    ROW("extinction_per_m", SPECTRUM, NEEDED, .max = 1e9, .unit = "1/m",
         .variants = BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID),
         AT(murk_scene_medium, extinction_per_m)),
-    ROW("extinction_per_m", SPECTRUM, .most = 1e9, .unit = "1/m",
+    ROW("extinction_per_m", SPECTRUM, .max = 1e9, .unit = "1/m",
         .variants = PRESETS, AT(murk_scene_medium, extinction_per_m)),
     ROW("albedo", SPECTRUM, NEEDED, SHARE, .keys = &ALBEDO, .variants = PLAIN,
         AT(murk_scene_medium, albedo)),
@@ -269,7 +269,7 @@ const murk_keys murk_medium_keys = {
     .check = check_medium,
     WHERE(murk_scene_medium, where),
     ITEMS(murk_scene_medium, media, n_media),
-    .most_items = 256,
+    .max_items = 256,
     .name_at = offsetof(murk_scene_medium, name),
     .key = MEDIUM_ROWS,
 };
@@ -366,16 +366,16 @@ static const murk_key REGION_ROWS[] = {
         AT(murk_scene_region, unit_m)),
     ROW("up", WORD, .variants = BIT(MURK_SCENE_IN_MESH), .words = murk_up_words,
         AT(murk_scene_region, up)),
-    ROW("scale", NUMBER, .above = true, .most = 1e9, MOVABLE, .preset = "1",
+    ROW("scale", NUMBER, .above = true, .max = 1e9, MOVABLE, .preset = "1",
         AT(murk_scene_region, scale)),
     ROW("rotate_deg", VECTOR, ANY_UNIT, MOVABLE, .unit = "degrees",
         .preset = "[0, 0, 0]", AT(murk_scene_region, rotate_deg)),
     ROW("translate_m", VECTOR, LONG_M, MOVABLE, .preset = "[0, 0, 0]",
         AT(murk_scene_region, translate_m)),
     ROW("replace", BOOL, .preset = "false", AT(murk_scene_region, replaces)),
-    ROW("ior", NUMBER, .least = 1, .most = 10, .variants = SHARP,
+    ROW("ior", NUMBER, .min = 1, .max = 10, .variants = SHARP,
         AT(murk_scene_region, ior)),
-    ROW("wind_m_per_s", NUMBER, .most = 20, .unit = "m/s",
+    ROW("wind_m_per_s", NUMBER, .max = 20, .unit = "m/s",
         .variants = BIT(MURK_SCENE_BELOW), AT(murk_scene_region, wind_m_per_s)),
     END,
 };
@@ -388,6 +388,6 @@ const murk_keys murk_region_keys = {
     VARIANT(murk_scene_region, shape),
     WHERE(murk_scene_region, where),
     ITEMS(murk_scene_region, regions, n_regions),
-    .most_items = 64,
+    .max_items = 64,
     .key = REGION_ROWS,
 };

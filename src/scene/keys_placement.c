@@ -4,7 +4,8 @@
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    const murk_scene_placement *placement = &((murk_scene *)item)->placement;
+    const murk_scene_placement *placement =
+        &((murk_scene_desc *)item)->placement;
     if (!(placement->weight_surface + placement->weight_volume > 0)) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "surface and volume are both 0, one must be "
@@ -14,10 +15,10 @@ static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
 }
 
 static const murk_key WEIGHTS_ROWS[] = {
-    ROW("surface", NUMBER, NEEDED, .most = 1e6,
-        AT(murk_scene, placement.weight_surface)),
-    ROW("volume", NUMBER, NEEDED, .most = 1e6,
-        AT(murk_scene, placement.weight_volume)),
+    ROW("surface", NUMBER, NEEDED, .max = 1e6,
+        AT(murk_scene_desc, placement.weight_surface)),
+    ROW("volume", NUMBER, NEEDED, .max = 1e6,
+        AT(murk_scene_desc, placement.weight_volume)),
     END,
 };
 
@@ -89,49 +90,50 @@ static const murk_word TARGETS_WORDS[] = {
 
 static const murk_key PLACEMENT_ROWS[] = {
     ROW("method", WORD, .preset = "best", .words = METHOD_WORDS,
-        AT(murk_scene, placement.method)),
+        AT(murk_scene_desc, placement.method)),
     ROW("detection", WORD, .preset = "weighted", .words = DETECTION_WORDS,
-        AT(murk_scene, placement.detection)),
-    ROW("threshold", NUMBER, .above = true, .most = 1, .preset = "0.05",
-        AT(murk_scene, placement.threshold)),
+        AT(murk_scene_desc, placement.detection)),
+    ROW("threshold", NUMBER, .above = true, .max = 1, .preset = "0.05",
+        AT(murk_scene_desc, placement.threshold)),
     ROW("power_radius_m", NUMBER, SIZE_M,
-        AT(murk_scene, placement.power_radius_m)),
-    ROW("power_neighbours", COUNT, .least = 12, .most = 128, .preset = "64",
-        AT(murk_scene, placement.power_neighbours)),
+        AT(murk_scene_desc, placement.power_radius_m)),
+    ROW("power_neighbours", COUNT, .min = 12, .max = 128, .preset = "64",
+        AT(murk_scene_desc, placement.power_neighbours)),
     ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
-        AT(murk_scene, placement.by_normal)),
+        AT(murk_scene_desc, placement.by_normal)),
     ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
-        AT(murk_scene, placement.through)),
+        AT(murk_scene_desc, placement.through)),
     ROW("knowledge", WORD, .preset = "known", .words = KNOWLEDGE_WORDS,
-        AT(murk_scene, placement.knowledge)),
-    ROW("start_m", VECTOR, LONG_M, AT(murk_scene, placement.start),
-        FLAG(murk_scene, placement.has_start)),
-    ROW("restarts", COUNT, .least = 1, .most = 1e6, .preset = "200",
-        AT(murk_scene, placement.restarts)),
-    ROW("redundancy", COUNT, .least = 1, .most = 16, .preset = "1",
-        AT(murk_scene, placement.redundancy)),
-    ROW("at_least", COUNT, .least = 1, .most = 16,
-        AT(murk_scene, placement.at_least)),
+        AT(murk_scene_desc, placement.knowledge)),
+    ROW("start_m", VECTOR, LONG_M, AT(murk_scene_desc, placement.start),
+        FLAG(murk_scene_desc, placement.has_start)),
+    ROW("restarts", COUNT, .min = 1, .max = 1e6, .preset = "200",
+        AT(murk_scene_desc, placement.restarts)),
+    ROW("redundancy", COUNT, .min = 1, .max = 16, .preset = "1",
+        AT(murk_scene_desc, placement.redundancy)),
+    ROW("at_least", COUNT, .min = 1, .max = 16,
+        AT(murk_scene_desc, placement.at_least)),
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
-        .words = WEIGHTS_WORDS, AT(murk_scene, placement.balanced)),
+        .words = WEIGHTS_WORDS, AT(murk_scene_desc, placement.balanced)),
     ROW("interest", LIST, .keys = &murk_interest_keys, .preset = "[]"),
-    ROW("elsewhere", NUMBER, .most = 1e6, .preset = "1",
-        AT(murk_scene, placement.elsewhere)),
+    ROW("elsewhere", NUMBER, .max = 1e6, .preset = "1",
+        AT(murk_scene_desc, placement.elsewhere)),
     ROW("targets", MAP, .keys = &murk_target_keys, .preset = "photons",
         .words = TARGETS_WORDS),
-    ROW("hold_out", BOOL, .preset = "true", AT(murk_scene, placement.hold_out)),
-    ROW("jitter_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
-        AT(murk_scene, placement.jitter_m)),
-    ROW("jitter_deg", NUMBER, .most = 180, .unit = "degrees", .preset = "0",
-        .factor = MURK_PI / 180, AT(murk_scene, placement.jitter_rad)),
-    ROW("jitter_draws", COUNT, .least = 2, .most = 1e6, .preset = "100",
-        AT(murk_scene, placement.jitter_draws)),
-    ROW("nodes", COUNT, .most = 1e15, .preset = "1000000",
-        AT(murk_scene, placement.nodes)),
+    ROW("hold_out", BOOL, .preset = "true",
+        AT(murk_scene_desc, placement.hold_out)),
+    ROW("jitter_m", NUMBER, .max = 1e9, .unit = "m", .preset = "0",
+        AT(murk_scene_desc, placement.jitter_m)),
+    ROW("jitter_deg", NUMBER, .max = 180, .unit = "degrees", .preset = "0",
+        .factor = MURK_PI / 180, AT(murk_scene_desc, placement.jitter_rad)),
+    ROW("jitter_draws", COUNT, .min = 2, .max = 1e6, .preset = "100",
+        AT(murk_scene_desc, placement.jitter_draws)),
+    ROW("nodes", COUNT, .max = 1e15, .preset = "1000000",
+        AT(murk_scene_desc, placement.nodes)),
     ROW("over", WORD, .preset = "null", .words = OVER_WORDS,
-        AT(murk_scene, placement.over)),
+        AT(murk_scene_desc, placement.over)),
     ROW("regret", WORD, .preset = "absolute", .words = REGRET_WORDS,
-        AT(murk_scene, placement.relative_regret)),
+        AT(murk_scene_desc, placement.relative_regret)),
     ROW("condition_weights", MAP, .keys = &murk_condition_weight_keys,
         .preset = "{}"),
     END,
@@ -160,12 +162,13 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
 static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {
-    const murk_scene_placement *placement = &((murk_scene *)item)->placement;
-    double most = placement->elsewhere;
+    const murk_scene_placement *placement =
+        &((murk_scene_desc *)item)->placement;
+    double max = placement->elsewhere;
     for (size_t i = 0; i < placement->n_interests; ++i) {
-        most = fmax(most, placement->interest[i].weight);
+        max = fmax(max, placement->interest[i].weight);
     }
-    if (!(most > 0)) {
+    if (!(max > 0)) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "elsewhere and the weights of interest are all "
                               "0, one must be more than 0");
@@ -185,6 +188,6 @@ static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
 const murk_keys murk_placement_keys = {
     .noun = "placement",
     .check = check_placement,
-    WHERE(murk_scene, placement.where),
+    WHERE(murk_scene_desc, placement.where),
     .key = PLACEMENT_ROWS,
 };

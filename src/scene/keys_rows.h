@@ -29,20 +29,20 @@
     .has_where = true, .where_at = offsetof(type, member)
 #define VARIANT(type, member) \
     .has_variant_at = true, .variant_at = offsetof(type, member)
-#define ITEMS(type, array, count)                                       \
-    .item_size = sizeof(type), .array_at = offsetof(murk_scene, array), \
-    .count_at = offsetof(murk_scene, count)
+#define ITEMS(type, array, count)                                            \
+    .item_size = sizeof(type), .array_at = offsetof(murk_scene_desc, array), \
+    .count_at = offsetof(murk_scene_desc, count)
 #define BIT(variant) (1u << (variant))
 
 /* Larger lengths, powers and so on are slips of the pen; within these, squares
  * and products stay finite in double, and lengths in float. */
-#define LONG_M    .least = -1e9, .most = 1e9, .unit = "m"
-#define SIZE_M    .above = true, .most = 1e9, .unit = "m"
-#define ANY_UNIT  .least = -1e9, .most = 1e9
-#define SHARE     .most = 1
-#define LATITUDE  .least = -90, .most = 90, .unit = "degrees"
-#define LONGITUDE .least = -180, .most = 360, .unit = "degrees"
-#define ALTITUDE  .least = -500, .most = 9000, .unit = "m"
+#define LONG_M    .min = -1e9, .max = 1e9, .unit = "m"
+#define SIZE_M    .above = true, .max = 1e9, .unit = "m"
+#define ANY_UNIT  .min = -1e9, .max = 1e9
+#define SHARE     .max = 1
+#define LATITUDE  .min = -90, .max = 90, .unit = "degrees"
+#define LONGITUDE .min = -180, .max = 360, .unit = "degrees"
+#define ALTITUDE  .min = -500, .max = 9000, .unit = "m"
 
 #define MURK_TIME_ALLOWED "a date and time, such as 2026-06-21T12:00:00Z"
 #define MURK_SCHEDULE_ALLOWED \
@@ -50,7 +50,7 @@
 
 /* One table per part of a scene; keys.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
-    murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys,
+    murk_region_keys, murk_lightmap_keys, murk_photon_keys, murk_tally_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
     murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys;

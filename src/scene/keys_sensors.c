@@ -11,8 +11,8 @@ static const char *const VIEW_VARIANTS[] = {"sphere", "cone", "frustum"};
 #define CONE    .variants = BIT(MURK_SCENE_VIEW_CONE)
 #define FRUSTUM .variants = BIT(MURK_SCENE_VIEW_FRUSTUM)
 
-#define FOV                                                               \
-    NEEDED, .above = true, .below = true, .most = 180, .unit = "degrees", \
+#define FOV                                                              \
+    NEEDED, .above = true, .below = true, .max = 180, .unit = "degrees", \
             .factor = MURK_PI / 180, FRUSTUM
 
 static const murk_word VIEW_WORDS[] = {
@@ -21,7 +21,7 @@ static const murk_word VIEW_WORDS[] = {
 };
 
 static const murk_key VIEW_ROWS[] = {
-    ROW("cone_deg", NUMBER, NEEDED, .above = true, .most = 360,
+    ROW("cone_deg", NUMBER, NEEDED, .above = true, .max = 360,
         .unit = "degrees", .factor = MURK_PI / 180, CONE,
         AT(murk_scene_sensor_type, cone_rad)),
     ROW("hfov_deg", NUMBER, FOV, AT(murk_scene_sensor_type, hfov_rad)),
@@ -62,7 +62,7 @@ static murk_status choose_type(murk_key_reader *walk, const murk_yaml *map,
 
 /* The band that a wavelength names: a line as it is given, or where edges
  * enclose it; -1: none. */
-static int find_band(const murk_scene *scene, double nm)
+static int find_band(const murk_scene_desc *scene, double nm)
 {
     for (int b = 0; b < scene->bands; ++b) {
         if (scene->has_edges ? nm >= scene->band_edge_nm[b] &&
@@ -101,11 +101,11 @@ static murk_status check_type(murk_key_reader *walk, const murk_yaml *map,
                               "least must be less",
                               type->least_range_m, type->range_m);
     }
-    if (type->least_count > type->max_count) {
+    if (type->min_count > type->max_count) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "least_count is %llu and max_count %llu, the "
                               "least must be at most the other",
-                              (unsigned long long)type->least_count,
+                              (unsigned long long)type->min_count,
                               (unsigned long long)type->max_count);
     }
     for (const murk_scene_sensor_type *other = all->type; other < type;
@@ -133,43 +133,43 @@ static const murk_word BANDS_WORDS[] = {
 
 #define HAS_VIEW .variants = BIT(DIRECTED)
 #define POWER    .above = true
-#define COUNT_OF .most = 1e6, .unit = "sensors"
+#define COUNT_OF .max = 1e6, .unit = "sensors"
 
 static const murk_key TYPE_ROWS[] = {
     ROW("name", TEXT, NEEDED, AT(murk_scene_sensor_type, name)),
     ROW("range_m", NUMBER, NEEDED, SIZE_M, AT(murk_scene_sensor_type, range_m)),
-    ROW("least_range_m", NUMBER, .most = 1e9, .unit = "m", .preset = "0",
+    ROW("least_range_m", NUMBER, .max = 1e9, .unit = "m", .preset = "0",
         AT(murk_scene_sensor_type, least_range_m)),
     ROW("view", MAP, .keys = &VIEW, .words = VIEW_WORDS, .preset = "sphere",
         AT(murk_scene_sensor_type, view)),
-    ROW("headings", COUNT, .group = 1, .least = 1, .most = 3600,
+    ROW("headings", COUNT, .group = 1, .min = 1, .max = 3600,
         .unit = "headings", .preset = "8", HAS_VIEW,
         AT(murk_scene_sensor_type, headings)),
-    ROW("headings_deg", NUMBER_LIST, .group = 1, .least = -360, .most = 360,
+    ROW("headings_deg", NUMBER_LIST, .group = 1, .min = -360, .max = 360,
         .unit = "degrees", HAS_VIEW, AT(murk_scene_sensor_type, headings_deg)),
-    ROW("tilts_deg", NUMBER_LIST, .least = -90, .most = 90, .unit = "degrees",
+    ROW("tilts_deg", NUMBER_LIST, .min = -90, .max = 90, .unit = "degrees",
         .preset = "[0]", HAS_VIEW, AT(murk_scene_sensor_type, tilts_deg)),
     ROW("arrival", WORD, .words = ARRIVAL_WORDS, .preset = "any",
         AT(murk_scene_sensor_type, toward)),
-    ROW("acceptance_deg", NUMBER, .most = 180, .unit = "degrees", .preset = "0",
+    ROW("acceptance_deg", NUMBER, .max = 180, .unit = "degrees", .preset = "0",
         .factor = MURK_PI / 180, AT(murk_scene_sensor_type, acceptance_rad)),
-    ROW("aperture_m2", NUMBER, POWER, .most = 1e9, .unit = "m2",
+    ROW("aperture_m2", NUMBER, POWER, .max = 1e9, .unit = "m2",
         .preset = "1e-4", AT(murk_scene_sensor_type, aperture_m2)),
-    ROW("quantum_efficiency", NUMBER, POWER, .most = 1, .preset = "0.5",
+    ROW("quantum_efficiency", NUMBER, POWER, .max = 1, .preset = "0.5",
         AT(murk_scene_sensor_type, quantum_efficiency)),
-    ROW("exposure_s", NUMBER, POWER, .most = 1e9, .unit = "s", .preset = "0.01",
+    ROW("exposure_s", NUMBER, POWER, .max = 1e9, .unit = "s", .preset = "0.01",
         AT(murk_scene_sensor_type, exposure_s)),
-    ROW("target_m2", NUMBER, POWER, .most = 1e9, .unit = "m2", .preset = "1e-4",
+    ROW("target_m2", NUMBER, POWER, .max = 1e9, .unit = "m2", .preset = "1e-4",
         AT(murk_scene_sensor_type, target_m2)),
-    ROW("target_m3", NUMBER, POWER, .most = 1e9, .unit = "m3", .preset = "1e-6",
+    ROW("target_m3", NUMBER, POWER, .max = 1e9, .unit = "m3", .preset = "1e-6",
         AT(murk_scene_sensor_type, target_m3)),
-    ROW("bands", NUMBER_LIST, .above = true, .most = 1e9, .unit = "nm",
+    ROW("bands", NUMBER_LIST, .above = true, .max = 1e9, .unit = "nm",
         .words = BANDS_WORDS, .preset = "all",
         AT(murk_scene_sensor_type, bands_nm)),
-    ROW("cost", NUMBER, .most = 1e6, .preset = "1",
+    ROW("cost", NUMBER, .max = 1e6, .preset = "1",
         AT(murk_scene_sensor_type, cost)),
     ROW("least_count", COUNT, COUNT_OF, .preset = "0",
-        AT(murk_scene_sensor_type, least_count)),
+        AT(murk_scene_sensor_type, min_count)),
     ROW("max_count", COUNT, COUNT_OF, .preset = "1000000",
         AT(murk_scene_sensor_type, max_count)),
     END,
@@ -182,7 +182,7 @@ static const murk_keys TYPE = {
     .check = check_type,
     WHERE(murk_scene_sensor_type, where),
     ITEMS(murk_scene_sensor_type, sensors.type, sensors.types),
-    .most_items = 64,
+    .max_items = 64,
     .needs_item = true,
     .key = TYPE_ROWS,
 };
@@ -224,9 +224,9 @@ static const murk_key FIXED_ROWS[] = {
     ROW("type", TEXT, AT(murk_scene_fixed_sensor, type_name)),
     ROW("position_m", VECTOR, NEEDED, LONG_M,
         AT(murk_scene_fixed_sensor, position)),
-    ROW("heading_deg", NUMBER, .least = -360, .most = 360, .unit = "degrees",
+    ROW("heading_deg", NUMBER, .min = -360, .max = 360, .unit = "degrees",
         .factor = MURK_PI / 180, AT(murk_scene_fixed_sensor, heading_rad)),
-    ROW("tilt_deg", NUMBER, .least = -90, .most = 90, .unit = "degrees",
+    ROW("tilt_deg", NUMBER, .min = -90, .max = 90, .unit = "degrees",
         .factor = MURK_PI / 180, AT(murk_scene_fixed_sensor, tilt_rad)),
     END,
 };
@@ -236,7 +236,7 @@ static const murk_keys FIXED = {
     .check = check_fixed,
     WHERE(murk_scene_fixed_sensor, where),
     ITEMS(murk_scene_fixed_sensor, sensors.fixed, sensors.n_fixed),
-    .most_items = 10000,
+    .max_items = 10000,
     .key = FIXED_ROWS,
 };
 
@@ -247,18 +247,18 @@ static const murk_key SENSORS_ROWS[] = {
     ROW("candidates", MAP, .keys = &murk_candidate_keys, .preset = "{}"),
     ROW("fixed", LIST, .keys = &FIXED, .preset = "[]"),
     ROW("one_per_site", BOOL, .preset = "false",
-        AT(murk_scene, sensors.one_per_site)),
-    ROW("count", COUNT, .group = 1, .least = 1, .most = 1e6, .unit = "sensors",
-        AT(murk_scene, sensors.count)),
-    ROW("target", NUMBER, .group = 1, .above = true, .most = 1,
-        AT(murk_scene, sensors.target)),
-    ROW("budget", NUMBER, .group = 1, .above = true, .most = 1e12,
-        AT(murk_scene, sensors.budget)),
+        AT(murk_scene_desc, sensors.one_per_site)),
+    ROW("count", COUNT, .group = 1, .min = 1, .max = 1e6, .unit = "sensors",
+        AT(murk_scene_desc, sensors.count)),
+    ROW("target", NUMBER, .group = 1, .above = true, .max = 1,
+        AT(murk_scene_desc, sensors.target)),
+    ROW("budget", NUMBER, .group = 1, .above = true, .max = 1e12,
+        AT(murk_scene_desc, sensors.budget)),
     END,
 };
 
 const murk_keys murk_sensor_keys = {
     .noun = "sensors",
-    WHERE(murk_scene, sensors.where),
+    WHERE(murk_scene_desc, sensors.where),
     .key = SENSORS_ROWS,
 };

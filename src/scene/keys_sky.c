@@ -47,7 +47,7 @@ murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
 static murk_status read_zone(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *item)
 {
-    murk_scene_site *site = &((murk_scene *)item)->site;
+    murk_scene_site *site = &((murk_scene_desc *)item)->site;
     if (!is_text(node) || !murk_zone_read(node->text, &site->zone_min)) {
         return murk_value_wrong(walk, key, node);
     }
@@ -59,7 +59,7 @@ static murk_status read_zone(murk_key_reader *walk, const murk_key *key,
 static murk_status read_date(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *item)
 {
-    murk_scene_site *site = &((murk_scene *)item)->site;
+    murk_scene_site *site = &((murk_scene_desc *)item)->site;
     if (!is_text(node) || !murk_date_read(node->text, &site->date)) {
         return murk_value_wrong(walk, key, node);
     }
@@ -71,7 +71,7 @@ static murk_status read_date(murk_key_reader *walk, const murk_key *key,
 static murk_status read_clock(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, void *item)
 {
-    murk_scene_site *site = &((murk_scene *)item)->site;
+    murk_scene_site *site = &((murk_scene_desc *)item)->site;
     if (!is_text(node) || !murk_clock_read(node->text, &site->clock_s)) {
         return murk_value_wrong(walk, key, node);
     }
@@ -83,13 +83,13 @@ static murk_status read_clock(murk_key_reader *walk, const murk_key *key,
 static murk_status read_site_time(murk_key_reader *walk, const murk_key *key,
                                   murk_yaml *node, void *item)
 {
-    return murk_read_time(walk, key, node, &((murk_scene *)item)->site);
+    return murk_read_time(walk, key, node, &((murk_scene_desc *)item)->site);
 }
 
 static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
                               void *item)
 {
-    murk_scene_site *site = &((murk_scene *)item)->site;
+    murk_scene_site *site = &((murk_scene_desc *)item)->site;
     if (!site->has_date && !site->has_clock) {
         return MURK_OK;
     }
@@ -115,16 +115,20 @@ static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
 /* What the others need comes first. A date or a clock takes the place of a
  * time, so that one of them may be set on the command line. */
 static const murk_key SITE_ROWS[] = {
-    ROW("latitude_deg", NUMBER, LATITUDE, AT(murk_scene, site.latitude_deg),
-        FLAG(murk_scene, site.has_latitude)),
-    ROW("longitude_deg", NUMBER, LONGITUDE, AT(murk_scene, site.longitude_deg),
-        FLAG(murk_scene, site.has_longitude)),
+    ROW("latitude_deg", NUMBER, LATITUDE,
+        AT(murk_scene_desc, site.latitude_deg),
+        FLAG(murk_scene_desc, site.has_latitude)),
+    ROW("longitude_deg", NUMBER, LONGITUDE,
+        AT(murk_scene_desc, site.longitude_deg),
+        FLAG(murk_scene_desc, site.has_longitude)),
     ROW("altitude_m", NUMBER, ALTITUDE, .preset = "0",
-        AT(murk_scene, site.altitude_m), FLAG(murk_scene, site.has_altitude)),
-    ROW("pressure_hpa", NUMBER, .least = 100, .most = 1200, .unit = "hPa",
-        AT(murk_scene, site.pressure_hpa), FLAG(murk_scene, site.has_pressure)),
-    ROW("temperature_c", NUMBER, .least = -90, .most = 60, .unit = "C",
-        .preset = "10", AT(murk_scene, site.temperature_c)),
+        AT(murk_scene_desc, site.altitude_m),
+        FLAG(murk_scene_desc, site.has_altitude)),
+    ROW("pressure_hpa", NUMBER, .min = 100, .max = 1200, .unit = "hPa",
+        AT(murk_scene_desc, site.pressure_hpa),
+        FLAG(murk_scene_desc, site.has_pressure)),
+    ROW("temperature_c", NUMBER, .min = -90, .max = 60, .unit = "C",
+        .preset = "10", AT(murk_scene_desc, site.temperature_c)),
     ROW("time_zone", OWN, .read = read_zone,
         .allowed = "an offset from UTC, such as +02:00 or Z"),
     ROW("time", OWN, .group = 1, .read = read_site_time,
@@ -139,7 +143,7 @@ static const murk_key SITE_ROWS[] = {
 const murk_keys murk_site_keys = {
     .noun = "site",
     .check = check_site,
-    WHERE(murk_scene, site.where),
+    WHERE(murk_scene_desc, site.where),
     .key = SITE_ROWS,
 };
 
@@ -224,7 +228,7 @@ const murk_keys murk_portal_keys = {
     .item_size = sizeof(murk_scene_portal),
     .array_at = offsetof(murk_scene_light, portal),
     .count_at = offsetof(murk_scene_light, portals),
-    .most_items = 256,
+    .max_items = 256,
     .key = PORTAL_ROWS,
 };
 

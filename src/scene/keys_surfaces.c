@@ -86,7 +86,7 @@ static const murk_key GEOMETRY_ROWS[] = {
         AT(murk_scene_geometry, allow)),
     ROW("up", WORD, .variants = BIT(MURK_SCENE_FILE), .words = murk_up_words,
         AT(murk_scene_geometry, up)),
-    ROW("scale", NUMBER, .above = true, .most = 1e9, .preset = "1",
+    ROW("scale", NUMBER, .above = true, .max = 1e9, .preset = "1",
         AT(murk_scene_geometry, scale)),
     ROW("rotate_deg", VECTOR, ANY_UNIT, .unit = "degrees",
         .preset = "[0, 0, 0]", AT(murk_scene_geometry, rotate_deg)),
@@ -104,7 +104,7 @@ const murk_keys murk_geometry_keys = {
     VARIANT(murk_scene_geometry, shape),
     WHERE(murk_scene_geometry, where),
     ITEMS(murk_scene_geometry, geometry, geometries),
-    .most_items = 10000,
+    .max_items = 10000,
     .key = GEOMETRY_ROWS,
 };
 
@@ -137,7 +137,7 @@ static const murk_key MATERIAL_ROWS[] = {
         AT(murk_scene_material, specular)),
     ROW("transmit", SPECTRUM, SHARE, .preset = "0",
         AT(murk_scene_material, transmit)),
-    ROW("ior", NUMBER, .least = 1, .most = 10, AT(murk_scene_material, ior)),
+    ROW("ior", NUMBER, .min = 1, .max = 10, AT(murk_scene_material, ior)),
     END,
 };
 
@@ -146,7 +146,7 @@ const murk_keys murk_material_keys = {
     .check = check_material,
     WHERE(murk_scene_material, where),
     ITEMS(murk_scene_material, materials, n_materials),
-    .most_items = 256,
+    .max_items = 256,
     .name_at = offsetof(murk_scene_material, name),
     .first = "default",
     .first_preset = "{diffuse: 0.5}",

@@ -1,11 +1,11 @@
 /* What plans are to see in place of photons. */
 #include "scene/keys_rows.h"
 
-#define OF(member) AT(murk_scene, placement.targets.member)
+#define OF(member) AT(murk_scene_desc, placement.targets.member)
 
 /* Drawn without a number given. */
 #define POINTS \
-    .least = 1, .most = 1e8, .unit = "points", .group = 1, .preset = "10000"
+    .min = 1, .max = 1e8, .unit = "points", .group = 1, .preset = "10000"
 
 static const murk_word MATERIALS_WORDS[] = {
     {"all", 0},
@@ -22,7 +22,7 @@ static const murk_key SURFACES_ROWS[] = {
 
 static const murk_keys SURFACES = {
     .noun = "surfaces",
-    WHERE(murk_scene, placement.targets.surfaces_where),
+    WHERE(murk_scene_desc, placement.targets.surfaces_where),
     .key = SURFACES_ROWS,
 };
 
@@ -32,7 +32,7 @@ static murk_status check_volume_box(murk_key_reader *walk, const murk_yaml *map,
                                     void *item)
 {
     return murk_check_box(walk, map,
-                          ((murk_scene *)item)->placement.targets.box);
+                          ((murk_scene_desc *)item)->placement.targets.box);
 }
 
 static const murk_key VOLUME_BOX_ROWS[] = {
@@ -66,7 +66,7 @@ static const murk_key VOLUME_ROWS[] = {
     ROW("mesh", PATH, .group = 2, OF(mesh)),
     ROW("unit_m", NUMBER, SIZE_M, MESH, OF(unit_m)),
     ROW("up", WORD, MESH, .words = murk_up_words, OF(up)),
-    ROW("scale", NUMBER, .above = true, .most = 1e9, MESH, .preset = "1",
+    ROW("scale", NUMBER, .above = true, .max = 1e9, MESH, .preset = "1",
         OF(scale)),
     ROW("rotate_deg", VECTOR, ANY_UNIT, MESH, .unit = "degrees",
         .preset = "[0, 0, 0]", OF(rotate_deg)),
@@ -82,8 +82,8 @@ static const murk_keys VOLUME = {
     .noun = "volume",
     .choose = murk_choose_zone,
     .variant_names = murk_zone_variants,
-    VARIANT(murk_scene, placement.targets.shape),
-    WHERE(murk_scene, placement.targets.volume_where),
+    VARIANT(murk_scene_desc, placement.targets.shape),
+    WHERE(murk_scene_desc, placement.targets.volume_where),
     .key = VOLUME_ROWS,
 };
 
@@ -92,8 +92,8 @@ static const murk_keys VOLUME = {
 static murk_status check_targets(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    murk_scene_targets *targets = &((murk_scene *)item)->placement.targets;
-    const murk_scene *scene = item;
+    murk_scene_targets *targets = &((murk_scene_desc *)item)->placement.targets;
+    const murk_scene_desc *scene = item;
     targets->given = true;
     const bool is_drawn = targets->has_surfaces || targets->has_volume;
     if (!is_drawn && !targets->points) {
@@ -123,11 +123,11 @@ static murk_status check_targets(murk_key_reader *walk, const murk_yaml *map,
 
 static const murk_key TARGET_ROWS[] = {
     ROW("surfaces", MAP, .keys = &SURFACES,
-        FLAG(murk_scene, placement.targets.has_surfaces)),
+        FLAG(murk_scene_desc, placement.targets.has_surfaces)),
     ROW("volume", MAP, .keys = &VOLUME,
-        FLAG(murk_scene, placement.targets.has_volume)),
+        FLAG(murk_scene_desc, placement.targets.has_volume)),
     ROW("points", PATH, OF(points)),
-    ROW("band_nm", NUMBER, .above = true, .most = 1e9, .unit = "nm",
+    ROW("band_nm", NUMBER, .above = true, .max = 1e9, .unit = "nm",
         OF(band_nm)),
     END,
 };
@@ -135,6 +135,6 @@ static const murk_key TARGET_ROWS[] = {
 const murk_keys murk_target_keys = {
     .noun = "targets",
     .check = check_targets,
-    WHERE(murk_scene, placement.targets.where),
+    WHERE(murk_scene_desc, placement.targets.where),
     .key = TARGET_ROWS,
 };

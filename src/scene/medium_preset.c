@@ -188,7 +188,7 @@ static void fill(murk_scene_medium *medium, const murk_yaml *map,
 murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium)
 {
-    const murk_scene *scene = walk->scene;
+    const murk_scene_desc *scene = walk->scene;
     const murk_preset_bands bands = {
         .n = scene->bands,
         .line_nm = scene->band_nm,
@@ -260,7 +260,7 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
     fputc('\n', out);
 }
 
-bool murk_medium_preset_sign(murk_scene *scene)
+bool murk_medium_preset_sign(murk_scene_desc *scene)
 {
     bool any = false;
     for (size_t i = 0; i < scene->n_media; ++i) {

@@ -14,6 +14,6 @@ murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
 
 /* Adds what presets came to in this scene to its light_key: a preset that says
  * something else another day is another light. False when out of memory. */
-bool murk_medium_preset_sign(murk_scene *scene);
+bool murk_medium_preset_sign(murk_scene_desc *scene);
 
 #endif

@@ -66,7 +66,7 @@ static murk_box with_region(murk_box box, const murk_scene_region *r)
                : box;
 }
 
-static murk_box stated(const murk_scene *s)
+static murk_box stated(const murk_scene_desc *s)
 {
     murk_box box = murk_box_empty();
     for (size_t i = 0; i < s->geometries; ++i) {
@@ -95,7 +95,7 @@ static murk_box stated(const murk_scene *s)
 
 /* A mesh that bounds a profile keeps both in one frame of its own, and
  * profiles are moved in z: such scenes are not moved in z. */
-static bool has_profile_in_mesh(const murk_scene *s)
+static bool has_profile_in_mesh(const murk_scene_desc *s)
 {
     bool has = false;
     for (size_t i = 0; i < s->n_regions; ++i) {
@@ -109,7 +109,7 @@ static bool has_profile_in_mesh(const murk_scene *s)
     return has;
 }
 
-static murk_vec3 choose(const murk_scene *s)
+static murk_vec3 choose(const murk_scene_desc *s)
 {
     const murk_vec3 none = {0, 0, 0};
     const murk_box box = s->has_domain ? s->domain.box : stated(s);
@@ -251,7 +251,7 @@ static void move_placement(murk_scene_placement *p, murk_vec3 origin)
     move(&p->targets.translate_m, origin);
 }
 
-static void move_lights(murk_scene *s, murk_vec3 origin)
+static void move_lights(murk_scene_desc *s, murk_vec3 origin)
 {
     for (size_t i = 0; i < s->n_lights; ++i) {
         murk_scene_light *l = &s->lights[i];
@@ -262,7 +262,7 @@ static void move_lights(murk_scene *s, murk_vec3 origin)
     }
 }
 
-static void move_scene(murk_scene *s, murk_vec3 origin)
+static void move_scene(murk_scene_desc *s, murk_vec3 origin)
 {
     s->origin = origin;
     move_box(&s->domain.box, origin);
@@ -292,7 +292,7 @@ static void move_scene(murk_scene *s, murk_vec3 origin)
     move_placement(&s->placement, origin);
 }
 
-void murk_origin_move(murk_scene *scene)
+void murk_origin_move(murk_scene_desc *scene)
 {
     const murk_vec3 origin = choose(scene);
     if (origin.x == 0 && origin.y == 0 && origin.z == 0) {

@@ -28,6 +28,6 @@
 
 /* Chooses the origin of a scene as read, and moves it and the scenes of its
  * conditions there. */
-void murk_origin_move(murk_scene *scene);
+void murk_origin_move(murk_scene_desc *scene);
 
 #endif

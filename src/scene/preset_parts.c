@@ -50,9 +50,8 @@ static murk_status read_law(const murk_preset_walk *walk, const murk_yaml *map,
         if (!value) {
             return murk_preset_fail(walk, map, "misses %s", parameter->name);
         }
-        const murk_status status =
-            murk_preset_number(walk, value, parameter->least, parameter->most,
-                               &part->parameter[n]);
+        const murk_status status = murk_preset_number(
+            walk, value, parameter->min, parameter->max, &part->parameter[n]);
         if (status) {
             return status;
         }

@@ -56,7 +56,7 @@ enum {
 
 static const struct {
     const char *name;
-    double least, most;
+    double min, max;
 } COLUMN[KNOWN_MAX] = {{"wavelength_nm", 1e-9, 1e9},
                        {"absorption_per_m", 0, 1e9},
                        {"scattering_per_m", 0, 1e9},
@@ -125,11 +125,11 @@ static murk_status check_columns(const murk_preset_walk *walk,
     }
     for (int c = 0; c < COLUMNS; ++c) {
         for (size_t i = 0; in->value[c] && i < in->n; ++i) {
-            if (!(in->value[c][i] >= COLUMN[c].least &&
-                  in->value[c][i] <= COLUMN[c].most)) {
+            if (!(in->value[c][i] >= COLUMN[c].min &&
+                  in->value[c][i] <= COLUMN[c].max)) {
                 return murk_preset_fail(
                     walk, node, "%s %.9g, must be %.6g..%.6g", COLUMN[c].name,
-                    in->value[c][i], COLUMN[c].least, COLUMN[c].most);
+                    in->value[c][i], COLUMN[c].min, COLUMN[c].max);
             }
         }
     }

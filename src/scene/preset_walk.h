@@ -24,7 +24,7 @@ murk_status murk_preset_check_keys(const murk_preset_walk *walk,
 
 /* A number in least..most. */
 murk_status murk_preset_number(const murk_preset_walk *walk,
-                               const murk_yaml *node, double least, double most,
+                               const murk_yaml *node, double min, double max,
                                double *out);
 
 /* A list of n numbers; one number is a list of 1. */

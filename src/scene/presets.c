@@ -53,14 +53,14 @@ murk_status murk_preset_check_keys(const murk_preset_walk *walk,
 }
 
 murk_status murk_preset_number(const murk_preset_walk *walk,
-                               const murk_yaml *node, double least, double most,
+                               const murk_yaml *node, double min, double max,
                                double *out)
 {
     double value;
     if (!node || !murk_yaml_number(node, &value) ||
-        !(value >= least && value <= most)) {
+        !(value >= min && value <= max)) {
         return murk_preset_fail(walk, node ? node : &(murk_yaml){.source = ""},
-                                "must be a number, %.6g..%.6g", least, most);
+                                "must be a number, %.6g..%.6g", min, max);
     }
     *out = value;
     return MURK_OK;
@@ -168,22 +168,22 @@ static murk_status read_word(const murk_preset_walk *walk, const char *name,
         return status;
     }
     const murk_yaml *preset = murk_yaml_get(map, "default");
-    const murk_yaml *least = murk_yaml_get(map, "least");
-    const murk_yaml *most = murk_yaml_get(map, "most");
-    if (!least || !most) {
+    const murk_yaml *min = murk_yaml_get(map, "least");
+    const murk_yaml *max = murk_yaml_get(map, "most");
+    if (!min || !max) {
         return murk_preset_fail(walk, map, "misses least, most");
     }
-    status = murk_preset_numbers(walk, least, n, word->least);
+    status = murk_preset_numbers(walk, min, n, word->min);
     if (!status) {
-        status = murk_preset_numbers(walk, most, n, word->most);
+        status = murk_preset_numbers(walk, max, n, word->max);
     }
     if (!status && preset) {
         status = murk_preset_numbers(walk, preset, n, word->preset);
     }
     for (size_t k = 0; k < n && !status; ++k) {
-        const bool is_within = !preset || (word->preset[k] >= word->least[k] &&
-                                           word->preset[k] <= word->most[k]);
-        if (!is_within || !(word->least[k] <= word->most[k])) {
+        const bool is_within = !preset || (word->preset[k] >= word->min[k] &&
+                                           word->preset[k] <= word->max[k]);
+        if (!is_within || !(word->min[k] <= word->max[k])) {
             status = murk_preset_fail(walk, map,
                                       "must rise: least, default, "
                                       "most");
@@ -206,7 +206,7 @@ static murk_status read_words(const murk_preset_walk *walk,
     }
     murk_preset_word *word = walk->preset->word;
     if (!status && word[MURK_WORD_VISIBILITY].is_known &&
-        !(word[MURK_WORD_VISIBILITY].least[0] > 0)) {
+        !(word[MURK_WORD_VISIBILITY].min[0] > 0)) {
         status = murk_preset_fail(walk, map, "a visibility of 0");
     }
     return status;

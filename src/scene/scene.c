@@ -138,7 +138,7 @@ static bool is_of_world(const char *key)
 /* The texts that need the tree. Paths are rewritten on the way: first as the
  * resolved scene has them, then as the keys do. */
 static murk_status print_resolved(const murk_key_reader *walk,
-                                  murk_scene *scene)
+                                  murk_scene_desc *scene)
 {
     scene->file = calloc(walk->n_paths + 1, sizeof *scene->file);
     if (!scene->file) {
@@ -173,7 +173,7 @@ static bool is_of_base(const char *key)
 }
 
 static murk_status print_whole_key(const murk_key_reader *walk,
-                                   const char *presets, murk_scene *scene)
+                                   const char *presets, murk_scene_desc *scene)
 {
     scene->whole_key = murk_print_file(walk->root, is_of_base);
     bool is_whole = scene->whole_key && append(&scene->whole_key, presets);
@@ -187,7 +187,8 @@ static murk_status print_whole_key(const murk_key_reader *walk,
     return is_whole ? MURK_OK : MURK_NO_MEMORY;
 }
 
-static murk_status print_keys(const murk_key_reader *walk, murk_scene *scene)
+static murk_status print_keys(const murk_key_reader *walk,
+                              murk_scene_desc *scene)
 {
     for (size_t i = 0; i < walk->n_paths; ++i) {
         if (drop_folder(walk->paths[i])) {
@@ -209,9 +210,9 @@ static murk_status print_keys(const murk_key_reader *walk, murk_scene *scene)
 
 /* ---- scenes ---- */
 
-static murk_scene *scene_make(const char *path, const char sha256[65])
+static murk_scene_desc *scene_make(const char *path, const char sha256[65])
 {
-    murk_scene *scene = calloc(1, sizeof *scene);
+    murk_scene_desc *scene = calloc(1, sizeof *scene);
     if (scene) {
         memcpy(scene->sha256, sha256, sizeof scene->sha256);
         scene->path = strdup(path);
@@ -226,7 +227,7 @@ static murk_scene *scene_make(const char *path, const char sha256[65])
 /* The scene of a condition, from the tree as it was given; what the condition
  * sets is rewritten as resolved in the walked tree `root`. */
 static murk_status read_condition(murk_scene_condition *condition,
-                                  const murk_scene *base, murk_yaml *root,
+                                  const murk_scene_desc *base, murk_yaml *root,
                                   const murk_yaml *given, murk_error *err)
 {
     murk_condition_values values = {0};
@@ -258,7 +259,8 @@ done:
 }
 
 /* Walks the tree, and that of each condition. */
-static murk_status read_tree(reading *r, murk_scene *scene, murk_error *err)
+static murk_status read_tree(reading *r, murk_scene_desc *scene,
+                             murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_yaml *given = NULL; /* with conditions: the tree before the walk */
@@ -310,11 +312,12 @@ static murk_status apply_variant(reading *r, const murk_variant *variant,
 }
 
 /* Of what has been read already; variant NULL: the scene itself. */
-static murk_status read_text(reading *r, murk_scene **out, const char *path,
-                             const murk_override *overrides, size_t n_overrides,
-                             const murk_variant *variant, murk_error *err)
+static murk_status read_text(reading *r, murk_scene_desc **out,
+                             const char *path, const murk_override *overrides,
+                             size_t n_overrides, const murk_variant *variant,
+                             murk_error *err)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     char sha256[65];
     murk_status status = murk_yaml_parse(&r->root, r->text, r->size, path, err);
     if (status ||
@@ -332,19 +335,18 @@ static murk_status read_text(reading *r, murk_scene **out, const char *path,
     *out = scene;
     scene = NULL;
 done:
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return status;
 }
 
-murk_status murk_scene_read_variant(murk_scene **out, const char *path,
-                                    const murk_override *overrides,
-                                    size_t n_overrides,
-                                    const murk_variant *variant,
-                                    murk_error *err)
+murk_status
+murk_scene_desc_read_variant(murk_scene_desc **out, const char *path,
+                             const murk_override *overrides, size_t n_overrides,
+                             const murk_variant *variant, murk_error *err)
 {
     reading r = {0};
     murk_status status =
-        murk_file_read(&r.text, &r.size, path, MURK_YAML_MOST_BYTES, err);
+        murk_file_read(&r.text, &r.size, path, MURK_YAML_MAX_BYTES, err);
     if (!status) {
         status = read_text(&r, out, path, overrides, n_overrides, variant, err);
     }
@@ -352,17 +354,18 @@ murk_status murk_scene_read_variant(murk_scene **out, const char *path,
     return status;
 }
 
-murk_status murk_scene_read(murk_scene **out, const char *path,
-                            const murk_override *overrides, size_t n_overrides,
-                            murk_error *err)
+murk_status murk_scene_desc_read(murk_scene_desc **out, const char *path,
+                                 const murk_override *overrides,
+                                 size_t n_overrides, murk_error *err)
 {
-    return murk_scene_read_variant(out, path, overrides, n_overrides, NULL,
-                                   err);
+    return murk_scene_desc_read_variant(out, path, overrides, n_overrides, NULL,
+                                        err);
 }
 
-murk_status murk_scene_parse(murk_scene **out, const char *text,
-                             const char *path, const murk_override *overrides,
-                             size_t n_overrides, murk_error *err)
+murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
+                                  const char *path,
+                                  const murk_override *overrides,
+                                  size_t n_overrides, murk_error *err)
 {
     reading r = {.text = strdup(text), .size = strlen(text)};
     const murk_status status =
@@ -393,7 +396,7 @@ static void release_candidates(murk_scene_candidates *candidates)
     free(candidates->within);
 }
 
-void murk_scene_destroy(murk_scene *scene)
+void murk_scene_desc_destroy(murk_scene_desc *scene)
 {
     if (!scene) {
         return;
@@ -420,7 +423,7 @@ void murk_scene_destroy(murk_scene *scene)
     }
     release_candidates(&scene->sensors.candidates);
     for (size_t i = 0; i < scene->n_conditions; ++i) {
-        murk_scene_destroy(scene->conditions[i].scene);
+        murk_scene_desc_destroy(scene->conditions[i].scene);
     }
     free(scene->conditions);
     for (size_t i = 0; i < scene->placement.n_interests; ++i) {

@@ -348,7 +348,7 @@ typedef struct murk_scene_sensor_type {
     murk_scene_numbers bands_nm; /* n 0: all */
     uint32_t bands;              /* the same by bits; 0: all */
     double cost;
-    uint64_t least_count, max_count;
+    uint64_t min_count, max_count;
 } murk_scene_sensor_type;
 
 typedef struct murk_scene_fixed_sensor {
@@ -482,16 +482,17 @@ typedef struct murk_scene_placement {
 
 #define MURK_SCENE_CONDITIONS_MAX 16
 
-typedef struct murk_scene murk_scene;
+typedef struct murk_scene_desc murk_scene_desc;
 
 typedef struct murk_scene_condition {
     murk_scene_name name; /* letters, digits, - and _; not mean,
                              worst, regret */
     murk_scene_where where;
-    double weight;     /* placement.condition_weights; 1 where none is given */
-    murk_scene *scene; /* the scene with its overrides, without conditions; its
-                          places read "yard.yaml:12:5: conditions.fog.media.a"
-                        */
+    double weight; /* placement.condition_weights; 1 where none is given */
+    murk_scene_desc
+        *scene; /* the scene with its overrides, without conditions; its
+              places read "yard.yaml:12:5: conditions.fog.media.a"
+            */
 } murk_scene_condition;
 
 /* A key that is given and does nothing. */
@@ -500,7 +501,7 @@ typedef struct murk_scene_idle {
     const char *text; /* why */
 } murk_scene_idle;
 
-struct murk_scene {
+struct murk_scene_desc {
     char *path;             /* as given */
     char sha256[65];        /* of the file's bytes */
     murk_scene_where where; /* for messages about the whole of it: of a
@@ -562,19 +563,19 @@ struct murk_scene {
 
 /* A place given from the local origin, in the coordinates of the scene file and
  * of all results; and back. */
-static inline murk_vec3 murk_scene_user(const murk_scene *scene,
+static inline murk_vec3 murk_scene_user(const murk_scene_desc *scene,
                                         murk_vec3 local)
 {
     return murk_add(local, scene->origin);
 }
 
-static inline murk_vec3 murk_scene_local(const murk_scene *scene,
+static inline murk_vec3 murk_scene_local(const murk_scene_desc *scene,
                                          murk_vec3 user)
 {
     return murk_sub(user, scene->origin);
 }
 
-static inline murk_box murk_scene_user_box(const murk_scene *scene,
+static inline murk_box murk_scene_user_box(const murk_scene_desc *scene,
                                            murk_box local)
 {
     return (murk_box){murk_scene_user(scene, local.min),
@@ -588,19 +589,20 @@ typedef struct murk_override {
                            "--set " and the text */
 } murk_override;
 
-/* *out is the caller's: murk_scene_destroy(). Overrides are applied in order
- * before anything is checked; their messages name the option. Of two keys that
- * exclude each other (photons.emit, photons.store) the one on the command line
- * replaces the scene's; both there are refused. Paths in the scene are
+/* *out is the caller's: murk_scene_desc_destroy(). Overrides are applied in
+ * order before anything is checked; their messages name the option. Of two keys
+ * that exclude each other (photons.emit, photons.store) the one on the command
+ * line replaces the scene's; both there are refused. Paths in the scene are
  * relative to it, those of overrides to the working folder. Files named in the
  * scene are not opened. */
-murk_status murk_scene_read(murk_scene **out, const char *path,
-                            const murk_override *overrides, size_t n_overrides,
-                            murk_error *err);
+murk_status murk_scene_desc_read(murk_scene_desc **out, const char *path,
+                                 const murk_override *overrides,
+                                 size_t n_overrides, murk_error *err);
 /* The same from text; `path` is its name in messages. */
-murk_status murk_scene_parse(murk_scene **out, const char *text,
-                             const char *path, const murk_override *overrides,
-                             size_t n_overrides, murk_error *err);
-void murk_scene_destroy(murk_scene *scene); /* NULL is fine */
+murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
+                                  const char *path,
+                                  const murk_override *overrides,
+                                  size_t n_overrides, murk_error *err);
+void murk_scene_desc_destroy(murk_scene_desc *scene); /* NULL is fine */
 
 #endif

@@ -232,9 +232,8 @@ static murk_status read_axis(murk_study_axis *axis, const char *name,
 /* Whether one path is, or lies within, the other. */
 static bool overlap(const char *a, const char *b)
 {
-    const size_t n = strlen(a), m = strlen(b), least = n < m ? n : m;
-    return strncmp(a, b, least) == 0 &&
-           (n == m || (n < m ? b : a)[least] == '.');
+    const size_t n = strlen(a), m = strlen(b), min = n < m ? n : m;
+    return strncmp(a, b, min) == 0 && (n == m || (n < m ? b : a)[min] == '.');
 }
 
 /* A path that an axis sets and which overlaps with `path`; NULL: none. */

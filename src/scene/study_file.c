@@ -210,7 +210,7 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
         return murk_study_no_memory(path, err);
     }
     murk_status status =
-        murk_file_read(&text, &size, path, MURK_YAML_MOST_BYTES, err);
+        murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, err);
     if (!status) {
         murk_sha256_hex(text, size, study->sha256);
         status = murk_yaml_parse(&study->root, text, size, study->path, err);
@@ -286,16 +286,17 @@ static void add_axis(murk_variant *variant, murk_key_change *change,
     }
 }
 
-murk_status murk_study_row_scene(murk_scene **out, const murk_study_file *study,
-                                 size_t row, const murk_override *overrides,
+murk_status murk_study_row_scene(murk_scene_desc **out,
+                                 const murk_study_file *study, size_t row,
+                                 const murk_override *overrides,
                                  size_t n_overrides, murk_error *err)
 {
-    size_t index[MURK_STUDY_AXES_MAX], most = 1;
+    size_t index[MURK_STUDY_AXES_MAX], max = 1;
     murk_study_row_indices(study, row, index);
     for (size_t a = 0; a < study->axes; ++a) {
-        most += 1 + study->axis[a].value[index[a]]->n;
+        max += 1 + study->axis[a].value[index[a]]->n;
     }
-    murk_key_change *change = calloc(most, sizeof *change);
+    murk_key_change *change = calloc(max, sizeof *change);
     if (!change) {
         return murk_study_no_memory(study->path, err);
     }
@@ -303,7 +304,7 @@ murk_status murk_study_row_scene(murk_scene **out, const murk_study_file *study,
     for (size_t a = 0; a < study->axes; ++a) {
         add_axis(&variant, change, &study->axis[a], index[a]);
     }
-    const murk_status status = murk_scene_read_variant(
+    const murk_status status = murk_scene_desc_read_variant(
         out, study->base, overrides, n_overrides, &variant, err);
     free(change);
     return status;

@@ -65,8 +65,9 @@ void murk_study_row_indices(const murk_study_file *study, size_t row,
                             size_t *index);
 
 /* The scene of one row. Overrides are the command line's. */
-murk_status murk_study_row_scene(murk_scene **out, const murk_study_file *study,
-                                 size_t row, const murk_override *overrides,
+murk_status murk_study_row_scene(murk_scene_desc **out,
+                                 const murk_study_file *study, size_t row,
+                                 const murk_override *overrides,
                                  size_t n_overrides, murk_error *err);
 
 #endif

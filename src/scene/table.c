@@ -12,10 +12,10 @@
 #include "scene/number.h"
 #include "scene/words.h"
 
-#define MOST_BYTES   256000000
-#define MOST_ROWS    10000000
-#define MOST_CELLS   20000000
-#define MOST_COLUMNS 1000
+#define MAX_BYTES   256000000
+#define MAX_ROWS    10000000
+#define MAX_CELLS   20000000
+#define MAX_COLUMNS 1000
 
 typedef struct cursor {
     const char *path;
@@ -138,7 +138,7 @@ static murk_status read_header(murk_table *table, cursor *at)
     bool is_last = false;
     table->header_line = line;
     while (!is_last) {
-        if (table->columns == MOST_COLUMNS) {
+        if (table->columns == MAX_COLUMNS) {
             return fail_at(at, line, "more than 1000 columns");
         }
         char **name = realloc(table->name, (table->columns + 1) * sizeof *name);
@@ -172,17 +172,17 @@ static murk_status grow(murk_table *table, size_t *room, const cursor *at)
     if (table->rows < *room) {
         return MURK_OK;
     }
-    if (table->rows == MOST_ROWS ||
-        (table->rows + 1) * table->columns > MOST_CELLS) {
+    if (table->rows == MAX_ROWS ||
+        (table->rows + 1) * table->columns > MAX_CELLS) {
         return fail_at(at, at->line,
                        "too large, must be at most 1e7 rows and 2e7 cells");
     }
     *room = *room ? 2 * *room : 64;
-    if (*room > MOST_CELLS / table->columns) {
-        *room = MOST_CELLS / table->columns;
+    if (*room > MAX_CELLS / table->columns) {
+        *room = MAX_CELLS / table->columns;
     }
-    if (*room > MOST_ROWS) {
-        *room = MOST_ROWS;
+    if (*room > MAX_ROWS) {
+        *room = MAX_ROWS;
     }
     char **cell = realloc(table->cell, *room * table->columns * sizeof *cell);
     if (cell) {
@@ -279,7 +279,7 @@ murk_status murk_table_read(murk_table **out, const char *path, murk_error *err)
     char *text = NULL;
     size_t size = 0;
     const murk_status status =
-        murk_file_read(&text, &size, path, MOST_BYTES, err);
+        murk_file_read(&text, &size, path, MAX_BYTES, err);
     return status ? status : murk_table_parse(out, path, text, size, err);
 }
 

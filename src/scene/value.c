@@ -22,11 +22,11 @@ murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
 
 static bool is_within(const murk_key *key, double value)
 {
-    if (key->least == 0 && key->most == 0) {
+    if (key->min == 0 && key->max == 0) {
         return true;
     }
-    return (key->above ? value > key->least : value >= key->least) &&
-           (key->below ? value < key->most : value <= key->most);
+    return (key->above ? value > key->min : value >= key->min) &&
+           (key->below ? value < key->max : value <= key->max);
 }
 
 static murk_status out_of_range(murk_key_reader *walk, const murk_key *key,
@@ -176,7 +176,7 @@ static murk_status read_bands(murk_key_reader *walk, const murk_key *key,
                                   out[i - 1]);
         }
     }
-    murk_scene *scene = walk->scene;
+    murk_scene_desc *scene = walk->scene;
     scene->has_edges = are_edges;
     scene->bands = (int)node->n - (are_edges ? 1 : 0);
     for (int i = 0; are_edges && i < scene->bands; ++i) {
@@ -289,7 +289,7 @@ static murk_status read_text(murk_key_reader *walk, const murk_key *key,
 {
     const bool is_text = node->kind == MURK_YAML_SCALAR &&
                          node->text[0] != '\0' && !murk_yaml_is_null(node);
-    if (!is_text || strlen(node->text) > murk_value_most_bytes(key)) {
+    if (!is_text || strlen(node->text) > murk_value_max_bytes(key)) {
         return murk_value_wrong(walk, key, node);
     }
     node->is_quoted = true; /* a text, also where it looks like a number */

@@ -41,7 +41,7 @@ void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE]);
 #define MURK_ALLOWED_SIZE 256
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE]);
 /* Of a text: 63 for names, more for those of files' parts. */
-size_t murk_value_most_bytes(const murk_key *key);
+size_t murk_value_max_bytes(const murk_key *key);
 /* Its range alone: "0..1". */
 void murk_value_range(const murk_key *key, char *out, size_t size);
 

@@ -46,20 +46,20 @@ static void show_bound(char out[MURK_NUMBER_SIZE], double bound)
 
 void murk_value_range(const murk_key *key, char *out, size_t size)
 {
-    char least[MURK_NUMBER_SIZE], most[MURK_NUMBER_SIZE];
-    show_bound(least, key->least);
-    show_bound(most, key->most);
+    char min[MURK_NUMBER_SIZE], max[MURK_NUMBER_SIZE];
+    show_bound(min, key->min);
+    show_bound(max, key->max);
     const char *gap = key->unit ? " " : "", *unit = key->unit ? key->unit : "";
     if (key->above && key->below) {
-        snprintf(out, size, "more than %s and less than %s%s%s", least, most,
-                 gap, unit);
-    } else if (key->above) {
-        snprintf(out, size, "more than %s and at most %s%s%s", least, most, gap,
+        snprintf(out, size, "more than %s and less than %s%s%s", min, max, gap,
                  unit);
-    } else if (key->least < key->most) {
-        snprintf(out, size, "%s..%s%s%s", least, most, gap, unit);
+    } else if (key->above) {
+        snprintf(out, size, "more than %s and at most %s%s%s", min, max, gap,
+                 unit);
+    } else if (key->min < key->max) {
+        snprintf(out, size, "%s..%s%s%s", min, max, gap, unit);
     } else {
-        snprintf(out, size, "%s%s%s", least, gap, unit);
+        snprintf(out, size, "%s%s%s", min, gap, unit);
     }
 }
 
@@ -92,7 +92,7 @@ static void show_items(const murk_key *items, char *out, size_t size)
     }
 }
 
-size_t murk_value_most_bytes(const murk_key *key)
+size_t murk_value_max_bytes(const murk_key *key)
 {
     return (key->size == sizeof(murk_scene_name) ? MURK_SCENE_NAME_SIZE
                                                  : MURK_SCENE_LONG_NAME_SIZE) -
@@ -158,7 +158,7 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
         break;
     case MURK_KEY_TEXT:
         snprintf(out, size, "a text of 1..%zu bytes",
-                 murk_value_most_bytes(key));
+                 murk_value_max_bytes(key));
         break;
     case MURK_KEY_PATH:
         snprintf(out, size, "the name of a file");

@@ -20,13 +20,12 @@ typedef struct murk_variant {
     size_t n;
 } murk_variant;
 
-/* As murk_scene_read(), of a variant: overrides come first, then the condition,
- * then the changes. Files that changes name lie beside the file that the value
- * is from. With variant NULL it is the scene itself. */
-murk_status murk_scene_read_variant(murk_scene **out, const char *path,
-                                    const murk_override *overrides,
-                                    size_t n_overrides,
-                                    const murk_variant *variant,
-                                    murk_error *err);
+/* As murk_scene_desc_read(), of a variant: overrides come first, then the
+ * condition, then the changes. Files that changes name lie beside the file that
+ * the value is from. With variant NULL it is the scene itself. */
+murk_status
+murk_scene_desc_read_variant(murk_scene_desc **out, const char *path,
+                             const murk_override *overrides, size_t n_overrides,
+                             const murk_variant *variant, murk_error *err);
 
 #endif

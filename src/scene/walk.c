@@ -249,10 +249,10 @@ static murk_status check_number_of_items(murk_key_reader *walk,
                               "an empty list, must have at least one %s",
                               keys->noun);
     }
-    if (node->n > keys->most_items) {
+    if (node->n > keys->max_items) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
                               "%zu items (%s), must be at most %zu", node->n,
-                              keys->noun, keys->most_items);
+                              keys->noun, keys->max_items);
     }
     return MURK_OK;
 }

@@ -9,7 +9,7 @@
 #define MURK_WALK_KEY_SIZE 160
 
 struct murk_key_reader {
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_yaml *root;
     murk_error *err;
     char key[MURK_WALK_KEY_SIZE]; /* where it is: "lights.0.power_w" */

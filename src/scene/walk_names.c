@@ -5,7 +5,7 @@
 
 #include "scene/words.h"
 
-#define MOST_KEYS 64 /* rows of one table */
+#define MAX_KEYS 64 /* rows of one table */
 
 bool murk_walk_fits(const murk_key *key, int variant)
 {
@@ -25,7 +25,7 @@ const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
 
 /* The names that may stand in a map, each once. */
 static size_t list_names(const murk_keys *keys, int variant,
-                         const char *names[MOST_KEYS])
+                         const char *names[MAX_KEYS])
 {
     size_t n = 0;
     for (const murk_key *key = keys->key; key->name; ++key) {
@@ -33,7 +33,7 @@ static size_t list_names(const murk_keys *keys, int variant,
         for (size_t i = 0; i < n; ++i) {
             is_new = is_new && strcmp(names[i], key->name) != 0;
         }
-        if (is_new && n < MOST_KEYS) {
+        if (is_new && n < MAX_KEYS) {
             names[n++] = key->name;
         }
     }
@@ -61,7 +61,7 @@ static murk_status check_name(murk_key_reader *walk, const murk_keys *keys,
     if (key) {
         return MURK_OK;
     }
-    const char *names[MOST_KEYS];
+    const char *names[MAX_KEYS];
     const char *meant =
         murk_words_meant(name, names, list_names(keys, -1, names));
     if (meant) {
@@ -109,7 +109,7 @@ murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
             given = other;
         }
         if (!given && key->required) {
-            const char *names[MOST_KEYS];
+            const char *names[MAX_KEYS];
             size_t n = 0;
             for (const murk_key *other = key; other->name; ++other) {
                 if (other->group == key->group) {
@@ -133,7 +133,7 @@ murk_status murk_walk_check_variant(murk_key_reader *walk,
             continue;
         }
         char what[120];
-        const char *names[MOST_KEYS];
+        const char *names[MAX_KEYS];
         const size_t n = list_names(keys, variant, names);
         snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
                  keys->variant_names[variant]);

@@ -8,22 +8,22 @@
 #include <stdbool.h>
 #include <string.h>
 
-#define ROW_LENGTH (MOST_LETTERS + 1)
+#define ROW_LENGTH (MAX_LETTERS + 1)
 
-#define LONGER_SIZE (SHOWN_MOST + ESCAPE_MOST)
+#define LONGER_SIZE (SHOWN_MAX + ESCAPE_MAX)
 
-#define MOST_LETTERS 64 /* longer words are not compared */
+#define MAX_LETTERS 64 /* longer words are not compared */
 
-#define SHOWN_MOST  512 /* bytes of a copy */
-#define ESCAPE_MOST 16  /* bytes of one character, escaped */
+#define SHOWN_MAX  512 /* bytes of a copy */
+#define ESCAPE_MAX 16  /* bytes of one character, escaped */
 
 void murk_words_show(char *out, size_t size, const char *text)
 {
     static const char cut[] = "...";
     char longer[LONGER_SIZE];
-    assert(out != text && size >= sizeof cut && size <= SHOWN_MOST);
+    assert(out != text && size >= sizeof cut && size <= SHOWN_MAX);
     /* one more character than fits: the text is longer than the copy */
-    const size_t whole = murk_utf8_escape(longer, size + ESCAPE_MOST, text);
+    const size_t whole = murk_utf8_escape(longer, size + ESCAPE_MAX, text);
     if (whole < size) {
         memcpy(out, longer, whole + 1);
         return;
@@ -32,7 +32,7 @@ void murk_words_show(char *out, size_t size, const char *text)
     memcpy(out + length, cut, sizeof cut);
 }
 
-static size_t least(size_t a, size_t b)
+static size_t min(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
@@ -50,10 +50,10 @@ static size_t distance(const char *a, size_t n, const char *b, size_t m)
         row[0] = i;
         for (size_t j = 1; j <= m; ++j) {
             const size_t change = above[j - 1] + (a[i - 1] != b[j - 1]);
-            row[j] = least(change, least(above[j], row[j - 1]) + 1);
+            row[j] = min(change, min(above[j], row[j - 1]) + 1);
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] &&
                 a[i - 2] == b[j - 1]) {
-                row[j] = least(row[j], before[j - 2] + 1);
+                row[j] = min(row[j], before[j - 2] + 1);
             }
         }
         size_t *const free_row = before;
@@ -70,12 +70,12 @@ const char *murk_words_meant(const char *word, const char *const *known,
     const size_t length = strlen(word);
     const char *meant = NULL;
     size_t nearest = (length < 3 ? 1 : length / 3) + 1; /* one too far */
-    if (length == 0 || length > MOST_LETTERS) {
+    if (length == 0 || length > MAX_LETTERS) {
         return NULL;
     }
     for (size_t i = 0; i < n; ++i) {
         const size_t other = known[i] ? strlen(known[i]) : 0;
-        if (other == 0 || other > MOST_LETTERS) {
+        if (other == 0 || other > MAX_LETTERS) {
             continue;
         }
         const size_t d = distance(word, length, known[i], other);

@@ -13,11 +13,11 @@
 #include "scene/words.h"
 #include "scene/yaml_check.h"
 
-#define MOST_DEPTH   64
-#define MOST_NODES   1000000
-#define MOST_TEXT    (2 * MURK_YAML_MOST_BYTES)
-#define MOST_ANCHORS 1000
-#define PLACE_SIZE   256
+#define MAX_DEPTH   64
+#define MAX_NODES   1000000
+#define MAX_TEXT    (2 * MURK_YAML_MAX_BYTES)
+#define MAX_ANCHORS 1000
+#define PLACE_SIZE  256
 
 typedef struct anchor {
     char *name;
@@ -28,7 +28,7 @@ typedef struct reader {
     yaml_parser_t parser;
     const char *source;
     size_t nodes, text_bytes;
-    anchor anchors[MOST_ANCHORS];
+    anchor anchors[MAX_ANCHORS];
     size_t n_anchors;
     murk_error *err;
     murk_status status;
@@ -71,13 +71,13 @@ static bool next_event(reader *r, yaml_event_t *event)
 static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
                             const char *text, size_t length)
 {
-    if (++r->nodes > MOST_NODES) {
+    if (++r->nodes > MAX_NODES) {
         return fail_at(r, mark, MURK_BAD_FILE,
                        "too large, must be at most 1e6 nodes with all aliases "
                        "written out");
     }
     r->text_bytes += length;
-    if (r->text_bytes > MOST_TEXT) {
+    if (r->text_bytes > MAX_TEXT) {
         return fail_at(r, mark, MURK_BAD_FILE,
                        "too large, must be at most 32 MB with all aliases "
                        "written out");
@@ -104,7 +104,7 @@ static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
 
 static bool is_in_depth(reader *r, yaml_mark_t mark, int depth)
 {
-    if (depth > MOST_DEPTH) {
+    if (depth > MAX_DEPTH) {
         fail_at(r, mark, MURK_BAD_FILE,
                 "nested too deep, must be at most 64 levels");
         return false;
@@ -176,7 +176,7 @@ static size_t add_anchor(reader *r, const yaml_char_t *name, yaml_mark_t mark)
     if (!name) {
         return SIZE_MAX;
     }
-    if (r->n_anchors == MOST_ANCHORS) {
+    if (r->n_anchors == MAX_ANCHORS) {
         fail_at(r, mark, MURK_BAD_FILE, "more than 1000 anchors");
         return SIZE_MAX;
     }
@@ -395,7 +395,7 @@ static murk_yaml *read_document(reader *r)
 murk_status murk_yaml_parse(murk_yaml **out, const char *text, size_t size,
                             const char *source, murk_error *err)
 {
-    if (size > MURK_YAML_MOST_BYTES) {
+    if (size > MURK_YAML_MAX_BYTES) {
         return murk_fail(err, MURK_BAD_FILE, source,
                          "%.4g MB, must be at most 16 MB", (double)size / 1e6);
     }
@@ -434,7 +434,7 @@ murk_status murk_yaml_read(murk_yaml **out, const char *path, murk_error *err)
     char *text = NULL;
     size_t size = 0;
     murk_status status =
-        murk_file_read(&text, &size, path, MURK_YAML_MOST_BYTES, err);
+        murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, err);
     if (!status) {
         status = murk_yaml_parse(out, text, size, path, err);
     }

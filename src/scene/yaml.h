@@ -14,7 +14,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MURK_YAML_MOST_BYTES 16000000
+#define MURK_YAML_MAX_BYTES 16000000
 
 typedef enum murk_yaml_kind {
     MURK_YAML_SCALAR,

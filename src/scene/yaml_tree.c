@@ -8,11 +8,11 @@
 #include "scene/number.h"
 #include "scene/words.h"
 
-#define SHOWN_SIZE (MOST_SOURCE + 32)
+#define SHOWN_SIZE (MAX_SOURCE + 32)
 
-#define NAME_SIZE (MOST_SOURCE + 4)
+#define NAME_SIZE (MAX_SOURCE + 4)
 
-#define MOST_SOURCE 120 /* bytes of a name shown in a message */
+#define MAX_SOURCE 120 /* bytes of a name shown in a message */
 
 static bool is_option(const char *source)
 {
@@ -24,12 +24,12 @@ void murk_yaml_show_place(const char *source, int line, int column, char *out,
 {
     char name[NAME_SIZE], shown[SHOWN_SIZE];
     const size_t length = strlen(source);
-    if (length <= MOST_SOURCE) {
+    if (length <= MAX_SOURCE) {
         snprintf(name, sizeof name, "%s", source);
     } else if (is_option(source)) {
-        snprintf(name, sizeof name, "%.*s...", MOST_SOURCE - 3, source);
+        snprintf(name, sizeof name, "%.*s...", MAX_SOURCE - 3, source);
     } else { /* the end of a path says more than its beginning */
-        snprintf(name, sizeof name, "...%s", source + length - MOST_SOURCE + 3);
+        snprintf(name, sizeof name, "...%s", source + length - MAX_SOURCE + 3);
     }
     murk_words_show(shown, sizeof shown, name);
     if (line == 0 || is_option(source)) {

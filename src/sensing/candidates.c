@@ -1,7 +1,7 @@
 #include "sensing/candidates.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/position.h"
 #include "sensing/listed.h"
 #include "sensing/reach.h"
@@ -13,7 +13,7 @@
 
 /* Nobody mounts a sensor nearer to a surface than this: precision finer than it
  * is not why a candidate is lost. */
-#define LEAST_STEP_M 1e-3
+#define MIN_STEP_M 1e-3
 
 #define POINTS_MAX   ((double)MURK_CANDIDATES_MAX)
 #define BATCH_POINTS 4096
@@ -29,11 +29,11 @@ static double coordinate(double min, double max, size_t i, size_t n)
 murk_candidate_grid murk_candidate_grid_over(const murk_box *box, size_t points)
 {
     const murk_vec3 extent = murk_sub(box->max, box->min);
-    const double most = (double)points;
-    const double step = cbrt(extent.x * extent.y * extent.z / most);
-    const double n[3] = {fmin(fmax(1, round(extent.x / step)), most),
-                         fmin(fmax(1, round(extent.y / step)), most),
-                         fmin(fmax(1, round(extent.z / step)), most)};
+    const double maximum = (double)points;
+    const double step = cbrt(extent.x * extent.y * extent.z / maximum);
+    const double n[3] = {fmin(fmax(1, round(extent.x / step)), maximum),
+                         fmin(fmax(1, round(extent.y / step)), maximum),
+                         fmin(fmax(1, round(extent.z / step)), maximum)};
     const murk_vec3 half = {extent.x / n[0] / 2, extent.y / n[1] / 2,
                             extent.z / n[2] / 2};
     return (murk_candidate_grid){
@@ -121,13 +121,13 @@ static murk_status check_listed(const murk_candidate_desc *desc,
                              murk_position_show(p).text);
         }
     }
-    const double least_m = 2 * murk_hair(surfaces, domain);
+    const double min_m = 2 * murk_sight_tolerance_m(surfaces, domain);
     for (size_t i = 0; i < desc->mounts; ++i) {
-        if (!(desc->mount[i].offset_m > least_m)) {
+        if (!(desc->mount[i].offset_m > min_m)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "offset_m is %g m, must be more than %.3g m: less "
                              "is lost in rounding",
-                             desc->mount[i].offset_m, least_m);
+                             desc->mount[i].offset_m, min_m);
         }
     }
     return MURK_OK;
@@ -220,7 +220,7 @@ static murk_status ask(asking *a, const murk_surfaces *surfaces,
     if (status) {
         return status;
     }
-    murk_crew_run(threads, (a->grid + BATCH_POINTS - 1) / BATCH_POINTS,
+    murk_pool_run(threads, (a->grid + BATCH_POINTS - 1) / BATCH_POINTS,
                   judge_grid, a);
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -270,7 +270,7 @@ static murk_status refuse_none(const murk_candidates *c, double clearance_m,
     const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
     const double step_m = murk_length(murk_surfaces_leave(surfaces, zero, up));
     char more[96] = "";
-    if (c->too_close > 0 && step_m > fmax(clearance_m, LEAST_STEP_M)) {
+    if (c->too_close > 0 && step_m > fmax(clearance_m, MIN_STEP_M)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "none of the %zu candidates is usable: at the size "
                          "of the coordinates surfaces are known to %.3g m "

@@ -66,8 +66,8 @@ typedef struct murk_reach {
 typedef struct murk_candidate_mount {
     const murk_foot *foot; /* [feet] */
     size_t feet;
-    double offset_m;          /* along the normal, > 0 */
-    double least_up, most_up; /* of normal.z: -1 and 1 take all */
+    double offset_m;       /* along the normal, > 0 */
+    double min_up, max_up; /* of normal.z: -1 and 1 take all */
 } murk_candidate_mount;
 
 /* What is asked for. */

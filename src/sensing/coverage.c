@@ -8,8 +8,8 @@
  * = N / (N - 1) sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
 #include "sensing/sight.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/position.h"
 #include "sensing/region_coverage.h"
 #include "sensing/views.h"
@@ -102,7 +102,7 @@ static murk_status look_all(measure *m, murk_error *err)
     for (m->first = 0; m->first < m->sensors; m->first += room) {
         const size_t left = m->sensors - m->first;
         const size_t n = left < room ? left : room;
-        murk_crew_run_workers(threads, n, look_from, m);
+        murk_pool_run_workers(threads, n, look_from, m);
         bool has_failed = false;
         for (size_t i = 0; i < n; ++i) {
             has_failed = has_failed || m->block[i].has_failed;
@@ -178,7 +178,7 @@ static double own_fraction(const share *s)
     return s->whole_w > 0 ? s->seen_w / s->whole_w : NAN;
 }
 
-static void fill(murk_coverage *out, const measure *m, uint64_t whole)
+static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
 {
     uint64_t seen = 0;
     for (size_t i = 0; i < m->photons; ++i) {
@@ -277,7 +277,7 @@ static double error_of(double squares, double whole, double emitted)
 
 /* The share that the sight's at_least sensors see, as seen_by_at_least counts
  * it, with the error of a coverage that counts so. */
-static void find_at_least(murk_coverage *out, const measure *m,
+static void find_at_least(murk_coverage_result *out, const measure *m,
                           const uint64_t *sorted)
 {
     const murk_sight_desc *desc = murk_sight_described(m->sight);
@@ -304,7 +304,7 @@ static double seen_of(const void *context, size_t i)
     return (double)murk_views_worth(&m->views, i) / full_of(m);
 }
 
-static murk_status find_errors(murk_coverage *out, const measure *m,
+static murk_status find_errors(murk_coverage_result *out, const measure *m,
                                const share part[2], murk_error *err)
 {
     const murk_sight_desc *desc = murk_sight_described(m->sight);
@@ -373,7 +373,8 @@ static murk_status check(const murk_sight_desc *desc, const murk_pose *pose,
     return MURK_OK;
 }
 
-static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
+static murk_status set_aside(measure *m, murk_coverage_result *out,
+                             murk_error *err)
 {
     const size_t n = m->sensors;
     const size_t room =
@@ -401,9 +402,10 @@ static murk_status set_aside(measure *m, murk_coverage *out, murk_error *err)
                      m->photons);
 }
 
-murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
-                                  const murk_pose *pose, size_t n,
-                                  murk_error *err)
+murk_status murk_coverage_result_measure(murk_coverage_result *out,
+                                         murk_sight *sight,
+                                         const murk_pose *pose, size_t n,
+                                         murk_error *err)
 {
     const murk_sight_desc *desc = murk_sight_described(sight);
     measure m = {.sight = sight,
@@ -412,7 +414,7 @@ murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
                  .photons = murk_sight_photons(sight),
                  .surface_photons = murk_photon_map_count(desc->surface_map),
                  .weight = murk_sight_weights(sight)};
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_status status = check(desc, pose, n, err);
     if (status) {
         goto done;
@@ -440,9 +442,9 @@ murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
         goto done;
     }
     *out = coverage;
-    coverage = (murk_coverage){0};
+    coverage = (murk_coverage_result){0};
 done:
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     release_block(m.block, (size_t)LOOKS_EACH * desc->threads);
     murk_views_release(&m.views);
     free(m.block);
@@ -452,11 +454,11 @@ done:
     return status;
 }
 
-void murk_coverage_release(murk_coverage *coverage)
+void murk_coverage_result_release(murk_coverage_result *coverage)
 {
     free(coverage->covers);
     free(coverage->only_it_covers);
     free(coverage->seen_by_at_least);
     free(coverage->region);
-    *coverage = (murk_coverage){0};
+    *coverage = (murk_coverage_result){0};
 }

@@ -37,7 +37,7 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
     }
     for (size_t m = 0; m < count; ++m) {
         const murk_passages passages = murk_passages_from(
-            media[m], desc->hulls, &desc->domain, pose->position);
+            media[m], desc->boundary_meshes, &desc->domain, pose->position);
         for (size_t i = 0; i < n; ++i) {
             const murk_photon *p = murk_sight_photon(sight, photon[i]);
             depth[i * count + m] = murk_passage_depth(

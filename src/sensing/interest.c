@@ -1,6 +1,6 @@
 #include "sensing/interest.h"
 
-#include "base/crew.h"
+#include "base/pool.h"
 
 #define BATCH_PHOTONS 4096
 
@@ -22,22 +22,26 @@ static bool box_holds(const murk_box *box, murk_vec3 p, double slack_m)
     return murk_box_contains(&wide, p);
 }
 
-/* Whose hulls hold the photon. One on a surface is asked for on both sides of
- * it, since the hull may be that very surface. */
-static uint64_t hulls_around(const murk_interest *interest,
-                             const murk_photon *photon, double slack_m)
+/* Whose boundary meshes hold the photon. One on a surface is asked for on both
+ * sides of it, since the boundary mesh may be that very surface. */
+static uint64_t boundary_meshes_around(const murk_interest *interest,
+                                       const murk_photon *photon,
+                                       double slack_m)
 {
     const murk_vec3 p = murk_photon_place(photon);
-    if (!interest->hulls) {
+    if (!interest->boundary_meshes) {
         return 0;
     }
     if (murk_photon_is_volume(photon)) {
-        return murk_hulls_at(interest->hulls, p);
+        return murk_boundary_meshes_at(interest->boundary_meshes, p);
     }
     const murk_vec3 normal = murk_direction_unpack(photon->normal);
-    const double off = slack_m + murk_hulls_tolerance_m(interest->hulls);
-    return murk_hulls_at(interest->hulls, murk_along(p, off, normal)) |
-           murk_hulls_at(interest->hulls, murk_along(p, -off, normal));
+    const double off =
+        slack_m + murk_boundary_meshes_tolerance_m(interest->boundary_meshes);
+    return murk_boundary_meshes_at(interest->boundary_meshes,
+                                   murk_along(p, off, normal)) |
+           murk_boundary_meshes_at(interest->boundary_meshes,
+                                   murk_along(p, -off, normal));
 }
 
 uint64_t murk_interest_at(const murk_interest *interest,
@@ -45,7 +49,8 @@ uint64_t murk_interest_at(const murk_interest *interest,
 {
     const murk_vec3 p = murk_photon_place(photon);
     const double slack = murk_photon_is_volume(photon) ? 0 : slack_m;
-    const uint64_t hulls = hulls_around(interest, photon, slack_m);
+    const uint64_t boundary_meshes =
+        boundary_meshes_around(interest, photon, slack_m);
     uint64_t regions = 0;
     for (size_t i = 0; i < interest->n; ++i) {
         const murk_interest_region *r = &interest->region[i];
@@ -61,7 +66,7 @@ uint64_t murk_interest_at(const murk_interest *interest,
                     murk_length(murk_sub(p, r->center)) <= r->radius_m + slack;
             break;
         case MURK_INTEREST_MESH:
-            is_in = is_in && (hulls >> i & 1);
+            is_in = is_in && (boundary_meshes >> i & 1);
             break;
         }
         regions |= (uint64_t)is_in << i;
@@ -95,7 +100,7 @@ void murk_interest_members(uint64_t *member, const murk_interest *interest,
               .photon = murk_photon_map_photons(map),
               .n = murk_photon_map_count(map),
               .slack_m = slack_m};
-    murk_crew_run(threads, (w.n + BATCH_PHOTONS - 1) / BATCH_PHOTONS,
+    murk_pool_run(threads, (w.n + BATCH_PHOTONS - 1) / BATCH_PHOTONS,
                   find_members, &w);
 }
 

@@ -12,7 +12,7 @@
 #define MURK_SENSING_INTEREST_H
 
 #include "base/vector.h"
-#include "geometry/hulls.h"
+#include "geometry/boundary_meshes.h"
 #include "photonmap/map.h"
 
 #include <stddef.h>
@@ -24,7 +24,7 @@ typedef enum murk_interest_shape {
     MURK_INTEREST_ANYWHERE,
     MURK_INTEREST_BOX,
     MURK_INTEREST_SPHERE,
-    MURK_INTEREST_MESH /* the hull of the region's own number */
+    MURK_INTEREST_MESH /* the boundary mesh of the region's own number */
 } murk_interest_shape;
 
 typedef struct murk_interest_region {
@@ -42,8 +42,9 @@ typedef struct murk_interest_region {
 typedef struct murk_interest {
     const murk_interest_region *region; /* [n] */
     size_t n;                           /* 0..MURK_INTERESTS_MAX */
-    const murk_hulls *hulls;            /* of those that are meshes, or NULL */
-    double elsewhere;                   /* 0 or more, finite */
+    const murk_boundary_meshes
+        *boundary_meshes; /* of those that are meshes, or NULL */
+    double elsewhere;     /* 0 or more, finite */
 } murk_interest;
 
 /* The regions that a photon lies in, bit i for region i. slack_m: how far

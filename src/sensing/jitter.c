@@ -44,7 +44,7 @@ static bool set_down(murk_vec3 *place, const murk_jitter *j,
             at.y = wrap(to.y, box->min.y, box->max.y);
         }
         if (murk_box_contains(box, at) &&
-            !murk_surfaces_near(j->surfaces, at, ways->hair_m) &&
+            !murk_surfaces_near(j->surfaces, at, ways->tolerance_m) &&
             murk_way_is_open(ways, *place, to)) {
             *place = at;
             return true;

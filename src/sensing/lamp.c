@@ -14,7 +14,7 @@
 typedef struct ways_out {
     const murk_surfaces *surfaces;
     const murk_domain *domain;
-    double hair_m;
+    double tolerance_m;
     murk_vec3 way[WAYS];
     uint16_t around[CROSSINGS_MAX]; /* the solids that the lamp stands in */
     size_t n_around;
@@ -46,8 +46,8 @@ static void choose_ways(murk_vec3 way[WAYS])
 static void add_sides(ways_out *w, murk_vec3 lamp)
 {
     static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const double hair = w->hair_m;
-    if (!murk_surfaces_near(w->surfaces, lamp, hair)) {
+    const double tolerance = w->tolerance_m;
+    if (!murk_surfaces_near(w->surfaces, lamp, tolerance)) {
         add_place(w, lamp);
         return;
     }
@@ -55,12 +55,13 @@ static void add_sides(ways_out *w, murk_vec3 lamp)
         for (int sign = -1; sign <= 1; sign += 2) {
             murk_hit hit;
             const murk_vec3 way = murk_scale(sign, axes[i]);
-            const murk_vec3 start = murk_along(lamp, -4 * hair, way);
-            if (murk_surfaces_hit(w->surfaces, start, way, 8 * hair, &hit)) {
+            const murk_vec3 start = murk_along(lamp, -4 * tolerance, way);
+            if (murk_surfaces_hit(w->surfaces, start, way, 8 * tolerance,
+                                  &hit)) {
                 /* Two hairs off: the ways are asked half a hair aside. */
                 const murk_vec3 on = murk_along(start, hit.distance_m, way);
-                add_place(w, murk_along(on, 2 * hair, hit.normal));
-                add_place(w, murk_along(on, -2 * hair, hit.normal));
+                add_place(w, murk_along(on, 2 * tolerance, hit.normal));
+                add_place(w, murk_along(on, -2 * tolerance, hit.normal));
                 return;
             }
         }
@@ -139,7 +140,7 @@ static void find_around(ways_out *w, murk_vec3 from)
 /* Two hairs behind a surface, unless another is nearer. */
 static void add_outside(ways_out *w, murk_vec3 behind, murk_vec3 onward)
 {
-    const double off = 2 * w->hair_m;
+    const double off = 2 * w->tolerance_m;
     const murk_vec3 place = murk_along(behind, off, onward);
     murk_hit hit;
     if (murk_box_contains(&w->domain->box, place) &&
@@ -169,7 +170,7 @@ size_t murk_lamp_places(const murk_surfaces *surfaces,
 {
     ways_out w = {.surfaces = surfaces,
                   .domain = domain,
-                  .hair_m = murk_hair(surfaces, domain),
+                  .tolerance_m = murk_sight_tolerance_m(surfaces, domain),
                   .place = place};
     choose_ways(w.way);
     add_sides(&w, lamp);

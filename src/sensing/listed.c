@@ -1,8 +1,8 @@
 #include "sensing/listed.h"
 
 #include "base/cells.h"
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "sensing/lamp.h"
 #include "sensing/segment.h"
@@ -28,7 +28,7 @@ bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point)
 
 static bool faces_so(const murk_candidate_mount *m, double up)
 {
-    return up >= m->least_up && up <= m->most_up;
+    return up >= m->min_up && up <= m->max_up;
 }
 
 static size_t count_all(const murk_candidate_desc *desc)
@@ -105,14 +105,14 @@ murk_status murk_listed_all(murk_listed **out, size_t *n,
 typedef struct comparison {
     const murk_listed *site;
     murk_vec3 point;
-    double hair_m;
+    double tolerance_m;
 } comparison;
 
 static bool is_same(void *context, size_t number)
 {
     const comparison *c = context;
     return murk_length(murk_sub(c->site[number].position, c->point)) <=
-           c->hair_m;
+           c->tolerance_m;
 }
 
 /* The index along an axis of the grid's point nearest to x. */
@@ -130,27 +130,28 @@ static void nearest_of_grid(const murk_candidate_grid *g, murk_vec3 p,
     at[2] = nearest_index(g->min.z, g->max.z, g->size[2], p.z);
 }
 
-static bool is_of_grid(const murk_candidate_grid *g, murk_vec3 p, double hair_m)
+static bool is_of_grid(const murk_candidate_grid *g, murk_vec3 p,
+                       double tolerance_m)
 {
     size_t at[3];
     nearest_of_grid(g, p, at);
     const size_t index = at[0] + g->size[0] * (at[1] + g->size[1] * at[2]);
     return murk_length(murk_sub(murk_candidate_grid_point(g, index), p)) <=
-           hair_m;
+           tolerance_m;
 }
 
 /* A site within a hair of one before it, which may be a duplicate itself. */
 static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
                                    size_t n, const murk_candidate_desc *desc,
-                                   double hair_m, murk_error *err)
+                                   double tolerance_m, murk_error *err)
 {
     murk_cells *cells = NULL;
-    murk_status status = murk_cells_create(&cells, 2 * hair_m, err);
+    murk_status status = murk_cells_create(&cells, 2 * tolerance_m, err);
     for (size_t i = 0; i < n && !status; ++i) {
-        comparison c = {site, site[i].position, hair_m};
+        comparison c = {site, site[i].position, tolerance_m};
         const bool is_one =
-            (!desc->is_laid && is_of_grid(&desc->grid, c.point, hair_m)) ||
-            murk_cells_search(cells, c.point, hair_m, is_same, &c);
+            (!desc->is_laid && is_of_grid(&desc->grid, c.point, tolerance_m)) ||
+            murk_cells_search(cells, c.point, tolerance_m, is_same, &c);
         verdict[i] = is_one ? MURK_SITE_DUPLICATE : MURK_SITE_USABLE;
         status = murk_cells_add(cells, c.point, err);
     }
@@ -187,28 +188,28 @@ static void look_at(const judging *j, neighbours *near, size_t index)
     }
 }
 
-static size_t least_of(size_t at, size_t r)
+static size_t min_of(size_t at, size_t r)
 {
     return at > r ? at - r : 0;
 }
 
-static size_t most_of(size_t at, size_t r, size_t n)
+static size_t max_of(size_t at, size_t r, size_t n)
 {
     return n - 1 - at > r ? at + r : n - 1;
 }
 
 /* The points r steps away along one axis or more. */
-static void look_at_shell(const judging *j, neighbours *near,
-                          const size_t at[3], size_t r)
+static void look_at_boundary(const judging *j, neighbours *near,
+                             const size_t at[3], size_t r)
 {
     const size_t *n = j->desc->grid.size;
-    for (size_t z = least_of(at[2], r); z <= most_of(at[2], r, n[2]); ++z) {
-        for (size_t y = least_of(at[1], r); y <= most_of(at[1], r, n[1]); ++y) {
+    for (size_t z = min_of(at[2], r); z <= max_of(at[2], r, n[2]); ++z) {
+        for (size_t y = min_of(at[1], r); y <= max_of(at[1], r, n[1]); ++y) {
             const size_t row = n[0] * (y + n[1] * z);
             if (z + r == at[2] || z == at[2] + r || y + r == at[1] ||
                 y == at[1] + r) {
-                for (size_t x = least_of(at[0], r);
-                     x <= most_of(at[0], r, n[0]); ++x) {
+                for (size_t x = min_of(at[0], r); x <= max_of(at[0], r, n[0]);
+                     ++x) {
                     look_at(j, near, row + x);
                 }
                 continue;
@@ -253,7 +254,7 @@ static bool joins_grid(const judging *j, murk_vec3 point)
     for (size_t r = 0; r < last && near.tried + near.n < NEAREST_MAX &&
                        near.looked_at < LOOKED_AT_MAX;
          ++r) {
-        look_at_shell(j, &near, at, r);
+        look_at_boundary(j, &near, at, r);
         if (near.tried < FIRST_TRIES && near.n > 0 &&
             any_way(j, &near, point)) {
             return true;
@@ -364,13 +365,13 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                  .n = n,
                  .verdict = verdict};
     murk_status status =
-        find_duplicates(verdict, sites, n, desc, j.ways.hair_m, err);
+        find_duplicates(verdict, sites, n, desc, j.ways.tolerance_m, err);
     if (!status) {
         status = place_lamps(&j, where, err);
     }
     if (!status) {
         murk_progress_begin("sites", n, "sites");
-        murk_crew_run(threads, (n + BATCH_SITES - 1) / BATCH_SITES, judge_batch,
+        murk_pool_run(threads, (n + BATCH_SITES - 1) / BATCH_SITES, judge_batch,
                       &j);
         murk_progress_end();
         if (murk_interrupted()) {

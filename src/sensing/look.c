@@ -248,8 +248,8 @@ static void see_across(look *l, double range_m)
                               .shadow_rays = &sight->shadow_rays,
                               .blocked = &sight->blocked_by_interfaces,
                               .reflected = &sight->totally_reflected};
-    l->reach_m = fmin(sight->most_m, murk_ways_reach(sight->interfaces,
-                                                     &l->passages, range_m));
+    l->reach_m = fmin(sight->max_m, murk_ways_reach(sight->interfaces,
+                                                    &l->passages, range_m));
 }
 
 void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
@@ -258,7 +258,7 @@ void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
     assert(worker < sight->desc.threads && pose->type < sight->desc.types);
     const murk_sight_desc *desc = &sight->desc;
     const murk_sensor_type *type = &sight->type[pose->type];
-    const double range_m = fmin(type->range_m, sight->most_m);
+    const double range_m = fmin(type->range_m, sight->max_m);
     const murk_scratch *s = &sight->worker[worker];
     const murk_media *accepting = sight->accepting[pose->type];
     look l = {.sight = sight,
@@ -271,7 +271,7 @@ void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
                           type->toward || type->least_range_m > 0,
               .bands = type->bands ? type->bands : UINT32_MAX,
               .passages = murk_passages_from(
-                  accepting ? accepting : desc->media, desc->hulls,
+                  accepting ? accepting : desc->media, desc->boundary_meshes,
                   &desc->domain, pose->position),
               .photon = s->photon,
               .clarity = s->clarity,

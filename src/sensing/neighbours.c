@@ -16,36 +16,36 @@ typedef struct near_one {
     uint32_t number;
 } near_one;
 
-struct murk_neighbours_desk {
+struct murk_neighbours_workspace {
     uint32_t *found;
     double *distance2_m2;
     near_one *nearest; /* of all images */
 };
 
-murk_neighbours_desk *murk_neighbours_desk_create(size_t k)
+murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k)
 {
     const size_t room = LAST_LOOK * k;
-    murk_neighbours_desk *desk = calloc(1, sizeof *desk);
-    if (!desk) {
+    murk_neighbours_workspace *workspace = calloc(1, sizeof *workspace);
+    if (!workspace) {
         return NULL;
     }
-    desk->found = calloc(room, sizeof *desk->found);
-    desk->distance2_m2 = calloc(room, sizeof *desk->distance2_m2);
-    desk->nearest = calloc(IMAGES * room, sizeof *desk->nearest);
-    if (!desk->found || !desk->distance2_m2 || !desk->nearest) {
-        murk_neighbours_desk_destroy(desk);
+    workspace->found = calloc(room, sizeof *workspace->found);
+    workspace->distance2_m2 = calloc(room, sizeof *workspace->distance2_m2);
+    workspace->nearest = calloc(IMAGES * room, sizeof *workspace->nearest);
+    if (!workspace->found || !workspace->distance2_m2 || !workspace->nearest) {
+        murk_neighbours_workspace_destroy(workspace);
         return NULL;
     }
-    return desk;
+    return workspace;
 }
 
-void murk_neighbours_desk_destroy(murk_neighbours_desk *desk)
+void murk_neighbours_workspace_destroy(murk_neighbours_workspace *workspace)
 {
-    if (desk) {
-        free(desk->found);
-        free(desk->distance2_m2);
-        free(desk->nearest);
-        free(desk);
+    if (workspace) {
+        free(workspace->found);
+        free(workspace->distance2_m2);
+        free(workspace->nearest);
+        free(workspace);
     }
 }
 
@@ -61,7 +61,8 @@ static int by_distance(const void *a, const void *b)
 /* The m nearest, over all images of the place: what lies beyond half a period
  * may be there twice. */
 static size_t look(const murk_neighbours *neighbours,
-                   murk_neighbours_desk *desk, murk_vec3 place, size_t m)
+                   murk_neighbours_workspace *workspace, murk_vec3 place,
+                   size_t m)
 {
     const murk_domain *domain = neighbours->domain;
     const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
@@ -72,15 +73,16 @@ static size_t look(const murk_neighbours *neighbours,
         const double j = images > 1 ? image / 3 - 1 : 0;
         const murk_vec3 center = {place.x + i * period.x,
                                   place.y + j * period.y, place.z};
-        const size_t n = murk_photon_map_nearest(
-            neighbours->map, center, m, desk->found, desk->distance2_m2);
+        const size_t n =
+            murk_photon_map_nearest(neighbours->map, center, m,
+                                    workspace->found, workspace->distance2_m2);
         for (size_t k = 0; k < n; ++k) {
-            desk->nearest[all++] =
-                (near_one){desk->distance2_m2[k], desk->found[k]};
+            workspace->nearest[all++] =
+                (near_one){workspace->distance2_m2[k], workspace->found[k]};
         }
     }
     if (images > 1) {
-        qsort(desk->nearest, all, sizeof *desk->nearest, by_distance);
+        qsort(workspace->nearest, all, sizeof *workspace->nearest, by_distance);
     }
     return all < m ? all : m;
 }
@@ -94,23 +96,24 @@ bool murk_neighbours_alike(const murk_photon *of, const murk_photon *photon)
 }
 
 size_t murk_neighbours_find(const murk_neighbours *neighbours,
-                            murk_neighbours_desk *desk, const murk_photon *of,
-                            uint64_t emitted, uint32_t *found, double *radius_m)
+                            murk_neighbours_workspace *workspace,
+                            const murk_photon *of, uint64_t emitted,
+                            uint32_t *found, double *radius_m)
 {
-    assert(neighbours->k >= 2 && neighbours->most_m > 0);
+    assert(neighbours->k >= 2 && neighbours->max_m > 0);
     const murk_photon *photon = murk_photon_map_photons(neighbours->map);
     const murk_vec3 place = murk_photon_place(of);
-    const double most2_m2 = neighbours->most_m * neighbours->most_m;
+    const double most2_m2 = neighbours->max_m * neighbours->max_m;
     const size_t last = LAST_LOOK * neighbours->k;
     for (size_t m = FIRST_LOOK * neighbours->k;; m *= 2) {
-        const size_t n = look(neighbours, desk, place, m);
+        const size_t n = look(neighbours, workspace, place, m);
         const bool ends = n < m || m >= last;
         size_t kept = 0;
         for (size_t i = 0; i < n; ++i) {
-            const near_one *one = &desk->nearest[i];
+            const near_one *one = &workspace->nearest[i];
             const murk_photon *p = &photon[one->number];
             if (one->distance2_m2 > most2_m2) {
-                *radius_m = neighbours->most_m;
+                *radius_m = neighbours->max_m;
                 return kept;
             }
             const bool counts =
@@ -125,7 +128,7 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
             }
         }
         if (ends) {
-            *radius_m = neighbours->most_m;
+            *radius_m = neighbours->max_m;
             return kept;
         }
     }

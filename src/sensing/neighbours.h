@@ -21,23 +21,24 @@
 typedef struct murk_neighbours {
     const murk_photon_map *map;
     const murk_domain *domain;
-    size_t k;      /* at least 2 */
-    double most_m; /* the largest radius; half a period at most */
+    size_t k;     /* at least 2 */
+    double max_m; /* the largest radius; half a period at most */
 } murk_neighbours;
 
 /* What one thread works in. NULL without memory. */
-typedef struct murk_neighbours_desk murk_neighbours_desk;
-murk_neighbours_desk *murk_neighbours_desk_create(size_t k);
-void murk_neighbours_desk_destroy(murk_neighbours_desk *desk); /* or NULL */
+typedef struct murk_neighbours_workspace murk_neighbours_workspace;
+murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k);
+void murk_neighbours_workspace_destroy(
+    murk_neighbours_workspace *workspace); /* or NULL */
 
 /* Writes the numbers of those within the radius, nearest first, to found[k],
  * and the radius. Returns how many. Leaves out what `emitted` left. Where few
  * of the nearest are of its kind, it ends after a number of them, and the
  * radius is the last one's. */
 size_t murk_neighbours_find(const murk_neighbours *neighbours,
-                            murk_neighbours_desk *desk, const murk_photon *of,
-                            uint64_t emitted, uint32_t *found,
-                            double *radius_m);
+                            murk_neighbours_workspace *workspace,
+                            const murk_photon *of, uint64_t emitted,
+                            uint32_t *found, double *radius_m);
 
 /* Whether a photon tells of the place where another is stored: by band and
  * side. */

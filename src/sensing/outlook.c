@@ -51,14 +51,14 @@ static bool is_clear_enough(const murk_outlook_view *view, murk_vec3 place)
         return true;
     }
     const murk_passages passages = murk_passages_from(
-        sight->media, sight->hulls, &sight->domain, view->place);
+        sight->media, sight->boundary_meshes, &sight->domain, view->place);
     if (murk_passage_bends(&passages, place)) {
         return false;
     }
     for (int band = 0; band < view->outlook->bands; ++band) {
         if ((view->bands >> band & 1) &&
             murk_passage_transmittance(&passages, band, place) >=
-                MURK_OUTLOOK_LEAST) {
+                MURK_OUTLOOK_MIN) {
             return true;
         }
     }

@@ -3,7 +3,7 @@
  *
  * A place is seen when it is within range and in the field of view, the
  * straight way to it is open, the index of refraction does not change on it,
- * and at least MURK_OUTLOOK_LEAST of the light comes through in the clearest of
+ * and at least MURK_OUTLOOK_MIN of the light comes through in the clearest of
  * the type's bands. A way is open when no surface is in it: what is seen can be
  * gone to, so a pane of glass closes it, and so do walls with
  * MURK_VISIBILITY_NORMAL. Ways do not cross periodic sides, and a way back is
@@ -16,7 +16,7 @@
 #include "sensing/ways.h"
 
 /* The contrast at which the meteorological optical range ends. */
-#define MURK_OUTLOOK_LEAST 0.05
+#define MURK_OUTLOOK_MIN 0.05
 
 typedef struct murk_outlook {
     const murk_sight_desc *sight;
@@ -26,8 +26,8 @@ typedef struct murk_outlook {
 } murk_outlook;
 
 /* `bands` is how many the scene has. Of the description's surfaces, media,
- * hulls, domain, types and north, which it borrows; the first and the domain
- * are enough for murk_outlook_is_open(). */
+ * boundary meshes, domain, types and north, which it borrows; the first and the
+ * domain are enough for murk_outlook_is_open(). */
 void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
                        int bands);
 

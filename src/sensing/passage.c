@@ -8,14 +8,16 @@
 #define STEPS_MAX 100000
 
 murk_passages murk_passages_from(const murk_media *media,
-                                 const murk_hulls *hulls,
+                                 const murk_boundary_meshes *boundary_meshes,
                                  const murk_domain *domain, murk_vec3 sensor)
 {
     murk_passages p = {.media = media,
-                       .hulls = hulls,
+                       .boundary_meshes = boundary_meshes,
                        .domain = domain,
                        .sensor = sensor,
-                       .around = hulls ? murk_hulls_at(hulls, sensor) : 0};
+                       .around = boundary_meshes ? murk_boundary_meshes_at(
+                                                       boundary_meshes, sensor)
+                                                 : 0};
     p.index =
         murk_media_index(media, p.around | murk_media_inside(media, sensor));
     return p;
@@ -23,7 +25,9 @@ murk_passages murk_passages_from(const murk_media *media,
 
 double murk_passage_index(const murk_passages *p, murk_vec3 place)
 {
-    const murk_inside meshes = p->hulls ? murk_hulls_at(p->hulls, place) : 0;
+    const murk_inside meshes =
+        p->boundary_meshes ? murk_boundary_meshes_at(p->boundary_meshes, place)
+                           : 0;
     return murk_media_index(p->media,
                             meshes | murk_media_inside(p->media, place));
 }
@@ -39,10 +43,11 @@ static murk_leg leg_of(const murk_passages *p, int piece,
     if (length > 0) {
         l.direction = murk_scale(1 / length, along);
     }
-    if (piece > 0 && p->hulls) {
-        l.look_from_m = murk_hulls_tolerance_m(p->hulls);
-        l.inside = murk_hulls_at(
-            p->hulls, murk_along(l.from, 2 * l.look_from_m, l.direction));
+    if (piece > 0 && p->boundary_meshes) {
+        l.look_from_m = murk_boundary_meshes_tolerance_m(p->boundary_meshes);
+        l.inside = murk_boundary_meshes_at(
+            p->boundary_meshes,
+            murk_along(l.from, 2 * l.look_from_m, l.direction));
     }
     l.inside |= murk_media_inside(p->media, l.from);
     return l;
@@ -64,13 +69,15 @@ int murk_passage_legs(const murk_passages *p, murk_vec3 point,
 static double depth_through_meshes(const murk_passages *p, int band,
                                    const murk_leg *l)
 {
-    const double tolerance = murk_hulls_tolerance_m(p->hulls);
+    const double tolerance =
+        murk_boundary_meshes_tolerance_m(p->boundary_meshes);
     double depth = 0, from = 0, look_from = l->look_from_m;
     murk_inside inside = l->inside;
     murk_crossing c;
-    for (int step = 0; step < STEPS_MAX &&
-                       murk_hulls_next(p->hulls, l->from, l->direction,
-                                       look_from, l->length_m, &inside, &c);
+    for (int step = 0;
+         step < STEPS_MAX &&
+         murk_boundary_meshes_next(p->boundary_meshes, l->from, l->direction,
+                                   look_from, l->length_m, &inside, &c);
          ++step) {
         depth += murk_media_optical_depth(
             p->media, band, inside, murk_along(l->from, from, l->direction),
@@ -89,7 +96,7 @@ static double depth_through_meshes(const murk_passages *p, int band,
 static int depths_of(const murk_passages *p, int band, murk_vec3 photon,
                      double depth[MURK_SEGMENT_PIECES])
 {
-    if (!p->hulls) {
+    if (!p->boundary_meshes) {
         /* From the photon on. */
         murk_segment piece[MURK_SEGMENT_PIECES];
         const murk_vec3 to = murk_nearest_image(p->domain, p->sensor, photon);
@@ -137,7 +144,10 @@ double murk_passage_transmittance(const murk_passages *p, int band,
 bool murk_passage_change(const murk_passages *p, const murk_leg *l,
                          murk_index_change *change)
 {
-    const double tolerance = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
+    const double tolerance =
+        p->boundary_meshes
+            ? murk_boundary_meshes_tolerance_m(p->boundary_meshes)
+            : 0;
     double from = 0, look_from = l->look_from_m, before = 0;
     murk_inside inside = l->inside;
     for (int step = 0; step < STEPS_MAX; ++step) {
@@ -147,10 +157,11 @@ bool murk_passage_change(const murk_passages *p, const murk_leg *l,
             p->media, inside, murk_along(l->from, from, l->direction),
             l->direction, l->length_m - from, &b);
         const double plain = any_plain ? from + b.distance_m : INFINITY;
-        const double most = fmin(l->length_m - tolerance, plain + tolerance);
+        const double max = fmin(l->length_m - tolerance, plain + tolerance);
         const bool any_mesh =
-            p->hulls && murk_hulls_next(p->hulls, l->from, l->direction,
-                                        look_from, most, &inside, &c);
+            p->boundary_meshes &&
+            murk_boundary_meshes_next(p->boundary_meshes, l->from, l->direction,
+                                      look_from, max, &inside, &c);
         const double mesh = any_mesh ? c.distance_m : INFINITY;
         if (step == 0) {
             before = murk_media_index(p->media, inside);
@@ -185,7 +196,7 @@ bool murk_passage_change(const murk_passages *p, const murk_leg *l,
 
 bool murk_passage_bends(const murk_passages *p, murk_vec3 photon)
 {
-    if (!p->hulls) {
+    if (!p->boundary_meshes) {
         return murk_segment_bends(p->media, p->domain, photon, p->sensor);
     }
     murk_leg leg[MURK_SEGMENT_PIECES];

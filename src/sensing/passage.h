@@ -3,13 +3,13 @@
 #ifndef MURK_SENSING_PASSAGE_H
 #define MURK_SENSING_PASSAGE_H
 
-#include "geometry/hulls.h"
+#include "geometry/boundary_meshes.h"
 #include "medium/media.h"
 #include "sensing/segment.h"
 
 typedef struct murk_passages {
     const murk_media *media;
-    const murk_hulls *hulls; /* NULL: no region is a mesh */
+    const murk_boundary_meshes *boundary_meshes; /* NULL: no region is a mesh */
     const murk_domain *domain;
     murk_vec3 sensor;
     murk_inside around; /* the meshes that the sensor is in */
@@ -18,7 +18,7 @@ typedef struct murk_passages {
 
 /* All borrowed. */
 murk_passages murk_passages_from(const murk_media *media,
-                                 const murk_hulls *hulls,
+                                 const murk_boundary_meshes *boundary_meshes,
                                  const murk_domain *domain, murk_vec3 sensor);
 
 /* The index of refraction at a place. */

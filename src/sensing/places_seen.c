@@ -2,8 +2,8 @@
  * so memory does not grow with their number, and no sum is shared. */
 #include "sensing/places_seen.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "sensing/depths.h"
@@ -220,7 +220,7 @@ static void describe_open(work *w, murk_sensor_type *type,
     w->open.threshold = 0;
     w->open.combining = MURK_COMBINE_CLEAREST;
     w->open.redundancy = 1;
-    w->open.power = (murk_power_wish){0};
+    w->open.power = (murk_power_settings){0};
     for (size_t k = 0; k < w->open.types; ++k) {
         type[k].acceptance_rad = 0;
     }
@@ -247,7 +247,7 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
     if (w->is_shown) {
         murk_progress_begin(w->places->step, n, "places");
     }
-    murk_crew_run(w->sight.threads > 1 ? 1 : threads, pieces, see_piece, w);
+    murk_pool_run(w->sight.threads > 1 ? 1 : threads, pieces, see_piece, w);
     if (w->is_shown) {
         murk_progress_end();
     }

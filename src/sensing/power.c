@@ -1,7 +1,7 @@
 #include "sensing/power.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "sensing/neighbours.h"
 #include "sensing/vicinity.h"
@@ -12,7 +12,7 @@
 #define BATCH_PHOTONS 1024
 
 /* Of the largest radius: neighbours nearer than that are one spot. */
-#define LEAST_RADIUS 1e-3
+#define MIN_RADIUS 1e-3
 
 /* The light around a batch's photons of the volume map: photon i's is
  * list[begin[i]] to list[begin[i + 1]]. */
@@ -31,7 +31,7 @@ struct murk_power {
     size_t chunks;
     uint32_t *few;    /* [batches of surface, then volume] places */
     uint32_t **found; /* [threads], while it is made; so is */
-    murk_neighbours_desk **desk;
+    murk_neighbours_workspace **workspace;
 };
 
 static size_t batches_of(const murk_photon_map *map)
@@ -52,8 +52,7 @@ static size_t end_of(const murk_photon_map *map, size_t first)
  * some 1e5 times the least distance. */
 static double within_m(const murk_power_desc *desc)
 {
-    return desc->neighbours > 0 ? LEAST_RADIUS * desc->radius_m
-                                : desc->radius_m;
+    return desc->neighbours > 0 ? MIN_RADIUS * desc->radius_m : desc->radius_m;
 }
 
 /* The emitted photon that says nothing of this place. */
@@ -87,13 +86,13 @@ static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
             .map = is_volume ? desc->light.volume_map : desc->light.surface_map,
             .domain = desc->domain,
             .k = desc->neighbours,
-            .most_m = desc->radius_m};
+            .max_m = desc->radius_m};
         const uint64_t emitted = desc->light.photons_emitted;
         const uint64_t others = emitted - (path < emitted);
         gathered g = {.factor =
                           others > 0 ? (double)emitted / (double)others : 0};
-        g.n = murk_neighbours_find(&neighbours, power->desk[worker], of, path,
-                                   found, &g.radius_m);
+        g.n = murk_neighbours_find(&neighbours, power->workspace[worker], of,
+                                   path, found, &g.radius_m);
         if (g.radius_m >= within_m(desc)) {
             return g;
         }
@@ -185,12 +184,12 @@ murk_status murk_power_check_radius(double radius_m, const murk_domain *domain,
                                     const char *where, murk_error *err)
 {
     const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
-    const double most = domain->is_periodic ? fmin(size.x, size.y) / 2 : 1e9;
-    if (!(radius_m > 0 && radius_m <= most)) {
+    const double maximum = domain->is_periodic ? fmin(size.x, size.y) / 2 : 1e9;
+    if (!(radius_m > 0 && radius_m <= maximum)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "power_radius_m is %g m, must be more than 0 and at "
                          "most %g m%s",
-                         radius_m, most,
+                         radius_m, maximum,
                          domain->is_periodic ? ", half the domain's period"
                                              : "");
     }
@@ -231,11 +230,11 @@ static murk_status set_aside(murk_power *power, murk_error *err)
     murk_status status =
         murk_vicinity_create(&power->surface, light->surface_map, desc->domain,
                              light->photons_emitted, within_m(desc),
-                             MURK_POWER_SURFACE_MOST, desc->threads, err);
+                             MURK_POWER_SURFACE_MAX, desc->threads, err);
     if (!status) {
         status = murk_vicinity_create(&power->volume, light->volume_map,
                                       desc->domain, light->photons_emitted,
-                                      within_m(desc), MURK_POWER_VOLUME_MOST,
+                                      within_m(desc), MURK_POWER_VOLUME_MAX,
                                       desc->threads, err);
     }
     if (status) {
@@ -248,16 +247,17 @@ static murk_status set_aside(murk_power *power, murk_error *err)
     power->radiance = malloc(
         murk_photon_map_count(desc->surface_map) * sizeof *power->radiance + 1);
     power->found = calloc(desc->threads, sizeof *power->found);
-    power->desk = calloc(desc->threads, sizeof *power->desk);
+    power->workspace = calloc(desc->threads, sizeof *power->workspace);
     power->few = calloc(batches_of(desc->surface_map) + power->chunks + 1,
                         sizeof *power->few);
     bool has_room = power->chunk && power->radiance && power->found &&
-                    power->desk && power->few;
+                    power->workspace && power->few;
     for (unsigned i = 0; has_room && i < desc->threads; ++i) {
         power->found[i] = malloc(
             ((a > b ? a : b) + desc->neighbours) * sizeof *power->found[i] + 1);
-        power->desk[i] = murk_neighbours_desk_create(desc->neighbours + 1);
-        has_room = power->found[i] && power->desk[i];
+        power->workspace[i] =
+            murk_neighbours_workspace_create(desc->neighbours + 1);
+        has_room = power->found[i] && power->workspace[i];
     }
     return has_room ? MURK_OK : no_memory(desc, err);
 }
@@ -267,13 +267,13 @@ static void release_found(murk_power *power)
     for (unsigned i = 0; power->found && i < power->desc.threads; ++i) {
         free(power->found[i]);
     }
-    for (unsigned i = 0; power->desk && i < power->desc.threads; ++i) {
-        murk_neighbours_desk_destroy(power->desk[i]);
+    for (unsigned i = 0; power->workspace && i < power->desc.threads; ++i) {
+        murk_neighbours_workspace_destroy(power->workspace[i]);
     }
     free(power->found);
-    free(power->desk);
+    free(power->workspace);
     power->found = NULL;
-    power->desk = NULL;
+    power->workspace = NULL;
 }
 
 static murk_status survey(murk_power *power, murk_error *err)
@@ -283,9 +283,9 @@ static murk_status survey(murk_power *power, murk_error *err)
                         murk_photon_map_count(desc->surface_map) +
                             murk_photon_map_count(desc->volume_map),
                         "photons");
-    murk_crew_run_workers(desc->threads, batches_of(desc->surface_map),
+    murk_pool_run_workers(desc->threads, batches_of(desc->surface_map),
                           survey_surface, power);
-    murk_crew_run_workers(desc->threads, power->chunks, survey_volume, power);
+    murk_pool_run_workers(desc->threads, power->chunks, survey_volume, power);
     murk_progress_end();
     release_found(power);
     if (murk_interrupted()) {
@@ -414,17 +414,18 @@ murk_status murk_power_check_type(const murk_sensor_type *type, murk_error *err)
 {
     const struct {
         const char *name;
-        double value, most;
-    } wish[] = {{"aperture_m2", type->aperture_m2, 1e9},
-                {"quantum_efficiency", type->quantum_efficiency, 1},
-                {"exposure_s", type->exposure_s, 1e9},
-                {"target_m2", type->target_m2, 1e9},
-                {"target_m3", type->target_m3, 1e9}};
-    for (size_t i = 0; i < sizeof wish / sizeof *wish; ++i) {
-        if (!(wish[i].value > 0 && wish[i].value <= wish[i].most)) {
+        double value, max;
+    } settings[] = {{"aperture_m2", type->aperture_m2, 1e9},
+                    {"quantum_efficiency", type->quantum_efficiency, 1},
+                    {"exposure_s", type->exposure_s, 1e9},
+                    {"target_m2", type->target_m2, 1e9},
+                    {"target_m3", type->target_m3, 1e9}};
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; ++i) {
+        if (!(settings[i].value > 0 && settings[i].value <= settings[i].max)) {
             return murk_fail(err, MURK_BAD_VALUE, "sensors.types",
                              "%s is %g, must be more than 0 and at most %g",
-                             wish[i].name, wish[i].value, wish[i].most);
+                             settings[i].name, settings[i].value,
+                             settings[i].max);
         }
     }
     return MURK_OK;

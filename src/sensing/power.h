@@ -37,13 +37,13 @@
 #include "medium/media.h"
 #include "photonmap/map.h"
 #include "sensing/across.h"
-#include "sensing/power_wish.h"
+#include "sensing/power_settings.h"
 #include "sensing/sensor.h"
 
 /* Photons around each that are looked at, on average at most. Volume estimates
  * depend on the direction, so those are kept. */
-#define MURK_POWER_SURFACE_MOST 512
-#define MURK_POWER_VOLUME_MOST  128
+#define MURK_POWER_SURFACE_MAX 512
+#define MURK_POWER_VOLUME_MAX  128
 
 /* Planck's constant times the speed of light [J m], exact by definition. */
 #define MURK_PLANCK_LIGHT (6.62607015e-34 * 299792458.)

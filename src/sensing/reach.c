@@ -1,7 +1,7 @@
 #include "sensing/reach.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "sensing/lamp.h"
 #include "sensing/segment.h"
@@ -191,7 +191,7 @@ static void ask_sides(void *context, uint64_t batch)
 static void enter_by(search *s, murk_job ask)
 {
     const uint64_t batches = (s->points + BATCH_POINTS - 1) / BATCH_POINTS;
-    murk_crew_run(s->threads, batches, ask, s);
+    murk_pool_run(s->threads, batches, ask, s);
     for (size_t i = 0; i < s->points; ++i) {
         if (s->reached[i] == SEEN_BY_LIGHT) {
             flood(s, i);
@@ -245,8 +245,8 @@ static void explore(search *s)
 {
     const uint64_t batches = (s->points + BATCH_POINTS - 1) / BATCH_POINTS;
     murk_progress_begin("reach", 3 * (uint64_t)s->points, "points");
-    murk_crew_run(s->threads, batches, measure_closeness, s);
-    murk_crew_run(s->threads, batches, open_steps, s);
+    murk_pool_run(s->threads, batches, measure_closeness, s);
+    murk_pool_run(s->threads, batches, open_steps, s);
     for (size_t l = 0; l < s->reach->n_lamps && !murk_interrupted(); ++l) {
         murk_vec3 place[MURK_LAMP_PLACES_MAX];
         const size_t n = murk_lamp_places(s->surfaces, &s->reach->domain,
@@ -259,7 +259,7 @@ static void explore(search *s)
     if (s->reach->from_sides) {
         enter_by(s, ask_sides);
     }
-    murk_crew_run(s->threads, batches, find_doubtful, s);
+    murk_pool_run(s->threads, batches, find_doubtful, s);
     murk_progress_end();
 }
 

@@ -10,13 +10,15 @@
 #define NEAR_TIMES 8
 
 void murk_interfaces_find(murk_interfaces *out, const murk_media *media,
-                          const murk_hulls *hulls, const murk_domain *domain)
+                          const murk_boundary_meshes *boundary_meshes,
+                          const murk_domain *domain)
 {
     out->near_m = NEAR_TIMES * MURK_INTERFACE_NEAR * murk_domain_extent(domain);
     out->n = murk_media_flats(media, out->flat);
     out->indices = murk_media_indices(media, out->index);
     out->any_mesh = false;
-    const murk_inside meshes = hulls ? murk_hulls_regions(hulls) : 0;
+    const murk_inside meshes =
+        boundary_meshes ? murk_boundary_meshes_regions(boundary_meshes) : 0;
     for (int i = 0; i < MURK_REGIONS_MAX; ++i) {
         const murk_inside bit = (murk_inside)1 << i;
         /* The index of a region alone: 1 where it has none, or bends not. */
@@ -55,7 +57,10 @@ static bool reaches_crossing(const murk_interfaces *at, const murk_passages *p,
                              const murk_snell *path, const double n[2],
                              murk_inside *inside)
 {
-    const double tolerance = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
+    const double tolerance =
+        p->boundary_meshes
+            ? murk_boundary_meshes_tolerance_m(p->boundary_meshes)
+            : 0;
     murk_leg leg[MURK_SEGMENT_PIECES];
     murk_index_change change;
     const int legs = murk_passage_legs(p, path->crossing, leg);
@@ -91,7 +96,10 @@ static bool goes_on(const murk_passages *p, const murk_snell *path,
     murk_index_change change;
     const int legs = murk_passage_legs(&beyond, to, leg);
     leg[0].inside = inside;
-    leg[0].look_from_m = p->hulls ? murk_hulls_tolerance_m(p->hulls) : 0;
+    leg[0].look_from_m =
+        p->boundary_meshes
+            ? murk_boundary_meshes_tolerance_m(p->boundary_meshes)
+            : 0;
     for (int i = 0; i < legs; ++i) {
         if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
             return false;
@@ -225,24 +233,24 @@ double murk_way_transmittance(const murk_way *way, const murk_passages *p,
 {
     const murk_vec3 photon = inside_domain(p, way->photon);
     const murk_passages back =
-        murk_passages_from(p->media, p->hulls, p->domain, photon);
+        murk_passages_from(p->media, p->boundary_meshes, p->domain, photon);
     const murk_vec3 crossing = inside_domain(p, way->snell.crossing);
     return murk_passage_transmittance(p, band, crossing) *
            murk_passage_transmittance(&back, band, crossing);
 }
 
 /* The crossing moved along `direction`, at most to the end of the leg ahead. */
-static murk_vec3 beyond(murk_vec3 crossing, murk_vec3 direction, double hair_m,
-                        double leg_m)
+static murk_vec3 beyond(murk_vec3 crossing, murk_vec3 direction,
+                        double tolerance_m, double leg_m)
 {
-    return murk_along(crossing, fmin(hair_m, leg_m), direction);
+    return murk_along(crossing, fmin(tolerance_m, leg_m), direction);
 }
 
 bool murk_way_blocked(const murk_way *way, const murk_passages *p,
                       const murk_surfaces *surfaces, bool through_sheets)
 {
     const murk_snell *s = &way->snell;
-    const double hair = murk_hair(surfaces, p->domain);
+    const double sight_tolerance = murk_sight_tolerance_m(surfaces, p->domain);
     const murk_vec3 photon = inside_domain(p, way->photon);
     const murk_vec3 crossing = crossing_near(way, photon);
     /* Each leg goes on beyond the crossing, so that neither misses a surface
@@ -250,11 +258,11 @@ bool murk_way_blocked(const murk_way *way, const murk_passages *p,
     return murk_segment_blocked(surfaces, p->domain, p->sensor,
                                 beyond(s->crossing,
                                        direction_of(p->sensor, s->crossing),
-                                       hair, s->leg_m[1]),
+                                       sight_tolerance, s->leg_m[1]),
                                 through_sheets) ||
            murk_segment_blocked(surfaces, p->domain, photon,
                                 beyond(crossing, direction_of(photon, crossing),
-                                       hair, s->leg_m[0]),
+                                       sight_tolerance, s->leg_m[0]),
                                 through_sheets);
 }
 
@@ -262,18 +270,20 @@ double murk_way_sheets(const murk_way *way, const murk_passages *p,
                        const murk_surfaces *surfaces, int band)
 {
     const murk_snell *s = &way->snell;
-    const double hair = murk_hair(surfaces, p->domain);
+    const double sight_tolerance = murk_sight_tolerance_m(surfaces, p->domain);
     const murk_vec3 photon = inside_domain(p, way->photon);
     const murk_vec3 crossing = crossing_near(way, photon);
     double through = murk_segment_sheets(
         surfaces, p->domain, p->sensor,
-        beyond(s->crossing, direction_of(p->sensor, s->crossing), hair,
-               s->leg_m[1]),
+        beyond(s->crossing, direction_of(p->sensor, s->crossing),
+               sight_tolerance, s->leg_m[1]),
         band);
-    if (s->leg_m[1] > hair) {
-        through *= murk_segment_sheets(
-            surfaces, p->domain, photon,
-            murk_along(crossing, hair, direction_of(crossing, photon)), band);
+    if (s->leg_m[1] > sight_tolerance) {
+        through *=
+            murk_segment_sheets(surfaces, p->domain, photon,
+                                murk_along(crossing, sight_tolerance,
+                                           direction_of(crossing, photon)),
+                                band);
     }
     return through;
 }

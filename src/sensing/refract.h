@@ -24,7 +24,8 @@ typedef struct murk_interfaces {
 } murk_interfaces;
 
 void murk_interfaces_find(murk_interfaces *out, const murk_media *media,
-                          const murk_hulls *hulls, const murk_domain *domain);
+                          const murk_boundary_meshes *boundary_meshes,
+                          const murk_domain *domain);
 
 typedef struct murk_way {
     murk_snell snell;

@@ -11,7 +11,8 @@ double murk_domain_extent(const murk_domain *domain)
     return fmax(x, fmax(y, z));
 }
 
-double murk_hair(const murk_surfaces *surfaces, const murk_domain *domain)
+double murk_sight_tolerance_m(const murk_surfaces *surfaces,
+                              const murk_domain *domain)
 {
     const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
     const double step = murk_length(murk_surfaces_leave(surfaces, zero, up));
@@ -96,8 +97,8 @@ bool murk_segment_blocked(const murk_surfaces *surfaces,
         return murk_surfaces_blocked(surfaces, from, to, through_sheets);
     }
     murk_segment piece[MURK_SEGMENT_PIECES];
-    const int n =
-        murk_segment_cut(domain, from, to, murk_hair(surfaces, domain), piece);
+    const int n = murk_segment_cut(
+        domain, from, to, murk_sight_tolerance_m(surfaces, domain), piece);
     for (int i = 0; i < n; ++i) {
         if (murk_surfaces_blocked(surfaces, piece[i].from, piece[i].to,
                                   through_sheets)) {
@@ -113,8 +114,8 @@ double murk_segment_sheets(const murk_surfaces *surfaces,
                            murk_vec3 to, int band)
 {
     murk_segment piece[MURK_SEGMENT_PIECES];
-    const int n =
-        murk_segment_cut(domain, from, to, murk_hair(surfaces, domain), piece);
+    const int n = murk_segment_cut(
+        domain, from, to, murk_sight_tolerance_m(surfaces, domain), piece);
     double through = 1;
     for (int i = 0; i < n; ++i) {
         through *= murk_surfaces_sheet_transmittance(surfaces, piece[i].from,

@@ -17,7 +17,8 @@ double murk_domain_extent(const murk_domain *domain);
  * precision coordinates, with room. 2^-18 of the domain's largest coordinate,
  * some 32 to 64 steps of a float (38 micrometres at 10 m), or twice what
  * murk_surfaces_leave() steps, where surfaces are larger than the domain. */
-double murk_hair(const murk_surfaces *surfaces, const murk_domain *domain);
+double murk_sight_tolerance_m(const murk_surfaces *surfaces,
+                              const murk_domain *domain);
 
 typedef struct murk_segment {
     murk_vec3 from, to;

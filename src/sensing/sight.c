@@ -39,11 +39,11 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
 }
 
 /* Of a photon, that anything asks for. */
-static unsigned most_views(const murk_sight_desc *desc)
+static unsigned max_views(const murk_sight_desc *desc)
 {
-    const unsigned most =
+    const unsigned maximum =
         desc->redundancy > desc->at_least ? desc->redundancy : desc->at_least;
-    return most > 1 ? most : 1;
+    return maximum > 1 ? maximum : 1;
 }
 
 static murk_status check(const murk_sight_desc *desc, murk_error *err)
@@ -67,11 +67,11 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "placement.threshold",
                          "%g, must be 0..1", desc->threshold);
     }
-    const unsigned most =
-        desc->combining == MURK_COMBINE_INDEPENDENT ? 1 : MURK_REDUNDANCY_MOST;
-    if (desc->redundancy > most) {
+    const unsigned maximum =
+        desc->combining == MURK_COMBINE_INDEPENDENT ? 1 : MURK_REDUNDANCY_MAX;
+    if (desc->redundancy > maximum) {
         return murk_fail(err, MURK_BAD_VALUE, "placement.redundancy",
-                         "%u, must be 1..%u", desc->redundancy, most);
+                         "%u, must be 1..%u", desc->redundancy, maximum);
     }
     const double photons = (double)murk_photon_map_count(desc->surface_map) +
                            (double)murk_photon_map_count(desc->volume_map);
@@ -159,19 +159,19 @@ static murk_status judge_by_power(murk_sight *sight, murk_error *err)
     const murk_power_light own = {desc->surface_map, desc->volume_map,
                                   desc->photons_emitted};
     const bool is_own = !desc->power.light.surface_map;
-    const murk_power_desc wish = {.surface_map = desc->surface_map,
-                                  .volume_map = desc->volume_map,
-                                  .light = is_own ? own : desc->power.light,
-                                  .media = desc->media,
-                                  .domain = &sight->desc.domain,
-                                  .radius_m = desc->power.radius_m,
-                                  .neighbours = desc->power.neighbours,
-                                  .threads = desc->threads};
+    const murk_power_desc settings = {.surface_map = desc->surface_map,
+                                      .volume_map = desc->volume_map,
+                                      .light = is_own ? own : desc->power.light,
+                                      .media = desc->media,
+                                      .domain = &sight->desc.domain,
+                                      .radius_m = desc->power.radius_m,
+                                      .neighbours = desc->power.neighbours,
+                                      .threads = desc->threads};
     murk_status status = MURK_OK;
     for (size_t k = 0; k < desc->types && !status; ++k) {
         status = murk_power_check_type(&desc->type[k], err);
     }
-    return status ? status : murk_power_create(&sight->power, &wish, err);
+    return status ? status : murk_power_create(&sight->power, &settings, err);
 }
 
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
@@ -199,7 +199,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
         goto done;
     }
     /* Twice the diagonal holds every image, and its square is finite. */
-    sight->most_m = 2 * murk_length(murk_sub(box->max, box->min));
+    sight->max_m = 2 * murk_length(murk_sub(box->max, box->min));
     memcpy(sight->type, desc->type, desc->types * sizeof *sight->type);
     sight->desc.type = sight->type;
     status = see_media(sight, err);
@@ -221,8 +221,8 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                 murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
             goto done;
         }
-        murk_interfaces_find(sight->interfaces, desc->media, desc->hulls,
-                             &desc->domain);
+        murk_interfaces_find(sight->interfaces, desc->media,
+                             desc->boundary_meshes, &desc->domain);
     }
     sight->photons = murk_photon_map_count(desc->surface_map) +
                      murk_photon_map_count(desc->volume_map);
@@ -234,7 +234,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     const murk_photon_factors factors = {desc->interest, sight->regions};
     status = murk_photon_weights(
         sight->weight, desc->surface_map, desc->volume_map, &desc->weights,
-        &factors, most_views(desc), desc->where ? desc->where : "", err);
+        &factors, max_views(desc), desc->where ? desc->where : "", err);
     if (status) {
         goto done;
     }

@@ -22,13 +22,13 @@
 #include "base/stats.h"
 #include "base/status.h"
 #include "base/tally.h"
-#include "geometry/hulls.h"
+#include "geometry/boundary_meshes.h"
 #include "geometry/surfaces.h"
 #include "medium/media.h"
 #include "photonmap/map.h"
 #include "placement/problem.h"
 #include "sensing/interest.h"
-#include "sensing/power_wish.h"
+#include "sensing/power_settings.h"
 #include "sensing/sensor.h"
 
 typedef enum murk_visibility {
@@ -49,8 +49,9 @@ typedef struct murk_map_weights {
 typedef struct murk_sight_desc {
     const murk_surfaces *surfaces;
     const murk_media *media;
-    const murk_hulls *hulls; /* of the regions that are meshes; NULL: none */
-    murk_domain domain;      /* periodic: sightlines go to the nearest image */
+    const murk_boundary_meshes
+        *boundary_meshes; /* of the regions that are meshes; NULL: none */
+    murk_domain domain;   /* periodic: sightlines go to the nearest image */
     const murk_photon_map *surface_map, *volume_map; /* either may be empty */
     uint64_t photons_emitted; /* all emitted, those that stored nothing too */
     const murk_sensor_type *type; /* [types], copied */
@@ -65,14 +66,14 @@ typedef struct murk_sight_desc {
     double threshold;              /* of transmittance, 0..1; 0: none */
     murk_combining combining;      /* of several sensors' views */
     unsigned redundancy;           /* views of a photon that count, 0 or 1: one;
-                                      up to MURK_REDUNDANCY_MOST, and one with
+                                      up to MURK_REDUNDANCY_MAX, and one with
                                       independent chances */
     unsigned at_least;             /* coverage also says what so many sensors
                                       or more see; 0: does not; up to
-                                      MURK_REDUNDANCY_MOST */
-    murk_power_wish power;         /* by what is taken up, with combining
-                                      INDEPENDENT: clarity is the chance of
-                                      sensing/power.h. Not with a threshold */
+                                      MURK_REDUNDANCY_MAX */
+    murk_power_settings power;     /* by what is taken up, with combining
+                                  INDEPENDENT: clarity is the chance of
+                                  sensing/power.h. Not with a threshold */
     unsigned threads;
     const char *where; /* of the wish, for messages; NULL: none */
 } murk_sight_desc;
@@ -160,7 +161,7 @@ typedef struct murk_map_share {
 } murk_map_share;
 
 /* Coverage of sensors pose[n], measured on this sight's maps. */
-typedef struct murk_coverage {
+typedef struct murk_coverage_result {
     murk_estimate total;   /* error by emitted photon */
     murk_estimate surface; /* by power times regions' factors, whatever the
                               maps' weights; NaN where the map is empty, or
@@ -176,7 +177,7 @@ typedef struct murk_coverage {
     murk_estimate at_least;   /* seen_by_at_least of the sight's at_least,
                                  with its error; NaN without */
     murk_region_coverage *region; /* [interest->n]; NULL without */
-} murk_coverage;
+} murk_coverage_result;
 
 /* All but surface and volume are of the same whole-number weights that plans
  * count, so total is exactly a plan's value / whole. Errors: the ratio
@@ -186,10 +187,11 @@ typedef struct murk_coverage {
  * MURK_BAD_VALUE when a sensor is outside the domain, MURK_NO_MEMORY (some 26
  * bytes a photon, 6 more for each further view that counts) or
  * MURK_INTERRUPTED. With independent chances each sensor looks twice. Release
- * with murk_coverage_release(). */
-murk_status murk_coverage_measure(murk_coverage *out, murk_sight *sight,
-                                  const murk_pose *pose, size_t n,
-                                  murk_error *err);
-void murk_coverage_release(murk_coverage *coverage);
+ * with murk_coverage_result_release(). */
+murk_status murk_coverage_result_measure(murk_coverage_result *out,
+                                         murk_sight *sight,
+                                         const murk_pose *pose, size_t n,
+                                         murk_error *err);
+void murk_coverage_result_release(murk_coverage_result *coverage);
 
 #endif

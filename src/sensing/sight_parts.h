@@ -17,7 +17,7 @@ struct murk_sight {
     murk_sensor_type *type; /* [desc.types] */
     murk_media **accepting; /* [desc.types] the media as the type sees them;
                                NULL: as they are */
-    double most_m;          /* nothing is farther from anything */
+    double max_m;           /* nothing is farther from anything */
     double position_error_m;
     bool has_media;
     bool has_sheets;             /* that let light through */

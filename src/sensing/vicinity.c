@@ -13,7 +13,7 @@
 
 /* Of the records that a half of the emitted photons left, at most: else few
  * paths left them, and records are halved themselves. */
-#define MOST_KEPT 0.75
+#define MAX_KEPT 0.75
 
 struct murk_vicinity {
     const murk_domain *domain;
@@ -23,7 +23,7 @@ struct murk_vicinity {
     double each[LEVELS];           /* records that one of a level stands for */
     int levels;
     double radius_m;
-    size_t most;
+    size_t max;
 };
 
 /* Of the first emitted photons alone, or every second record. */
@@ -72,8 +72,8 @@ static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
     const int level = v->levels;
     const murk_photon_map *map = v->map[level - 1];
     thinning t = {.emitted = (v->emitted[level - 1] + 1) / 2};
-    const double most = MOST_KEPT * (double)murk_photon_map_count(map);
-    t.by_record = (double)count_kept(map, &t) > most;
+    const double maximum = MAX_KEPT * (double)murk_photon_map_count(map);
+    t.by_record = (double)count_kept(map, &t) > maximum;
     v->emitted[level] = t.by_record ? v->emitted[level - 1] : t.emitted;
     v->each[level] = v->each[level - 1] * (t.by_record ? 2 : 1);
     const murk_status status = thin(&v->half[level], map, &t, threads, err);
@@ -88,22 +88,23 @@ murk_status murk_vicinity_create(murk_vicinity **out,
                                  const murk_photon_map *map,
                                  const murk_domain *domain,
                                  uint64_t photons_emitted, double radius_m,
-                                 size_t most, unsigned threads, murk_error *err)
+                                 size_t maximum, unsigned threads,
+                                 murk_error *err)
 {
-    assert(most > 0 && radius_m > 0);
+    assert(maximum > 0 && radius_m > 0);
     murk_vicinity *v = calloc(1, sizeof *v);
     if (!v) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a vicinity");
     }
     v->domain = domain;
     v->radius_m = radius_m;
-    v->most = most;
+    v->max = maximum;
     v->map[0] = map;
     v->emitted[0] = photons_emitted;
     v->each[0] = 1;
     v->levels = 1;
     while (v->levels < LEVELS &&
-           murk_photon_map_count(v->map[v->levels - 1]) > most) {
+           murk_photon_map_count(v->map[v->levels - 1]) > maximum) {
         const murk_status status = halve(v, threads, err);
         if (status) {
             murk_vicinity_destroy(v);
@@ -157,7 +158,7 @@ static int level_for(const murk_vicinity *v, size_t n)
     int level = 0;
     while (level + 1 < v->levels &&
            (double)n * (double)murk_photon_map_count(v->map[level]) >
-               (double)v->most * all) {
+               (double)v->max * all) {
         ++level;
     }
     return level;

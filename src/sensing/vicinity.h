@@ -24,8 +24,7 @@ murk_status murk_vicinity_create(murk_vicinity **out,
                                  const murk_photon_map *map,
                                  const murk_domain *domain,
                                  uint64_t photons_emitted, double radius_m,
-                                 size_t most, unsigned threads,
-                                 murk_error *err);
+                                 size_t max, unsigned threads, murk_error *err);
 void murk_vicinity_destroy(murk_vicinity *vicinity); /* NULL is fine */
 
 typedef struct murk_around {

@@ -10,14 +10,14 @@ murk_ways murk_ways_of(const murk_surfaces *surfaces, const murk_domain *domain)
 {
     murk_ways ways = {.surfaces = surfaces,
                       .domain = domain,
-                      .hair_m = murk_hair(surfaces, domain)};
+                      .tolerance_m = murk_sight_tolerance_m(surfaces, domain)};
     /* At right angles, so that no seam runs along both; tilted, so that no way
      * along an axis does. */
     murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
     aside[0] = murk_unit(aside[0]);
     murk_frame(aside[0], &aside[1], &aside[2]);
-    ways.aside[0] = murk_scale(0.5 * ways.hair_m, aside[0]);
-    ways.aside[1] = murk_scale(0.5 * ways.hair_m, aside[1]);
+    ways.aside[0] = murk_scale(0.5 * ways.tolerance_m, aside[0]);
+    ways.aside[1] = murk_scale(0.5 * ways.tolerance_m, aside[1]);
     return ways;
 }
 
@@ -39,7 +39,7 @@ bool murk_way_is_open(const murk_ways *w, murk_vec3 from, murk_vec3 to)
 bool murk_way_leads_out(const murk_ways *w, murk_vec3 point)
 {
     const murk_domain *domain = w->domain;
-    const double beyond = 2 * w->hair_m;
+    const double beyond = 2 * w->tolerance_m;
     const double x[2] = {domain->box.min.x - beyond,
                          domain->box.max.x + beyond};
     const double y[2] = {domain->box.min.y - beyond,
@@ -76,16 +76,17 @@ static bool is_near(const murk_ways *w, murk_vec3 point, double radius_m,
 murk_closeness murk_ways_closeness(const murk_ways *w, murk_vec3 point,
                                    double clearance_m, const murk_foot *foot)
 {
-    const double hair = w->hair_m;
-    if (murk_surfaces_near(w->surfaces, point, hair)) {
+    const double tolerance = w->tolerance_m;
+    if (murk_surfaces_near(w->surfaces, point, tolerance)) {
         return MURK_ON_SURFACE;
     }
     /* A point that stands at the clearance itself is not dropped by rounding.
      */
-    if (clearance_m > 2 * hair && is_near(w, point, clearance_m - hair, foot)) {
+    if (clearance_m > 2 * tolerance &&
+        is_near(w, point, clearance_m - tolerance, foot)) {
         return MURK_TOO_CLOSE;
     }
-    return murk_surfaces_near(w->surfaces, point, 2 * hair)
+    return murk_surfaces_near(w->surfaces, point, 2 * tolerance)
                ? MURK_BARELY_CLEAR
                : MURK_CLEAR_OF_SURFACES;
 }

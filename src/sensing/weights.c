@@ -10,7 +10,7 @@ typedef struct powers {
     size_t n;
     const murk_interest *interest;
     const uint64_t *regions; /* [n]; NULL: none */
-    double sum, most;
+    double sum, max;
 } powers;
 
 static double power_of(const powers *p, size_t i)
@@ -33,17 +33,17 @@ static powers add_up(const murk_photon_map *map,
     for (size_t i = 0; i < p.n; ++i) {
         const double power_w = power_of(&p, i);
         p.sum += power_w;
-        p.most = fmax(p.most, power_w);
+        p.max = fmax(p.max, power_w);
     }
     return p;
 }
 
 /* Rounding adds half a unit a record at most, so a sum of `most - n` stays
  * under `most`. */
-static double largest_sum(const powers *p, double most)
+static double largest_sum(const powers *p, double max)
 {
-    const double by_weight = p->most > 0 ? WEIGHT_MAX * (p->sum / p->most) : 0;
-    return fmin(most - (double)p->n, by_weight);
+    const double by_weight = p->max > 0 ? WEIGHT_MAX * (p->sum / p->max) : 0;
+    return fmin(max - (double)p->n, by_weight);
 }
 
 static void scale(uint32_t *weight, const powers *p, double factor)
@@ -96,9 +96,9 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
         const double share_surface = a / fmax(a, b),
                      share_volume = b / fmax(a, b);
         const double sum = share_surface * s.sum + share_volume * v.sum;
-        const double most = fmax(share_surface * s.most, share_volume * v.most);
+        const double max = fmax(share_surface * s.max, share_volume * v.max);
         const double room = whole - (double)s.n - (double)v.n;
-        const double factor = sum > 0 ? fmin(room / sum, WEIGHT_MAX / most) : 0;
+        const double factor = sum > 0 ? fmin(room / sum, WEIGHT_MAX / max) : 0;
         factor_surface = share_surface * factor;
         factor_volume = share_volume * factor;
     }

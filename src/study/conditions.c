@@ -19,7 +19,7 @@ static void put_dark_last(murk_conditions *all)
         if (murk_plan_is_dark(all->condition[c].stage)) {
             dark[all->dark++] = all->condition[c];
         } else {
-            has_say = has_say || all->condition[c].wish->weight > 0;
+            has_say = has_say || all->condition[c].settings->weight > 0;
             all->condition[all->n++] = all->condition[c];
         }
     }
@@ -31,7 +31,8 @@ static void put_dark_last(murk_conditions *all)
 }
 
 murk_status murk_conditions_create(murk_conditions **out,
-                                   const murk_scene *scene, murk_error *err)
+                                   const murk_scene_desc *scene,
+                                   murk_error *err)
 {
     murk_conditions *all = calloc(1, sizeof *all);
     if (!all) {
@@ -42,7 +43,7 @@ murk_status murk_conditions_create(murk_conditions **out,
     all->n = scene->n_conditions;
     murk_status status = MURK_OK;
     for (size_t c = 0; !status && c < all->n; ++c) {
-        all->condition[c].wish = &scene->conditions[c];
+        all->condition[c].settings = &scene->conditions[c];
         status = murk_stage_import(&all->condition[c].stage,
                                    scene->conditions[c].scene, err);
     }
@@ -82,9 +83,10 @@ void murk_conditions_destroy(murk_conditions *all)
 
 /* A copy for free(); what it points to stays the other's. NULL when out of
  * memory. */
-static murk_scene *scene_again(const murk_scene *scene, uint32_t later)
+static murk_scene_desc *scene_again(const murk_scene_desc *scene,
+                                    uint32_t later)
 {
-    murk_scene *out = malloc(sizeof *out);
+    murk_scene_desc *out = malloc(sizeof *out);
     if (out) {
         *out = *scene;
         out->seed += later;
@@ -97,14 +99,14 @@ static murk_status condition_again(murk_condition *out,
                                    const murk_condition *from, uint32_t later,
                                    murk_error *err)
 {
-    out->wish = from->wish;
+    out->settings = from->settings;
     out->borrowed = scene_again(from->stage->scene, later);
     out->stage = malloc(sizeof *out->stage);
     if (!out->stage || !out->borrowed) {
         free(out->borrowed);
         free(out->stage);
         *out = (murk_condition){0};
-        return murk_fail(err, MURK_NO_MEMORY, from->wish->where,
+        return murk_fail(err, MURK_NO_MEMORY, from->settings->where,
                          "no memory for conditions");
     }
     *out->stage = *from->stage;
@@ -151,7 +153,7 @@ murk_status murk_conditions_sites(murk_candidates **out,
     const size_t n = conditions->n + conditions->dark;
     for (size_t c = 0; c < n; ++c) {
         stage[c] = conditions->condition[c].stage;
-        where[c] = conditions->condition[c].wish->where;
+        where[c] = conditions->condition[c].settings->where;
     }
     return murk_sites_find_common(out, stage, where, n, threads, err);
 }
@@ -181,8 +183,8 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
             continue;
         }
         murk_forecast f;
-        const murk_status status =
-            murk_light_forecast(&f, all->condition[c].stage, 0, threads, err);
+        const murk_status status = murk_lightmap_forecast(
+            &f, all->condition[c].stage, 0, threads, err);
         if (status) {
             return status;
         }
@@ -210,7 +212,7 @@ static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
         one->traced = alike->traced;
         one->borrows_light = true;
     } else {
-        status = murk_light_trace(&one->traced, one->stage, 0, threads, err);
+        status = murk_lightmap_trace(&one->traced, one->stage, 0, threads, err);
         if (!status) {
             all->trace_s += one->traced->trace_s;
             all->map_s += one->traced->map_s;

@@ -8,17 +8,18 @@
 #ifndef MURK_STUDY_CONDITIONS_H
 #define MURK_STUDY_CONDITIONS_H
 
-#include "study/light.h"
+#include "study/lightmap.h"
 #include "study/poses.h"
 #include "study/sites.h"
 #include "study/targets.h"
 
 typedef struct murk_condition {
-    const murk_scene_condition *wish;
+    const murk_scene_condition *settings;
     murk_stage *stage;
-    murk_scene *borrowed; /* of a stage whose parts are another's; else NULL */
-    murk_traced *traced;  /* the light that chooses */
-    bool borrows_light;   /* an earlier condition's */
+    murk_scene_desc
+        *borrowed;       /* of a stage whose parts are another's; else NULL */
+    murk_traced *traced; /* the light that chooses */
+    bool borrows_light;  /* an earlier condition's */
     murk_sight *sight;
     murk_target_facts targets; /* points 0: photons are seen */
     /* With over: regret, once plans are chosen: the coverage of the best plan
@@ -27,9 +28,9 @@ typedef struct murk_condition {
 } murk_condition;
 
 typedef struct murk_conditions {
-    const murk_scene *scene; /* borrowed */
-    murk_scene *again;       /* it, of murk_conditions_again(); else NULL */
-    size_t n;                /* that there is something to see in */
+    const murk_scene_desc *scene; /* borrowed */
+    murk_scene_desc *again; /* it, of murk_conditions_again(); else NULL */
+    size_t n;               /* that there is something to see in */
     size_t dark; /* that follow them, and have no sight; where no condition that
                     has a say is lit, all do */
     murk_condition condition[MURK_SCENE_CONDITIONS_MAX]; /* [n + dark], else in
@@ -42,7 +43,8 @@ typedef struct murk_conditions {
 /* Imports the files of all conditions, then builds them. *out is the caller's:
  * murk_conditions_destroy(). The scene must outlive it. */
 murk_status murk_conditions_create(murk_conditions **out,
-                                   const murk_scene *scene, murk_error *err);
+                                   const murk_scene_desc *scene,
+                                   murk_error *err);
 void murk_conditions_destroy(murk_conditions *conditions); /* NULL is fine */
 
 /* The same worlds under seeds that are `later` by so much, for another job, and

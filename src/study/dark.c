@@ -7,14 +7,15 @@ static const murk_estimate NOTHING = {NAN, NAN};
 
 bool murk_stage_is_dark(const murk_stage *stage)
 {
-    return murk_lights_lit(stage->lights) == 0;
+    return murk_sources_lit(stage->lights) == 0;
 }
 
 bool murk_plan_is_dark(const murk_stage *stage)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_scene_placement *settings = &stage->scene->placement;
     return murk_stage_is_dark(stage) &&
-           (!wish->targets.given || wish->detection == MURK_SCENE_POWER);
+           (!settings->targets.given ||
+            settings->detection == MURK_SCENE_POWER);
 }
 
 static double *none_of(size_t n)
@@ -26,22 +27,23 @@ static double *none_of(size_t n)
     return out;
 }
 
-murk_status murk_dark_coverage(murk_coverage *out, const murk_stage *stage,
-                               size_t n, murk_error *err)
+murk_status murk_dark_coverage(murk_coverage_result *out,
+                               const murk_stage *stage, size_t n,
+                               murk_error *err)
 {
     const size_t regions = stage->scene->placement.n_interests;
-    murk_coverage made = {.total = NOTHING,
-                          .surface = NOTHING,
-                          .volume = NOTHING,
-                          .map = {{0, NAN, NAN}, {0, NAN, NAN}},
-                          .sum_of_views = NAN,
-                          .covers = none_of(n),
-                          .only_it_covers = none_of(n),
-                          .seen_by_at_least = none_of(n)};
+    murk_coverage_result made = {.total = NOTHING,
+                                 .surface = NOTHING,
+                                 .volume = NOTHING,
+                                 .map = {{0, NAN, NAN}, {0, NAN, NAN}},
+                                 .sum_of_views = NAN,
+                                 .covers = none_of(n),
+                                 .only_it_covers = none_of(n),
+                                 .seen_by_at_least = none_of(n)};
     made.region = regions ? calloc(regions, sizeof *made.region) : NULL;
     if (!made.covers || !made.only_it_covers || !made.seen_by_at_least ||
         (regions && !made.region)) {
-        murk_coverage_release(&made);
+        murk_coverage_result_release(&made);
         return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                          "no memory for %zu sensors", n);
     }
@@ -52,7 +54,7 @@ murk_status murk_dark_coverage(murk_coverage *out, const murk_stage *stage,
     return MURK_OK;
 }
 
-murk_status murk_dark_plan(murk_plan *plan, const murk_stage *stage,
+murk_status murk_dark_plan(murk_plan_result *plan, const murk_stage *stage,
                            murk_error *err)
 {
     const murk_poses *poses = plan->poses;

@@ -14,12 +14,13 @@ bool murk_stage_is_dark(const murk_stage *stage);
 bool murk_plan_is_dark(const murk_stage *stage);
 
 /* Of n sensors: release as any other. Fails with MURK_NO_MEMORY. */
-murk_status murk_dark_coverage(murk_coverage *out, const murk_stage *stage,
-                               size_t n, murk_error *err);
+murk_status murk_dark_coverage(murk_coverage_result *out,
+                               const murk_stage *stage, size_t n,
+                               murk_error *err);
 
-/* From a prepared plan on, as murk_plan_make(): the fixed sensors, and no
- * others, since none is better than another. */
-murk_status murk_dark_plan(murk_plan *plan, const murk_stage *stage,
+/* From a prepared plan on, as murk_plan_result_make(): the fixed sensors, and
+ * no others, since none is better than another. */
+murk_status murk_dark_plan(murk_plan_result *plan, const murk_stage *stage,
                            murk_error *err);
 
 #endif

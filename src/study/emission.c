@@ -8,19 +8,19 @@
     UINT64_C(1000) /* emissions a stored photon, at most \
                     */
 
-static const murk_scene_photons *wish_of(const murk_emission *e)
+static const murk_scene_photons *settings_of(const murk_emission *e)
 {
     return &e->stage->scene->photons;
 }
 
 static uint64_t wanted(const murk_emission *e)
 {
-    return e->emit ? 0 : wish_of(e)->store;
+    return e->emit ? 0 : settings_of(e)->store;
 }
 
 static uint64_t stored(const murk_emission *e)
 {
-    return e->harvest->surface.n + e->harvest->volume.n;
+    return e->buffers->surface.n + e->buffers->volume.n;
 }
 
 static murk_trace trace_of(const murk_emission *e, uint64_t first,
@@ -78,9 +78,9 @@ static murk_trace heard_trace(const murk_emission *e, uint64_t first,
         trace.sink = e->sink;
         trace.leg = e->leg;
         trace.context = e->context;
-    } else if (e->harvest->keeps_surface || e->harvest->keeps_volume) {
-        trace.sink = murk_harvest_event;
-        trace.context = e->harvest;
+    } else if (e->buffers->keeps_surface || e->buffers->keeps_volume) {
+        trace.sink = murk_record_buffers_event;
+        trace.context = e->buffers;
     }
     return trace;
 }
@@ -95,7 +95,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
 
     uint64_t last = UINT64_MAX;
     if (wanted(e) && !murk_interrupted()) {
-        last = murk_harvest_photon_of(e->harvest, wanted(e) - stored(e));
+        last = murk_record_buffers_photon_of(e->buffers, wanted(e) - stored(e));
     }
     if (last != UINT64_MAX) {
         take_back(e, last + 1, end);
@@ -107,14 +107,14 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     e->emitted = end;
     *is_done = last != UINT64_MAX || end == e->emit;
     return e->gather ? e->gather(e->gather_context, last, err)
-                     : murk_harvest_gather(e->harvest, last, err);
+                     : murk_record_buffers_gather(e->buffers, last, err);
 }
 
 murk_status murk_emission_check(const murk_emission *e, murk_error *err)
 {
-    const size_t channels = murk_lights_lit(e->stage->lights);
+    const size_t channels = murk_sources_lit(e->stage->lights);
     if (e->emit && e->emit < channels) {
-        return murk_fail(err, MURK_BAD_VALUE, wish_of(e)->where,
+        return murk_fail(err, MURK_BAD_VALUE, settings_of(e)->where,
                          "emit: %llu, must be at least %zu: one photon for "
                          "each light and band",
                          (unsigned long long)e->emit, channels);
@@ -124,11 +124,11 @@ murk_status murk_emission_check(const murk_emission *e, murk_error *err)
 
 murk_status murk_emission_run(murk_emission *e, murk_error *err)
 {
-    bool is_done = murk_lights_lit(e->stage->lights) == 0;
+    bool is_done = murk_sources_lit(e->stage->lights) == 0;
     murk_status status = MURK_OK;
     while (!is_done && !status) {
         if (e->emitted >= emissions_max(e)) {
-            return murk_fail(err, MURK_RUN_FAILED, wish_of(e)->where,
+            return murk_fail(err, MURK_RUN_FAILED, settings_of(e)->where,
                              "store: of %.6g photons emitted only %.6g of "
                              "%.6g are stored; more are not tried",
                              (double)e->emitted, (double)stored(e),
@@ -164,10 +164,10 @@ murk_status murk_emission_check_losses(const murk_emission *e, murk_error *err)
 void murk_emission_price(const murk_emission *e, uint64_t *emitted_in,
                          double *packet_w)
 {
-    const murk_lights *lights = e->stage->lights;
-    murk_lights_deal(lights, e->emitted, emitted_in);
-    for (size_t c = 0; c < murk_lights_channels(lights); ++c) {
-        packet_w[c] = emitted_in[c] ? murk_lights_channel_power_w(lights, c) /
+    const murk_sources *lights = e->stage->lights;
+    murk_sources_deal(lights, e->emitted, emitted_in);
+    for (size_t c = 0; c < murk_sources_channels(lights); ++c) {
+        packet_w[c] = emitted_in[c] ? murk_sources_channel_power_w(lights, c) /
                                           (double)emitted_in[c]
                                     : 0;
     }

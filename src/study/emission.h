@@ -4,7 +4,7 @@
 #ifndef MURK_STUDY_EMISSION_H
 #define MURK_STUDY_EMISSION_H
 
-#include "study/harvest.h"
+#include "study/record_buffers.h"
 #include "study/stage.h"
 
 /* A light whose lost share is above this is refused: it would not be the
@@ -17,13 +17,13 @@ typedef struct murk_emission {
     unsigned threads;
     uint64_t emit;       /* photons; 0: until the scene's `store` are stored */
     bool is_first_small; /* one batch, for whoever forecasts from it */
-    murk_harvest *harvest; /* counts what is stored */
+    murk_record_buffers *buffers; /* counts what is stored */
     murk_ledger *ledger;
     murk_tallies *tallies; /* NULL: none */
 
-    /* Who hears of events and legs instead of the harvest, and must let it
-     * know; and keeps, after each wave, what came of it up to and with photon
-     * `last`. NULL: the harvest alone. */
+    /* Who hears of events and legs instead of the set of record buffers, and
+     * must let it know; and keeps, after each wave, what came of it up to and
+     * with photon `last`. NULL: the set of record buffers alone. */
     murk_event_sink sink;
     murk_leg_sink leg;
     void *context; /* of both */

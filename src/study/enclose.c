@@ -36,7 +36,7 @@ static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                              high.z >= domain->max.z ? far_m : high.z}};
 }
 
-static bool crosses_plain(const murk_hulls *hulls, int mesh,
+static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                           const murk_scene_region *r, const murk_box *domain,
                           murk_vec3 *place)
 {
@@ -45,7 +45,8 @@ static bool crosses_plain(const murk_hulls *hulls, int mesh,
                               .center = r->center,
                               .radius_m = r->radius_m,
                               .to_world = placed(r)};
-    const murk_box bounds = murk_hulls_describe(hulls, mesh).bounds_m;
+    const murk_box bounds =
+        murk_boundary_meshes_describe(boundary_meshes, mesh).bounds_m;
     if (r->shape == MURK_SCENE_IN_BOX) {
         shape.plain = MURK_PLAIN_BOX;
         open_faces(&shape, r, domain,
@@ -56,11 +57,13 @@ static bool crosses_plain(const murk_hulls *hulls, int mesh,
     } else if (r->shape != MURK_SCENE_IN_SPHERE) {
         return false; /* everywhere holds all; grids have no index */
     }
-    return murk_hulls_meet_plain(hulls, mesh, &shape, place);
+    return murk_boundary_meshes_meet_plain(boundary_meshes, mesh, &shape,
+                                           place);
 }
 
-static bool cross(const murk_hulls *hulls, const murk_scene *scene, size_t a,
-                  size_t b, const murk_box *domain, murk_vec3 *place)
+static bool cross(const murk_boundary_meshes *boundary_meshes,
+                  const murk_scene_desc *scene, size_t a, size_t b,
+                  const murk_box *domain, murk_vec3 *place)
 {
     const murk_scene_region *one = &scene->regions[a];
     const murk_scene_region *other = &scene->regions[b];
@@ -70,20 +73,24 @@ static bool cross(const murk_hulls *hulls, const murk_scene *scene, size_t a,
         return false;
     }
     if (is_mesh && other_is_mesh) {
-        return murk_hulls_meet(hulls, (int)a, (int)b, place);
+        return murk_boundary_meshes_meet(boundary_meshes, (int)a, (int)b,
+                                         place);
     }
-    return is_mesh         ? crosses_plain(hulls, (int)a, other, domain, place)
-           : other_is_mesh ? crosses_plain(hulls, (int)b, one, domain, place)
-                           : false;
+    return is_mesh
+               ? crosses_plain(boundary_meshes, (int)a, other, domain, place)
+           : other_is_mesh
+               ? crosses_plain(boundary_meshes, (int)b, one, domain, place)
+               : false;
 }
 
-static murk_status check_pairs(const murk_hulls *hulls, const murk_scene *scene,
+static murk_status check_pairs(const murk_boundary_meshes *boundary_meshes,
+                               const murk_scene_desc *scene,
                                const murk_box *domain, murk_error *err)
 {
     for (size_t later = 0; later < scene->n_regions; ++later) {
         for (size_t i = 0; i < later; ++i) {
             murk_vec3 p;
-            if (cross(hulls, scene, i, later, domain, &p)) {
+            if (cross(boundary_meshes, scene, i, later, domain, &p)) {
                 return murk_fail(
                     err, MURK_BAD_VALUE, scene->regions[later].where,
                     "crosses %s near %s m, must lie in it, hold it or lie "
@@ -95,31 +102,31 @@ static murk_status check_pairs(const murk_hulls *hulls, const murk_scene *scene,
     return MURK_OK;
 }
 
-murk_status murk_enclose(murk_hulls **out, const murk_scene *scene,
-                         murk_mesh *const *mesh, const murk_box *domain,
-                         murk_error *err)
+murk_status murk_enclose(murk_boundary_meshes **out,
+                         const murk_scene_desc *scene, murk_mesh *const *mesh,
+                         const murk_box *domain, murk_error *err)
 {
-    murk_hull_desc desc[MURK_HULLS_MAX];
-    murk_hulls *made = NULL;
+    murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
+    murk_boundary_meshes *made = NULL;
     size_t n = 0;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (r->shape == MURK_SCENE_IN_MESH) {
-            desc[n++] = (murk_hull_desc){.region = (int)i,
-                                         .mesh = mesh[i],
-                                         .to_world = placed(r),
-                                         .where = r->where};
+            desc[n++] = (murk_boundary_mesh_desc){.region = (int)i,
+                                                  .mesh = mesh[i],
+                                                  .to_world = placed(r),
+                                                  .where = r->where};
         }
     }
     murk_status status = MURK_OK;
     if (n > 0) {
-        status = murk_hulls_create(&made, desc, n, err);
+        status = murk_boundary_meshes_create(&made, desc, n, err);
     }
     if (!status && made) {
         status = check_pairs(made, scene, domain, err);
     }
     if (status) {
-        murk_hulls_destroy(made);
+        murk_boundary_meshes_destroy(made);
         return status;
     }
     *out = made;

@@ -3,7 +3,7 @@
 /* Photons followed, for each band; and how many of a band must be lost, and no
  * other end: where one in a hundred may be lost, 1e-8 by chance. */
 #define PHOTONS_A_BAND 8
-#define LOST_LEAST     4
+#define LOST_MIN       4
 
 static bool is_whole(double share)
 {
@@ -13,7 +13,7 @@ static bool is_whole(double share)
 /* Whether any surface or medium that is there takes light of the band. */
 static bool absorbs(const murk_stage *stage, int band)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     for (size_t i = 0; i < scene->n_materials; ++i) {
         const murk_scene_material *m = &scene->materials[i];
         if (murk_surfaces_material_area(stage->surfaces, i) > 0 &&
@@ -47,7 +47,7 @@ static double lost_alone(const murk_stage *stage, const murk_ledger *ledger,
 murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
                               murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     murk_ledger *ledger = NULL;
     murk_status status = murk_ledger_create(&ledger, &stage->world, err);
     if (status) {
@@ -59,7 +59,7 @@ murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
     murk_trace_run(&trace, ledger);
     for (int band = 0; band < scene->bands && !status; ++band) {
         const double lost = lost_alone(stage, ledger, band);
-        if (lost >= LOST_LEAST) {
+        if (lost >= LOST_MIN) {
             status = murk_fail(
                 err, MURK_BAD_VALUE, scene->path,
                 "light of %.6g nm does not end: all of %.0f photons went on "

@@ -26,11 +26,11 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
                            const murk_stage *stage, const char *where,
                            murk_error *err)
 {
-    const murk_lights *lights = stage->lights;
-    const size_t n = murk_lights_count(lights);
+    const murk_sources *lights = stage->lights;
+    const size_t n = murk_sources_count(lights);
     size_t room = n + 1;
     for (size_t i = 0; i < n; ++i) {
-        room += murk_lights_get(lights, i)->portals;
+        room += murk_sources_get(lights, i)->portals;
     }
     murk_vec3 *place = calloc(room, sizeof *place);
     if (!place) {
@@ -39,7 +39,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
     }
     murk_reach reach = {.lamps = place, .domain = stage->world.domain};
     for (size_t i = 0; i < n; ++i) {
-        if (murk_lights_place(lights, i, &place[reach.n_lamps])) {
+        if (murk_sources_place(lights, i, &place[reach.n_lamps])) {
             ++reach.n_lamps;
         } else {
             reach.from_sides = true;
@@ -47,7 +47,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
     }
     const size_t lamps = reach.n_lamps;
     for (size_t i = 0; i < n; ++i) {
-        const murk_light *light = murk_lights_get(lights, i);
+        const murk_source *light = murk_sources_get(lights, i);
         for (size_t k = 0; k < light->portals; ++k) {
             reach.n_lamps =
                 add_portal(place, lamps, reach.n_lamps, &light->portal[k]);

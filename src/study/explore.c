@@ -1,7 +1,7 @@
 #include "study/explore.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "placement/stepping.h"
 #include "study/explored.h"
@@ -20,7 +20,7 @@ typedef struct exploring {
     murk_sight *sight;
     uint32_t start;
     murk_rulebook book;
-    murk_standing standing;
+    murk_partial_plan partial;
     murk_stepping stepping;
     murk_explored explored;
     uint32_t *open;      /* [poses] that may be next */
@@ -44,7 +44,7 @@ static size_t gather(exploring *e, size_t *seen)
         if (is_first ? place == e->start
                      : murk_explored_joins(&e->explored, place, e->start)) {
             ++*seen;
-            if (murk_standing_admits(&e->standing, j, false)) {
+            if (murk_partial_plan_admits(&e->partial, j, false)) {
                 e->open[n++] = j;
             }
         }
@@ -80,7 +80,7 @@ static bool widen(exploring *e, size_t n, uint32_t *next)
         if (taken == 0) {
             break;
         }
-        murk_crew_run(murk_sight_described(e->sight)->threads, taken,
+        murk_pool_run(murk_sight_described(e->sight)->threads, taken,
                       count_opened, e);
         for (size_t k = 0; k < taken; ++k) {
             const murk_ranked now = {e->opens[e->chunk[k]], e->chunk[k]};
@@ -136,7 +136,7 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
         }
     }
     const double gone_m = out->steps ? out->step[out->steps - 1].path_m : 0;
-    murk_standing_add(&e->standing, j);
+    murk_partial_plan_add(&e->partial, j);
     *step = (murk_explore_step){
         .candidate = j,
         .gain = murk_stepping_take(&e->stepping, j),
@@ -160,7 +160,7 @@ static bool choose(exploring *e, uint32_t *next)
     const size_t n = gather(e, &seen);
     if (n == 0) {
         e->out->end = seen > e->out->steps - e->out->fixed
-                          ? MURK_EXPLORE_RULES
+                          ? MURK_EXPLORE_CONSTRAINTS
                           : MURK_EXPLORE_NOTHING;
         return false;
     }
@@ -196,11 +196,11 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
             return MURK_OK;
         }
         if (!desc->target && desc->count > 0 &&
-            e->standing.size == desc->count) {
+            e->partial.size == desc->count) {
             e->out->end = MURK_EXPLORE_COUNT;
             return MURK_OK;
         }
-        if (e->out->steps == MURK_EXPLORE_MOST + e->out->fixed) {
+        if (e->out->steps == MURK_EXPLORE_MAX + e->out->fixed) {
             e->out->end = MURK_EXPLORE_STATIONS;
             return MURK_OK;
         }
@@ -223,7 +223,8 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
 
 static const char *why(murk_explore_end end)
 {
-    return end == MURK_EXPLORE_RULES ? "the rules let nobody join in seen space"
+    return end == MURK_EXPLORE_CONSTRAINTS
+               ? "the rules let nobody join in seen space"
            : end == MURK_EXPLORE_STATIONS ? "that is the most"
                                           : "nothing in seen space adds to it";
 }
@@ -242,11 +243,11 @@ static murk_status check_end(const exploring *e, const murk_place_desc *desc,
                          out->steps ? out->step[out->steps - 1].places_seen : 0,
                          out->places, why(out->end));
     }
-    if (e->standing.missing > 0) {
+    if (e->partial.missing > 0) {
         return murk_fail(err, MURK_RUN_FAILED, "",
                          "exploring ends with %zu sensors, %zu short of the "
                          "types' least counts: %s",
-                         out->steps, e->standing.missing, why(out->end));
+                         out->steps, e->partial.missing, why(out->end));
     }
     return MURK_OK;
 }
@@ -272,7 +273,7 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     *place = (murk_place_result){.count = out->steps,
                                  .sensor = sensor,
                                  .value = e->stepping.value,
-                                 .cost = e->standing.cost,
+                                 .cost = e->partial.cost,
                                  .whole = e->stepping.layout.whole,
                                  .evaluations = e->stepping.looks,
                                  .looks = murk_sight_queries(e->sight)};
@@ -282,7 +283,7 @@ static murk_status fill(murk_place_result *place, const exploring *e,
 static murk_status set_aside(exploring *e, murk_error *err)
 {
     const size_t n = e->poses->count + 1;
-    const size_t steps = e->poses->fixed + MURK_EXPLORE_MOST + 1;
+    const size_t steps = e->poses->fixed + MURK_EXPLORE_MAX + 1;
     e->open = malloc(n * sizeof *e->open);
     e->opens = malloc(n * sizeof *e->opens);
     e->ranked = malloc(n * sizeof *e->ranked);
@@ -303,21 +304,21 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                              const murk_poses *poses, uint32_t start,
                              const murk_place_desc *desc, murk_error *err)
 {
-    assert(desc->rules);
-    const murk_scene_placement *wish = &stage->scene->placement;
+    assert(desc->constraints);
+    const murk_scene_placement *settings = &stage->scene->placement;
     exploring e = {.out = out,
                    .poses = poses,
                    .sight = sight,
                    .start = start,
                    .here = start};
     *out = (murk_explore){.places = sites->usable};
-    const bool is_most = desc->target || desc->rules->budget > 0;
+    const bool is_max = desc->target || desc->constraints->budget > 0;
     const size_t count = desc->count > 0 ? desc->count : poses->count;
     murk_status status = murk_rulebook_init(
-        &e.book, desc->rules, poses->count,
-        count < poses->count ? count : poses->count, is_most, err);
+        &e.book, desc->constraints, poses->count,
+        count < poses->count ? count : poses->count, is_max, err);
     if (!status) {
-        status = murk_standing_init(&e.standing, &e.book, err);
+        status = murk_partial_plan_init(&e.partial, &e.book, err);
     }
     if (!status) {
         status = murk_stepping_init(&e.stepping, problem, &e.book, err);
@@ -334,9 +335,9 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
         goto done;
     }
     murk_progress_begin("explore", desc->target ? 0 : count, "stations");
-    status = begin(&e, wish->has_start, err);
+    status = begin(&e, settings->has_start, err);
     if (!status) {
-        status = step_on(&e, desc, wish->where, err);
+        status = step_on(&e, desc, settings->where, err);
     }
     murk_progress_end();
     out->ways = (uint64_t)murk_tally_read(&e.explored.outlook.tried);
@@ -352,7 +353,7 @@ done:
     free(e.ranked);
     murk_explored_release(&e.explored);
     murk_stepping_release(&e.stepping);
-    murk_standing_release(&e.standing);
+    murk_partial_plan_release(&e.partial);
     murk_rulebook_release(&e.book);
     return status;
 }

@@ -24,15 +24,15 @@
 #include "study/stage.h"
 
 /* Stations at most. */
-#define MURK_EXPLORE_MOST 1000
+#define MURK_EXPLORE_MAX 1000
 
 typedef enum murk_explore_end {
-    MURK_EXPLORE_COUNT,   /* as many as were asked for */
-    MURK_EXPLORE_TARGET,  /* reached */
-    MURK_EXPLORE_RULES,   /* nobody in seen space may join: budget, counts,
-                             spacing, sites */
+    MURK_EXPLORE_COUNT,       /* as many as were asked for */
+    MURK_EXPLORE_TARGET,      /* reached */
+    MURK_EXPLORE_CONSTRAINTS, /* nobody in seen space may join: budget, counts,
+                           spacing, sites */
     MURK_EXPLORE_NOTHING, /* none adds coverage or brings places into view */
-    MURK_EXPLORE_STATIONS /* MURK_EXPLORE_MOST */
+    MURK_EXPLORE_STATIONS /* MURK_EXPLORE_MAX */
 } murk_explore_end;
 
 /* What holds once the station stands. */
@@ -82,7 +82,7 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
 murk_status murk_explore_bound(murk_place_result *place,
                                const murk_explore *explore,
                                const murk_problem *problem,
-                               const murk_place_desc *desc, uint64_t most_bytes,
+                               const murk_place_desc *desc, uint64_t max_bytes,
                                murk_error *err);
 
 void murk_explore_release(murk_explore *explore);

@@ -17,11 +17,11 @@ static murk_status place_all(murk_place_result *out, const everywhere *all,
                : murk_place_unknown(out, all->problem, desc, err);
 }
 
-static bool has_least(const murk_rules *rules)
+static bool has_min(const murk_constraints *constraints)
 {
     size_t sum = 0;
-    for (size_t k = 0; rules->least && k < rules->classes; ++k) {
-        sum += rules->least[k];
+    for (size_t k = 0; constraints->min && k < constraints->classes; ++k) {
+        sum += constraints->min[k];
     }
     return sum > 0;
 }
@@ -36,14 +36,14 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
 {
     const murk_status status = place_all(out, all, desc, err);
     *fewest = out->curve ? out->curve[0].count : 0;
-    if (status || !has_least(desc->rules) || !out->curve) {
+    if (status || !has_min(desc->constraints) || !out->curve) {
         return status;
     }
-    murk_rules rules = *desc->rules;
+    murk_constraints constraints = *desc->constraints;
     murk_place_desc freer = *desc;
     murk_place_result on_the_way = {0};
-    rules.least = NULL;
-    freer.rules = &rules;
+    constraints.min = NULL;
+    freer.constraints = &constraints;
     const murk_status later = place_all(&on_the_way, all, &freer, err);
     if (!later) {
         free(out->curve);
@@ -62,12 +62,12 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
 static murk_status look_and_bound(murk_place_result *out, size_t *fewest,
                                   const murk_problem *problem,
                                   const murk_place_desc *desc,
-                                  uint64_t most_bytes, murk_error *err)
+                                  uint64_t max_bytes, murk_error *err)
 {
     everywhere all = {.problem = problem};
     murk_error full = {0};
     murk_status status =
-        murk_matrix_create(&all.matrix, problem, most_bytes, &full);
+        murk_matrix_create(&all.matrix, problem, max_bytes, &full);
     status = status == MURK_OK || status == MURK_RUN_FAILED
                  ? bound_all(out, fewest, &all, desc, err)
                  : murk_fail(err, status, full.where, "%s", full.text);
@@ -93,20 +93,20 @@ static void follow(murk_place_result *all, const murk_explore *explore,
 murk_status murk_explore_bound(murk_place_result *place,
                                const murk_explore *explore,
                                const murk_problem *problem,
-                               const murk_place_desc *desc, uint64_t most_bytes,
+                               const murk_place_desc *desc, uint64_t max_bytes,
                                murk_error *err)
 {
-    assert(desc->rules);
+    assert(desc->constraints);
     murk_place_desc greedy = *desc;
     murk_place_result all = {0};
-    const bool has_budget = desc->rules->budget > 0;
+    const bool has_budget = desc->constraints->budget > 0;
     greedy.method = MURK_PLACE_GREEDY;
     greedy.target = 0;
     greedy.nodes = 0;
     greedy.count = has_budget ? desc->count : place->count;
     size_t fewest = 0;
     const murk_status status =
-        look_and_bound(&all, &fewest, problem, &greedy, most_bytes, err);
+        look_and_bound(&all, &fewest, problem, &greedy, max_bytes, err);
     if (status) {
         murk_place_release(&all);
         return status;

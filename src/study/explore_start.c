@@ -44,21 +44,21 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
                                const murk_candidates *sites,
                                const murk_poses *poses, murk_error *err)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_scene_placement *settings = &stage->scene->placement;
     const murk_domain *domain = &stage->world.domain;
-    const murk_vec3 x = wish->start;
-    if (!wish->has_start && poses->fixed == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    const murk_vec3 x = settings->start;
+    if (!settings->has_start && poses->fixed == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "start_m: not given, but knowledge is explore, which "
                          "begins at start_m, [x, y, z] in m, or at a fixed "
                          "sensor");
     }
-    if (!wish->has_start) {
+    if (!settings->has_start) {
         *start = poses->site[poses->count - poses->fixed];
         return MURK_OK;
     }
     if (!murk_box_contains(&domain->box, x)) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "start_m: %s m lies outside the domain, %s to %s m",
                          murk_position_show(x).text,
                          murk_position_show(domain->box.min).text,
@@ -66,7 +66,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     }
     far_place *order = calloc(sites->usable + 1, sizeof *order);
     if (!order) {
-        return murk_fail(err, MURK_NO_MEMORY, wish->where,
+        return murk_fail(err, MURK_NO_MEMORY, settings->where,
                          "no memory for %zu candidates", sites->usable);
     }
     const murk_sight_desc seen = {.surfaces = stage->surfaces,
@@ -76,7 +76,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     const bool is_found = find_nearest(start, &outlook, sites, order, x);
     free(order);
     return is_found ? MURK_OK
-                    : murk_fail(err, MURK_BAD_VALUE, wish->where,
+                    : murk_fail(err, MURK_BAD_VALUE, settings->where,
                                 "start_m: no straight open way leads from %s m "
                                 "to any of the %zu usable candidates: inside "
                                 "of something, or out of their sight",

@@ -7,7 +7,7 @@
 
 /* Seen places that a way is sought over, beside those that must be: the steps
  * between them are some 2e6. */
-#define WAY_PLACES_MOST 2000
+#define WAY_PLACES_MAX 2000
 
 murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
                                int bands, size_t sites, const murk_poses *poses,
@@ -125,10 +125,9 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
     for (uint32_t k = 0; k < e->places; ++k) {
         free_ones += e->is_seen[k] && !e->is_kept[k] && root_of(e, k) == root;
     }
-    const size_t each =
-        free_ones > WAY_PLACES_MOST
-            ? (free_ones + WAY_PLACES_MOST - 1) / WAY_PLACES_MOST
-            : 1;
+    const size_t each = free_ones > WAY_PLACES_MAX
+                            ? (free_ones + WAY_PLACES_MAX - 1) / WAY_PLACES_MAX
+                            : 1;
     size_t n = 0, met = 0;
     for (uint32_t k = 0; k < e->places; ++k) {
         const bool is_end = k == from || k == to;

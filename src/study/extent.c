@@ -109,8 +109,9 @@ static murk_box box_of_shape(const murk_scene_region *r,
                 layers);
 }
 
-murk_box murk_extent_region(const murk_scene *scene, const murk_scene_region *r,
-                            const murk_grid *grid, const murk_mesh *mesh)
+murk_box murk_extent_region(const murk_scene_desc *scene,
+                            const murk_scene_region *r, const murk_grid *grid,
+                            const murk_mesh *mesh)
 {
     const murk_affine placed =
         murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
@@ -165,7 +166,7 @@ static murk_box light_box(const murk_scene_light *light)
     return murk_box_empty();
 }
 
-murk_status murk_extent_domain(murk_domain *out, const murk_scene *scene,
+murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
                                murk_mesh *const *mesh, murk_grid *const *grid,
                                murk_mesh *const *region_mesh, murk_error *err)
 {

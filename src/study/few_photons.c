@@ -21,7 +21,8 @@ static bool is_thin(double photons, double weight, double others,
            weight / photons > THIN_RATIO * others_weight / others;
 }
 
-int murk_thin_map(const murk_scene *scene, const murk_coverage *coverage)
+int murk_thin_map(const murk_scene_desc *scene,
+                  const murk_coverage_result *coverage)
 {
     for (int p = 0; p < 2 && !scene->placement.targets.given; ++p) {
         const murk_map_share *map = &coverage->map[p];
@@ -34,15 +35,16 @@ int murk_thin_map(const murk_scene *scene, const murk_coverage *coverage)
     return -1;
 }
 
-double murk_map_variance_share(const murk_coverage *coverage, int map)
+double murk_map_variance_share(const murk_coverage_result *coverage, int map)
 {
     const double of = coverage->map[map].standard_error;
     const double other = coverage->map[1 - map].standard_error;
     return of * of / (of * of + other * other);
 }
 
-void murk_warn_of_thin_map(const murk_scene *scene,
-                           const murk_coverage *coverage, const char *condition)
+void murk_warn_of_thin_map(const murk_scene_desc *scene,
+                           const murk_coverage_result *coverage,
+                           const char *condition)
 {
     const int p = murk_thin_map(scene, coverage);
     if (p < 0) {
@@ -63,17 +65,18 @@ void murk_warn_of_thin_map(const murk_scene *scene,
               coverage->map[1 - p].photons, PLACE[1 - p]);
 }
 
-void murk_warn_of_thin_forecast(const murk_scene *scene,
+void murk_warn_of_thin_forecast(const murk_scene_desc *scene,
                                 const murk_forecast *forecast)
 {
     const double photons[] = {forecast->surface, forecast->volume};
-    const murk_scene_placement *wish = &scene->placement;
+    const murk_scene_placement *settings = &scene->placement;
     for (int p = 0; p < 2; ++p) {
         /* other weights go by power, which a forecast of counts does not know
          */
-        if (wish->balanced && !wish->targets.given && scene->sensors.given &&
+        if (settings->balanced && !settings->targets.given &&
+            scene->sensors.given &&
             is_thin(photons[p], .5, photons[1 - p], .5)) {
-            murk_warn(wish->where[0] ? wish->where : scene->path,
+            murk_warn(settings->where[0] ? settings->where : scene->path,
                       "weights: some %.3g photons would be stored %s and stand "
                       "for 50 %% of the coverage, beside some %.3g %s: " REMEDY,
                       photons[p], PLACE[p], photons[1 - p], PLACE[1 - p]);

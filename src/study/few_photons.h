@@ -8,25 +8,26 @@
 #define MURK_STUDY_FEW_PHOTONS_H
 
 #include "sensing/sight.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 /* A share seen of n photons is known to .5 / sqrt(n) at best: 1.6 points. */
 #define MURK_THIN_MAP_PHOTONS 1000
 
 /* The thin map of the coverage: 0 surface, 1 volume; -1: neither. Targets that
  * stand in place of photons are as many as were asked for: none is thin. */
-int murk_thin_map(const murk_scene *scene, const murk_coverage *coverage);
+int murk_thin_map(const murk_scene_desc *scene,
+                  const murk_coverage_result *coverage);
 
 /* Of the variance of the total, the share from this map's records. */
-double murk_map_variance_share(const murk_coverage *coverage, int map);
+double murk_map_variance_share(const murk_coverage_result *coverage, int map);
 
 /* Warns of it; condition NULL: the scene as it stands. */
-void murk_warn_of_thin_map(const murk_scene *scene,
-                           const murk_coverage *coverage,
+void murk_warn_of_thin_map(const murk_scene_desc *scene,
+                           const murk_coverage_result *coverage,
                            const char *condition);
 
 /* Before light is traced, by the forecast. */
-void murk_warn_of_thin_forecast(const murk_scene *scene,
+void murk_warn_of_thin_forecast(const murk_scene_desc *scene,
                                 const murk_forecast *forecast);
 
 #endif

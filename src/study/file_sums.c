@@ -62,7 +62,7 @@ bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path)
 }
 
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
-                          const murk_scene *scene)
+                          const murk_scene_desc *scene)
 {
     bool is_whole = true;
     for (size_t i = 0; i < scene->files && is_whole; ++i) {

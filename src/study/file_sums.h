@@ -23,6 +23,6 @@ bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path);
 
 /* Such a line for each file that the scene and its conditions name. */
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
-                          const murk_scene *scene);
+                          const murk_scene_desc *scene);
 
 #endif

@@ -29,7 +29,7 @@ static murk_status find_frame(const murk_scene_medium *m, murk_error *err)
     return status;
 }
 
-murk_status murk_fillings_files(const murk_scene *scene, size_t i,
+murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
                                 const char *file[2], murk_error *err)
 {
     const murk_scene_medium *m = &scene->media[i];
@@ -54,8 +54,8 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
     return status;
 }
 
-murk_status murk_fillings_create(murk_fillings **out, const murk_scene *scene,
-                                 murk_error *err)
+murk_status murk_fillings_create(murk_fillings **out,
+                                 const murk_scene_desc *scene, murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_fillings *f = calloc(1, sizeof *f);

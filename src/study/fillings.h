@@ -15,13 +15,13 @@ typedef struct murk_fillings {
 
 /* The files of the scene's i-th medium, for checksums: at most two, the rest
  * NULL. A frame that is not there is refused with those that are. */
-murk_status murk_fillings_files(const murk_scene *scene, size_t i,
+murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
                                 const char *file[2], murk_error *err);
 
 /* Reads all grids, in child processes (medium/grid.h). *out is the caller's:
  * murk_fillings_destroy(). The scene must outlive it. */
-murk_status murk_fillings_create(murk_fillings **out, const murk_scene *scene,
-                                 murk_error *err);
+murk_status murk_fillings_create(murk_fillings **out,
+                                 const murk_scene_desc *scene, murk_error *err);
 void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */
 
 /* Puts what fills the scene's i-th medium into it. */

@@ -1,6 +1,6 @@
 #include "study/free_share.h"
 
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/rng.h"
 #include "base/tally.h"
 
@@ -51,7 +51,7 @@ murk_estimate murk_free_share(const murk_part *part,
     if (!space) {
         return (murk_estimate){1, 0};
     }
-    murk_crew_run(threads, CELLS_EACH, ask, &j);
+    murk_pool_run(threads, CELLS_EACH, ask, &j);
     const double n = (double)murk_tally_read(&j.inside),
                  share = n > 0 ? (double)murk_tally_read(&j.free) / n : 0;
     return (murk_estimate){share, n > 0 ? sqrt(share * (1 - share) / n) : 0};

@@ -12,14 +12,16 @@
  */
 static bool grid_of_sensors(const murk_stage *stage, murk_candidate_grid *out)
 {
-    const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
     const murk_box *domain = &stage->world.domain.box;
-    *out = (murk_candidate_grid){.min = wish->grid_min, .max = wish->grid_max};
+    *out = (murk_candidate_grid){.min = settings->grid_min,
+                                 .max = settings->grid_max};
     for (int i = 0; i < 3; ++i) {
-        out->size[i] =
-            wish->grid_size[i] < POINTS_EACH ? wish->grid_size[i] : POINTS_EACH;
+        out->size[i] = settings->grid_size[i] < POINTS_EACH
+                           ? settings->grid_size[i]
+                           : POINTS_EACH;
     }
-    return wish->has_grid && murk_box_contains(domain, out->min) &&
+    return settings->has_grid && murk_box_contains(domain, out->min) &&
            murk_box_contains(domain, out->max);
 }
 

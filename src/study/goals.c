@@ -1,53 +1,53 @@
 #include "study/goals.h"
 
 #include "base/position.h"
-#include "geometry/hulls.h"
+#include "geometry/boundary_meshes.h"
 #include "geometry/mesh.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct murk_goals {
-    const murk_scene *scene;
+    const murk_scene_desc *scene;
     murk_mesh **mesh; /* [regions of interest]; NULL for other shapes */
-    murk_hulls *hulls;
+    murk_boundary_meshes *boundary_meshes;
     murk_mesh *target_mesh; /* NULL: none */
-    murk_hulls *target_hull;
+    murk_boundary_meshes *target_boundary_mesh;
     murk_interest_region *region;
     murk_interest interest;
 };
 
-static murk_status no_memory(const murk_scene *scene, murk_error *err)
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, scene->placement.where,
                      "no memory for what plans are to see");
 }
 
-murk_status murk_goals_import(murk_goals **out, const murk_scene *scene,
+murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
                               murk_error *err)
 {
-    const murk_scene_placement *wish = &scene->placement;
+    const murk_scene_placement *settings = &scene->placement;
     murk_status status = MURK_OK;
     murk_goals *goals = calloc(1, sizeof *goals);
     if (!goals) {
         return no_memory(scene, err);
     }
     goals->scene = scene;
-    goals->mesh = calloc(wish->n_interests + 1, sizeof *goals->mesh);
-    goals->region = calloc(wish->n_interests + 1, sizeof *goals->region);
+    goals->mesh = calloc(settings->n_interests + 1, sizeof *goals->mesh);
+    goals->region = calloc(settings->n_interests + 1, sizeof *goals->region);
     if (!goals->mesh || !goals->region) {
         status = no_memory(scene, err);
         goto done;
     }
-    for (size_t i = 0; i < wish->n_interests && !status; ++i) {
-        const murk_scene_interest *r = &wish->interest[i];
+    for (size_t i = 0; i < settings->n_interests && !status; ++i) {
+        const murk_scene_interest *r = &settings->interest[i];
         const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
         if (r->shape == MURK_SCENE_ZONE_MESH) {
             status = murk_mesh_read(&goals->mesh[i], r->mesh, &import, r->where,
                                     err);
         }
     }
-    const murk_scene_targets *t = &wish->targets;
+    const murk_scene_targets *t = &settings->targets;
     if (!status && t->mesh) {
         const murk_mesh_import import = {.unit_m = t->unit_m, .up = t->up};
         status = murk_mesh_read(&goals->target_mesh, t->mesh, &import,
@@ -72,8 +72,8 @@ void murk_goals_destroy(murk_goals *goals)
         murk_mesh_destroy(goals->mesh[i]);
     }
     murk_mesh_destroy(goals->target_mesh);
-    murk_hulls_destroy(goals->target_hull);
-    murk_hulls_destroy(goals->hulls);
+    murk_boundary_meshes_destroy(goals->target_boundary_mesh);
+    murk_boundary_meshes_destroy(goals->boundary_meshes);
     free(goals->mesh);
     free(goals->region);
     free(goals);
@@ -81,15 +81,16 @@ void murk_goals_destroy(murk_goals *goals)
 
 /* ---- building ---- */
 
-static murk_status check_name(const murk_scene_placement *wish, size_t i,
+static murk_status check_name(const murk_scene_placement *settings, size_t i,
                               murk_error *err)
 {
     for (size_t k = 0; k < i; ++k) {
-        if (strcmp(wish->interest[k].name, wish->interest[i].name) == 0) {
-            return murk_fail(err, MURK_BAD_VALUE, wish->interest[i].where,
+        if (strcmp(settings->interest[k].name, settings->interest[i].name) ==
+            0) {
+            return murk_fail(err, MURK_BAD_VALUE, settings->interest[i].where,
                              "name: %s is the name of an earlier region of "
                              "interest, must be given once",
-                             wish->interest[i].name);
+                             settings->interest[i].name);
         }
     }
     return MURK_OK;
@@ -106,7 +107,8 @@ static murk_box box_of(const murk_goals *goals, size_t i)
         return (murk_box){murk_sub(r->center, radius),
                           murk_add(r->center, radius)};
     case MURK_SCENE_ZONE_MESH:
-        return murk_hulls_describe(goals->hulls, (int)i).bounds_m;
+        return murk_boundary_meshes_describe(goals->boundary_meshes, (int)i)
+            .bounds_m;
     case MURK_SCENE_NO_SHAPE:
         break;
     }
@@ -121,7 +123,7 @@ static bool overlap(const murk_box *a, const murk_box *b)
            a->min.z <= b->max.z && b->min.z <= a->max.z;
 }
 
-static bool fills_a_region(const murk_scene *scene, int medium)
+static bool fills_a_region(const murk_scene_desc *scene, int medium)
 {
     for (size_t i = 0; i < scene->n_regions; ++i) {
         if (scene->regions[i].medium == (size_t)medium) {
@@ -136,7 +138,7 @@ static murk_status check_place(const murk_goals *goals, size_t i,
                                const murk_surfaces *surfaces,
                                const murk_box *domain, murk_error *err)
 {
-    const murk_scene *scene = goals->scene;
+    const murk_scene_desc *scene = goals->scene;
     const murk_scene_interest *r = &scene->placement.interest[i];
     const murk_box box = box_of(goals, i);
     if (!overlap(&box, domain)) {
@@ -178,38 +180,41 @@ static murk_interest_region region_of(const murk_scene_interest *r)
                                   .where = r->where};
 }
 
-static murk_status build_hulls(murk_goals *goals, murk_error *err)
+static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
 {
-    const murk_scene_placement *wish = &goals->scene->placement;
-    murk_hull_desc desc[MURK_HULLS_MAX];
+    const murk_scene_placement *settings = &goals->scene->placement;
+    murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
     size_t n = 0;
-    for (size_t i = 0; i < wish->n_interests; ++i) {
-        const murk_scene_interest *r = &wish->interest[i];
+    for (size_t i = 0; i < settings->n_interests; ++i) {
+        const murk_scene_interest *r = &settings->interest[i];
         if (goals->mesh[i]) {
-            desc[n++] =
-                (murk_hull_desc){.region = (int)i,
-                                 .mesh = goals->mesh[i],
-                                 .to_world = murk_affine_place(
-                                     r->rotate_deg, r->scale, r->translate_m),
-                                 .where = r->where};
+            desc[n++] = (murk_boundary_mesh_desc){
+                .region = (int)i,
+                .mesh = goals->mesh[i],
+                .to_world =
+                    murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
+                .where = r->where};
         }
     }
     murk_status status =
-        n > 0 ? murk_hulls_create(&goals->hulls, desc, n, err) : MURK_OK;
-    const murk_scene_targets *t = &wish->targets;
+        n > 0
+            ? murk_boundary_meshes_create(&goals->boundary_meshes, desc, n, err)
+            : MURK_OK;
+    const murk_scene_targets *t = &settings->targets;
     if (!status && goals->target_mesh) {
-        const murk_hull_desc target = {
+        const murk_boundary_mesh_desc target = {
             .mesh = goals->target_mesh,
             .to_world =
                 murk_affine_place(t->rotate_deg, t->scale, t->translate_m),
             .where = t->volume_where};
-        status = murk_hulls_create(&goals->target_hull, &target, 1, err);
+        status = murk_boundary_meshes_create(&goals->target_boundary_mesh,
+                                             &target, 1, err);
     }
     return status;
 }
 
 /* Sensors that ask where light comes from see nothing of what has none. */
-static murk_status check_arrival(const murk_scene *scene, murk_error *err)
+static murk_status check_arrival(const murk_scene_desc *scene, murk_error *err)
 {
     for (size_t i = 0; i < scene->sensors.types; ++i) {
         const murk_scene_sensor_type *type = &scene->sensors.type[i];
@@ -226,22 +231,22 @@ static murk_status check_arrival(const murk_scene *scene, murk_error *err)
 murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
                              const murk_domain *domain, murk_error *err)
 {
-    const murk_scene_placement *wish = &goals->scene->placement;
+    const murk_scene_placement *settings = &goals->scene->placement;
     murk_status status = check_arrival(goals->scene, err);
     if (!status) {
-        status = build_hulls(goals, err);
+        status = build_boundary_meshes(goals, err);
     }
-    for (size_t i = 0; i < wish->n_interests && !status; ++i) {
-        status = check_name(wish, i, err);
+    for (size_t i = 0; i < settings->n_interests && !status; ++i) {
+        status = check_name(settings, i, err);
         if (!status) {
             status = check_place(goals, i, surfaces, &domain->box, err);
         }
-        goals->region[i] = region_of(&wish->interest[i]);
+        goals->region[i] = region_of(&settings->interest[i]);
     }
     goals->interest = (murk_interest){.region = goals->region,
-                                      .n = wish->n_interests,
-                                      .hulls = goals->hulls,
-                                      .elsewhere = wish->elsewhere};
+                                      .n = settings->n_interests,
+                                      .boundary_meshes = goals->boundary_meshes,
+                                      .elsewhere = settings->elsewhere};
     return status;
 }
 
@@ -250,9 +255,9 @@ const murk_interest *murk_goals_interest(const murk_goals *goals)
     return goals->interest.n > 0 ? &goals->interest : NULL;
 }
 
-const murk_hulls *murk_goals_target_hull(const murk_goals *goals)
+const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals)
 {
-    return goals->target_hull;
+    return goals->target_boundary_mesh;
 }
 
 uint64_t murk_goals_seen(const murk_sight *sight)

@@ -12,7 +12,7 @@ typedef struct murk_goals murk_goals;
 /* Imports the meshes, in child processes: call before any thread or ray device
  * exists. *out is the caller's: murk_goals_destroy(). The scene must outlive
  * it. */
-murk_status murk_goals_import(murk_goals **out, const murk_scene *scene,
+murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
                               murk_error *err);
 void murk_goals_destroy(murk_goals *goals); /* NULL is fine */
 
@@ -26,7 +26,7 @@ murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
 const murk_interest *murk_goals_interest(const murk_goals *goals);
 
 /* Built, of one region, number 0; NULL where targets have no mesh. */
-const murk_hulls *murk_goals_target_hull(const murk_goals *goals);
+const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals);
 
 /* The regions of interest that something seen lies in, bit i for region i. */
 uint64_t murk_goals_seen(const murk_sight *sight);

@@ -8,21 +8,22 @@
 #include <string.h>
 
 /* All weights add up to less than this, and none reaches 2^32. */
-#define WHOLE       0x1p47
-#define WEIGHT_MOST 4294967295.0
+#define WHOLE      0x1p47
+#define WEIGHT_MAX 4294967295.0
 
 /* Where one worker puts a look together. */
-typedef struct murk_joint_desk {
+typedef struct murk_joint_workspace {
     uint32_t *photon;  /* [photons] */
     uint16_t *clarity; /* [photons] */
-} murk_joint_desk;
+} murk_joint_workspace;
 
-static void append(murk_joint_desk *desk, size_t at, size_t first,
+static void append(murk_joint_workspace *workspace, size_t at, size_t first,
                    const murk_look *look)
 {
     for (size_t k = 0; k < look->seen; ++k) {
-        desk->photon[at + k] = (uint32_t)(first + look->photon[k]);
-        desk->clarity[at + k] = look->clarity ? look->clarity[k] : MURK_CLEAR;
+        workspace->photon[at + k] = (uint32_t)(first + look->photon[k]);
+        workspace->clarity[at + k] =
+            look->clarity ? look->clarity[k] : MURK_CLEAR;
     }
 }
 
@@ -30,18 +31,19 @@ static void look(void *context, unsigned worker, size_t candidate,
                  murk_look *out)
 {
     const murk_joint *j = context;
-    murk_joint_desk *desk = &j->desk[worker];
+    murk_joint_workspace *workspace = &j->workspace[worker];
     bool is_clear = true;
     size_t seen = 0;
     for (size_t c = 0; c < j->blocks.n; ++c) {
         const murk_problem *part = &j->part[c].problem;
         murk_look one;
         part->look(part->context, worker, candidate, &one);
-        append(desk, seen, j->blocks.first[c], &one);
+        append(workspace, seen, j->blocks.first[c], &one);
         is_clear = is_clear && !one.clarity;
         seen += one.seen;
     }
-    *out = (murk_look){seen, desk->photon, is_clear ? NULL : desk->clarity};
+    *out = (murk_look){seen, workspace->photon,
+                       is_clear ? NULL : workspace->clarity};
 }
 
 /* The largest scale, for shares of it to each block's whole, at which sums and
@@ -58,12 +60,11 @@ static double scale_of(const murk_joint *j, const double *shares,
             all;
     for (size_t c = 0; c < j->blocks.n; ++c) {
         const uint32_t *weight = j->part[c].problem.weight;
-        uint32_t most = 1;
+        uint32_t max = 1;
         for (size_t i = 0; i < j->part[c].problem.photons; ++i) {
-            most = weight[i] > most ? weight[i] : most;
+            max = weight[i] > max ? weight[i] : max;
         }
-        scale =
-            fmin(scale, WEIGHT_MOST / ((double)most * shares[c] / whole[c]));
+        scale = fmin(scale, WEIGHT_MAX / ((double)max * shares[c] / whole[c]));
     }
     return scale;
 }
@@ -86,7 +87,7 @@ static void weigh(murk_joint *j, const double *shares)
         const double factor = scale * shares[c] / whole[c];
         for (size_t i = 0; i < j->part[c].problem.photons; ++i) {
             const double w = floor(j->part[c].problem.weight[i] * factor + .5);
-            j->weight[j->blocks.first[c] + i] = (uint32_t)fmin(w, WEIGHT_MOST);
+            j->weight[j->blocks.first[c] + i] = (uint32_t)fmin(w, WEIGHT_MAX);
         }
     }
 }
@@ -96,12 +97,12 @@ static bool set_aside(murk_joint *j)
     const size_t n = j->problem.photons + 1;
     const unsigned threads = j->problem.threads;
     j->weight = malloc(n * sizeof *j->weight);
-    j->desk = calloc(threads, sizeof *j->desk);
-    bool has_memory = j->weight && j->desk;
+    j->workspace = calloc(threads, sizeof *j->workspace);
+    bool has_memory = j->weight && j->workspace;
     for (unsigned k = 0; has_memory && k < threads; ++k) {
-        j->desk[k].photon = malloc(n * sizeof *j->desk[k].photon);
-        j->desk[k].clarity = malloc(n * sizeof *j->desk[k].clarity);
-        has_memory = j->desk[k].photon && j->desk[k].clarity;
+        j->workspace[k].photon = malloc(n * sizeof *j->workspace[k].photon);
+        j->workspace[k].clarity = malloc(n * sizeof *j->workspace[k].clarity);
+        has_memory = j->workspace[k].photon && j->workspace[k].clarity;
     }
     return has_memory;
 }
@@ -154,11 +155,11 @@ void murk_joint_destroy(murk_joint *j)
     if (!j) {
         return;
     }
-    for (unsigned k = 0; j->desk && k < j->problem.threads; ++k) {
-        free(j->desk[k].photon);
-        free(j->desk[k].clarity);
+    for (unsigned k = 0; j->workspace && k < j->problem.threads; ++k) {
+        free(j->workspace[k].photon);
+        free(j->workspace[k].clarity);
     }
-    free(j->desk);
+    free(j->workspace);
     free(j->weight);
     free(j);
 }

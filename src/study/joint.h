@@ -19,7 +19,7 @@ typedef struct murk_joint {
     murk_blocks blocks;
     uint32_t *weight; /* [photons] of the mean: the problem's */
     murk_sight_problem part[MURK_BLOCKS_MAX];
-    struct murk_joint_desk *desk; /* [threads] */
+    struct murk_joint_workspace *workspace; /* [threads] */
 } murk_joint;
 
 /* sight[n] look at the same poses[n_poses], borrowed; shares[n] > 0. */

@@ -2,7 +2,7 @@
  *
  * The scene and the number of emitted photons fix how many photons each channel
  * (light and band) emits, the power of a photon packet of each channel and the
- * channel of each photon (light/lights.h). Energy is conserved to the quantum
+ * channel of each photon (source/sources.h). Energy is conserved to the quantum
  * (base/tally.h), so absorbed, escaped and lost quanta are shares of the
  * emitted ones that add up. What is left to the file is bounded: a record lies
  * in the domain, its directions exist, its power is at most its packet's. */
@@ -42,14 +42,14 @@ static bool adds_up(int64_t whole, const int64_t *part, size_t n)
     return left == 0;
 }
 
-static murk_status check_channel(const murk_light_numbers *f, size_t c,
+static murk_status check_channel(const murk_lightmap_numbers *f, size_t c,
                                  uint64_t count, const murk_stage *stage,
                                  const char *path, murk_error *err)
 {
     const size_t materials = stage->scene->n_materials;
     const size_t media = stage->scene->n_media;
     const double packet_w =
-        count ? murk_lights_channel_power_w(stage->lights, c) / (double)count
+        count ? murk_sources_channel_power_w(stage->lights, c) / (double)count
               : 0;
     if (!(fabs(f->packet_w[c] - packet_w) <= PACKET_TOLERANCE * packet_w)) {
         return impossible(path, "packet_w",
@@ -76,11 +76,11 @@ static murk_status check_channel(const murk_light_numbers *f, size_t c,
     return MURK_OK;
 }
 
-murk_status murk_light_check_numbers(const murk_light_numbers *f,
-                                     const murk_stage *stage, const char *path,
-                                     murk_error *err)
+murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
+                                        const murk_stage *stage,
+                                        const char *path, murk_error *err)
 {
-    const size_t channels = murk_lights_channels(stage->lights);
+    const size_t channels = murk_sources_channels(stage->lights);
     uint64_t lost = 0;
     bool is_possible = f->emitted <= UINT32_MAX && f->counted == f->emitted &&
                        f->collisions <= INT64_MAX;
@@ -95,7 +95,7 @@ murk_status murk_light_check_numbers(const murk_light_numbers *f,
     if (!count) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to check it");
     }
-    murk_lights_deal(stage->lights, f->emitted, count);
+    murk_sources_deal(stage->lights, f->emitted, count);
     murk_status status = MURK_OK;
     for (size_t c = 0; c < channels && !status; ++c) {
         status = check_channel(f, c, count[c], stage, path, err);
@@ -109,7 +109,7 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
                            uint64_t emitted, const double *packet_w,
                            const murk_stage *stage, const murk_box *within)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     const size_t materials = is_volume ? scene->n_media : scene->n_materials;
     const size_t channel =
         (size_t)p->light * (size_t)scene->bands + (size_t)p->band;
@@ -121,7 +121,7 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
         (murk_photon_is_volume(p) != 0) != is_volume) {
         return "a kind that its map has not";
     }
-    if (murk_lights_channel_of(stage->lights, p->emitted) != channel) {
+    if (murk_sources_channel_of(stage->lights, p->emitted) != channel) {
         return "a photon of another light or band than its number's";
     }
     if (!(p->power_w >= 0 &&
@@ -142,17 +142,17 @@ static double largest_coordinate(murk_vec3 v)
     return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
 }
 
-murk_status murk_light_check_records(const murk_photon *photon, size_t n,
-                                     bool is_volume, uint64_t emitted,
-                                     const double *packet_w,
-                                     const murk_stage *stage, const char *path,
-                                     murk_error *err)
+murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
+                                        bool is_volume, uint64_t emitted,
+                                        const double *packet_w,
+                                        const murk_stage *stage,
+                                        const char *path, murk_error *err)
 {
     /* the domain, wider by what rounding may do */
     murk_box within = stage->world.domain.box;
-    const double most =
+    const double maximum =
         fmax(largest_coordinate(within.min), largest_coordinate(within.max));
-    const double slack = PLACE_TOLERANCE * most;
+    const double slack = PLACE_TOLERANCE * maximum;
     const murk_vec3 wider = murk_vec(slack, slack, slack);
     within.min = murk_sub(within.min, wider);
     within.max = murk_add(within.max, wider);

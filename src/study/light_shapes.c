@@ -2,7 +2,7 @@
 
 #include "study/sky.h"
 
-static bool shines(const murk_light *light)
+static bool shines(const murk_source *light)
 {
     for (int b = 0; b < MURK_BANDS_MAX; ++b) {
         if (light->power_w.band[b] > 0) {
@@ -19,9 +19,9 @@ static void put_vector(FILE *out, murk_vec3 v)
 
 /* All of a light but its power. Of distant light that does not shine it is
  * nothing: where a sun that is down stands makes no difference. */
-static void put_light(FILE *out, const murk_light *l)
+static void put_light(FILE *out, const murk_source *l)
 {
-    if (murk_light_is_distant(l) && !shines(l)) {
+    if (murk_source_is_distant(l) && !shines(l)) {
         fputs("dark\n", out);
         return;
     }
@@ -42,12 +42,12 @@ static void put_light(FILE *out, const murk_light *l)
     }
 }
 
-murk_status murk_light_shapes_print(FILE *out, const murk_scene *scene,
-                                    murk_error *err)
+murk_status murk_source_shapes_print(FILE *out, const murk_scene_desc *scene,
+                                     murk_error *err)
 {
     murk_status status = MURK_OK;
     for (size_t i = 0; i < scene->n_lights && !status; ++i) {
-        murk_light light;
+        murk_source light;
         murk_sky_facts facts;
         status = murk_sky_light(&light, &facts, scene, i, err);
         if (!status) {

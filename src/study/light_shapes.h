@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 /* Fails as murk_sky_light(). */
-murk_status murk_light_shapes_print(FILE *out, const murk_scene *scene,
-                                    murk_error *err);
+murk_status murk_source_shapes_print(FILE *out, const murk_scene_desc *scene,
+                                     murk_error *err);
 
 #endif

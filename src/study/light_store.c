@@ -1,8 +1,8 @@
 /* light.murk: which sections it has, and whether it belongs to a scene. What
  * its numbers may be is checked in light_check.c. */
-#include "photonmap/light_file.h"
-#include "study/light.h"
+#include "photonmap/map_file.h"
 #include "study/light_check.h"
+#include "study/lightmap.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -69,14 +69,15 @@ static murk_section section_of(const char *name, const void *bytes, size_t size)
     return section;
 }
 
-static bool has_origin(const murk_scene *scene)
+static bool has_origin(const murk_scene_desc *scene)
 {
     const murk_vec3 o = scene->origin;
     return o.x != 0 || o.y != 0 || o.z != 0;
 }
 
-murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
-                            const char *path, murk_error *err)
+murk_status murk_lightmap_save(const murk_traced *traced,
+                               const murk_stage *stage, const char *path,
+                               murk_error *err)
 {
     const size_t channels = traced->channels;
     const size_t n_absorbed = absorbers(traced->ledger);
@@ -113,8 +114,8 @@ murk_status murk_light_save(const murk_traced *traced, const murk_stage *stage,
                        sizeof(murk_photon))};
     const size_t first = has_origin(stage->scene) ? 0 : 1;
     const murk_status status =
-        murk_light_file_write(path, sections + first,
-                              sizeof sections / sizeof *sections - first, err);
+        murk_map_file_write(path, sections + first,
+                            sizeof sections / sizeof *sections - first, err);
     free(energy);
     return status;
 }
@@ -151,7 +152,7 @@ static murk_status check_key(const murk_section *key, const char *light_key,
  * Where that scene has no domain, its origin follows from its sensors as well,
  * of which the key says nothing. */
 static murk_status check_origin(const murk_section *origin,
-                                const murk_scene *scene, const char *path,
+                                const murk_scene_desc *scene, const char *path,
                                 murk_error *err)
 {
     murk_vec3 of = {0, 0, 0};
@@ -182,11 +183,11 @@ static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
                             const char *path, unsigned threads, murk_error *err)
 {
     const char *name = is_volume ? "volume" : "surface";
-    const murk_section *section = murk_light_file_find(sections, n, name);
+    const murk_section *section = murk_map_file_find(sections, n, name);
     if (!section || section->size % sizeof(murk_photon) != 0) {
         return bad_section(path, name, err);
     }
-    const murk_status status = murk_light_check_records(
+    const murk_status status = murk_lightmap_check_records(
         section->bytes, section->size / sizeof(murk_photon), is_volume,
         traced->emitted, traced->packet_w, stage, path, err);
     if (status) {
@@ -233,18 +234,17 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
                         size_t n, const murk_stage *stage, const char *path,
                         unsigned threads, murk_error *err)
 {
-    const murk_section *key = murk_light_file_find(sections, n, "key");
-    const murk_section *fact = murk_light_file_find(sections, n, "facts");
-    const murk_section *worth = murk_light_file_find(sections, n, "packet_w");
-    const murk_section *energy = murk_light_file_find(sections, n, "ledger");
-    const murk_section *absorbed =
-        murk_light_file_find(sections, n, "absorbed");
+    const murk_section *key = murk_map_file_find(sections, n, "key");
+    const murk_section *fact = murk_map_file_find(sections, n, "facts");
+    const murk_section *worth = murk_map_file_find(sections, n, "packet_w");
+    const murk_section *energy = murk_map_file_find(sections, n, "ledger");
+    const murk_section *absorbed = murk_map_file_find(sections, n, "absorbed");
     if (!key) {
         return bad_section(path, "key", err);
     }
     murk_status status = check_key(key, stage->light_key, path, err);
     if (!status) {
-        status = check_origin(murk_light_file_find(sections, n, "origin_m"),
+        status = check_origin(murk_map_file_find(sections, n, "origin_m"),
                               stage->scene, path, err);
     }
     if (status) {
@@ -276,7 +276,7 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
     }
     const size_t channels = traced->channels;
     const int64_t *column = energy->bytes;
-    const murk_light_numbers numbers = {
+    const murk_lightmap_numbers numbers = {
         .emitted = f.emitted,
         .counted = f.photons,
         .collisions = f.collisions,
@@ -288,7 +288,7 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
         .escaped_quanta = column + 3 * channels,
         .lost_quanta = column + 4 * channels,
         .absorbed = absorbed->bytes};
-    status = murk_light_check_numbers(&numbers, stage, path, err);
+    status = murk_lightmap_check_numbers(&numbers, stage, path, err);
     if (status) {
         return status;
     }
@@ -302,19 +302,20 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
                              path, threads, err);
 }
 
-murk_status murk_light_load(murk_traced **out, const murk_stage *stage,
-                            const char *path, unsigned threads, murk_error *err)
+murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
+                               const char *path, unsigned threads,
+                               murk_error *err)
 {
     murk_section *sections = NULL;
     size_t n = 0;
-    murk_status status = murk_light_file_read(&sections, &n, path, err);
+    murk_status status = murk_map_file_read(&sections, &n, path, err);
     if (status) {
         return status;
     }
     murk_traced *traced = murk_traced_create(stage, 0, err);
     status = traced ? load(traced, sections, n, stage, path, threads, err)
                     : MURK_NO_MEMORY;
-    murk_light_file_release(sections, n);
+    murk_map_file_release(sections, n);
     if (status) {
         murk_traced_destroy(traced);
         return status;
@@ -336,14 +337,14 @@ static uint64_t number_behind(const char *line, const char *end,
     return 0;
 }
 
-murk_status murk_light_read_counts(murk_light_counts *out, const char *path,
-                                   murk_error *err)
+murk_status murk_lightmap_read_counts(murk_lightmap_counts *out,
+                                      const char *path, murk_error *err)
 {
     static const char photons[] = "\nphotons: {";
     murk_section *key = NULL, *fact = NULL;
-    murk_status status = murk_light_file_read_one(&key, path, "key", err);
+    murk_status status = murk_map_file_read_one(&key, path, "key", err);
     if (!status) {
-        status = murk_light_file_read_one(&fact, path, "facts", err);
+        status = murk_map_file_read_one(&fact, path, "facts", err);
     }
     if (!status && fact->size != sizeof(facts)) {
         status = bad_section(path, "facts", err);
@@ -351,9 +352,9 @@ murk_status murk_light_read_counts(murk_light_counts *out, const char *path,
     if (!status) {
         facts f;
         memcpy(&f, fact->bytes, sizeof f);
-        *out = (murk_light_counts){.seed = f.seed};
-        /* the key is YAML as murk_scene_read() writes it, a line a key of the
-         * scene; a file that lacks the line is refused later, by its key */
+        *out = (murk_lightmap_counts){.seed = f.seed};
+        /* the key is YAML as murk_scene_desc_read() writes it, a line a key of
+         * the scene; a file that lacks the line is refused later, by its key */
         char *text = strndup(key->bytes, key->size);
         const char *line = text ? strstr(text, photons) : NULL;
         if (line) {
@@ -363,7 +364,7 @@ murk_status murk_light_read_counts(murk_light_counts *out, const char *path,
         }
         free(text);
     }
-    murk_light_file_release(key, 1);
-    murk_light_file_release(fact, 1);
+    murk_map_file_release(key, 1);
+    murk_map_file_release(fact, 1);
     return status;
 }

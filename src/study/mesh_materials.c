@@ -40,15 +40,15 @@ static void add_areas(double *area_m2, const murk_mesh *mesh,
 murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
                                 const murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
-    size_t all = 0, most = 0;
+    const murk_scene_desc *scene = stage->scene;
+    size_t all = 0, max = 0;
     for (size_t i = 0; i < scene->geometries; ++i) {
         const size_t names = stage->mesh[i] ? stage->mesh[i]->materials : 0;
         all += names;
-        most = names > most ? names : most;
+        max = names > max ? names : max;
     }
     murk_mesh_material *list = calloc(all + 1, sizeof *list);
-    double *area_m2 = calloc(most + 1, sizeof *area_m2);
+    double *area_m2 = calloc(max + 1, sizeof *area_m2);
     if (!list || !area_m2) {
         free(list);
         free(area_m2);
@@ -89,7 +89,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
 
 /* "walls", "floor" and 3 more: those of one mesh that fell to `default`. */
 static void warn_of_names(const murk_mesh_material *list, size_t n,
-                          const murk_scene *scene)
+                          const murk_scene_desc *scene)
 {
     char names[WARNING_SIZE] = "";
     size_t at = 0, fallen = 0;
@@ -116,7 +116,7 @@ static void warn_of_names(const murk_mesh_material *list, size_t n,
 
 static void warn_of_entries(const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     for (size_t i = 1; i < scene->n_materials; ++i) { /* 0 is `default` */
         const murk_scene_material *m = &scene->materials[i];
         if (!(murk_surfaces_material_area(stage->surfaces, i) > 0)) {

@@ -136,14 +136,14 @@ murk_status murk_mixture_table(murk_phase_table **out,
     if (mixture->n == 1 && mixture->part[0].kind == MURK_PRESET_TABLE) {
         return table_of(out, &mixture->part[0], where, err);
     }
-    size_t most = STEPS_MAX;
+    size_t max = STEPS_MAX;
     for (size_t i = 0; i < mixture->n; ++i) {
-        most += mixture->part[i].angles;
+        max += mixture->part[i].angles;
     }
     mixing m = {.mixture = mixture,
                 .phase = calloc(mixture->n, sizeof *m.phase),
                 .table = calloc(mixture->n, sizeof *m.table),
-                .angle_deg = calloc(most, sizeof *m.angle_deg)};
+                .angle_deg = calloc(max, sizeof *m.angle_deg)};
     murk_status status =
         m.phase && m.table && m.angle_deg ? MURK_OK : no_memory(where, err);
     for (size_t i = 0; i < mixture->n && !status; ++i) {

@@ -22,7 +22,7 @@ murk_output murk_output_of(const char *word)
     return k;
 }
 
-static bool is_tally(const murk_scene *scene, const char *name)
+static bool is_tally(const murk_scene_desc *scene, const char *name)
 {
     for (size_t i = 0; i < scene->n_tallies; ++i) {
         if (strcmp(scene->tallies[i].name, name) == 0) {
@@ -33,7 +33,7 @@ static bool is_tally(const murk_scene *scene, const char *name)
 }
 
 static murk_status unknown(const murk_study_file *study,
-                           const murk_scene *scene, const char *word,
+                           const murk_scene_desc *scene, const char *word,
                            murk_error *err)
 {
     const char *names[MURK_OUTPUTS + 64];
@@ -55,14 +55,14 @@ static murk_status unknown(const murk_study_file *study,
                      meant ? "?" : "");
 }
 
-static bool places(const murk_scene *scene)
+static bool places(const murk_scene_desc *scene)
 {
     const murk_scene_sensors *s = &scene->sensors;
     return s->given && (s->count > 0 || s->target > 0 || s->budget > 0);
 }
 
-static murk_status check_needs(const murk_outputs *out, const murk_scene *scene,
-                               murk_error *err)
+static murk_status check_needs(const murk_outputs *out,
+                               const murk_scene_desc *scene, murk_error *err)
 {
     const murk_study_file *study = out->study;
     const char *where = study->outputs > 0 ? study->outputs_where : study->path;
@@ -107,7 +107,7 @@ static murk_status check_needs(const murk_outputs *out, const murk_scene *scene,
 }
 
 murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
-                                const murk_scene *scene, murk_error *err)
+                                const murk_scene_desc *scene, murk_error *err)
 {
     *out = (murk_outputs){.study = study};
     for (size_t i = 0; i < study->outputs; ++i) {

@@ -30,7 +30,7 @@ murk_output murk_output_of(const char *word);
  * is density, coverage_fixed where the study has a plan and coverage_best where
  * the scene says what to place. */
 murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
-                                const murk_scene *scene, murk_error *err);
+                                const murk_scene_desc *scene, murk_error *err);
 
 /* Whether sensors are looked from at all. */
 bool murk_outputs_look(const murk_outputs *outputs);

@@ -17,13 +17,13 @@
 static void weights_of(const murk_conditions *all, double *weight)
 {
     for (size_t c = 0; c < all->n; ++c) {
-        weight[c] = all->condition[c].wish->weight;
+        weight[c] = all->condition[c].settings->weight;
     }
 }
 
 /* What a coverage lacks to the best that is known there. */
-static double regret_to_best(const murk_scene *scene, const murk_condition *c,
-                             double coverage)
+static double regret_to_best(const murk_scene_desc *scene,
+                             const murk_condition *c, double coverage)
 {
     const double lack = c->best_known - coverage;
     if (!scene->placement.relative_regret) {
@@ -38,16 +38,16 @@ murk_estimate murk_over_estimate(const murk_conditions *all,
 {
     double weight[MURK_SCENE_CONDITIONS_MAX];
     weights_of(all, weight);
-    double least = 0;
+    double min = 0;
     *worst = all->n;
     for (size_t c = 0; c < all->n; ++c) {
         const murk_condition *one = &all->condition[c];
         const double less = over == MURK_SCENE_OVER_REGRET
                                 ? -regret_to_best(all->scene, one, of[c].value)
                                 : of[c].value;
-        if (weight[c] > 0 && (*worst == all->n || less < least)) {
+        if (weight[c] > 0 && (*worst == all->n || less < min)) {
             *worst = c;
-            least = less;
+            min = less;
         }
     }
     if (over == MURK_SCENE_OVER_REGRET && all->has_regret_at) {
@@ -69,26 +69,26 @@ double murk_over_regret(const murk_over *over, const murk_over_plan *plan,
 
 /* ---- before any light ---- */
 
-murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
-                              const murk_scene *scene, unsigned threads,
+murk_status murk_over_prepare(murk_over *out, murk_plan_result *plan,
+                              const murk_scene_desc *scene, unsigned threads,
                               murk_error *err)
 {
-    const murk_scene_placement *wish = &scene->placement;
-    if (wish->knowledge == MURK_SCENE_EXPLORE) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    const murk_scene_placement *settings = &scene->placement;
+    if (settings->knowledge == MURK_SCENE_EXPLORE) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "over: knowledge explore goes through the scene as it "
                          "stands, so over must be null");
     }
-    const bool is_regret = wish->over == MURK_SCENE_OVER_REGRET;
-    if (wish->over != MURK_SCENE_OVER_MEAN &&
-        wish->knowledge != MURK_SCENE_KNOWN) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    const bool is_regret = settings->over == MURK_SCENE_OVER_REGRET;
+    if (settings->over != MURK_SCENE_OVER_MEAN &&
+        settings->knowledge != MURK_SCENE_KNOWN) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "over: %s needs what every candidate sees, so "
                          "knowledge must be known",
                          is_regret ? "regret" : "worst");
     }
     if (is_regret && scene->sensors.target > 0) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "over: regret compares plans of as many sensors, so "
                          "sensors.target must not be given; give sensors.count "
                          "or sensors.budget");
@@ -116,18 +116,19 @@ murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
 /* ---- measuring ---- */
 
 static murk_status measure_plan(const murk_over *over, size_t p,
-                                murk_sight *sight, murk_coverage *keep_it,
+                                murk_sight *sight,
+                                murk_coverage_result *keep_it,
                                 murk_estimate *total, murk_error *err)
 {
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     const murk_over_plan *plan = &over->plan[p];
-    const murk_status status =
-        murk_coverage_measure(&coverage, sight, plan->sensor, plan->count, err);
+    const murk_status status = murk_coverage_result_measure(
+        &coverage, sight, plan->sensor, plan->count, err);
     *total = coverage.total;
     if (!status && keep_it && p == over->chosen) {
         *keep_it = coverage;
     } else {
-        murk_coverage_release(&coverage);
+        murk_coverage_result_release(&coverage);
     }
     return status;
 }
@@ -148,7 +149,7 @@ static size_t find_same(const murk_over *over, size_t p)
 
 /* All plans in one condition. */
 static murk_status measure_all(murk_over *over, size_t c, murk_sight *sight,
-                               bool is_held_out, murk_coverage *keep_it,
+                               bool is_held_out, murk_coverage_result *keep_it,
                                murk_error *err)
 {
     murk_status status = MURK_OK;
@@ -170,8 +171,8 @@ static murk_status measure_all(murk_over *over, size_t c, murk_sight *sight,
 
 /* The chosen plan's draws in condition c, set down in the first one's world, so
  * that they are the same in all. */
-static murk_status shake(murk_over *over, const murk_plan *plan, size_t c,
-                         murk_sight *sight, murk_error *err)
+static murk_status shake(murk_over *over, const murk_plan_result *plan,
+                         size_t c, murk_sight *sight, murk_error *err)
 {
     const murk_stage *stage = over->conditions->condition[0].stage;
     const size_t draws = murk_robust_draws(stage->scene);
@@ -184,7 +185,7 @@ static murk_status shake(murk_over *over, const murk_plan *plan, size_t c,
 
 static murk_status make_room_for_jitter(murk_over *over, murk_error *err)
 {
-    const murk_scene *scene = over->conditions->scene;
+    const murk_scene_desc *scene = over->conditions->scene;
     const size_t n = murk_robust_draws(scene) * over->conditions->n;
     over->shaken = n ? calloc(n, sizeof *over->shaken) : NULL;
     return over->shaken || n == 0
@@ -194,7 +195,7 @@ static murk_status make_room_for_jitter(murk_over *over, murk_error *err)
 }
 
 /* Each draw over conditions is the mean or the worst, as plans are. */
-static murk_status sum_up_jitter(murk_over *over, murk_plan *plan,
+static murk_status sum_up_jitter(murk_over *over, murk_plan_result *plan,
                                  murk_error *err)
 {
     const murk_conditions *all = over->conditions;
@@ -226,15 +227,15 @@ static murk_status sum_up_jitter(murk_over *over, murk_plan *plan,
 }
 
 /* The chosen plan alone, or all, in other light of a condition. */
-static murk_status measure_on(murk_over *over, murk_plan *plan, size_t c,
+static murk_status measure_on(murk_over *over, murk_plan_result *plan, size_t c,
                               uint32_t stream, murk_estimate *confirmed,
-                              murk_coverage *held_out, unsigned threads,
+                              murk_coverage_result *held_out, unsigned threads,
                               murk_error *err)
 {
     const murk_stage *stage = over->conditions->condition[c].stage;
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
-    murk_status status = murk_light_trace(
+    murk_status status = murk_lightmap_trace(
         &other, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
     if (!status) {
         plan->trace_s += other->trace_s;
@@ -255,8 +256,8 @@ static murk_status measure_on(murk_over *over, murk_plan *plan, size_t c,
 }
 
 /* What a plan's coverages are as one: the mean, or the worst alone. */
-static murk_status sum_up(murk_coverage *out, const murk_over *over,
-                          const murk_coverage *of, bool are_independent,
+static murk_status sum_up(murk_coverage_result *out, const murk_over *over,
+                          const murk_coverage_result *of, bool are_independent,
                           murk_error *err)
 {
     const murk_conditions *all = over->conditions;
@@ -283,10 +284,10 @@ static murk_status sum_up(murk_coverage *out, const murk_over *over,
         interest ? interest->n : 0, are_independent, err);
 }
 
-static murk_status measure_held_out(murk_over *over, murk_plan *plan,
+static murk_status measure_held_out(murk_over *over, murk_plan_result *plan,
                                     unsigned threads, murk_error *err)
 {
-    murk_coverage held_out[MURK_SCENE_CONDITIONS_MAX] = {0}, sum = {0};
+    murk_coverage_result held_out[MURK_SCENE_CONDITIONS_MAX] = {0}, sum = {0};
     murk_status status = MURK_OK;
     for (size_t c = 0; !status && c < over->conditions->n; ++c) {
         status = measure_on(over, plan, c, MURK_HELD_OUT_STREAM, NULL,
@@ -304,15 +305,15 @@ static murk_status measure_held_out(murk_over *over, murk_plan *plan,
         plan->held_out_region = sum.region;
         sum.region = NULL;
     }
-    murk_coverage_release(&sum);
+    murk_coverage_result_release(&sum);
     for (size_t c = 0; c < over->conditions->n; ++c) {
-        murk_coverage_release(&held_out[c]);
+        murk_coverage_result_release(&held_out[c]);
     }
     return status;
 }
 
-static murk_status confirm(murk_over *over, murk_plan *plan, unsigned threads,
-                           murk_error *err)
+static murk_status confirm(murk_over *over, murk_plan_result *plan,
+                           unsigned threads, murk_error *err)
 {
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
@@ -334,7 +335,7 @@ static murk_status confirm(murk_over *over, murk_plan *plan, unsigned threads,
 /* Of the least largest regret placement says 1 less it. What is kept of value
  * and bound is the coverage where the regret is largest, and what it would be
  * there were the regret as small as the bound lets it be. */
-static void read_regret(murk_over *over, murk_plan *plan)
+static void read_regret(murk_over *over, murk_plan_result *plan)
 {
     const murk_conditions *all = over->conditions;
     const murk_over_plan *chosen = &over->plan[over->chosen];
@@ -346,10 +347,10 @@ static void read_regret(murk_over *over, murk_plan *plan)
     for (size_t c = 0; c < all->n; ++c) {
         murk_condition at = all->condition[c];
         at.best_known = at.best_upper;
-        const double most =
+        const double max =
             regret_to_best(all->scene, &at, chosen->in_sample[c].value);
-        if (at.wish->weight > 0 && most > over->regret_upper) {
-            over->regret_upper = most;
+        if (at.settings->weight > 0 && max > over->regret_upper) {
+            over->regret_upper = max;
         }
     }
     size_t at;
@@ -368,7 +369,7 @@ static void read_regret(murk_over *over, murk_plan *plan)
 /* As the joint problem counts it, as do the bound and the curve: from the
  * conditions' own coverages it differs by what the rounding of weights moves,
  * which may be more than what is left to the bound. */
-static void read_in_sample(murk_over *over, murk_plan *plan)
+static void read_in_sample(murk_over *over, murk_plan_result *plan)
 {
     if (over->conditions->scene->placement.over == MURK_SCENE_OVER_REGRET) {
         read_regret(over, plan);
@@ -378,8 +379,8 @@ static void read_in_sample(murk_over *over, murk_plan *plan)
         (double)plan->place.value / (double)plan->place.whole;
 }
 
-static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
-                           murk_error *err)
+static murk_status measure(murk_over *over, murk_plan_result *plan,
+                           unsigned threads, murk_error *err)
 {
     const murk_conditions *all = over->conditions;
     const murk_over_plan *chosen = &over->plan[over->chosen];
@@ -395,7 +396,7 @@ static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
                              &over->coverage[c], err);
         if (!status) {
             murk_warn_of_thin_map(all->scene, &over->coverage[c],
-                                  all->condition[c].wish->name);
+                                  all->condition[c].settings->name);
         }
     }
     if (!status) {
@@ -428,8 +429,8 @@ static murk_status measure(murk_over *over, murk_plan *plan, unsigned threads,
     return status;
 }
 
-murk_status murk_over_make(murk_over *over, murk_plan *plan, unsigned threads,
-                           murk_error *err)
+murk_status murk_over_make(murk_over *over, murk_plan_result *plan,
+                           unsigned threads, murk_error *err)
 {
     murk_conditions *all = over->conditions;
     murk_status status = murk_conditions_light(all, threads, err);
@@ -458,7 +459,7 @@ void murk_over_release(murk_over *over)
         free(over->plan[p].sensor);
     }
     for (size_t c = 0; c < MURK_SCENE_CONDITIONS_MAX; ++c) {
-        murk_coverage_release(&over->coverage[c]);
+        murk_coverage_result_release(&over->coverage[c]);
     }
     free(over->shaken);
     murk_conditions_destroy(over->conditions);

@@ -34,8 +34,8 @@ typedef struct murk_over {
     size_t plans;                             /* 0: it is dark in all of them */
     size_t chosen;                            /* the one that was asked for */
     bool has_held_out;
-    murk_coverage coverage[MURK_SCENE_CONDITIONS_MAX]; /* of the chosen one, in
-                                                          sample */
+    murk_coverage_result coverage[MURK_SCENE_CONDITIONS_MAX]; /* of the chosen
+                                                          one, in sample */
     murk_estimate *shaken; /* [conditions * draws] the chosen one's, by
                               condition, where jitter is asked for */
     size_t unmoved;        /* of each condition's draws */
@@ -64,16 +64,16 @@ double murk_over_regret(const murk_over *over, const murk_over_plan *plan,
 
 /* All that can be wrong is found here, before light is traced: fills out's
  * conditions, and the plan's candidates and poses. */
-murk_status murk_over_prepare(murk_over *out, murk_plan *plan,
-                              const murk_scene *scene, unsigned threads,
+murk_status murk_over_prepare(murk_over *out, murk_plan_result *plan,
+                              const murk_scene_desc *scene, unsigned threads,
                               murk_error *err);
 
 /* The main job. Of the plan, in_sample, held_out and confirmed are the mean's,
  * or of the condition that is covered least; in_sample's total is the value of
  * the joint problem (study/joint.h), which the bound is of, its error as
  * measured. Release both also after a failure. */
-murk_status murk_over_make(murk_over *over, murk_plan *plan, unsigned threads,
-                           murk_error *err);
+murk_status murk_over_make(murk_over *over, murk_plan_result *plan,
+                           unsigned threads, murk_error *err);
 void murk_over_release(murk_over *over);
 
 #endif

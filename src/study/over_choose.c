@@ -17,8 +17,8 @@ _Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
 typedef struct choosing {
     murk_blocks regret; /* the joint problem's, with references */
     murk_over *over;
-    murk_plan *plan;
-    const murk_scene *scene;
+    murk_plan_result *plan;
+    const murk_scene_desc *scene;
     murk_joint *joint;   /* of the conditions that have a say */
     murk_matrix *matrix; /* of all these; NULL: unknown environment */
     murk_place_desc desc;
@@ -31,9 +31,9 @@ static murk_status join(choosing *ch, murk_error *err)
     double share[MURK_SCENE_CONDITIONS_MAX];
     size_t n = 0;
     for (size_t c = 0; c < all->n; ++c) {
-        if (all->condition[c].wish->weight > 0) {
+        if (all->condition[c].settings->weight > 0) {
             sight[n] = all->condition[c].sight;
-            share[n++] = all->condition[c].wish->weight;
+            share[n++] = all->condition[c].settings->weight;
         }
     }
     murk_status status =
@@ -126,7 +126,7 @@ static murk_status keep(choosing *ch, const char *made_for,
 
 static murk_status choose_main(choosing *ch, murk_error *err)
 {
-    const murk_scene *scene = ch->scene;
+    const murk_scene_desc *scene = ch->scene;
     murk_place_desc *desc = &ch->desc;
     if (scene->sensors.target > 0) {
         desc->count = ch->plan->poses->count;
@@ -174,15 +174,15 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     murk_status status = MURK_OK;
     size_t block = 0;
     ch->desc = murk_plan_desc(ch->scene);
-    ch->desc.rules = murk_poses_rules(ch->plan->poses);
+    ch->desc.constraints = murk_poses_constraints(ch->plan->poses);
     const murk_place_desc asked = ch->desc;
     if (!is_regret) {
         status = choose_main(ch, err);
     }
     choose_to_compare(ch);
     for (size_t c = 0; !status && c < all->n; ++c) {
-        const murk_scene_condition *wish = all->condition[c].wish;
-        const bool has_block = wish->weight > 0;
+        const murk_scene_condition *settings = all->condition[c].settings;
+        const bool has_block = settings->weight > 0;
         murk_place_result place = {0};
         status = has_block && ch->matrix
                      ? place_block(ch, &place, block, &ch->desc, err)
@@ -192,7 +192,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         }
         block += has_block;
         if (!status) {
-            status = keep(ch, wish->name, &place, err);
+            status = keep(ch, settings->name, &place, err);
         }
         murk_place_release(&place);
     }
@@ -225,7 +225,8 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     return status;
 }
 
-murk_status murk_over_choose(murk_over *over, murk_plan *plan, murk_error *err)
+murk_status murk_over_choose(murk_over *over, murk_plan_result *plan,
+                             murk_error *err)
 {
     choosing ch = {
         .over = over, .plan = plan, .scene = over->conditions->scene};

@@ -8,6 +8,7 @@
 /* Fills plan->place with what was asked for, and over->plan with it and the
  * others: by the same method, with as many sensors, without curves. Conditions
  * are lit. */
-murk_status murk_over_choose(murk_over *over, murk_plan *plan, murk_error *err);
+murk_status murk_over_choose(murk_over *over, murk_plan_result *plan,
+                             murk_error *err);
 
 #endif

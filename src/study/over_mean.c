@@ -22,8 +22,9 @@ murk_estimate murk_over_mean(const murk_estimate *of, const double *weight,
                    : (murk_estimate){NAN, NAN};
 }
 
-static double mean_of(const murk_coverage *of, const double *weight, size_t n,
-                      double (*read)(const murk_coverage *of, size_t i),
+static double mean_of(const murk_coverage_result *of, const double *weight,
+                      size_t n,
+                      double (*read)(const murk_coverage_result *of, size_t i),
                       size_t i)
 {
     double all = 0, sum = 0;
@@ -36,67 +37,67 @@ static double mean_of(const murk_coverage *of, const double *weight, size_t n,
     return sum / all;
 }
 
-static double read_covers(const murk_coverage *of, size_t i)
+static double read_covers(const murk_coverage_result *of, size_t i)
 {
     return of->covers[i];
 }
 
-static double read_only(const murk_coverage *of, size_t i)
+static double read_only(const murk_coverage_result *of, size_t i)
 {
     return of->only_it_covers[i];
 }
 
-static double read_seen(const murk_coverage *of, size_t i)
+static double read_seen(const murk_coverage_result *of, size_t i)
 {
     return of->seen_by_at_least[i];
 }
 
-static double read_views(const murk_coverage *of, size_t i)
+static double read_views(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return of->sum_of_views;
 }
 
-typedef murk_estimate (*reader)(const murk_coverage *of, size_t i);
+typedef murk_estimate (*reader)(const murk_coverage_result *of, size_t i);
 
-static murk_estimate read_total(const murk_coverage *of, size_t i)
+static murk_estimate read_total(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return of->total;
 }
 
-static murk_estimate read_surface(const murk_coverage *of, size_t i)
+static murk_estimate read_surface(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return of->surface;
 }
 
-static murk_estimate read_volume(const murk_coverage *of, size_t i)
+static murk_estimate read_volume(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return of->volume;
 }
 
-static murk_estimate read_map_surface(const murk_coverage *of, size_t i)
+static murk_estimate read_map_surface(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return (murk_estimate){of->map[0].weight, of->map[0].standard_error};
 }
 
-static murk_estimate read_map_volume(const murk_coverage *of, size_t i)
+static murk_estimate read_map_volume(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return (murk_estimate){of->map[1].weight, of->map[1].standard_error};
 }
 
-static murk_estimate read_region(const murk_coverage *of, size_t i)
+static murk_estimate read_region(const murk_coverage_result *of, size_t i)
 {
     return of->region[i].coverage;
 }
 
-static murk_status fill(murk_coverage *out, const murk_coverage *of,
-                        const double *weight, size_t n, size_t sensors,
-                        size_t regions)
+static murk_status fill(murk_coverage_result *out,
+                        const murk_coverage_result *of, const double *weight,
+                        size_t n, size_t sensors, size_t regions)
 {
     out->covers = calloc(sensors + 1, sizeof *out->covers);
     out->only_it_covers = calloc(sensors + 1, sizeof *out->only_it_covers);
@@ -121,16 +122,17 @@ static murk_status fill(murk_coverage *out, const murk_coverage *of,
     return MURK_OK;
 }
 
-murk_status murk_over_mean_coverage(murk_coverage *out, const murk_coverage *of,
+murk_status murk_over_mean_coverage(murk_coverage_result *out,
+                                    const murk_coverage_result *of,
                                     const double *weight, size_t n,
                                     size_t sensors, size_t regions,
                                     bool are_independent, murk_error *err)
 {
-    murk_coverage mean = {0};
+    murk_coverage_result mean = {0};
     murk_estimate *each = calloc(n + 1, sizeof *each);
     if (!each || fill(&mean, of, weight, n, sensors, regions)) {
         free(each);
-        murk_coverage_release(&mean);
+        murk_coverage_result_release(&mean);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for the coverage of %zu sensors", sensors);
     }

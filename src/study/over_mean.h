@@ -10,8 +10,9 @@ murk_estimate murk_over_mean(const murk_estimate *of, const double *weight,
                              size_t n, bool are_independent);
 
 /* The same of all that a coverage of `sensors` says, with `regions` of
- * interest. Release *out with murk_coverage_release(). */
-murk_status murk_over_mean_coverage(murk_coverage *out, const murk_coverage *of,
+ * interest. Release *out with murk_coverage_result_release(). */
+murk_status murk_over_mean_coverage(murk_coverage_result *out,
+                                    const murk_coverage_result *of,
                                     const double *weight, size_t n,
                                     size_t sensors, size_t regions,
                                     bool are_independent, murk_error *err);

@@ -174,8 +174,9 @@ static murk_phase phase_of(const murk_scene_phase *p, int band,
     return murk_phase_hg(p->mean_cosine.band[band]);
 }
 
-static murk_status fill_medium(murk_phases *phases, const murk_scene *scene,
-                               size_t medium, murk_error *err)
+static murk_status fill_medium(murk_phases *phases,
+                               const murk_scene_desc *scene, size_t medium,
+                               murk_error *err)
 {
     const murk_scene_medium *m = &scene->media[medium];
     murk_status status = MURK_OK;
@@ -192,18 +193,18 @@ static murk_status fill_medium(murk_phases *phases, const murk_scene *scene,
     return status;
 }
 
-murk_status murk_phases_create(murk_phases **out, const murk_scene *scene,
+murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
                                murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_phases *phases = calloc(1, sizeof *phases);
-    size_t most = 0;
+    size_t max = 0;
     for (size_t i = 0; i < scene->n_media; ++i) {
-        most += scene->media[i].n_phases;
+        max += scene->media[i].n_phases;
     }
     if (phases) {
-        phases->table = calloc(most + 1, sizeof *phases->table);
-        phases->of = calloc(most + 1, sizeof *phases->of);
+        phases->table = calloc(max + 1, sizeof *phases->table);
+        phases->of = calloc(max + 1, sizeof *phases->of);
         phases->medium = calloc(scene->n_media + 1, sizeof *phases->medium);
     }
     if (!phases || !phases->table || !phases->of || !phases->medium) {

@@ -17,7 +17,7 @@ typedef struct murk_phases {
 
 /* *out is the caller's: murk_phases_destroy(); the scene must outlive it.
  * Fails at the place in the scene, or at the file and line of a table. */
-murk_status murk_phases_create(murk_phases **out, const murk_scene *scene,
+murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
                                murk_error *err);
 void murk_phases_destroy(murk_phases *phases); /* NULL is fine */
 

@@ -15,19 +15,19 @@
 static murk_status read_sensor(murk_pose *out, const char *where,
                                const char *type, murk_vec3 p,
                                double heading_deg, double tilt_deg,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err)
 {
-    const murk_scene_sensors *wish = &scene->sensors;
+    const murk_scene_sensors *settings = &scene->sensors;
     size_t k = 0;
-    while (k < wish->types && strcmp(type, wish->type[k].name) != 0) {
+    while (k < settings->types && strcmp(type, settings->type[k].name) != 0) {
         ++k;
     }
-    if (k == wish->types) {
+    if (k == settings->types) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "type: %s is no type of the scene's sensors; the "
                          "first there is %s",
-                         type, wish->type[0].name);
+                         type, settings->type[0].name);
     }
     const murk_vec3 local = murk_scene_local(scene, p);
     if (!murk_box_contains(&domain->box, local)) {
@@ -36,7 +36,7 @@ static murk_status read_sensor(murk_pose *out, const char *where,
                          murk_position_show(local).text);
     }
     *out = (murk_pose){.type = (uint32_t)k, .position = local};
-    if (wish->type[k].view == MURK_SCENE_VIEW_SPHERE) {
+    if (settings->type[k].view == MURK_SCENE_VIEW_SPHERE) {
         return MURK_OK;
     }
     if (!(fabs(heading_deg) <= 360) || !(fabs(tilt_deg) <= 90)) {
@@ -67,7 +67,7 @@ static bool is_empty(const murk_table *table, size_t row, long column)
 }
 
 static murk_status from_table(murk_pose *sensor, const murk_table *table,
-                              const murk_scene *scene,
+                              const murk_scene_desc *scene,
                               const murk_domain *domain, murk_error *err)
 {
     static const char *const names[6] = {"type", "x_m",         "y_m",
@@ -102,7 +102,7 @@ static murk_status from_table(murk_pose *sensor, const murk_table *table,
 }
 
 static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
-                            size_t least, const murk_scene *scene,
+                            size_t min, const murk_scene_desc *scene,
                             const murk_domain *domain, murk_error *err)
 {
     murk_table *table = NULL;
@@ -113,10 +113,10 @@ static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
     murk_pose *sensor = calloc(table->rows + 1, sizeof *sensor);
     if (!sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
-    } else if (table->rows < least || table->rows > SENSORS_MAX) {
+    } else if (table->rows < min || table->rows > SENSORS_MAX) {
         status =
             murk_fail(err, MURK_BAD_FILE, path, "%zu sensors, must be %zu..%d",
-                      table->rows, least, SENSORS_MAX);
+                      table->rows, min, SENSORS_MAX);
     } else {
         status = from_table(sensor, table, scene, domain, err);
     }
@@ -139,8 +139,8 @@ static double angle_of(const murk_yaml *item, const char *name)
 }
 
 static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
-                             const murk_scene *scene, const murk_domain *domain,
-                             murk_error *err)
+                             const murk_scene_desc *scene,
+                             const murk_domain *domain, murk_error *err)
 {
     for (size_t i = 0; i < list->n; ++i) {
         const murk_yaml *item = list->child[i];
@@ -177,7 +177,7 @@ static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
 /* JSON is YAML in flow style: the scene reader's parser knows lines and
  * columns. */
 static murk_status read_json(murk_pose **out, size_t *n, const char *path,
-                             size_t least, const murk_scene *scene,
+                             size_t min, const murk_scene_desc *scene,
                              const murk_domain *domain, murk_error *err)
 {
     murk_yaml *root = NULL;
@@ -188,11 +188,11 @@ static murk_status read_json(murk_pose **out, size_t *n, const char *path,
     const murk_yaml *list =
         root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "sensors") : NULL;
     murk_pose *sensor = NULL;
-    if (!list || list->kind != MURK_YAML_LIST || list->n < least ||
+    if (!list || list->kind != MURK_YAML_LIST || list->n < min ||
         list->n > SENSORS_MAX) {
         status =
             murk_fail(err, MURK_BAD_FILE, path,
-                      "has no list \"sensors\" of %zu..%d", least, SENSORS_MAX);
+                      "has no list \"sensors\" of %zu..%d", min, SENSORS_MAX);
         goto done;
     }
     sensor = calloc(list->n + 1, sizeof *sensor);
@@ -211,11 +211,11 @@ done:
 }
 
 murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
-                                size_t least, const murk_scene *scene,
+                                size_t min, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err)
 {
     const char *dot = strrchr(path, '.');
     return dot && strcmp(dot, ".json") == 0
-               ? read_json(out, n, path, least, scene, domain, err)
-               : read_csv(out, n, path, least, scene, domain, err);
+               ? read_json(out, n, path, min, scene, domain, err)
+               : read_csv(out, n, path, min, scene, domain, err);
 }

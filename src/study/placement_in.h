@@ -10,7 +10,7 @@
  * must lie in the domain. Files that end in .json are read as a plan or
  * coverage, all others as CSV. */
 murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
-                                size_t least, const murk_scene *scene,
+                                size_t min, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err);
 
 #endif

@@ -7,14 +7,14 @@
 #include "study/dark.h"
 #include "study/few_photons.h"
 #include "study/machine.h"
-#include "study/remembered.h"
+#include "study/row_cache.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 #define MATRIX_SHARE 0.7 /* of the free memory, for the known matrix */
 
-murk_place_desc murk_plan_desc(const murk_scene *scene)
+murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
 {
     static const murk_place_method method_of[] = {
         [MURK_SCENE_BEST] = MURK_PLACE_BEST,
@@ -33,10 +33,10 @@ murk_place_desc murk_plan_desc(const murk_scene *scene)
 /* What sight would refuse after light is traced. */
 static murk_status check_sensing(const murk_stage *stage, murk_error *err)
 {
-    const murk_scene_sensors *wish = &stage->scene->sensors;
+    const murk_scene_sensors *settings = &stage->scene->sensors;
     murk_status status = MURK_OK;
-    for (size_t k = 0; k < wish->types && !status; ++k) {
-        if (wish->type[k].acceptance_rad > 0) {
+    for (size_t k = 0; k < settings->types && !status; ++k) {
+        if (settings->type[k].acceptance_rad > 0) {
             status = murk_media_check_acceptance(stage->media, err);
         }
     }
@@ -50,14 +50,15 @@ static murk_status check_sensing(const murk_stage *stage, murk_error *err)
 
 static murk_status validate(const murk_stage *stage, murk_error *err)
 {
-    const murk_scene_sensors *wish = &stage->scene->sensors;
+    const murk_scene_sensors *settings = &stage->scene->sensors;
     const bool by_power = stage->scene->placement.detection == MURK_SCENE_POWER;
-    if (!wish->given) {
+    if (!settings->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
     }
-    if (wish->count < 1 && !(wish->target > 0) && !(wish->budget > 0)) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    if (settings->count < 1 && !(settings->target > 0) &&
+        !(settings->budget > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "count: not given; give sensors.count or --count N, "
                          "or sensors.target or --target C, or sensors.budget "
                          "or --budget B");
@@ -84,7 +85,7 @@ uint64_t murk_plan_matrix_bytes(void)
     return (uint64_t)(MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18));
 }
 
-murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
+murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
     murk_status status = murk_plan_check(stage, threads, err);
@@ -118,7 +119,7 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
 }
 
 /* Choosing ends here. */
-static void note_spent(murk_plan *plan, const murk_sight *sight)
+static void note_spent(murk_plan_result *plan, const murk_sight *sight)
 {
     plan->queries = murk_sight_queries(sight) - plan->forecast_looks;
     plan->shadow_rays = murk_sight_shadow_rays(sight) - plan->forecast_rays;
@@ -128,13 +129,13 @@ static void note_spent(murk_plan *plan, const murk_sight *sight)
 
 /* What has been tried is remembered. The queries of the bound are not the
  * explorer's. */
-static murk_status explore(murk_plan *plan, const murk_stage *stage,
+static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
                            murk_sight *sight, const murk_problem *problem,
                            murk_place_desc *desc, murk_error *err)
 {
-    murk_remembered tried = {0};
-    murk_status status = murk_remembered_init(&tried, problem, err);
-    desc->rules = &plan->poses->rules;
+    murk_row_cache tried = {0};
+    murk_status status = murk_row_cache_init(&tried, problem, err);
+    desc->constraints = &plan->poses->constraints;
     if (!status) {
         status = murk_explore_run(&plan->explore, &plan->place, stage, sight,
                                   &tried.problem, plan->candidates, plan->poses,
@@ -146,7 +147,7 @@ static murk_status explore(murk_plan *plan, const murk_stage *stage,
             murk_explore_bound(&plan->place, &plan->explore, &tried.problem,
                                desc, murk_plan_matrix_bytes(), err);
     }
-    murk_remembered_release(&tried);
+    murk_row_cache_release(&tried);
     return status;
 }
 
@@ -158,7 +159,7 @@ static murk_status explore(murk_plan *plan, const murk_stage *stage,
 /* Before `best` looks again and again: what it takes at the least number of
  * starts without gain, by the rays and the time of a sample of looks, against
  * what a known environment takes. The sample's looks count for nothing else. */
-static void forecast_unknown(murk_plan *plan, murk_sight *sight,
+static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_problem *problem,
                              const murk_place_desc *desc)
 {
@@ -196,14 +197,14 @@ static void forecast_unknown(murk_plan *plan, murk_sight *sight,
 
 /* Chooses, by matrix (known), by looking again and again (unknown), or step by
  * step (explore). */
-static murk_status choose(murk_plan *plan, const murk_stage *stage,
+static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
 {
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->poses->pose,
                             plan->poses->count);
     murk_place_desc desc = murk_plan_desc(stage->scene);
-    desc.rules = murk_poses_rules(plan->poses);
+    desc.constraints = murk_poses_constraints(plan->poses);
     desc.with_curve = desc.with_curve && !plan->without_curve;
     if (stage->scene->sensors.target > 0) {
         desc.target =
@@ -249,7 +250,7 @@ static murk_status choose(murk_plan *plan, const murk_stage *stage,
     return status;
 }
 
-size_t murk_plan_at_least(const murk_scene *scene)
+size_t murk_plan_at_least(const murk_scene_desc *scene)
 {
     return scene->sensors.target > 0 ? (size_t)scene->placement.at_least : 0;
 }
@@ -258,22 +259,22 @@ murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads,
                                murk_error *err)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
-    if (!wish->targets.given || wish->detection == MURK_SCENE_POWER) {
-        return murk_light_trace(out, stage, stream, threads, err);
+    const murk_scene_placement *settings = &stage->scene->placement;
+    if (!settings->targets.given || settings->detection == MURK_SCENE_POWER) {
+        return murk_lightmap_trace(out, stage, stream, threads, err);
     }
     *out = murk_traced_create(stage, stream, err);
     return *out ? MURK_OK : MURK_NO_MEMORY;
 }
 
-bool murk_plan_can_see_anew(const murk_scene *scene)
+bool murk_plan_can_see_anew(const murk_scene_desc *scene)
 {
     return !scene->placement.targets.points;
 }
 
 /* The plan's coverage on light that had no part in choosing it; regions may be
  * NULL. */
-static murk_status measure_on(murk_plan *plan, uint32_t stream,
+static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
                               murk_estimate *out,
                               murk_region_coverage **regions,
                               const murk_stage *stage, unsigned threads,
@@ -281,7 +282,7 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
 {
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_progress_begin_over("hold out", 0, "");
     murk_status status =
         murk_plan_see_anew(&other, stage, stream, threads, err);
@@ -291,8 +292,8 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
         status = murk_plan_sight(&sight, stage, other, threads, err);
     }
     if (!status) {
-        status = murk_coverage_measure(&coverage, sight, plan->sensor,
-                                       plan->place.count, err);
+        status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
+                                              plan->place.count, err);
     }
     if (!status && stream == MURK_HELD_OUT_STREAM) {
         status = murk_robust_hold_out(&plan->robust, &coverage, err);
@@ -310,14 +311,14 @@ static murk_status measure_on(murk_plan *plan, uint32_t stream,
             coverage.region = NULL;
         }
     }
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(other);
     murk_progress_end();
     return status;
 }
 
-murk_status murk_plan_choose(murk_plan *plan, const murk_stage *stage,
+murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err)
 {
     const murk_status status = choose(plan, stage, sight, err);
@@ -339,9 +340,10 @@ murk_status murk_plan_choose(murk_plan *plan, const murk_stage *stage,
     return MURK_OK;
 }
 
-murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
-                           const murk_traced *traced, unsigned threads,
-                           murk_error *err)
+murk_status murk_plan_result_make(murk_plan_result *plan,
+                                  const murk_stage *stage,
+                                  const murk_traced *traced, unsigned threads,
+                                  murk_error *err)
 {
     murk_sight *sight = NULL;
     plan->trace_s = traced->trace_s;
@@ -361,8 +363,8 @@ murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
     if (status) {
         goto done;
     }
-    status = murk_coverage_measure(&plan->in_sample, sight, plan->sensor,
-                                   plan->place.count, err);
+    status = murk_coverage_result_measure(&plan->in_sample, sight, plan->sensor,
+                                          plan->place.count, err);
     plan->confirmed = (murk_estimate){NAN, NAN};
     if (!status) {
         murk_warn_of_thin_map(stage->scene, &plan->in_sample, NULL);
@@ -390,15 +392,15 @@ done:
     return status;
 }
 
-void murk_plan_release(murk_plan *plan)
+void murk_plan_result_release(murk_plan_result *plan)
 {
     murk_candidates_destroy(plan->candidates);
     murk_poses_destroy(plan->poses);
     murk_place_release(&plan->place);
     murk_explore_release(&plan->explore);
-    murk_coverage_release(&plan->in_sample);
+    murk_coverage_result_release(&plan->in_sample);
     murk_robust_release(&plan->robust);
     free(plan->held_out_region);
     free(plan->sensor);
-    *plan = (murk_plan){0};
+    *plan = (murk_plan_result){0};
 }

@@ -6,7 +6,7 @@
 #include "placement/place.h"
 #include "sensing/sight.h"
 #include "study/explore.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 #include "study/poses.h"
 #include "study/robust.h"
 #include "study/sites.h"
@@ -49,17 +49,17 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem);
 
 /* How many sensors are to see each photon of the target; 0: not asked, or
  * without a target. */
-size_t murk_plan_at_least(const murk_scene *scene);
+size_t murk_plan_at_least(const murk_scene_desc *scene);
 
 /* What can be wrong with the scene's wishes by themselves. */
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
 /* How the views of one photon combine in the scene's way of detection. */
-murk_combining murk_plan_combining(const murk_scene *scene);
+murk_combining murk_plan_combining(const murk_scene_desc *scene);
 
 /* The solver's description of them, without rules and target. */
-murk_place_desc murk_plan_desc(const murk_scene *scene);
+murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 
 /* The memory that a known matrix may take [bytes]. */
 uint64_t murk_plan_matrix_bytes(void);
@@ -75,9 +75,9 @@ murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
 
 /* Whether another stream shows anything else than the first: a list of targets
  * is all there is. */
-bool murk_plan_can_see_anew(const murk_scene *scene);
+bool murk_plan_can_see_anew(const murk_scene_desc *scene);
 
-typedef struct murk_plan {
+typedef struct murk_plan_result {
     bool without_curve; /* asked for: the plan alone, without those of fewer
                            sensors */
     murk_candidates *candidates;
@@ -88,7 +88,7 @@ typedef struct murk_plan {
     murk_pose *sensor;         /* [place.count] */
     murk_target_facts targets; /* points 0: photons are seen */
     bool is_dark;              /* there was nothing to see: study/dark.h */
-    murk_coverage in_sample;   /* on the light that chose */
+    murk_coverage_result in_sample; /* on the light that chose */
     bool has_held_out;
     murk_estimate held_out;                /* on the second map */
     murk_region_coverage *held_out_region; /* [regions of interest] likewise;
@@ -102,24 +102,25 @@ typedef struct murk_plan {
     uint64_t forecast_looks, forecast_rays;            /* a forecast's sample */
     uint64_t blocked_by_interfaces, totally_reflected; /* then, sightlines */
     double trace_s, map_s, sense_s, place_s;
-} murk_plan;
+} murk_plan_result;
 
 /* All that can be wrong with the scene's sensors is found here, before any
  * light is traced: fills plan->candidates and plan->poses. */
-murk_status murk_plan_prepare(murk_plan *plan, const murk_stage *stage,
+murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 
 /* The main job, from a prepared plan and traced light on; with hold_out it
  * also traces the second map. In the dark the plan is that of study/dark.h.
  * Release the plan also after a failure. */
-murk_status murk_plan_make(murk_plan *plan, const murk_stage *stage,
-                           const murk_traced *traced, unsigned threads,
-                           murk_error *err);
-void murk_plan_release(murk_plan *plan);
+murk_status murk_plan_result_make(murk_plan_result *plan,
+                                  const murk_stage *stage,
+                                  const murk_traced *traced, unsigned threads,
+                                  murk_error *err);
+void murk_plan_result_release(murk_plan_result *plan);
 
 /* Its first part alone: fills plan->place and plan->sensor by what sight shows,
  * and measures nothing. */
-murk_status murk_plan_choose(murk_plan *plan, const murk_stage *stage,
+murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err);
 
 #endif

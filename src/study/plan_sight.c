@@ -21,14 +21,14 @@ typedef struct seen_maps {
 
 double murk_plan_power_radius_m(const murk_stage *stage)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_scene_placement *settings = &stage->scene->placement;
     const murk_domain *domain = &stage->world.domain;
     const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
-    if (wish->detection != MURK_SCENE_POWER) {
+    if (settings->detection != MURK_SCENE_POWER) {
         return 0;
     }
-    if (wish->power_radius_m > 0) {
-        return wish->power_radius_m;
+    if (settings->power_radius_m > 0) {
+        return settings->power_radius_m;
     }
     const double own = POWER_RADIUS * murk_length(size);
     return domain->is_periodic ? fmin(own, fmin(size.x, size.y) / 2) : own;
@@ -36,16 +36,17 @@ double murk_plan_power_radius_m(const murk_stage *stage)
 
 size_t murk_plan_power_neighbours(const murk_stage *stage)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
-    return wish->detection == MURK_SCENE_POWER && !(wish->power_radius_m > 0)
-               ? (size_t)wish->power_neighbours
+    const murk_scene_placement *settings = &stage->scene->placement;
+    return settings->detection == MURK_SCENE_POWER &&
+                   !(settings->power_radius_m > 0)
+               ? (size_t)settings->power_neighbours
                : 0;
 }
 
-static murk_power_wish power_of(const murk_stage *stage,
-                                const murk_traced *traced)
+static murk_power_settings power_of(const murk_stage *stage,
+                                    const murk_traced *traced)
 {
-    murk_power_wish out = {
+    murk_power_settings out = {
         .radius_m = murk_plan_power_radius_m(stage),
         .neighbours = murk_plan_power_neighbours(stage),
         .light = {traced->surface, traced->volume, traced->emitted}};
@@ -68,11 +69,11 @@ static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
     }
 }
 
-murk_combining murk_plan_combining(const murk_scene *scene)
+murk_combining murk_plan_combining(const murk_scene_desc *scene)
 {
-    const murk_scene_placement *wish = &scene->placement;
-    return wish->detection == MURK_SCENE_INDEPENDENT ||
-                   wish->detection == MURK_SCENE_POWER
+    const murk_scene_placement *settings = &scene->placement;
+    return settings->detection == MURK_SCENE_INDEPENDENT ||
+                   settings->detection == MURK_SCENE_POWER
                ? MURK_COMBINE_INDEPENDENT
                : MURK_COMBINE_CLEAREST;
 }
@@ -82,11 +83,11 @@ murk_combining murk_plan_combining(const murk_scene *scene)
 static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
                                 murk_sensor_type *types, unsigned threads)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_scene_placement *settings = &stage->scene->placement;
     return (murk_sight_desc){
         .surfaces = stage->surfaces,
         .media = stage->media,
-        .hulls = stage->hulls,
+        .boundary_meshes = stage->boundary_meshes,
         .domain = stage->world.domain,
         .surface_map = maps->surface,
         .volume_map = maps->volume,
@@ -95,15 +96,16 @@ static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
         .types = stage->scene->sensors.types,
         .north = stage->scene->north,
         .visibility =
-            wish->by_normal ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY,
-        .through_sheets = wish->through != MURK_SCENE_BLOCK,
-        .refracts = wish->through == MURK_SCENE_REFRACT,
+            settings->by_normal ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY,
+        .through_sheets = settings->through != MURK_SCENE_BLOCK,
+        .refracts = settings->through == MURK_SCENE_REFRACT,
         .weights = {.balanced = true},
-        .threshold =
-            wish->detection == MURK_SCENE_THRESHOLD ? wish->threshold : 0,
+        .threshold = settings->detection == MURK_SCENE_THRESHOLD
+                         ? settings->threshold
+                         : 0,
         .redundancy = 1,
         .threads = threads,
-        .where = wish->where};
+        .where = settings->where};
 }
 
 static murk_status no_types(const murk_stage *stage, murk_error *err)
@@ -116,18 +118,18 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                               const murk_traced *traced, const seen_maps *maps,
                               unsigned threads, murk_error *err)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
+    const murk_scene_placement *settings = &stage->scene->placement;
     murk_sensor_type *types = murk_poses_types(stage->scene);
     if (!types) {
         return no_types(stage, err);
     }
     murk_sight_desc desc = describe(stage, maps, types, threads);
-    desc.weights = (murk_map_weights){.balanced = wish->balanced,
-                                      .surface = wish->weight_surface,
-                                      .volume = wish->weight_volume};
+    desc.weights = (murk_map_weights){.balanced = settings->balanced,
+                                      .surface = settings->weight_surface,
+                                      .volume = settings->weight_volume};
     desc.interest = murk_goals_interest(stage->goals);
     desc.combining = murk_plan_combining(stage->scene);
-    desc.redundancy = (unsigned)wish->redundancy;
+    desc.redundancy = (unsigned)settings->redundancy;
     desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
     desc.power = power_of(stage, traced);
     const murk_status status = murk_sight_create(out, &desc, err);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define POSES_MOST 1e7
+#define POSES_MAX 1e7
 
 #define RAD_PER_DEG (MURK_PI / 180)
 
@@ -21,12 +21,12 @@ static const murk_view VIEW_OF[] = {[MURK_SCENE_VIEW_SPHERE] = MURK_VIEW_SPHERE,
                                     [MURK_SCENE_VIEW_FRUSTUM] =
                                         MURK_VIEW_FRUSTUM};
 
-murk_sensor_type *murk_poses_types(const murk_scene *scene)
+murk_sensor_type *murk_poses_types(const murk_scene_desc *scene)
 {
-    const murk_scene_sensors *wish = &scene->sensors;
-    murk_sensor_type *out = calloc(wish->types + 1, sizeof *out);
-    for (size_t k = 0; out && k < wish->types; ++k) {
-        const murk_scene_sensor_type *type = &wish->type[k];
+    const murk_scene_sensors *settings = &scene->sensors;
+    murk_sensor_type *out = calloc(settings->types + 1, sizeof *out);
+    for (size_t k = 0; out && k < settings->types; ++k) {
+        const murk_scene_sensor_type *type = &settings->type[k];
         out[k] =
             (murk_sensor_type){.least_range_m = type->least_range_m,
                                .range_m = type->range_m,
@@ -76,12 +76,12 @@ static murk_pose pose_of(const murk_scene_sensor_type *type, size_t number,
 }
 
 /* Writes the poses of all types at one site; returns how many. */
-static size_t fill_site(murk_poses *p, const murk_scene_sensors *wish,
+static size_t fill_site(murk_poses *p, const murk_scene_sensors *settings,
                         murk_vec3 site, uint32_t number, size_t at)
 {
     const size_t first = at;
-    for (size_t k = 0; k < wish->types; ++k) {
-        const murk_scene_sensor_type *type = &wish->type[k];
+    for (size_t k = 0; k < settings->types; ++k) {
+        const murk_scene_sensor_type *type = &settings->type[k];
         for (size_t h = 0; h < headings_of(type); ++h) {
             for (size_t t = 0; t < tilts_of(type); ++t) {
                 p->site[at] = number;
@@ -133,13 +133,14 @@ static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
     return MURK_OK;
 }
 
-static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
+static murk_status place_fixed(murk_poses *p,
+                               const murk_scene_sensors *settings,
                                const murk_domain *domain, uint32_t sites,
                                murk_error *err)
 {
     const size_t first = p->count - p->fixed;
     for (size_t k = 0; k < p->fixed; ++k) {
-        const murk_scene_fixed_sensor *fixed = &wish->fixed[k];
+        const murk_scene_fixed_sensor *fixed = &settings->fixed[k];
         const murk_vec3 x = fixed->position;
         if (!murk_box_contains(&domain->box, x)) {
             return murk_fail(err, MURK_BAD_VALUE, fixed->where,
@@ -156,82 +157,83 @@ static murk_status place_fixed(murk_poses *p, const murk_scene_sensors *wish,
                                          .tilt_rad = fixed->tilt_rad};
         p->site[first + k] = sites + (uint32_t)k;
     }
-    return wish->one_per_site ? join_sites(p, first, err) : MURK_OK;
+    return settings->one_per_site ? join_sites(p, first, err) : MURK_OK;
 }
 
 /* ---- rules ---- */
 
 static murk_status check_count(const murk_poses *p,
-                               const murk_scene_sensors *wish, murk_error *err)
+                               const murk_scene_sensors *settings,
+                               murk_error *err)
 {
-    if (wish->count > p->count) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    if (settings->count > p->count) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "count: %llu sensors, but only %zu candidates",
-                         (unsigned long long)wish->count, p->count);
+                         (unsigned long long)settings->count, p->count);
     }
     return MURK_OK;
 }
 
 /* Contradictions come to light before any light is traced. */
-static murk_status check_rules(const murk_poses *p,
-                               const murk_scene_sensors *wish, murk_error *err)
+static murk_status check_constraints(const murk_poses *p,
+                                     const murk_scene_sensors *settings,
+                                     murk_error *err)
 {
     murk_rulebook book;
-    if (!p->has_rules) {
+    if (!p->has_constraints) {
         return MURK_OK;
     }
     murk_error told = {0};
-    const murk_status status =
-        murk_rulebook_init(&book, &p->rules, p->count,
-                           wish->count > 0 ? (size_t)wish->count : p->count,
-                           wish->count == 0, &told);
+    const murk_status status = murk_rulebook_init(
+        &book, &p->constraints, p->count,
+        settings->count > 0 ? (size_t)settings->count : p->count,
+        settings->count == 0, &told);
     if (status) {
-        return murk_fail(err, status, wish->where, "%s", told.text);
+        return murk_fail(err, status, settings->where, "%s", told.text);
     }
     murk_rulebook_release(&book);
     return MURK_OK;
 }
 
-static void fill_rules(murk_poses *p, const murk_scene_sensors *wish)
+static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
 {
-    bool has_classes = false, has_costs = wish->budget > 0;
-    for (size_t k = 0; k < wish->types; ++k) {
-        const murk_scene_sensor_type *type = &wish->type[k];
+    bool has_classes = false, has_costs = settings->budget > 0;
+    for (size_t k = 0; k < settings->types; ++k) {
+        const murk_scene_sensor_type *type = &settings->type[k];
         p->class_name[k] = type->name;
-        p->least[k] = (size_t)type->least_count;
-        p->most[k] =
+        p->min[k] = (size_t)type->min_count;
+        p->max[k] =
             type->max_count < ANY_COUNT ? (size_t)type->max_count : p->count;
         has_classes =
-            has_classes || type->least_count > 0 || type->max_count < ANY_COUNT;
+            has_classes || type->min_count > 0 || type->max_count < ANY_COUNT;
     }
     for (size_t j = 0; j < p->count; ++j) {
         const murk_vec3 x = p->pose[j].position;
         p->class_of[j] = p->pose[j].type;
         const bool is_paid = j >= p->count - p->fixed;
-        p->cost[j] =
-            is_paid
-                ? 0
-                : llround(wish->type[p->pose[j].type].cost / MURK_COST_UNIT);
+        p->cost[j] = is_paid ? 0
+                             : llround(settings->type[p->pose[j].type].cost /
+                                       MURK_COST_UNIT);
         p->position_m[j][0] = x.x;
         p->position_m[j][1] = x.y;
         p->position_m[j][2] = x.z;
     }
-    p->rules = (murk_rules){
-        .classes = has_classes ? wish->types : 0,
+    p->constraints = (murk_constraints){
+        .classes = has_classes ? settings->types : 0,
         .class_of = has_classes ? p->class_of : NULL,
-        .least = has_classes ? p->least : NULL,
-        .most = has_classes ? p->most : NULL,
+        .min = has_classes ? p->min : NULL,
+        .max = has_classes ? p->max : NULL,
         .cost = has_costs ? p->cost : NULL,
-        .budget = has_costs ? llround(wish->budget / MURK_COST_UNIT) : 0,
+        .budget = has_costs ? llround(settings->budget / MURK_COST_UNIT) : 0,
         .fixed = p->fixed ? p->fixed_number : NULL,
         .fixed_count = p->fixed,
-        .site = wish->one_per_site ? p->site : NULL,
+        .site = settings->one_per_site ? p->site : NULL,
         .position_m = (const double(*)[3])p->position_m,
-        .spacing_m = wish->spacing_m,
+        .spacing_m = settings->spacing_m,
         .class_name = p->class_name,
         .cost_unit = MURK_COST_UNIT};
-    p->has_rules = has_classes || has_costs || p->fixed > 0 ||
-                   wish->one_per_site || wish->spacing_m > 0;
+    p->has_constraints = has_classes || has_costs || p->fixed > 0 ||
+                         settings->one_per_site || settings->spacing_m > 0;
 }
 
 /* ---- all ---- */
@@ -245,55 +247,55 @@ static bool set_aside(murk_poses *p, size_t types)
     p->cost = calloc(n, sizeof *p->cost);
     p->position_m = calloc(n, sizeof *p->position_m);
     p->fixed_number = calloc(p->fixed + 1, sizeof *p->fixed_number);
-    p->least = calloc(types + 1, sizeof *p->least);
-    p->most = calloc(types + 1, sizeof *p->most);
+    p->min = calloc(types + 1, sizeof *p->min);
+    p->max = calloc(types + 1, sizeof *p->max);
     p->class_name = calloc(types + 1, sizeof *p->class_name);
     return p->pose && p->class_of && p->site && p->cost && p->position_m &&
-           p->fixed_number && p->least && p->most && p->class_name;
+           p->fixed_number && p->min && p->max && p->class_name;
 }
 
-murk_status murk_poses_create(murk_poses **out, const murk_scene *scene,
+murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err)
 {
-    const murk_scene_sensors *wish = &scene->sensors;
+    const murk_scene_sensors *settings = &scene->sensors;
     murk_poses *p = calloc(1, sizeof *p);
     murk_status status = MURK_OK;
     double each = 0;
-    for (size_t k = 0; k < wish->types; ++k) {
-        each += (double)headings_of(&wish->type[k]) *
-                (double)tilts_of(&wish->type[k]);
+    for (size_t k = 0; k < settings->types; ++k) {
+        each += (double)headings_of(&settings->type[k]) *
+                (double)tilts_of(&settings->type[k]);
     }
-    if (p && each * (double)n + (double)wish->n_fixed > POSES_MOST) {
-        status = murk_fail(err, MURK_BAD_VALUE, wish->where,
+    if (p && each * (double)n + (double)settings->n_fixed > POSES_MAX) {
+        status = murk_fail(err, MURK_BAD_VALUE, settings->where,
                            "%zu usable sites with %g types, headings and tilts "
                            "each are %.4g candidates, must be at most 1e7",
                            n, each, each * (double)n);
         goto done;
     }
     if (p) {
-        p->fixed = wish->n_fixed;
+        p->fixed = settings->n_fixed;
         p->count = (size_t)each * n + p->fixed;
     }
-    if (!p || !set_aside(p, wish->types)) {
-        status = murk_fail(err, MURK_NO_MEMORY, wish->where,
+    if (!p || !set_aside(p, settings->types)) {
+        status = murk_fail(err, MURK_NO_MEMORY, settings->where,
                            "no memory for the candidates");
         goto done;
     }
     size_t at = 0;
     for (size_t i = 0; i < n; ++i) {
-        at += fill_site(p, wish, site[i], (uint32_t)i, at);
+        at += fill_site(p, settings, site[i], (uint32_t)i, at);
     }
     assert(at + p->fixed == p->count);
-    status = place_fixed(p, wish, domain, (uint32_t)n, err);
+    status = place_fixed(p, settings, domain, (uint32_t)n, err);
     if (!status) {
-        status = check_count(p, wish, err);
+        status = check_count(p, settings, err);
     }
     if (status) {
         goto done;
     }
-    fill_rules(p, wish);
-    status = check_rules(p, wish, err);
+    fill_constraints(p, settings);
+    status = check_constraints(p, settings, err);
     if (status) {
         goto done;
     }
@@ -310,8 +312,8 @@ void murk_poses_destroy(murk_poses *p)
         free(p->pose);
         free(p->class_of);
         free(p->site);
-        free(p->least);
-        free(p->most);
+        free(p->min);
+        free(p->max);
         free(p->class_name);
         free(p->fixed_number);
         free(p->cost);
@@ -320,7 +322,7 @@ void murk_poses_destroy(murk_poses *p)
     }
 }
 
-const murk_rules *murk_poses_rules(const murk_poses *poses)
+const murk_constraints *murk_poses_constraints(const murk_poses *poses)
 {
-    return poses->has_rules ? &poses->rules : NULL;
+    return poses->has_constraints ? &poses->constraints : NULL;
 }

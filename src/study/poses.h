@@ -3,7 +3,7 @@
 #ifndef MURK_STUDY_POSES_H
 #define MURK_STUDY_POSES_H
 
-#include "placement/rules.h"
+#include "placement/constraints.h"
 #include "scene/scene.h"
 #include "sensing/sensor.h"
 
@@ -14,11 +14,12 @@ typedef struct murk_poses {
     murk_pose *pose; /* [count]: site by site, then type, heading, tilt; the
                         fixed ones last */
     size_t count, fixed;
-    murk_rules rules; /* what is no rule of the scene's is 0 there */
-    bool has_rules;
+    murk_constraints
+        constraints; /* what is no rule of the scene's is 0 there */
+    bool has_constraints;
     /* What the rules point to. */
     uint32_t *class_of, *site;
-    size_t *least, *most, *fixed_number;
+    size_t *min, *max, *fixed_number;
     int64_t *cost;
     double (*position_m)[3];
     const char **class_name; /* [types], the scene's */
@@ -28,16 +29,16 @@ typedef struct murk_poses {
  * places: more than 1e7 poses, a fixed sensor outside the domain, a count that
  * the candidates cannot meet, rules that contradict each other. The scene must
  * outlive them. */
-murk_status murk_poses_create(murk_poses **out, const murk_scene *scene,
+murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);
 void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 
 /* NULL where only the count binds. */
-const murk_rules *murk_poses_rules(const murk_poses *poses);
+const murk_constraints *murk_poses_constraints(const murk_poses *poses);
 
 /* The scene's types as sensing knows them, [scene->sensors.types], for free();
  * NULL when out of memory. */
-murk_sensor_type *murk_poses_types(const murk_scene *scene);
+murk_sensor_type *murk_poses_types(const murk_scene_desc *scene);
 
 #endif

@@ -5,17 +5,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-static murk_status no_memory(const murk_scene *scene, murk_error *err)
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, scene->path,
                      "no memory for the lights");
 }
 
 /* The scene's lights for free(), and whether any shines. */
-static murk_status lights_of(murk_light **out, bool *shines,
-                             const murk_scene *scene, murk_error *err)
+static murk_status lights_of(murk_source **out, bool *shines,
+                             const murk_scene_desc *scene, murk_error *err)
 {
-    murk_light *light = calloc(scene->n_lights + 1, sizeof *light);
+    murk_source *light = calloc(scene->n_lights + 1, sizeof *light);
     murk_status status = light ? MURK_OK : no_memory(scene, err);
     *shines = false;
     for (size_t i = 0; i < scene->n_lights && !status; ++i) {
@@ -33,28 +33,28 @@ static murk_status lights_of(murk_light **out, bool *shines,
     return MURK_OK;
 }
 
-murk_status murk_relight_powers(double **out, const murk_scene *scene,
+murk_status murk_relight_powers(double **out, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err)
 {
     const size_t channels = scene->n_lights * (size_t)scene->bands;
-    murk_light *light = NULL;
-    murk_lights *lights = NULL;
+    murk_source *light = NULL;
+    murk_sources *lights = NULL;
     bool shines = false;
     double *power_w = calloc(channels + 1, sizeof *power_w);
     murk_status status = power_w ? lights_of(&light, &shines, scene, err)
                                  : no_memory(scene, err);
     if (!status && shines) {
-        status = murk_lights_create(&lights, light, scene->n_lights,
-                                    scene->bands, domain, err);
+        status = murk_sources_create(&lights, light, scene->n_lights,
+                                     scene->bands, domain, err);
     }
     for (size_t c = 0; !status && shines && c < channels; ++c) {
-        power_w[c] = murk_lights_channel_power_w(lights, c);
+        power_w[c] = murk_sources_channel_power_w(lights, c);
     }
     if (!status) {
         *out = power_w;
         power_w = NULL;
     }
-    murk_lights_destroy(lights);
+    murk_sources_destroy(lights);
     free(light);
     free(power_w);
     return status;
@@ -90,14 +90,15 @@ static void find_largest(double *share, size_t *who, double *const *power_w,
 
 /* Puts the shares into the lights: power goes by power_w of a light, whatever
  * that is the power of. */
-static murk_status share_out(murk_light *light, const double *share,
-                             const size_t *who, const murk_scene *const *scene,
+static murk_status share_out(murk_source *light, const double *share,
+                             const size_t *who,
+                             const murk_scene_desc *const *scene,
                              double *const *power_w, size_t n, murk_error *err)
 {
     const size_t bands = (size_t)scene[0]->bands;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < scene[0]->n_lights && !status; ++i) {
-        murk_light own = {0};
+        murk_source own = {0};
         murk_sky_facts facts;
         murk_spectrum power = {{0}};
         for (size_t b = 0; b < bands && !status; ++b) {
@@ -117,13 +118,13 @@ static murk_status share_out(murk_light *light, const double *share,
     return status;
 }
 
-murk_status murk_relight_lights(murk_lights **out, double *grow,
-                                const murk_scene *const *scene,
+murk_status murk_relight_lights(murk_sources **out, double *grow,
+                                const murk_scene_desc *const *scene,
                                 double *const *power_w, size_t n,
                                 const murk_domain *domain, murk_error *err)
 {
     const size_t channels = scene[0]->n_lights * (size_t)scene[0]->bands;
-    murk_light *light = calloc(scene[0]->n_lights + 1, sizeof *light);
+    murk_source *light = calloc(scene[0]->n_lights + 1, sizeof *light);
     double *share = calloc(channels + 1, sizeof *share);
     size_t *who = calloc(channels + 1, sizeof *who);
     murk_status status = MURK_OK;
@@ -135,8 +136,8 @@ murk_status murk_relight_lights(murk_lights **out, double *grow,
     *grow = sum_of(share, channels);
     status = share_out(light, share, who, scene, power_w, n, err);
     if (!status) {
-        status = murk_lights_create(out, light, scene[0]->n_lights,
-                                    scene[0]->bands, domain, err);
+        status = murk_sources_create(out, light, scene[0]->n_lights,
+                                     scene[0]->bands, domain, err);
     }
 done:
     free(light);
@@ -176,7 +177,7 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
 }
 
 murk_status murk_relight(murk_traced **out, const murk_traced *traced,
-                         const murk_lights *lights, const double *power_w,
+                         const murk_sources *lights, const double *power_w,
                          int bands, unsigned threads, murk_error *err)
 {
     const size_t channels = traced->channels;
@@ -195,7 +196,7 @@ murk_status murk_relight(murk_traced **out, const murk_traced *traced,
         goto done;
     }
     for (size_t c = 0; c < channels; ++c) {
-        const double traced_w = murk_lights_channel_power_w(lights, c);
+        const double traced_w = murk_sources_channel_power_w(lights, c);
         factor[c] = traced_w > 0 ? power_w[c] / traced_w : 0;
         made->packet_w[c] = traced->packet_w[c] * factor[c];
     }

@@ -7,11 +7,11 @@
 #ifndef MURK_STUDY_RELIGHT_H
 #define MURK_STUDY_RELIGHT_H
 
-#include "study/light.h"
+#include "study/lightmap.h"
 
 /* The power of each channel of a scene's lights in a domain: [lights * bands]
  * for free(); all 0 where none shines. */
-murk_status murk_relight_powers(double **out, const murk_scene *scene,
+murk_status murk_relight_powers(double **out, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err);
 
 /* Lights that serve n scenes at once, powers[n][channels], whose lights are
@@ -19,8 +19,8 @@ murk_status murk_relight_powers(double **out, const murk_scene *scene,
  * has of any scene's light. scene[n]; one of them at least has power. `grow` is
  * how many times the photons of one scene give every channel at least as many
  * as a scene of its own would. *out is the caller's. */
-murk_status murk_relight_lights(murk_lights **out, double *grow,
-                                const murk_scene *const *scene,
+murk_status murk_relight_lights(murk_sources **out, double *grow,
+                                const murk_scene_desc *const *scene,
                                 double *const *power_w, size_t n,
                                 const murk_domain *domain, murk_error *err);
 
@@ -28,7 +28,7 @@ murk_status murk_relight_lights(murk_lights **out, double *grow,
  * murk_traced_destroy(), has maps and packet_w, but neither ledger nor tallies,
  * which stay with `traced`. */
 murk_status murk_relight(murk_traced **out, const murk_traced *traced,
-                         const murk_lights *lights, const double *power_w,
+                         const murk_sources *lights, const double *power_w,
                          int bands, unsigned threads, murk_error *err);
 
 #endif

@@ -16,7 +16,7 @@ static murk_status no_memory(size_t runs, murk_error *err)
 
 static const murk_estimate NO_ESTIMATE = {NAN, NAN};
 
-static murk_repeat_run run_of(const murk_plan *plan, uint32_t seed)
+static murk_repeat_run run_of(const murk_plan_result *plan, uint32_t seed)
 {
     const murk_place_result *place = &plan->place;
     return (murk_repeat_run){
@@ -30,39 +30,39 @@ static murk_repeat_run run_of(const murk_plan *plan, uint32_t seed)
 }
 
 /* The plan's coverage in this light. */
-static murk_status measure(murk_estimate *out, const murk_plan *plan,
+static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
                            const murk_stage *stage, const murk_traced *traced,
                            unsigned threads, murk_error *err)
 {
     murk_sight *sight = NULL;
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_status status = murk_plan_sight(&sight, stage, traced, threads, err);
     if (!status) {
-        status = murk_coverage_measure(&coverage, sight, plan->sensor,
-                                       plan->place.count, err);
+        status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
+                                              plan->place.count, err);
     }
     if (!status) {
         *out = coverage.total;
     }
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     return status;
 }
 
 /* Where sensors may stand does not depend on seeds, so candidates and poses are
  * the first plan's. */
-static murk_plan plan_again(const murk_plan *first)
+static murk_plan_result plan_again(const murk_plan_result *first)
 {
-    return (murk_plan){.candidates = first->candidates,
-                       .poses = first->poses,
-                       .start = first->start};
+    return (murk_plan_result){.candidates = first->candidates,
+                              .poses = first->poses,
+                              .start = first->start};
 }
 
-static void release_again(murk_plan *plan)
+static void release_again(murk_plan_result *plan)
 {
     plan->candidates = NULL;
     plan->poses = NULL;
-    murk_plan_release(plan);
+    murk_plan_result_release(plan);
 }
 
 /* The same world under another seed. */
@@ -70,16 +70,16 @@ static murk_status run_again(murk_repeat_run *out,
                              const murk_repeat_first *first, uint32_t later,
                              unsigned threads, murk_error *err)
 {
-    murk_scene scene = *first->stage->scene;
+    murk_scene_desc scene = *first->stage->scene;
     scene.seed += later;
     scene.placement.jitter_m = scene.placement.jitter_rad = 0;
     murk_stage again = *first->stage;
     again.scene = &scene;
     murk_traced *traced = NULL;
-    murk_plan plan = plan_again(first->plan);
+    murk_plan_result plan = plan_again(first->plan);
     murk_status status = murk_plan_see_anew(&traced, &again, 0, threads, err);
     if (!status) {
-        status = murk_plan_make(&plan, &again, traced, threads, err);
+        status = murk_plan_result_make(&plan, &again, traced, threads, err);
     }
     if (!status) {
         *out = run_of(&plan, scene.seed);
@@ -93,17 +93,19 @@ static murk_status run_again(murk_repeat_run *out,
 }
 
 /* The plan's coverage over conditions as they are lit and seen. */
-static murk_status measure_over(murk_estimate *out, const murk_plan *plan,
+static murk_status measure_over(murk_estimate *out,
+                                const murk_plan_result *plan,
                                 const murk_conditions *all, murk_error *err)
 {
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
     for (size_t c = 0; !status && c < all->n; ++c) {
-        murk_coverage coverage = {0};
-        status = murk_coverage_measure(&coverage, all->condition[c].sight,
-                                       plan->sensor, plan->place.count, err);
+        murk_coverage_result coverage = {0};
+        status =
+            murk_coverage_result_measure(&coverage, all->condition[c].sight,
+                                         plan->sensor, plan->place.count, err);
         of[c] = coverage.total;
-        murk_coverage_release(&coverage);
+        murk_coverage_result_release(&coverage);
     }
     if (!status) {
         size_t worst;
@@ -122,7 +124,7 @@ static murk_status run_over_again(murk_repeat_run *out,
     if (!over) {
         return no_memory(1, err);
     }
-    murk_plan plan = plan_again(first->plan);
+    murk_plan_result plan = plan_again(first->plan);
     murk_status status = murk_conditions_again(
         &over->conditions, first->over->conditions, later, err);
     if (!status) {
@@ -143,7 +145,7 @@ static murk_status run_over_again(murk_repeat_run *out,
 murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
                              size_t asked, unsigned threads, murk_error *err)
 {
-    const murk_scene *scene =
+    const murk_scene_desc *scene =
         first->stage ? first->stage->scene : first->over->conditions->scene;
     *out = (murk_repeat){.run = calloc(asked, sizeof *out->run),
                          .asked = asked,
@@ -203,8 +205,8 @@ static murk_spread spread_of(double *x, size_t n)
     }
     qsort(x, n, sizeof *x, by_value);
     return (murk_spread){.median = (x[(n - 1) / 2] + x[n / 2]) / 2,
-                         .least = x[0],
-                         .most = x[n - 1]};
+                         .min = x[0],
+                         .max = x[n - 1]};
 }
 
 static murk_gap gap_of(const double *difference, size_t n)

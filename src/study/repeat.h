@@ -39,7 +39,7 @@ typedef struct murk_repeat {
 
 /* The first run: a plan in a stage, or over conditions. */
 typedef struct murk_repeat_first {
-    const murk_plan *plan;
+    const murk_plan_result *plan;
     const murk_stage *stage; /* NULL: conditions */
     const murk_over *over;
 } murk_repeat_first;
@@ -51,7 +51,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
 void murk_repeat_release(murk_repeat *repeat);
 
 typedef struct murk_spread {
-    double median, least, most; /* NaN where a run has no such value */
+    double median, min, max; /* NaN where a run has no such value */
 } murk_spread;
 
 /* 95 % confidence, if differences are normal. They are skewed where most

@@ -18,7 +18,7 @@ static murk_status no_memory(size_t n, murk_error *err)
 /* ---- each sensor ---- */
 
 /* [n] total less what only it covers; NULL when out of memory. */
-static double *without_each(const murk_coverage *coverage, size_t n)
+static double *without_each(const murk_coverage_result *coverage, size_t n)
 {
     double *out = malloc(n * sizeof *out + 1);
     for (size_t i = 0; out && i < n; ++i) {
@@ -29,7 +29,8 @@ static double *without_each(const murk_coverage *coverage, size_t n)
 
 murk_status murk_robust_begin(murk_robust *robust, const murk_stage *stage,
                               const murk_pose *pose, size_t n,
-                              const murk_coverage *coverage, murk_error *err)
+                              const murk_coverage_result *coverage,
+                              murk_error *err)
 {
     *robust = (murk_robust){.sensors = n,
                             .without = without_each(coverage, n),
@@ -44,7 +45,8 @@ murk_status murk_robust_begin(murk_robust *robust, const murk_stage *stage,
 }
 
 murk_status murk_robust_hold_out(murk_robust *robust,
-                                 const murk_coverage *coverage, murk_error *err)
+                                 const murk_coverage_result *coverage,
+                                 murk_error *err)
 {
     robust->without_held_out = without_each(coverage, robust->sensors);
     robust->total_held_out = coverage->total.value;
@@ -81,11 +83,11 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-size_t murk_robust_draws(const murk_scene *scene)
+size_t murk_robust_draws(const murk_scene_desc *scene)
 {
-    const murk_scene_placement *wish = &scene->placement;
-    return wish->jitter_m > 0 || wish->jitter_rad > 0
-               ? (size_t)wish->jitter_draws
+    const murk_scene_placement *settings = &scene->placement;
+    return settings->jitter_m > 0 || settings->jitter_rad > 0
+               ? (size_t)settings->jitter_draws
                : 0;
 }
 
@@ -93,9 +95,9 @@ murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
                               const murk_stage *stage, murk_sight *sight,
                               const murk_pose *pose, size_t n, murk_error *err)
 {
-    const murk_scene_placement *wish = &stage->scene->placement;
-    const murk_jitter jitter = {.step_m = wish->jitter_m,
-                                .turn_rad = wish->jitter_rad,
+    const murk_scene_placement *settings = &stage->scene->placement;
+    const murk_jitter jitter = {.step_m = settings->jitter_m,
+                                .turn_rad = settings->jitter_rad,
                                 .seed = stage->scene->seed,
                                 .surfaces = stage->surfaces,
                                 .domain = &stage->world.domain,
@@ -107,14 +109,14 @@ murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
     *unmoved = 0;
     murk_progress_begin("jitter", draws, "draws");
     for (size_t d = 0; d < draws && !status; ++d) {
-        murk_coverage c = {0};
+        murk_coverage_result c = {0};
         *unmoved += murk_jitter_draw(moved, pose, n, type, &jitter, d);
-        status = murk_coverage_measure(&c, sight, moved, n, err);
+        status = murk_coverage_result_measure(&c, sight, moved, n, err);
         covered[d] = c.total;
-        if (wish->targets.points) {
+        if (settings->targets.points) {
             covered[d].standard_error = 0; /* a list is all there is */
         }
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         murk_progress_add(1);
     }
     murk_progress_end();
@@ -156,8 +158,8 @@ murk_status murk_robust_sum_up(murk_robust *robust,
 
 murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
                                murk_sight *sight, const murk_pose *pose,
-                               const murk_coverage *coverage, bool on_held_out,
-                               murk_error *err)
+                               const murk_coverage_result *coverage,
+                               bool on_held_out, murk_error *err)
 {
     const size_t draws = murk_robust_draws(stage->scene);
     if (draws == 0 || robust->sensors == 0) {

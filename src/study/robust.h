@@ -34,23 +34,24 @@ typedef struct murk_robust {
  * on the map that chose. Release also after a failure. */
 murk_status murk_robust_begin(murk_robust *robust, const murk_stage *stage,
                               const murk_pose *pose, size_t n,
-                              const murk_coverage *coverage, murk_error *err);
+                              const murk_coverage_result *coverage,
+                              murk_error *err);
 
 /* Coverage without each sensor on the second map. */
 murk_status murk_robust_hold_out(murk_robust *robust,
-                                 const murk_coverage *coverage,
+                                 const murk_coverage_result *coverage,
                                  murk_error *err);
 
 /* Fills `jittered` where the scene asks for it. `coverage` is the plan's on
- * this sight. Fails as murk_coverage_measure(). */
+ * this sight. Fails as murk_coverage_result_measure(). */
 murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
                                murk_sight *sight, const murk_pose *pose,
-                               const murk_coverage *coverage, bool on_held_out,
-                               murk_error *err);
+                               const murk_coverage_result *coverage,
+                               bool on_held_out, murk_error *err);
 
 /* The same in two steps, for a plan over several sights. Draws that the scene
  * asks for; 0: none. */
-size_t murk_robust_draws(const murk_scene *scene);
+size_t murk_robust_draws(const murk_scene_desc *scene);
 
 /* covered[draws] of n sensors set down by this stage's surfaces, on one sight;
  * the same draws on any sight. */

@@ -63,7 +63,7 @@ static bool push(search *s, step new)
 
 static step pop(search *s)
 {
-    const step least = s->heap[0];
+    const step min = s->heap[0];
     s->heap[0] = s->heap[--s->steps];
     for (size_t at = 0;;) {
         size_t below = 2 * at + 1;
@@ -72,7 +72,7 @@ static step pop(search *s)
             ++below;
         }
         if (below >= s->steps || !is_less(&s->heap[below], &s->heap[at])) {
-            return least;
+            return min;
         }
         swap(&s->heap[at], &s->heap[below]);
         at = below;

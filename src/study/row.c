@@ -29,7 +29,7 @@ murk_status murk_study_row_add(murk_study_row *row, const char *name,
 }
 
 murk_status murk_study_row_set_sensors(murk_study_row *row,
-                                       const murk_scene *scene,
+                                       const murk_scene_desc *scene,
                                        const murk_pose *sensor, size_t n,
                                        murk_error *err)
 {
@@ -68,7 +68,7 @@ static double radians(double degrees)
 }
 
 murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
-                                 const murk_scene *scene, murk_error *err)
+                                 const murk_scene_desc *scene, murk_error *err)
 {
     murk_pose *pose = calloc(row->sensors + 1, sizeof *pose);
     if (!pose) {

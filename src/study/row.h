@@ -41,13 +41,13 @@ murk_status murk_study_row_add(murk_study_row *row, const char *name,
                                const char *unit, murk_estimate of,
                                murk_error *err);
 murk_status murk_study_row_set_sensors(murk_study_row *row,
-                                       const murk_scene *scene,
+                                       const murk_scene_desc *scene,
                                        const murk_pose *sensor, size_t n,
                                        murk_error *err);
 /* Its sensors as poses[row->sensors] for free(), by the scene's types. Fails
  * with MURK_BAD_VALUE where the scene has no such type, or MURK_NO_MEMORY. */
 murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
-                                 const murk_scene *scene, murk_error *err);
+                                 const murk_scene_desc *scene, murk_error *err);
 /* Puts a text behind the note, cut with "..." where it is full; "" changes
  * nothing. */
 void murk_study_row_add_note(murk_study_row *row, const char *text);

@@ -59,18 +59,19 @@ static murk_status check_table(const murk_table *table, long column[3],
 /* Adds the table's points to the *n there are. */
 static murk_status add_table(murk_vec3 **point, size_t *n,
                              const murk_table *table, murk_vec3 origin,
-                             const murk_box *box, size_t most, murk_error *err)
+                             const murk_box *box, size_t maximum,
+                             murk_error *err)
 {
     long column[3];
     murk_status status = check_table(table, column, err);
     if (status) {
         return status;
     }
-    if (table->rows > most - *n) {
+    if (table->rows > maximum - *n) {
         return murk_fail(err, MURK_BAD_VALUE, table->path,
                          "%zu points, with those before it more than %zu, the "
                          "most there may be",
-                         table->rows, most);
+                         table->rows, maximum);
     }
     murk_vec3 *grown = realloc(*point, (*n + table->rows) * sizeof *grown);
     if (!grown) {
@@ -88,11 +89,13 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
 
 static murk_status add_listed(murk_vec3 **point, size_t *n,
                               const murk_scene_points *points,
-                              const murk_box *box, size_t most, murk_error *err)
+                              const murk_box *box, size_t maximum,
+                              murk_error *err)
 {
-    if (points->positions > most - *n) {
+    if (points->positions > maximum - *n) {
         return murk_fail(err, MURK_BAD_VALUE, points->where,
-                         "more than %zu points, the most there may be", most);
+                         "more than %zu points, the most there may be",
+                         maximum);
     }
     murk_vec3 *grown =
         realloc(*point, (*n + points->positions + 1) * sizeof *grown);
@@ -111,8 +114,8 @@ static murk_status add_listed(murk_vec3 **point, size_t *n,
 }
 
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
-                                  const murk_scene *scene,
-                                  const murk_domain *domain, size_t most,
+                                  const murk_scene_desc *scene,
+                                  const murk_domain *domain, size_t maximum,
                                   murk_error *err)
 {
     const murk_scene_points *points = &scene->sensors.candidates.points;
@@ -125,12 +128,12 @@ murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
         status = murk_table_read(&table, points->file[i], err);
         if (!status) {
             status =
-                add_table(&point, n, table, origin, &domain->box, most, err);
+                add_table(&point, n, table, origin, &domain->box, maximum, err);
         }
         murk_table_destroy(table);
     }
     if (!status) {
-        status = add_listed(&point, n, points, &domain->box, most, err);
+        status = add_listed(&point, n, points, &domain->box, maximum, err);
     }
     if (status) {
         free(point);

@@ -11,8 +11,8 @@
  * item of the list: what is no number, outside the domain, or more than `most`
  * points. */
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
-                                  const murk_scene *scene,
-                                  const murk_domain *domain, size_t most,
+                                  const murk_scene_desc *scene,
+                                  const murk_domain *domain, size_t max,
                                   murk_error *err);
 
 #endif

@@ -7,29 +7,30 @@ struct murk_site_meshes {
     murk_mesh **mesh; /* [n] NULL for other shapes */
 };
 
-static const murk_scene_site_zone *zone_at(const murk_scene_candidates *wish,
-                                           size_t i)
+static const murk_scene_site_zone *
+zone_at(const murk_scene_candidates *settings, size_t i)
 {
-    return i < wish->avoids ? &wish->avoid[i] : &wish->within[i - wish->avoids];
+    return i < settings->avoids ? &settings->avoid[i]
+                                : &settings->within[i - settings->avoids];
 }
 
 murk_status murk_site_meshes_read(murk_site_meshes **out,
-                                  const murk_scene *scene, murk_error *err)
+                                  const murk_scene_desc *scene, murk_error *err)
 {
-    const murk_scene_candidates *wish = &scene->sensors.candidates;
+    const murk_scene_candidates *settings = &scene->sensors.candidates;
     murk_status status = MURK_OK;
     murk_site_meshes *made = calloc(1, sizeof *made);
     if (made) {
-        made->n = wish->avoids + wish->withins;
+        made->n = settings->avoids + settings->withins;
         made->mesh = calloc(made->n + 1, sizeof *made->mesh);
     }
     if (!made || !made->mesh) {
-        status = murk_fail(err, MURK_NO_MEMORY, wish->where,
+        status = murk_fail(err, MURK_NO_MEMORY, settings->where,
                            "no memory for its zones");
         goto done;
     }
     for (size_t i = 0; i < made->n && !status; ++i) {
-        const murk_scene_site_zone *zone = zone_at(wish, i);
+        const murk_scene_site_zone *zone = zone_at(settings, i);
         const murk_mesh_import import = {.unit_m = zone->unit_m,
                                          .up = zone->up};
         if (zone->shape == MURK_SCENE_ZONE_MESH) {
@@ -94,14 +95,15 @@ static murk_status create(murk_zones **out, const murk_scene_site_zone *zones,
 }
 
 murk_status murk_site_zones_create(murk_zones **avoid, murk_zones **within,
-                                   const murk_scene *scene,
+                                   const murk_scene_desc *scene,
                                    const murk_site_meshes *meshes,
                                    murk_error *err)
 {
-    const murk_scene_candidates *wish = &scene->sensors.candidates;
-    const murk_status status = create(avoid, wish->avoid, wish->avoids,
-                                      meshes->mesh, wish->where, err);
-    return status ? status
-                  : create(within, wish->within, wish->withins,
-                           meshes->mesh + wish->avoids, wish->where, err);
+    const murk_scene_candidates *settings = &scene->sensors.candidates;
+    const murk_status status = create(avoid, settings->avoid, settings->avoids,
+                                      meshes->mesh, settings->where, err);
+    return status
+               ? status
+               : create(within, settings->within, settings->withins,
+                        meshes->mesh + settings->avoids, settings->where, err);
 }

@@ -13,18 +13,18 @@
 /* The scene's grid, or one over the domain. */
 static murk_candidate_grid grid_of(const murk_stage *stage)
 {
-    const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
-    if (wish->has_grid) {
-        return (murk_candidate_grid){.min = wish->grid_min,
-                                     .max = wish->grid_max,
-                                     .size = {wish->grid_size[0],
-                                              wish->grid_size[1],
-                                              wish->grid_size[2]},
-                                     .clearance_m = wish->clearance_m};
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
+    if (settings->has_grid) {
+        return (murk_candidate_grid){.min = settings->grid_min,
+                                     .max = settings->grid_max,
+                                     .size = {settings->grid_size[0],
+                                              settings->grid_size[1],
+                                              settings->grid_size[2]},
+                                     .clearance_m = settings->clearance_m};
     }
     murk_candidate_grid grid =
         murk_candidate_grid_over(&stage->world.domain.box, LAID_POINTS);
-    grid.clearance_m = wish->clearance_m;
+    grid.clearance_m = settings->clearance_m;
     return grid;
 }
 
@@ -34,59 +34,59 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
     0.70710678118654752 /* cos 45 degrees: up, down or side \
                          */
 
-static void face(const murk_scene_mount *wish, murk_lay *lay,
+static void face(const murk_scene_mount *settings, murk_lay *lay,
                  murk_candidate_mount *mount)
 {
-    mount->least_up = -1;
-    mount->most_up = 1;
-    lay->most_rise = 1;
-    switch (wish->facing) {
+    mount->min_up = -1;
+    mount->max_up = 1;
+    lay->max_rise = 1;
+    switch (settings->facing) {
     case MURK_SCENE_FACING_ANY:
         break;
     case MURK_SCENE_FACING_UP:
-        lay->least_rise = mount->least_up = LEVEL_COSINE;
+        lay->min_rise = mount->min_up = LEVEL_COSINE;
         break;
     case MURK_SCENE_FACING_DOWN:
-        lay->least_rise = LEVEL_COSINE;
-        mount->most_up = -LEVEL_COSINE;
+        lay->min_rise = LEVEL_COSINE;
+        mount->max_up = -LEVEL_COSINE;
         break;
     case MURK_SCENE_FACING_SIDE:
-        lay->most_rise = mount->most_up = LEVEL_COSINE;
-        mount->least_up = -LEVEL_COSINE;
+        lay->max_rise = mount->max_up = LEVEL_COSINE;
+        mount->min_up = -LEVEL_COSINE;
         break;
     }
 }
 
 /* All of one mount but its feet, which are *foot, the caller's to free. */
 static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
-                             const murk_scene_mount *wish,
+                             const murk_scene_mount *settings,
                              const murk_stage *stage, murk_error *err)
 {
-    const double least_m = murk_lay_least_m(stage->surfaces);
+    const double min_m = murk_lay_min_m(stage->surfaces);
     bool material[MURK_MATERIALS_MAX] = {false};
-    for (size_t i = 0; i < wish->materials.n; ++i) {
-        material[wish->materials.index[i]] = true;
+    for (size_t i = 0; i < settings->materials.n; ++i) {
+        material[settings->materials.index[i]] = true;
     }
-    murk_lay lay = {.spacing_m = wish->spacing_m,
+    murk_lay lay = {.spacing_m = settings->spacing_m,
                     .within = stage->world.domain.box,
-                    .materials = wish->materials.n > 0 ? material : NULL,
-                    .most = MURK_CANDIDATES_MAX / 2};
-    if (wish->has_band) {
-        lay.within.min.z = fmax(lay.within.min.z, wish->band_m[0]);
-        lay.within.max.z = fmin(lay.within.max.z, wish->band_m[1]);
+                    .materials = settings->materials.n > 0 ? material : NULL,
+                    .max = MURK_CANDIDATES_MAX / 2};
+    if (settings->has_band) {
+        lay.within.min.z = fmax(lay.within.min.z, settings->band_m[0]);
+        lay.within.max.z = fmin(lay.within.max.z, settings->band_m[1]);
     }
-    if (!(wish->spacing_m > least_m)) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+    if (!(settings->spacing_m > min_m)) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "spacing_m is %g m, must be more than %.3g m: less is "
                          "lost in rounding",
-                         wish->spacing_m, least_m);
+                         settings->spacing_m, min_m);
     }
-    mount->offset_m = wish->offset_m;
-    face(wish, &lay, mount);
+    mount->offset_m = settings->offset_m;
+    face(settings, &lay, mount);
     const murk_status status = murk_surfaces_lay(
-        foot, &mount->feet, stage->surfaces, &lay, wish->where, err);
+        foot, &mount->feet, stage->surfaces, &lay, settings->where, err);
     if (!status && mount->feet == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, wish->where,
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "nothing to mount on: in the domain no surface of "
                          "these materials, heights and ways of facing");
     }
@@ -120,10 +120,10 @@ static void release(asking *a)
 
 static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
 {
-    const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
     a->desc.grid = grid_of(stage);
     a->desc.is_laid =
-        !wish->has_grid && (wish->points.given || wish->mounts > 0);
+        !settings->has_grid && (settings->points.given || settings->mounts > 0);
     murk_status status =
         murk_site_points_read(&a->point, &a->desc.points, stage->scene,
                               &stage->world.domain, MURK_CANDIDATES_MAX, err);
@@ -131,17 +131,17 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
         return status;
     }
     a->desc.point = a->point;
-    a->mount = calloc(wish->mounts + 1, sizeof *a->mount);
-    a->foot = calloc(wish->mounts + 1, sizeof *a->foot);
+    a->mount = calloc(settings->mounts + 1, sizeof *a->mount);
+    a->foot = calloc(settings->mounts + 1, sizeof *a->foot);
     if (!a->mount || !a->foot) {
-        return murk_fail(err, MURK_NO_MEMORY, wish->where,
+        return murk_fail(err, MURK_NO_MEMORY, settings->where,
                          "no memory for its mounts");
     }
     a->desc.mount = a->mount;
-    for (size_t i = 0; i < wish->mounts && !status; ++i) {
+    for (size_t i = 0; i < settings->mounts && !status; ++i) {
         ++a->desc.mounts;
-        status =
-            lay_mount(&a->mount[i], &a->foot[i], &wish->mount[i], stage, err);
+        status = lay_mount(&a->mount[i], &a->foot[i], &settings->mount[i],
+                           stage, err);
         a->mount[i].foot = a->foot[i];
     }
     if (!status) {
@@ -156,20 +156,20 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err)
 {
-    const murk_scene_candidates *wish = &stage->scene->sensors.candidates;
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
     const bool is_grid_alone =
-        wish->has_grid && !wish->points.given && wish->mounts == 0;
+        settings->has_grid && !settings->points.given && settings->mounts == 0;
     asking a = {0};
     murk_reach reach;
     murk_status status =
-        murk_entrances(&reach, &a.lamp, stage, wish->where, err);
+        murk_entrances(&reach, &a.lamp, stage, settings->where, err);
     if (!status) {
         status = ask(&a, stage, err);
     }
     if (!status) {
         status = murk_candidates_create(
             out, &a.desc, stage->surfaces, &reach, threads,
-            is_grid_alone ? wish->grid_where : wish->where, err);
+            is_grid_alone ? settings->grid_where : settings->where, err);
     }
     release(&a);
     return status;

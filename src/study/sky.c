@@ -6,12 +6,12 @@
 #include "base/calendar.h"
 #include "base/log.h"
 #include "base/photometry.h"
-#include "light/clear_sky.h"
-#include "light/ephemeris.h"
-#include "light/moonlight.h"
-#include "light/night_sky.h"
-#include "light/solar_spectrum.h"
-#include "light/twilight.h"
+#include "source/clear_sky.h"
+#include "source/ephemeris.h"
+#include "source/moonlight.h"
+#include "source/night_sky.h"
+#include "source/solar_spectrum.h"
+#include "source/twilight.h"
 
 #define DAY_S     86400.0
 #define RAD       (MURK_PI / 180)
@@ -99,7 +99,7 @@ static bool is_within_spans(const murk_scene_schedule *schedule,
     return false;
 }
 
-static murk_status is_night(bool *out, const murk_scene *scene,
+static murk_status is_night(bool *out, const murk_scene_desc *scene,
                             const char *where, murk_error *err)
 {
     murk_body sun;
@@ -116,7 +116,7 @@ static murk_status is_night(bool *out, const murk_scene *scene,
     return status;
 }
 
-static murk_status shines(bool *out, const murk_scene *scene,
+static murk_status shines(bool *out, const murk_scene_desc *scene,
                           const murk_scene_light *light, murk_error *err)
 {
     switch (light->schedule.when) {
@@ -139,7 +139,8 @@ static murk_status shines(bool *out, const murk_scene *scene,
 
 /* Beyond its ends a spectrum has no light, which is no more than its model's
  * silence. */
-static void warn_beyond(const murk_scene *scene, const murk_scene_light *light,
+static void warn_beyond(const murk_scene_desc *scene,
+                        const murk_scene_light *light,
                         const murk_solar_spectrum *spectrum)
 {
     const double first = spectrum->nm[0],
@@ -159,7 +160,7 @@ static void warn_beyond(const murk_scene *scene, const murk_scene_light *light,
 
 /* A model's irradiance over all wavelengths [W/m2], spread over the bands; or
  * the light's own, where it has one. */
-static murk_spectrum spread(const murk_scene *scene,
+static murk_spectrum spread(const murk_scene_desc *scene,
                             const murk_scene_light *light,
                             const murk_solar_spectrum *spectrum,
                             double irradiance)
@@ -241,15 +242,15 @@ static murk_status look_up(daylight *out, const murk_scene_light *light,
 }
 
 /* Where a light's rays go from a body at this place. */
-static void aim_from(murk_light *out, const murk_body *body, murk_vec3 north)
+static void aim_from(murk_source *out, const murk_body *body, murk_vec3 north)
 {
-    out->type = MURK_LIGHT_DIRECTIONAL;
+    out->type = MURK_SOURCE_DIRECTIONAL;
     out->direction = murk_scale(-1, towards(body, north));
     out->angular_radius_rad = body->diameter_deg / 2 * RAD;
 }
 
-static murk_status sun_light(murk_light *out, murk_sky_facts *facts,
-                             const murk_scene *scene,
+static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
+                             const murk_scene_desc *scene,
                              const murk_scene_light *light, murk_error *err)
 {
     daylight day;
@@ -281,8 +282,8 @@ static murk_moon moon_of(const murk_body *body)
                        .elevation_deg = body->elevation_deg};
 }
 
-static murk_status moon_light(murk_light *out, murk_sky_facts *facts,
-                              const murk_scene *scene,
+static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
+                              const murk_scene_desc *scene,
                               const murk_scene_light *light, murk_error *err)
 {
     murk_body body;
@@ -324,8 +325,8 @@ static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
     return fmax(by_day, c.left * twilight);
 }
 
-static murk_status sky_light(murk_light *out, murk_sky_facts *facts,
-                             const murk_scene *scene,
+static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
+                             const murk_scene_desc *scene,
                              const murk_scene_light *light, murk_error *err)
 {
     static const int type_of[] = {[MURK_SCENE_CLEAR] = 12,
@@ -357,7 +358,7 @@ static murk_status sky_light(murk_light *out, murk_sky_facts *facts,
     const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
     facts->azimuth_deg = day.sun.azimuth_deg;
     facts->elevation_deg = day.sun.elevation_deg;
-    out->type = MURK_LIGHT_DOME;
+    out->type = MURK_SOURCE_DOME;
     out->dome = murk_dome_cie(light->cie_type > 0 ? (int)light->cie_type
                                                   : type_of[light->cover],
                               towards(brighter, scene->north));
@@ -367,31 +368,32 @@ static murk_status sky_light(murk_light *out, murk_sky_facts *facts,
 
 /* Airglow is a layer: brighter towards the horizon, where more air dims it
  * again; an even sky of the same level irradiance stands for both. */
-static void night_light(murk_light *out, murk_sky_facts *facts,
-                        const murk_scene *scene, const murk_scene_light *light)
+static void night_light(murk_source *out, murk_sky_facts *facts,
+                        const murk_scene_desc *scene,
+                        const murk_scene_light *light)
 {
     const double lux = murk_night_sky_lux(
         light->mag_per_arcsec2,
         murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
     facts->spectrum =
         spectrum_of(MURK_SPECTRUM_EXTRATERRESTRIAL, light, RIGHT_DEG);
-    out->type = MURK_LIGHT_DOME;
+    out->type = MURK_SOURCE_DOME;
     out->power_w = spread(scene, light, &facts->spectrum,
                           lux / lumen_per_watt(&facts->spectrum));
 }
 
 /* ---- all lights ---- */
 
-static murk_status lamp_light(murk_light *out, murk_sky_facts *facts,
-                              const murk_scene *scene,
+static murk_status lamp_light(murk_source *out, murk_sky_facts *facts,
+                              const murk_scene_desc *scene,
                               const murk_scene_light *light, murk_error *err)
 {
-    static const murk_light_type type_of[] = {
-        [MURK_SCENE_LIGHT_SPHERE] = MURK_LIGHT_SPHERE,
-        [MURK_SCENE_LIGHT_RECT] = MURK_LIGHT_RECT,
-        [MURK_SCENE_LIGHT_POINT] = MURK_LIGHT_POINT,
-        [MURK_SCENE_LIGHT_BEAM] = MURK_LIGHT_BEAM,
-        [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_LIGHT_DIRECTIONAL};
+    static const murk_source_type type_of[] = {
+        [MURK_SCENE_LIGHT_SPHERE] = MURK_SOURCE_SPHERE,
+        [MURK_SCENE_LIGHT_RECT] = MURK_SOURCE_RECT,
+        [MURK_SCENE_LIGHT_POINT] = MURK_SOURCE_POINT,
+        [MURK_SCENE_LIGHT_BEAM] = MURK_SOURCE_BEAM,
+        [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_SOURCE_DIRECTIONAL};
     out->type = type_of[light->type];
     out->position = light->position;
     out->edge1 = light->edge1;
@@ -412,15 +414,15 @@ static double sum(const murk_spectrum *spectrum, int bands)
     return all;
 }
 
-murk_status murk_sky_light(murk_light *out, murk_sky_facts *facts,
-                           const murk_scene *scene, size_t light,
+murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
+                           const murk_scene_desc *scene, size_t light,
                            murk_error *err)
 {
     const murk_scene_light *l = &scene->lights[light];
     murk_status status = MURK_OK;
     *facts = (murk_sky_facts){
         .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
-    *out = (murk_light){.where = l->where};
+    *out = (murk_source){.where = l->where};
     switch (l->type) {
     case MURK_SCENE_LIGHT_SUN:
         status = sun_light(out, facts, scene, l, err);

@@ -6,9 +6,9 @@
 #define MURK_STUDY_SKY_H
 
 #include "base/status.h"
-#include "light/lights.h"
-#include "light/solar_spectrum.h"
 #include "scene/scene.h"
+#include "source/solar_spectrum.h"
+#include "source/sources.h"
 
 /* What was found of one light. */
 typedef struct murk_sky_facts {
@@ -25,8 +25,8 @@ typedef struct murk_sky_facts {
 /* One light of the scene; it borrows from the scene. All of its power_w is 0
  * where it does not shine at the scene's time. Fails at the light's place
  * where its time is not one that the ephemeris knows. */
-murk_status murk_sky_light(murk_light *out, murk_sky_facts *facts,
-                           const murk_scene *scene, size_t light,
+murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
+                           const murk_scene_desc *scene, size_t light,
                            murk_error *err);
 
 #endif

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Room for the sum of weights below placement's 2^47. */
-#define WHOLE_SUM_MOST 0x1p46
+#define WHOLE_SUM_MAX 0x1p46
 
 static murk_status no_memory(const murk_sparse_builder *b, murk_error *err)
 {
@@ -129,16 +129,16 @@ static murk_status weigh(murk_sparse_matrix *m, const murk_sparse_builder *b,
         }
         return MURK_OK;
     }
-    double sum = 0, most = 0;
+    double sum = 0, max = 0;
     for (size_t i = 0; i < m->rows; ++i) {
         sum += b->weight[i];
-        most = fmax(most, b->weight[i]);
+        max = fmax(max, b->weight[i]);
     }
     if (!(sum > 0 && isfinite(sum))) {
         return murk_fail(err, MURK_BAD_FILE, b->path,
                          "the weights add up to %g, must be more than 0", sum);
     }
-    const double finest = fmin(UINT32_MAX / most, WHOLE_SUM_MOST / sum);
+    const double finest = fmin(UINT32_MAX / max, WHOLE_SUM_MAX / sum);
     while (m->unit <= finest && !are_whole(b->weight, m->rows, m->unit)) {
         m->unit *= 10;
     }

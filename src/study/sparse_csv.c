@@ -334,18 +334,18 @@ static murk_status read_number(sparse *s, const reader *r, int p, size_t *out)
         return MURK_OK;
     }
     const size_t k = (size_t)s->at[p];
-    const size_t most = (size_t)(r->end - r->line_begin) + s->lines;
+    const size_t max = (size_t)(r->end - r->line_begin) + s->lines;
     uint64_t value = 0;
     if (!murk_count_parse(r->cell[k].text, &value) || value < 1) {
         return murk_fail_at(r->err, place_of(r, k),
                             "%s \"%.40s\", must be a whole number from 1",
                             part_name[p], r->cell[k].text);
     }
-    if (value > most) {
+    if (value > max) {
         return murk_fail_at(r->err, place_of(r, k),
                             "%s %llu, but the file can name no more than %zu: "
                             "they are numbered from 1 without gaps",
-                            part_name[p], (unsigned long long)value, most);
+                            part_name[p], (unsigned long long)value, max);
     }
     if (value > s->room[p]) {
         const size_t room = 2 * (size_t)value;

@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-#define ENTRIES_MOST 10000000
+#define ENTRIES_MAX  10000000
 #define TERMS_A_LINE 8 /* lines of LP files are kept below 255 bytes */
 
 /* The rows in groups of one cover; `is_first` of a group stands for it. */
@@ -233,13 +233,13 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
     } else {
         /* values are whole in weight * clarity: half a unit below asks the
          * same, and leaves a solver its tolerance */
-        const double least = ((double)goal->target - 0.5) / views_of(goal) /
-                             MURK_CLEAR / m->unit;
+        const double min = ((double)goal->target - 0.5) / views_of(goal) /
+                           MURK_CLEAR / m->unit;
         fputs("Minimize\n columns:", to);
         print_columns(&aim, m);
         fputs("\nSubject To\n target:", to);
         print_value(&limit, m, k, views_of(goal));
-        fprintf(to, " >= %.15g\n", least);
+        fprintf(to, " >= %.15g\n", min);
     }
 }
 
@@ -256,33 +256,34 @@ static void print_member(terms *t, int64_t times, size_t column)
     fprintf(t->to, "x%zu", column + 1);
 }
 
-static void print_budget(FILE *to, const murk_rules *rules, size_t columns)
+static void print_budget(FILE *to, const murk_constraints *constraints,
+                         size_t columns)
 {
     terms t = {to, 0};
     fputs(" budget:", to);
     for (size_t j = 0; j < columns; ++j) {
-        if (rules->cost[j] > 0) {
-            print_member(&t, rules->cost[j], j);
+        if (constraints->cost[j] > 0) {
+            print_member(&t, constraints->cost[j], j);
         }
     }
     if (t.n == 0) { /* all for nothing */
         print_member(&t, 0, 0);
     }
-    fprintf(to, " <= %lld\n", (long long)rules->budget);
+    fprintf(to, " <= %lld\n", (long long)constraints->budget);
 }
 
 static void print_class(FILE *to, const murk_rulebook *book, uint32_t number,
-                        bool is_least)
+                        bool is_min)
 {
     terms t = {to, 0};
-    fprintf(to, " class%u_%s:", number + 1, is_least ? "least" : "most");
+    fprintf(to, " class%u_%s:", number + 1, is_min ? "least" : "most");
     for (size_t j = 0; j < book->candidates; ++j) {
         if (book->class_of[j] == number) {
             print_member(&t, 1, j);
         }
     }
-    fprintf(to, " %s %zu\n", is_least ? ">=" : "<=",
-            is_least ? book->least[number] : book->most[number]);
+    fprintf(to, " %s %zu\n", is_min ? ">=" : "<=",
+            is_min ? book->min[number] : book->max[number]);
 }
 
 /* Sites by the numbers of their columns: sorted by site, then column. */
@@ -337,7 +338,7 @@ static bool print_pairs(FILE *to, const murk_rulebook *book)
                 is_of_one_site(book, a, b)) {
                 continue;
             }
-            if (++pairs > ENTRIES_MOST) {
+            if (++pairs > ENTRIES_MAX) {
                 return false;
             }
             fprintf(to, " apart%zu: x%zu + x%zu <= 1\n", pairs, (size_t)a + 1,
@@ -347,35 +348,35 @@ static bool print_pairs(FILE *to, const murk_rulebook *book)
     return true;
 }
 
-static murk_status print_rules(FILE *to, const murk_sparse_matrix *m,
-                               const murk_lp_goal *goal, const char *path,
-                               murk_error *err)
+static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
+                                     const murk_lp_goal *goal, const char *path,
+                                     murk_error *err)
 {
-    const murk_rules *rules = goal->rules;
-    if (!rules) {
+    const murk_constraints *constraints = goal->constraints;
+    if (!constraints) {
         return MURK_OK;
     }
     murk_rulebook book;
     const size_t count = goal->count ? goal->count : m->columns;
     murk_status status =
-        murk_rulebook_init(&book, rules, m->columns, count,
+        murk_rulebook_init(&book, constraints, m->columns, count,
                            goal->count == 0 || goal->target > 0, err);
     if (status) {
         return status;
     }
     if (book.has_budget) {
-        print_budget(to, rules, m->columns);
+        print_budget(to, constraints, m->columns);
     }
-    for (uint32_t c = 0; c < rules->classes; ++c) {
-        if (book.least[c] > 0) {
+    for (uint32_t c = 0; c < constraints->classes; ++c) {
+        if (book.min[c] > 0) {
             print_class(to, &book, c, true);
         }
         if (book.has_caps) {
             print_class(to, &book, c, false);
         }
     }
-    for (size_t k = 0; k < rules->fixed_count; ++k) {
-        fprintf(to, " fixed%zu: x%zu = 1\n", k + 1, rules->fixed[k] + 1);
+    for (size_t k = 0; k < constraints->fixed_count; ++k) {
+        fprintf(to, " fixed%zu: x%zu = 1\n", k + 1, constraints->fixed[k] + 1);
     }
     if (book.site && !print_sites(to, &book)) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
@@ -384,7 +385,7 @@ static murk_status print_rules(FILE *to, const murk_sparse_matrix *m,
         status = murk_fail(err, MURK_RUN_FAILED, path,
                            "more than %d pairs of candidates exclude each "
                            "other, an LP file may have so many",
-                           ENTRIES_MOST);
+                           ENTRIES_MAX);
     }
     murk_rulebook_release(&book);
     return status;
@@ -419,11 +420,11 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
     murk_status status = MURK_OK;
     if (!group(&k, m)) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
-    } else if (k.begin[m->rows] > ENTRIES_MOST) {
+    } else if (k.begin[m->rows] > ENTRIES_MAX) {
         status = murk_fail(err, MURK_RUN_FAILED, path,
                            "%zu entries of rows that differ, an LP file may "
                            "have %d",
-                           k.begin[m->rows], ENTRIES_MOST);
+                           k.begin[m->rows], ENTRIES_MAX);
     }
     if (!status) {
         status = murk_file_create(&file, path, err);
@@ -439,7 +440,7 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
                 "y: row covered\n",
                 m->rows, whole / m->unit, m->columns);
         print_goal(to, m, &k, goal);
-        status = print_rules(to, m, goal, path, err);
+        status = print_constraints(to, m, goal, path, err);
         print_rows(to, m, &k, views_of(goal));
         print_bounds(to, m, &k, views_of(goal));
         if (status) {

@@ -1,7 +1,7 @@
 #include "study/sparse_matrix.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,7 +42,7 @@ typedef struct kept_look {
 typedef struct collection {
     const murk_problem *problem;
     murk_sparse_matrix *matrix;
-    size_t room, most;
+    size_t room, max;
     size_t first; /* candidate of block[0] */
     kept_look *block;
 } collection;
@@ -92,11 +92,11 @@ static murk_status append(collection *c, size_t candidate,
 {
     murk_sparse_matrix *m = c->matrix;
     const size_t have = m->begin[candidate];
-    if (have + seen->seen > c->most) {
+    if (have + seen->seen > c->max) {
         return murk_fail(err, MURK_RUN_FAILED, "",
                          "the first %zu of %zu candidates see %zu photons, a "
                          "matrix may have %zu entries",
-                         candidate + 1, m->columns, have + seen->seen, c->most);
+                         candidate + 1, m->columns, have + seen->seen, c->max);
     }
     if (seen->has_failed || !make_room(c, have, seen->seen)) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
@@ -121,7 +121,7 @@ static murk_status look_all(collection *c, murk_error *err)
     for (; c->first < c->matrix->columns && !status; c->first += room) {
         const size_t left = c->matrix->columns - c->first;
         const size_t n = left < room ? left : room;
-        murk_crew_run_workers(c->problem->threads, n, look_once, c);
+        murk_pool_run_workers(c->problem->threads, n, look_once, c);
         if (murk_interrupted()) {
             status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }
@@ -159,7 +159,7 @@ static void reduce_weights(murk_sparse_matrix *m)
 
 murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
                                        const murk_problem *problem,
-                                       size_t most_entries, murk_error *err)
+                                       size_t max_entries, murk_error *err)
 {
     murk_status status = MURK_NO_MEMORY;
     murk_sparse_matrix *m = calloc(1, sizeof *m);
@@ -180,7 +180,7 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
     }
     memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
     reduce_weights(m);
-    collection c = {.problem = problem, .matrix = m, .most = most_entries};
+    collection c = {.problem = problem, .matrix = m, .max = max_entries};
     status = make_room(&c, 0, 1) ? look_all(&c, err)
                                  : murk_fail(err, MURK_NO_MEMORY, "",
                                              "no memory for the matrix");

@@ -7,8 +7,8 @@
 #ifndef MURK_STUDY_SPARSE_MATRIX_H
 #define MURK_STUDY_SPARSE_MATRIX_H
 
+#include "placement/constraints.h"
 #include "placement/problem.h"
-#include "placement/rules.h"
 
 typedef enum murk_matrix_format {
     MURK_MATRIX_DENSE_CSV,  /* a line a row, a cell a column */
@@ -41,7 +41,7 @@ murk_status murk_sparse_matrix_read(murk_sparse_matrix **out, const char *path,
  * most_entries. */
 murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
                                        const murk_problem *problem,
-                                       size_t most_entries, murk_error *err);
+                                       size_t max_entries, murk_error *err);
 void murk_sparse_matrix_destroy(murk_sparse_matrix *matrix); /* NULL is fine */
 
 static inline size_t
@@ -71,9 +71,9 @@ murk_sparse_matrix_write_or_library(const murk_sparse_matrix *matrix,
 typedef struct murk_lp_goal {
     size_t count;    /* of so many columns the best; 0: as many as pay */
     uint64_t target; /* not 0: the fewest worth so much, in weight * clarity */
-    const murk_rules *rules; /* NULL: none */
-    unsigned redundancy;     /* views of a row that count, 0 or 1: one; the
-                                target is then in weight * clarity * views */
+    const murk_constraints *constraints; /* NULL: none */
+    unsigned redundancy; /* views of a row that count, 0 or 1: one; the
+                            target is then in weight * clarity * views */
 } murk_lp_goal;
 
 /* The problem as an LP file (CPLEX's format). Rows that are covered alike are

@@ -83,12 +83,12 @@ static murk_status read_sizes(reader *r, murk_sparse_builder *b)
     if (!status) {
         status = read_whole(r, "columns", 1, UINT32_MAX - 1, &b->columns);
     }
-    const size_t most = (strlen(r->next) + 1) / 2;
-    if (!status && b->rows + b->columns > most) {
+    const size_t max = (strlen(r->next) + 1) / 2;
+    if (!status && b->rows + b->columns > max) {
         status = murk_fail_at(r->err, r->at,
                               "%zu rows and %zu columns need %zu numbers more, "
                               "the file has room for %zu at most",
-                              b->rows, b->columns, b->rows + b->columns, most);
+                              b->rows, b->columns, b->rows + b->columns, max);
     }
     return status;
 }

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FILE_BYTES_MOST 4000000000u
-#define WEIGHT_LEAST    1e-12
-#define WEIGHT_MOST     1e12
+#define FILE_BYTES_MAX 4000000000u
+#define WEIGHT_MIN     1e-12
+#define WEIGHT_MAX     1e12
 
 murk_status murk_fail_at(murk_error *err, murk_text_place place,
                          const char *format, ...)
@@ -29,7 +29,7 @@ bool murk_sparse_weight_parse(const char *text, double *out)
 {
     double value;
     if (!murk_number_parse(text, &value) ||
-        !(value == 0 || (value >= WEIGHT_LEAST && value <= WEIGHT_MOST))) {
+        !(value == 0 || (value >= WEIGHT_MIN && value <= WEIGHT_MAX))) {
         return false;
     }
     *out = value;
@@ -73,7 +73,7 @@ murk_status murk_sparse_matrix_read(murk_sparse_matrix **out, const char *path,
     size_t size = 0;
     murk_sparse_builder builder = {.path = path};
     murk_status status =
-        murk_file_read(&text, &size, path, FILE_BYTES_MOST, err);
+        murk_file_read(&text, &size, path, FILE_BYTES_MAX, err);
     if (!status) {
         status = check_text(path, text, size, err);
     }

@@ -49,9 +49,9 @@ static murk_status sign_file(murk_stage *stage, const char *path,
 /* A mesh file is read in single precision; where that is coarser than sensors
  * must keep clear of surfaces, what they see is not known. A
  * step that is a noticeable share of the mesh itself is told. */
-static murk_status check_step(const murk_scene *scene, const murk_mesh *mesh,
-                              const char *file, double scale, const char *where,
-                              murk_error *err)
+static murk_status check_step(const murk_scene_desc *scene,
+                              const murk_mesh *mesh, const char *file,
+                              double scale, const char *where, murk_error *err)
 {
     const double clearance_m =
         scene->sensors.given ? scene->sensors.candidates.clearance_m : 0;
@@ -91,7 +91,7 @@ static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
 /* What the scene's world is made of, and its light's key. */
 static murk_status import_world(murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < scene->geometries && !status; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
@@ -123,7 +123,7 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
 static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
                                 murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     const char *sums = other->light_key + strlen(other->scene->light_key);
     const size_t size = strlen(stage->light_key) + strlen(sums) + 1;
     char *key = realloc(stage->light_key, size);
@@ -143,7 +143,7 @@ static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
 
 static murk_status make_phases(murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < scene->n_media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
@@ -181,7 +181,7 @@ static murk_surface_desc surface_of(const murk_scene_geometry *g,
 
 static murk_status build_surfaces(murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     murk_surface_desc *surface = calloc(scene->geometries + 1, sizeof *surface);
     murk_material *material = calloc(scene->n_materials, sizeof *material);
     murk_status status = MURK_OK;
@@ -220,7 +220,7 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
 }
 
 /* Those of all lights, one after the other; the caller's. */
-static murk_portal *portals_of(const murk_scene *scene)
+static murk_portal *portals_of(const murk_scene_desc *scene)
 {
     size_t n = 0;
     for (size_t i = 0; i < scene->n_lights; ++i) {
@@ -239,8 +239,8 @@ static murk_portal *portals_of(const murk_scene *scene)
 
 static murk_status build_lights(murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
-    murk_light *light = calloc(scene->n_lights + 1, sizeof *light);
+    const murk_scene_desc *scene = stage->scene;
+    murk_source *light = calloc(scene->n_lights + 1, sizeof *light);
     murk_portal *portal = portals_of(scene), *next = portal;
     stage->sky = calloc(scene->n_lights + 1, sizeof *stage->sky);
     murk_status status = MURK_OK;
@@ -266,8 +266,8 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
         next += light[i].portals;
     }
     if (!status) {
-        status = murk_lights_create(&stage->lights, light, scene->n_lights,
-                                    scene->bands, &stage->world.domain, err);
+        status = murk_sources_create(&stage->lights, light, scene->n_lights,
+                                     scene->bands, &stage->world.domain, err);
     }
 done:
     free(light);
@@ -275,7 +275,7 @@ done:
     return status;
 }
 
-static murk_status import(murk_stage **out, const murk_scene *scene,
+static murk_status import(murk_stage **out, const murk_scene_desc *scene,
                           const murk_stage *other, murk_error *err)
 {
     murk_status status = MURK_OK;
@@ -312,13 +312,14 @@ static murk_status import(murk_stage **out, const murk_scene *scene,
     return MURK_OK;
 }
 
-murk_status murk_stage_import(murk_stage **out, const murk_scene *scene,
+murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err)
 {
     return import(out, scene, NULL, err);
 }
 
-murk_status murk_stage_import_beside(murk_stage **out, const murk_scene *scene,
+murk_status murk_stage_import_beside(murk_stage **out,
+                                     const murk_scene_desc *scene,
                                      const murk_stage *other, murk_error *err)
 {
     return import(out, scene, other, err);
@@ -326,7 +327,7 @@ murk_status murk_stage_import_beside(murk_stage **out, const murk_scene *scene,
 
 murk_status murk_stage_build(murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     murk_position_origin(scene->origin);
     murk_status status = make_phases(stage, err);
     if (!status) {
@@ -334,8 +335,9 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
                                     stage->grid, stage->region_mesh, err);
     }
     if (!status) {
-        status = murk_enclose(&stage->hulls, scene, stage->region_mesh,
-                              &stage->world.domain.box, err);
+        status =
+            murk_enclose(&stage->boundary_meshes, scene, stage->region_mesh,
+                         &stage->world.domain.box, err);
     }
     if (!status) {
         status = build_surfaces(stage, err);
@@ -359,7 +361,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     }
     stage->world.surfaces = stage->surfaces;
     stage->world.media = stage->media;
-    stage->world.hulls = stage->hulls;
+    stage->world.boundary_meshes = stage->boundary_meshes;
     stage->world.lights = stage->lights;
     stage->world.bands = scene->bands;
     stage->world.continues = scene->continues && !scene->domain.is_periodic;
@@ -367,7 +369,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     return MURK_OK;
 }
 
-murk_status murk_stage_create(murk_stage **out, const murk_scene *scene,
+murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err)
 {
     murk_stage *stage = NULL;
@@ -401,10 +403,10 @@ void murk_stage_destroy(murk_stage *stage)
     }
     murk_goals_destroy(stage->goals);
     murk_site_meshes_destroy(stage->site_meshes);
-    murk_lights_destroy(stage->lights);
+    murk_sources_destroy(stage->lights);
     murk_media_destroy(stage->media);
     murk_phases_destroy(stage->phases);
-    murk_hulls_destroy(stage->hulls);
+    murk_boundary_meshes_destroy(stage->boundary_meshes);
     murk_surfaces_destroy(stage->surfaces);
     if (!stage->borrows) {
         destroy_world(stage);

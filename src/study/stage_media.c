@@ -28,7 +28,7 @@ static murk_region region_of(const murk_scene_region *r)
         .where = r->where};
 }
 
-static murk_medium medium_of(const murk_scene *scene, size_t i,
+static murk_medium medium_of(const murk_scene_desc *scene, size_t i,
                              const murk_fillings *fillings,
                              const murk_phases *phases)
 {
@@ -44,7 +44,7 @@ static murk_medium medium_of(const murk_scene *scene, size_t i,
 }
 
 murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
-                             const murk_scene *scene,
+                             const murk_scene_desc *scene,
                              const murk_fillings *fillings,
                              const murk_phases *phases, murk_error *err)
 {
@@ -62,7 +62,9 @@ murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
     for (size_t i = 0; i < scene->n_regions; ++i) {
         region[i] = region_of(&scene->regions[i]);
         if (region[i].shape == MURK_REGION_MESH) {
-            region[i].box = murk_hulls_describe(stage->hulls, (int)i).bounds_m;
+            region[i].box =
+                murk_boundary_meshes_describe(stage->boundary_meshes, (int)i)
+                    .bounds_m;
         }
     }
     status = murk_media_create(out, medium, scene->n_media, region,

@@ -6,11 +6,11 @@
 
 /* Those of the stage's own scene, or of one that differs from it in numbers
  * alone: its regions and what they hold, in the stage's domain, with the
- * stage's hulls of regions that are meshes. fillings and phases are the
- * scene's, and must outlive *out as the scene must. *out is the caller's:
+ * stage's boundary meshes of regions that are meshes. fillings and phases are
+ * the scene's, and must outlive *out as the scene must. *out is the caller's:
  * murk_media_destroy(). */
 murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
-                             const murk_scene *scene,
+                             const murk_scene_desc *scene,
                              const murk_fillings *fillings,
                              const murk_phases *phases, murk_error *err);
 

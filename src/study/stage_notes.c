@@ -41,7 +41,7 @@ static void warn_if_cut_once(const murk_stage *stage,
 static void warn_of_cuts(const murk_stage *stage)
 {
     const murk_box *domain = &stage->world.domain.box;
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     for (size_t i = 0; i < scene->geometries; ++i) {
         const murk_box box =
             murk_extent_geometry(&scene->geometry[i], stage->mesh[i]);
@@ -78,7 +78,7 @@ static bool touches_sides(const murk_stage *stage, size_t i)
 
 static void note_of_set(const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_scene_light *l = &scene->lights[i];
         const bool is_body =
@@ -97,11 +97,11 @@ static void note_of_set(const murk_stage *stage)
 /* Of a light that shines, portals turned away from it. */
 static void note_of_portals(const murk_stage *stage)
 {
-    for (size_t i = 0; i < murk_lights_count(stage->lights); ++i) {
-        const murk_light *l = murk_lights_get(stage->lights, i);
+    for (size_t i = 0; i < murk_sources_count(stage->lights); ++i) {
+        const murk_source *l = murk_sources_get(stage->lights, i);
         for (size_t k = 0; k < l->portals; ++k) {
             if (stage->sky[i].is_on &&
-                !murk_lights_portal_is_lit(stage->lights, i, k)) {
+                !murk_sources_portal_is_lit(stage->lights, i, k)) {
                 murk_note(l->where,
                           "aim %zu: no light passes it, as it passes towards "
                           "edge1_m x edge2_m",
@@ -113,8 +113,8 @@ static void note_of_portals(const murk_stage *stage)
 
 static void note_of_dark(const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
-    if (murk_lights_lit(stage->lights) == 0) {
+    const murk_scene_desc *scene = stage->scene;
+    if (murk_sources_lit(stage->lights) == 0) {
         murk_note(scene->where[0] ? scene->where : scene->path,
                   "it is dark: no light has any power, so nothing is emitted, "
                   "tallies are 0 and %s",
@@ -128,7 +128,7 @@ static void note_of_dark(const murk_stage *stage)
  * domain.outside says so. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     bool is_lit = false;
     for (size_t i = 0; i < scene->n_lights; ++i) {
         is_lit |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;

@@ -42,7 +42,7 @@ static void tell_failure(murk_sweep_row *row, const murk_error *why)
 /* A file that is no placement is none in any row; a sensor that a row does not
  * know, or that lies outside its domain, fails that row. */
 static murk_status check_plan(const murk_sweep_desc *desc,
-                              const murk_scene *scene, murk_error *err)
+                              const murk_scene_desc *scene, murk_error *err)
 {
     const murk_domain everywhere = {
         .box = {murk_vec(-INFINITY, -INFINITY, -INFINITY),
@@ -63,7 +63,7 @@ static murk_status check_plan(const murk_sweep_desc *desc,
 
 /* What is wrong with the outputs is wrong with the study; else the row alone
  * fails. */
-static murk_status look_at_first(reading *r, const murk_scene *scene,
+static murk_status look_at_first(reading *r, const murk_scene_desc *scene,
                                  murk_error *err)
 {
     murk_sweep *sweep = r->sweep;
@@ -87,7 +87,7 @@ static murk_status read_row(reading *r, size_t i, murk_error *err)
 {
     murk_sweep *sweep = r->sweep;
     const murk_sweep_desc *desc = &sweep->desc;
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error why = {0};
     murk_status status = MURK_OK;
     if (murk_study_row_scene(&scene, desc->study, i, desc->overrides,
@@ -106,7 +106,7 @@ done:
         tell_failure(&sweep->row[i], &why);
         r->first = r->first.status ? r->first : why;
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return status;
 }
 
@@ -320,7 +320,7 @@ static murk_status run_groups(murk_sweep *sweep, murk_error *err)
         }
         group->was_traced = true;
         const murk_status status =
-            murk_apart_run(murk_sweep_work, &job, take_row, sweep, &why);
+            murk_isolated_run(murk_sweep_work, &job, take_row, sweep, &why);
         if (status == MURK_INTERRUPTED || murk_interrupted()) {
             return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }

@@ -3,7 +3,7 @@
  *
  * Rows whose light differs by the power of their lights alone are a group: its
  * light is traced once (study/relight.h). Each group runs in a process of its
- * own (base/apart.h), so that its files are imported before any ray device
+ * own (base/isolated.h), so that its files are imported before any ray device
  * exists, and its memory ends with it.
  *
  * What is finished is kept in FOLDER/rows, a file a row, named by a checksum of

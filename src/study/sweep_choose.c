@@ -191,10 +191,10 @@ static murk_status join(choosing *ch, murk_error *err)
 static murk_status place(choosing *ch, murk_place_result *out, bool is_worst,
                          murk_error *err)
 {
-    const murk_scene *scene = ch->row[0].stage->scene;
+    const murk_scene_desc *scene = ch->row[0].stage->scene;
     const murk_problem *problem = &ch->joint->problem;
     murk_place_desc desc = murk_plan_desc(scene);
-    desc.rules = murk_poses_rules(ch->poses);
+    desc.constraints = murk_poses_constraints(ch->poses);
     desc.with_curve = false;
     if (scene->sensors.target > 0) {
         desc.count = ch->poses->count;
@@ -272,7 +272,8 @@ static void release(choosing *ch)
     free(ch->light);
 }
 
-murk_status murk_sweep_choose(murk_apart *apart, void *context, murk_error *err)
+murk_status murk_sweep_choose(murk_isolated *apart, void *context,
+                              murk_error *err)
 {
     const murk_sweep *sweep = context;
     choosing ch = {.sweep = sweep,

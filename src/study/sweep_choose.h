@@ -3,14 +3,14 @@
 #ifndef MURK_STUDY_SWEEP_CHOOSE_H
 #define MURK_STUDY_SWEEP_CHOOSE_H
 
-#include "base/apart.h"
+#include "base/isolated.h"
 #include "study/sweep.h"
 
-/* A murk_apart_work: context is the sweep, whose choosers say which rows have a
- * say. Sends each plan that is wanted and lacks (study/sweep_kept.h), by its
- * number: sensors, in_sample and upper_bound, or why there is none. Without
+/* A murk_isolated_work: context is the sweep, whose choosers say which rows
+ * have a say. Sends each plan that is wanted and lacks (study/sweep_kept.h), by
+ * its number: sensors, in_sample and upper_bound, or why there is none. Without
  * sensors and reason, no row has anything to see. */
-murk_status murk_sweep_choose(murk_apart *apart, void *context,
+murk_status murk_sweep_choose(murk_isolated *apart, void *context,
                               murk_error *err);
 
 #endif

@@ -138,7 +138,7 @@ murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
 
 /* ---- messages ---- */
 
-murk_status murk_sweep_send(murk_apart *apart, size_t number,
+murk_status murk_sweep_send(murk_isolated *apart, size_t number,
                             const murk_study_row *row, murk_error *err)
 {
     char *text = murk_study_row_print(row), *message = NULL;
@@ -151,21 +151,21 @@ murk_status murk_sweep_send(murk_apart *apart, size_t number,
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
     } else {
         const int n = snprintf(message, size, "%zu\n%s", number, text);
-        status = murk_apart_send(apart, message, (size_t)n, err);
+        status = murk_isolated_send(apart, message, (size_t)n, err);
     }
     free(message);
     free(text);
     return status;
 }
 
-murk_status murk_sweep_receive(murk_study_row *out, size_t *number, size_t most,
+murk_status murk_sweep_receive(murk_study_row *out, size_t *number, size_t max,
                                const char *bytes, size_t size,
                                const char **text, murk_error *err)
 {
     char *end = NULL;
     const unsigned long i = strtoul(bytes, &end, 10);
     *out = (murk_study_row){0};
-    if (*end != '\n' || i >= most) {
+    if (*end != '\n' || i >= max) {
         return murk_fail(err, MURK_RUN_FAILED, "", "not a row's message");
     }
     *number = i;

@@ -4,7 +4,7 @@
 #ifndef MURK_STUDY_SWEEP_KEPT_H
 #define MURK_STUDY_SWEEP_KEPT_H
 
-#include "base/apart.h"
+#include "base/isolated.h"
 #include "study/sweep.h"
 
 /* Whether there is a folder where one is needed; and makes it, with rows/ in
@@ -33,11 +33,11 @@ murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
                            murk_error *err);
 
 /* A message: a number, a line end, a row's text. */
-murk_status murk_sweep_send(murk_apart *apart, size_t number,
+murk_status murk_sweep_send(murk_isolated *apart, size_t number,
                             const murk_study_row *row, murk_error *err);
 /* And back: number below `most`, *text within bytes. Release *out, also after a
  * failure. */
-murk_status murk_sweep_receive(murk_study_row *out, size_t *number, size_t most,
+murk_status murk_sweep_receive(murk_study_row *out, size_t *number, size_t max,
                                const char *bytes, size_t size,
                                const char **text, murk_error *err);
 

@@ -3,8 +3,8 @@
 #include "base/file.h"
 #include "scene/print.h"
 #include "scene/yaml.h"
-#include "study/gauges.h"
 #include "study/light_shapes.h"
+#include "study/row_tallies.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,18 +15,18 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
 }
 
-static bool sign_world(FILE *out, const murk_scene *scene,
+static bool sign_world(FILE *out, const murk_scene_desc *scene,
                        const murk_outputs *outputs, murk_file_sums *sums)
 {
-    char *gauges = murk_gauges_sign(scene, outputs);
+    char *row_tallies = murk_row_tallies_sign(scene, outputs);
     fputs(scene->world_key, out);
-    fputs(gauges ? gauges : "", out);
-    const bool is_whole = murk_file_sums_scene(out, sums, scene) && gauges;
-    free(gauges);
+    fputs(row_tallies ? row_tallies : "", out);
+    const bool is_whole = murk_file_sums_scene(out, sums, scene) && row_tallies;
+    free(row_tallies);
     return is_whole;
 }
 
-static bool sign_row(FILE *out, const murk_scene *scene,
+static bool sign_row(FILE *out, const murk_scene_desc *scene,
                      const murk_outputs *outputs, const char *version,
                      murk_file_sums *sums)
 {
@@ -61,7 +61,7 @@ static bool is_of_looks(const char *key)
 }
 
 /* Sensors and placement, as the scene has them resolved. */
-static murk_status sign_looks(char hash[65], const murk_scene *scene,
+static murk_status sign_looks(char hash[65], const murk_scene_desc *scene,
                               murk_error *err)
 {
     murk_yaml *root = NULL;
@@ -79,7 +79,7 @@ static murk_status sign_looks(char hash[65], const murk_scene *scene,
 }
 
 murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err)
 {
@@ -90,7 +90,7 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
     if (!to) {
         return no_memory(err);
     }
-    murk_status status = murk_light_shapes_print(to, scene, err);
+    murk_status status = murk_source_shapes_print(to, scene, err);
     bool is_whole = sign_world(to, scene, outputs, sums);
     is_whole &= finish(to, &text, &size, out->world);
     if (status || !is_whole) {

@@ -17,7 +17,7 @@ typedef struct murk_sweep_keys {
 /* Of one row's scene. Files that are missing are left for later to refuse.
  * Fails as murk_sky_light(). */
 murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
-                               const murk_scene *scene,
+                               const murk_scene_desc *scene,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err);
 

@@ -48,11 +48,11 @@ void murk_sweep_light_release(murk_sweep_light *l)
     for (int s = 0; s < MURK_SWEEP_STREAMS; ++s) {
         murk_traced_destroy(l->traced[s]);
     }
-    murk_gauges_release(&l->gauges);
-    murk_lights_destroy(l->lights);
+    murk_row_tallies_release(&l->row_tallies);
+    murk_sources_destroy(l->lights);
     for (size_t k = l->n; k-- > 0;) { /* those that borrow come later */
         murk_stage_destroy(l->stage ? l->stage[k] : NULL);
-        murk_scene_destroy(l->scene ? l->scene[k] : NULL);
+        murk_scene_desc_destroy(l->scene ? l->scene[k] : NULL);
         free(l->power_w ? l->power_w[k] : NULL);
     }
     free(l->scene);
@@ -109,11 +109,11 @@ static murk_status find_lights(murk_sweep_light *l, double *grow,
     return status || !any || all_alike(l)
                ? status
                : murk_relight_lights(
-                     &l->lights, grow, (const murk_scene *const *)l->scene,
+                     &l->lights, grow, (const murk_scene_desc *const *)l->scene,
                      (double *const *)l->power_w, l->n, domain, err);
 }
 
-murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_gauges,
+murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
                                      murk_error *err)
 {
     size_t k = 0;
@@ -129,17 +129,17 @@ murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_gauges,
     if (!status) {
         status = find_lights(l, &grow, err);
     }
-    if (!status && with_gauges) {
-        status =
-            murk_gauges_create(&l->gauges, l->first, &l->sweep->outputs, err);
+    if (!status && with_row_tallies) {
+        status = murk_row_tallies_create(&l->row_tallies, l->first,
+                                         &l->sweep->outputs, err);
     }
     l->lit_scene = *l->first->scene;
-    l->lit_scene.n_tallies = l->gauges.n;
+    l->lit_scene.n_tallies = l->row_tallies.n;
     l->lit_scene.photons.emit = grown(l->lit_scene.photons.emit, grow);
     l->lit_scene.photons.store = grown(l->lit_scene.photons.store, grow);
     l->lit_stage = *l->first;
     l->lit_stage.scene = &l->lit_scene;
-    l->lit_stage.tally = l->gauges.n > 0 ? l->gauges.desc : NULL;
+    l->lit_stage.tally = l->row_tallies.n > 0 ? l->row_tallies.desc : NULL;
     if (l->lights) {
         l->lit_stage.lights = l->lights;
         l->lit_stage.world.lights = l->lights;
@@ -170,8 +170,8 @@ murk_status murk_sweep_light_of(murk_sweep_light *l, size_t k, uint32_t stream,
     murk_status status = MURK_OK;
     *is_own = l->lights != NULL;
     if (!l->traced[stream]) {
-        status = murk_light_trace(&l->traced[stream], &l->lit_stage, stream,
-                                  threads, err);
+        status = murk_lightmap_trace(&l->traced[stream], &l->lit_stage, stream,
+                                     threads, err);
     }
     if (!status && !l->lights) {
         *out = l->traced[stream];

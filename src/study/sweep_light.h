@@ -3,7 +3,7 @@
 #ifndef MURK_STUDY_SWEEP_LIGHT_H
 #define MURK_STUDY_SWEEP_LIGHT_H
 
-#include "study/gauges.h"
+#include "study/row_tallies.h"
 #include "study/sweep.h"
 
 #define MURK_SWEEP_STREAMS 2 /* the light that chooses, and the held out */
@@ -12,14 +12,14 @@ typedef struct murk_sweep_light {
     const murk_sweep *sweep;
     const murk_sweep_group *group;
     size_t n;
-    murk_scene **scene;      /* [n] of all rows of the group */
+    murk_scene_desc **scene; /* [n] of all rows of the group */
     murk_stage **stage;      /* [n] NULL: not wanted, or why[] it has none */
     murk_error *why;         /* [n] */
     double **power_w;        /* [n][channels] */
     const murk_stage *first; /* built: its world is everyone's; or NULL */
-    murk_gauges gauges;
-    murk_lights *lights;  /* of all rows; NULL: they have the same, their own */
-    murk_scene lit_scene; /* what is traced: `first` under these lights */
+    murk_row_tallies row_tallies;
+    murk_sources *lights; /* of all rows; NULL: they have the same, their own */
+    murk_scene_desc lit_scene; /* what is traced: `first` under these lights */
     murk_stage lit_stage;
     murk_traced *traced[MURK_SWEEP_STREAMS]; /* once somebody asked */
 } murk_sweep_light;
@@ -35,8 +35,8 @@ void murk_sweep_light_release(murk_sweep_light *light);
 /* Builds the first world that was imported, and makes ready what is traced in
  * it; with gauges where they are asked for. Where this fails no row of the
  * group can be lit. */
-murk_status murk_sweep_light_prepare(murk_sweep_light *light, bool with_gauges,
-                                     murk_error *err);
+murk_status murk_sweep_light_prepare(murk_sweep_light *light,
+                                     bool with_row_tallies, murk_error *err);
 
 /* Builds the world of row k, where it is not the first one. */
 murk_status murk_sweep_light_build(murk_sweep_light *light, size_t k,

@@ -9,7 +9,7 @@
 
 static const murk_estimate NONE = {NAN, NAN};
 
-bool murk_sweep_needs_no_light(const murk_scene *scene)
+bool murk_sweep_needs_no_light(const murk_scene_desc *scene)
 {
     return scene->placement.targets.given &&
            scene->placement.detection != MURK_SCENE_POWER;
@@ -33,11 +33,11 @@ bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced)
 static murk_status measure_by(murk_sight *sight, const murk_pose *sensor,
                               size_t n, murk_estimate *out, murk_error *err)
 {
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     const murk_status status =
-        murk_coverage_measure(&coverage, sight, sensor, n, err);
+        murk_coverage_result_measure(&coverage, sight, sensor, n, err);
     *out = coverage.total;
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     return status;
 }
 
@@ -70,7 +70,7 @@ static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
     return status;
 }
 
-static bool holds_out(const murk_scene *scene)
+static bool holds_out(const murk_scene_desc *scene)
 {
     return scene->placement.hold_out && murk_plan_can_see_anew(scene);
 }
@@ -108,7 +108,7 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
                                 murk_error *err)
 {
     const murk_stage *stage = l->stage[k];
-    murk_plan plan = {.without_curve = true};
+    murk_plan_result plan = {.without_curve = true};
     murk_estimate value = NONE;
     murk_status status =
         murk_plan_prepare(&plan, stage, l->sweep->desc.threads, err);
@@ -126,7 +126,7 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
     } else if (!status) {
         status = measure_by(sight, plan.sensor, n, &value, err);
     }
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
     return status ? status
                   : murk_study_row_add(row, "coverage_best", "", value, err);
 }

@@ -5,7 +5,7 @@
 #include "study/sweep_light.h"
 
 /* Whether targets stand in for light. */
-bool murk_sweep_needs_no_light(const murk_scene *scene);
+bool murk_sweep_needs_no_light(const murk_scene_desc *scene);
 
 /* Whether anything can be seen: light, or targets that stand in for it. */
 bool murk_sweep_can_see(const murk_sweep_light *light, size_t k);

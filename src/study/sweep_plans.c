@@ -160,7 +160,7 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
         return MURK_OK;
     }
     const murk_status made =
-        murk_apart_run(murk_sweep_choose, sweep, take_plan, sweep, &why);
+        murk_isolated_run(murk_sweep_choose, sweep, take_plan, sweep, &why);
     const murk_status status = after(sweep, made, &why, err);
     for (int p = 0; p < MURK_SWEEP_PLANS && made; ++p) {
         murk_sweep_plan *plan = &sweep->plan[p];
@@ -263,7 +263,7 @@ static murk_status measure_group(murk_sweep *sweep,
         return MURK_OK;
     }
     const murk_status made =
-        murk_apart_run(murk_sweep_work, &job, take_values, sweep, &why);
+        murk_isolated_run(murk_sweep_work, &job, take_values, sweep, &why);
     murk_status status = after(sweep, made, &why, err);
     for (size_t k = 0; k < group->n && !status; ++k) {
         const size_t i = group->row[k];

@@ -15,7 +15,7 @@
 /* A group under way. */
 typedef struct group_work {
     const murk_sweep_job *job;
-    murk_apart *apart;
+    murk_isolated *apart;
     murk_sweep_light light;
     /* Warnings of the imports, and of building the first world. */
     char of_world[MURK_ROW_TEXT_SIZE], of_first[MURK_ROW_TEXT_SIZE];
@@ -74,8 +74,9 @@ static murk_status write_fluence(const group_work *w, size_t k,
         return murk_fail(err, MURK_BAD_VALUE, l->sweep->desc.folder,
                          "too long a path");
     }
-    murk_status status = murk_gauges_write_fluence(
-        path, &l->gauges, l->scene[k], traced ? l->traced[0]->tallies : NULL,
+    murk_status status = murk_row_tallies_write_fluence(
+        path, &l->row_tallies, l->scene[k],
+        traced ? l->traced[0]->tallies : NULL,
         traced ? l->traced[0]->ledger->emitted : NULL,
         traced ? traced->packet_w : NULL, err);
     return status ? status : murk_sweep_sum(row->fluence, path, err);
@@ -88,8 +89,9 @@ static murk_status measure_light(const group_work *w, size_t k,
     const murk_sweep_light *l = &w->light;
     const murk_outputs *outputs = &l->sweep->outputs;
     row->emitted = traced ? traced->emitted : 0;
-    murk_status status = murk_gauges_read(
-        row, &l->gauges, l->stage[k], traced ? l->traced[0]->tallies : NULL,
+    murk_status status = murk_row_tallies_read(
+        row, &l->row_tallies, l->stage[k],
+        traced ? l->traced[0]->tallies : NULL,
         traced ? l->traced[0]->ledger->emitted : NULL,
         traced ? traced->packet_w : NULL, l->sweep->desc.threads, err);
     if (!status && outputs->wants[MURK_OUTPUT_STORED]) {
@@ -109,7 +111,7 @@ static murk_status measure_row(group_work *w, size_t k, murk_study_row *row,
     bool is_own = false;
     const bool shines = murk_sweep_light_shines(l, k);
     murk_status status = MURK_OK;
-    murk_study_row_add_note(row, l->gauges.note);
+    murk_study_row_add_note(row, l->row_tallies.note);
     if (shines) {
         status = murk_sweep_light_of(l, k, 0, &traced, &is_own, err);
     } else {
@@ -248,7 +250,8 @@ static murk_status light_up(group_work *w, murk_error *err)
     return status;
 }
 
-murk_status murk_sweep_work(murk_apart *apart, void *context, murk_error *err)
+murk_status murk_sweep_work(murk_isolated *apart, void *context,
+                            murk_error *err)
 {
     group_work w = {.job = context, .apart = apart};
     murk_sweep_light *l = &w.light;

@@ -2,7 +2,7 @@
 #ifndef MURK_STUDY_SWEEP_WORK_H
 #define MURK_STUDY_SWEEP_WORK_H
 
-#include "base/apart.h"
+#include "base/isolated.h"
 #include "study/sweep.h"
 
 typedef struct murk_sweep_job {
@@ -12,8 +12,9 @@ typedef struct murk_sweep_job {
                             are worth in them; else rows that are not done */
 } murk_sweep_job;
 
-/* A murk_apart_work: context is the job. Sends each row of it
+/* A murk_isolated_work: context is the job. Sends each row of it
  * (study/sweep_kept.h). */
-murk_status murk_sweep_work(murk_apart *apart, void *context, murk_error *err);
+murk_status murk_sweep_work(murk_isolated *apart, void *context,
+                            murk_error *err);
 
 #endif

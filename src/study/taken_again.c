@@ -9,7 +9,7 @@
 
 /* Beyond this many pieces (wraps of a periodic domain, regions crossed) the
  * rest of a way is taken to be as what was passed. */
-#define MOST_PIECES 200
+#define MAX_PIECES 200
 
 /* Of the domain's size: how far behind a place the regions around it are asked
  * for, since in a boundary itself either answer may come. */
@@ -17,7 +17,7 @@
 
 /* A ray on its way. */
 typedef struct way {
-    const murk_world *world;
+    const murk_transport_world *world;
     murk_vec3 place, direction;
     murk_inside inside;
     double skip_m;   /* no mesh's boundary is looked for before */
@@ -29,7 +29,7 @@ typedef struct way {
 /* Whether a way that leaves through a side goes on in the same media: in a
  * domain that repeats, and where media continue outside (surfaces are taken to
  * repeat there, too, which only matters to how far light comes). */
-static bool goes_on_outside(const murk_world *world)
+static bool goes_on_outside(const murk_transport_world *world)
 {
     return world->domain.is_periodic || world->continues;
 }
@@ -38,7 +38,9 @@ static murk_inside around(const way *w)
 {
     const murk_vec3 place = murk_along(w->place, w->behind_m, w->direction);
     return murk_media_inside(w->world->media, place) |
-           (w->world->hulls ? murk_hulls_at(w->world->hulls, place) : 0);
+           (w->world->boundary_meshes
+                ? murk_boundary_meshes_at(w->world->boundary_meshes, place)
+                : 0);
 }
 
 /* The next boundary of a region at most *length_m ahead: shortens *length_m to
@@ -49,7 +51,7 @@ static bool next_boundary(way *w, double *length_m, murk_inside *beyond,
     bool found = false;
     murk_boundary boundary;
     murk_crossing crossing;
-    const murk_world *world = w->world;
+    const murk_transport_world *world = w->world;
     *skip_m = 0;
     if (murk_media_boundary(world->media, w->inside, w->place, w->direction,
                             *length_m, &boundary)) {
@@ -57,14 +59,16 @@ static bool next_boundary(way *w, double *length_m, murk_inside *beyond,
         *beyond = w->inside ^ boundary.crossed;
         found = true;
     }
-    if (world->hulls) {
-        const murk_inside meshes = murk_hulls_regions(world->hulls);
+    if (world->boundary_meshes) {
+        const murk_inside meshes =
+            murk_boundary_meshes_regions(world->boundary_meshes);
         murk_inside of_meshes = w->inside & meshes;
-        if (murk_hulls_next(world->hulls, w->place, w->direction, w->skip_m,
-                            *length_m, &of_meshes, &crossing)) {
+        if (murk_boundary_meshes_next(world->boundary_meshes, w->place,
+                                      w->direction, w->skip_m, *length_m,
+                                      &of_meshes, &crossing)) {
             *length_m = crossing.distance_m;
             *beyond = (w->inside & ~meshes) | crossing.inside;
-            *skip_m = murk_hulls_tolerance_m(world->hulls);
+            *skip_m = murk_boundary_meshes_tolerance_m(world->boundary_meshes);
             found = true;
         }
     }
@@ -92,12 +96,12 @@ static void wrap(way *w, double side_m)
 /* Optical depths per band from the way's start to its end. */
 static murk_spectrum depth_of(way *w)
 {
-    const murk_world *world = w->world;
+    const murk_transport_world *world = w->world;
     const murk_domain *domain = &world->domain;
     murk_spectrum depth = {{0}};
     int pieces = 0;
     bool goes_on = true;
-    while (goes_on && pieces++ < MOST_PIECES && w->passed_m < w->length_m) {
+    while (goes_on && pieces++ < MAX_PIECES && w->passed_m < w->length_m) {
         double from = 0, side = w->length_m - w->passed_m;
         const double left = side;
         (void)murk_box_clip(&domain->box, w->place, w->direction, &from, &side);
@@ -136,7 +140,8 @@ static murk_spectrum depth_of(way *w)
 
 /* The way along `direction` that ends in a place of the floor; the domain is
  * entered through a side where it is open. */
-static way way_to(const murk_world *world, murk_vec3 floor, murk_vec3 direction)
+static way way_to(const murk_transport_world *world, murk_vec3 floor,
+                  murk_vec3 direction)
 {
     const murk_box *box = &world->domain.box;
     const double height = box->max.z - box->min.z;
@@ -159,7 +164,8 @@ static way way_to(const murk_world *world, murk_vec3 floor, murk_vec3 direction)
 }
 
 /* Adds the means over the squares of the floor, times weight. */
-static void add_direction(murk_taken_again *out, const murk_world *world,
+static void add_direction(murk_taken_again *out,
+                          const murk_transport_world *world,
                           murk_vec3 direction, int squares, double weight)
 {
     const murk_box *box = &world->domain.box;
@@ -180,7 +186,7 @@ static void add_direction(murk_taken_again *out, const murk_world *world,
 }
 
 /* Equal parts of an even sky's irradiance: sin^2 and azimuth in equal steps. */
-static void add_dome(murk_taken_again *out, const murk_world *world)
+static void add_dome(murk_taken_again *out, const murk_transport_world *world)
 {
     const murk_vec3 down = murk_vec(0, 0, -1);
     for (int i = 0; i < DOME_RINGS; ++i) {
@@ -195,18 +201,18 @@ static void add_dome(murk_taken_again *out, const murk_world *world)
 
 murk_taken_again murk_taken_again_of(const murk_stage *stage, size_t light)
 {
-    const murk_light *l = murk_lights_get(stage->lights, light);
-    const murk_world *world = &stage->world;
+    const murk_source *l = murk_sources_get(stage->lights, light);
+    const murk_transport_world *world = &stage->world;
     murk_taken_again out = {.is_known = false};
     double power = 0, through = 0;
     for (int b = 0; b < world->bands; ++b) {
         power += l->power_w.band[b];
     }
-    if (!murk_light_is_distant(l) || !(power > 0) ||
-        (l->type == MURK_LIGHT_DIRECTIONAL && !(l->direction.z < 0))) {
+    if (!murk_source_is_distant(l) || !(power > 0) ||
+        (l->type == MURK_SOURCE_DIRECTIONAL && !(l->direction.z < 0))) {
         return out;
     }
-    if (l->type == MURK_LIGHT_DIRECTIONAL) {
+    if (l->type == MURK_SOURCE_DIRECTIONAL) {
         add_direction(&out, world, murk_unit(l->direction), BEAM_SQUARES, 1);
     } else {
         add_dome(&out, world);

@@ -25,7 +25,8 @@ static murk_tally_desc desc_of(const murk_scene_tally *t)
     return desc;
 }
 
-murk_status murk_tallies_asked(murk_tally_desc **out, const murk_scene *scene,
+murk_status murk_tallies_asked(murk_tally_desc **out,
+                               const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err)
 {
     *out = NULL;
@@ -54,20 +55,20 @@ double murk_tallies_bytes(const murk_stage *stage, unsigned threads)
 {
     return stage->tally
                ? murk_tallies_memory(stage->tally, stage->scene->n_tallies,
-                                     murk_lights_channels(stage->lights),
+                                     murk_sources_channels(stage->lights),
                                      stage->scene->bands, threads)
                : 0;
 }
 
 murk_status murk_tallies_of_stage(murk_tallies **out, const murk_stage *stage,
-                                  unsigned threads, double memory_most_bytes,
+                                  unsigned threads, double memory_max_bytes,
                                   murk_error *err)
 {
     *out = NULL;
     return stage->tally
                ? murk_tallies_create(
                      out, stage->tally, stage->scene->n_tallies,
-                     &stage->world.domain, murk_lights_channels(stage->lights),
-                     stage->scene->bands, threads, memory_most_bytes, err)
+                     &stage->world.domain, murk_sources_channels(stage->lights),
+                     stage->scene->bands, threads, memory_max_bytes, err)
                : MURK_OK;
 }

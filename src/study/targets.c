@@ -1,25 +1,26 @@
 #include "study/targets.h"
 
-#include "study/target_pile.h"
+#include "study/target_buffer.h"
 
 #include <stdlib.h>
 
 #define FIRST_ROOM  256
 #define CHECK_KEEPS 1
 
-bool murk_target_pile_put(murk_target_pile *pile, const murk_photon *photon)
+bool murk_target_buffer_put(murk_target_buffer *buffer,
+                            const murk_photon *photon)
 {
-    if (pile->n == pile->room) {
+    if (buffer->n == buffer->room) {
         const size_t room =
-            pile->room ? pile->room + pile->room / 2 : FIRST_ROOM;
-        murk_photon *grown = realloc(pile->photon, room * sizeof *grown);
+            buffer->room ? buffer->room + buffer->room / 2 : FIRST_ROOM;
+        murk_photon *grown = realloc(buffer->photon, room * sizeof *grown);
         if (!grown) {
             return false;
         }
-        pile->photon = grown;
-        pile->room = room;
+        buffer->photon = grown;
+        buffer->room = room;
     }
-    pile->photon[pile->n++] = *photon;
+    buffer->photon[buffer->n++] = *photon;
     return true;
 }
 
@@ -39,21 +40,23 @@ murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, uint32_t number,
 uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place)
 {
     const murk_inside inside =
-        stage->hulls ? murk_hulls_at(stage->hulls, place) : 0;
+        stage->boundary_meshes
+            ? murk_boundary_meshes_at(stage->boundary_meshes, place)
+            : 0;
     uint8_t best = MURK_TARGET_IN_NONE;
-    double most = 0;
+    double max = 0;
     for (size_t i = 0; i < stage->scene->n_media; ++i) {
         const double per_m =
             murk_media_extinction_of(stage->media, i, band, inside, place);
-        if (per_m > most) {
-            most = per_m;
+        if (per_m > max) {
+            max = per_m;
             best = (uint8_t)i;
         }
     }
     return best;
 }
 
-int murk_targets_band(const murk_scene *scene)
+int murk_targets_band(const murk_scene_desc *scene)
 {
     for (int i = 0; i < scene->bands; ++i) {
         if (scene->band_nm[i] == scene->placement.targets.band_nm) {
@@ -64,28 +67,29 @@ int murk_targets_band(const murk_scene *scene)
 }
 
 typedef struct piles {
-    murk_target_pile surface, volume;
+    murk_target_buffer surface, volume;
     murk_target_facts facts;
 } piles;
 
 static murk_status fill(piles *p, murk_target_source source, murk_error *err)
 {
-    const murk_scene_targets *wish = &source.stage->scene->placement.targets;
+    const murk_scene_targets *settings =
+        &source.stage->scene->placement.targets;
     murk_target_facts *facts = &p->facts;
     facts->area_m2 = facts->volume_m3 = (murk_estimate){NAN, NAN};
     murk_target_draw drawn = {0};
     murk_status status = MURK_OK;
-    if (wish->points) {
+    if (settings->points) {
         status = murk_targets_read(&p->surface, &p->volume, &facts->points,
                                    source.stage, err);
     }
-    if (!status && wish->has_surfaces) {
+    if (!status && settings->has_surfaces) {
         status = murk_targets_draw_surfaces(&p->surface, &drawn, &source, err);
         facts->area_m2 = drawn.size;
         facts->points += drawn.points;
         source.first_number = facts->points;
     }
-    if (!status && wish->has_volume) {
+    if (!status && settings->has_volume) {
         status = murk_targets_draw_volume(&p->volume, &drawn, &source, err);
         facts->volume_m3 = drawn.size;
         facts->points += drawn.points;
@@ -104,7 +108,7 @@ murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
     const murk_target_source source = {.stage = stage,
                                        .stream = stream,
                                        .threads = threads,
-                                       .most = UINT64_MAX};
+                                       .max = UINT64_MAX};
     murk_status status = fill(&p, source, err);
     if (!status) { /* takes the records over, also when it fails */
         status = murk_photon_map_create(&out->surface, p.surface.photon,
@@ -136,7 +140,7 @@ murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
 {
     piles p = {0};
     const murk_target_source source = {
-        .stage = stage, .threads = threads, .most = CHECK_KEEPS};
+        .stage = stage, .threads = threads, .max = CHECK_KEEPS};
     const murk_status status = fill(&p, source, err);
     free(p.surface.photon);
     free(p.volume.photon);

@@ -49,6 +49,6 @@ murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
                                murk_error *err);
 
 /* The band that sightlines to targets are attenuated in. */
-int murk_targets_band(const murk_scene *scene);
+int murk_targets_band(const murk_scene_desc *scene);
 
 #endif

@@ -6,10 +6,10 @@
  * unbiased estimate of what lies in free space: of n draws each stands for size
  * / n; where it was the k-th kept that ended them, for size (k - 1) / (k (n -
  * 1)) (Haldane, Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
-#include "study/target_pile.h"
+#include "study/target_buffer.h"
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "base/rng.h"
 #include "geometry/area.h"
@@ -89,17 +89,18 @@ static void draw_on_surface(const drawing *d, uint64_t number, found *f)
 static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
 {
     const murk_stage *stage = d->source->stage;
-    const murk_scene_targets *wish = &stage->scene->placement.targets;
-    if (wish->medium >= 0 &&
-        !(murk_media_extinction_of(stage->media, (size_t)wish->medium, d->band,
-                                   inside, p) > 0)) {
+    const murk_scene_targets *settings = &stage->scene->placement.targets;
+    if (settings->medium >= 0 &&
+        !(murk_media_extinction_of(stage->media, (size_t)settings->medium,
+                                   d->band, inside, p) > 0)) {
         return false;
     }
-    switch (wish->shape) {
+    switch (settings->shape) {
     case MURK_SCENE_ZONE_SPHERE:
-        return murk_length(murk_sub(p, wish->center)) <= wish->radius_m;
+        return murk_length(murk_sub(p, settings->center)) <= settings->radius_m;
     case MURK_SCENE_ZONE_MESH:
-        return murk_hulls_at(murk_goals_target_hull(stage->goals), p) != 0;
+        return murk_boundary_meshes_at(murk_goals_target_mesh(stage->goals),
+                                       p) != 0;
     case MURK_SCENE_ZONE_BOX:
     case MURK_SCENE_NO_SHAPE:
         break;
@@ -116,7 +117,9 @@ static void draw_in_volume(const drawing *d, uint64_t number, found *f)
                          a.z + r.u[2] * size.z};
     const murk_vec3 none = {0, 0, 0};
     const murk_inside inside =
-        stage->hulls ? murk_hulls_at(stage->hulls, p) : 0;
+        stage->boundary_meshes
+            ? murk_boundary_meshes_at(stage->boundary_meshes, p)
+            : 0;
     if (is_wanted(d, inside, p) && murk_open_space_holds(d->space, p, none)) {
         keep(f, p, none, d->band, murk_target_medium(stage, d->band, p));
     }
@@ -147,7 +150,7 @@ static murk_status amount_of(amount *out, const murk_target_source *source,
                              const char *where, murk_error *err)
 {
     if (points > 0) {
-        const uint64_t keeps = points < source->most ? points : source->most;
+        const uint64_t keeps = points < source->max ? points : source->max;
         *out = (amount){DRAWS_FIRST + DRAWS_EACH * keeps, keeps};
         return MURK_OK;
     }
@@ -156,12 +159,12 @@ static murk_status amount_of(amount *out, const murk_target_source *source,
                          "spacing_m makes %.3g points, must be at most %.3g",
                          spacings, MURK_TARGETS_MAX);
     }
-    *out = (amount){(uint64_t)fmax(ceil(spacings), 1), source->most};
+    *out = (amount){(uint64_t)fmax(ceil(spacings), 1), source->max};
     return MURK_OK;
 }
 
 /* Takes up a wave until enough are kept. *draws: those up to the last. */
-static murk_status take_up(murk_target_pile *pile, const drawing *d,
+static murk_status take_up(murk_target_buffer *buffer, const drawing *d,
                            const amount *a, uint64_t *points, uint64_t *draws,
                            murk_error *err)
 {
@@ -172,10 +175,10 @@ static murk_status take_up(murk_target_pile *pile, const drawing *d,
         for (int k = 0; k < f->n; ++k) {
             f->photon[k].emitted =
                 (uint32_t)(d->source->first_number + *points);
-            if (!murk_target_pile_put(pile, &f->photon[k])) {
+            if (!murk_target_buffer_put(buffer, &f->photon[k])) {
                 return murk_fail(err, MURK_NO_MEMORY, "placement.targets",
                                  "no memory for more than %zu targets",
-                                 pile->n);
+                                 buffer->n);
             }
         }
         *points += f->n > 0;
@@ -185,17 +188,17 @@ static murk_status take_up(murk_target_pile *pile, const drawing *d,
 }
 
 /* Prices the records; of n draws each brings 0, 1 or 2 sides. */
-static murk_estimate price(murk_target_pile *pile, uint64_t points,
+static murk_estimate price(murk_target_buffer *buffer, uint64_t points,
                            uint64_t draws, bool is_ended_by_kept, double size)
 {
     const double n = (double)draws, k = (double)points;
     const double each =
         is_ended_by_kept && k > 1 ? size * (k - 1) / (k * (n - 1)) : size / n;
-    const double sides = (double)pile->n, both = sides - k;
+    const double sides = (double)buffer->n, both = sides - k;
     const double variance =
         (k - both + 4 * both) / n - (sides / n) * (sides / n);
-    for (size_t i = 0; i < pile->n; ++i) {
-        pile->photon[i].power_w = (float)each;
+    for (size_t i = 0; i < buffer->n; ++i) {
+        buffer->photon[i].power_w = (float)each;
     }
     return (murk_estimate){
         sides * each, n > 1 ? size * sqrt(fmax(0, variance) / (n - 1)) : NAN};
@@ -218,7 +221,7 @@ static murk_status check_memory(const amount *a, const char *where,
                            points, bytes / 1e9, have / 1e9);
 }
 
-static murk_status draw_all(murk_target_pile *pile, murk_target_draw *out,
+static murk_status draw_all(murk_target_buffer *buffer, murk_target_draw *out,
                             drawing *d, const amount *a, double size,
                             const char *where, murk_error *err)
 {
@@ -234,10 +237,10 @@ static murk_status draw_all(murk_target_pile *pile, murk_target_draw *out,
                                  DRAWS_AHEAD * (double)(a->keeps - *points));
         d->first = draws;
         d->batches = (uint64_t)fmin(WAVE_BATCHES, ceil(left / BATCH_DRAWS));
-        murk_crew_run(d->source->threads, d->batches, draw_batch, d);
+        murk_pool_run(d->source->threads, d->batches, draw_batch, d);
         status = murk_interrupted()
                      ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                     : take_up(pile, d, a, points, &draws, err);
+                     : take_up(buffer, d, a, points, &draws, err);
         murk_progress_add(*points - before);
     }
     murk_progress_end();
@@ -247,7 +250,7 @@ static murk_status draw_all(murk_target_pile *pile, murk_target_draw *out,
                            (unsigned long long)draws);
     }
     if (!status) {
-        out->size = price(pile, *points, draws, *points == a->keeps, size);
+        out->size = price(buffer, *points, draws, *points == a->keeps, size);
     }
     return status;
 }
@@ -270,33 +273,34 @@ static murk_status begin(drawing *d, const char *where, murk_error *err)
                                  d->source->threads, err);
 }
 
-murk_status murk_targets_draw_surfaces(murk_target_pile *pile,
+murk_status murk_targets_draw_surfaces(murk_target_buffer *buffer,
                                        murk_target_draw *out,
                                        const murk_target_source *source,
                                        murk_error *err)
 {
     const murk_stage *stage = source->stage;
-    const murk_scene_targets *wish = &stage->scene->placement.targets;
-    const char *where = wish->surfaces_where;
+    const murk_scene_targets *settings = &stage->scene->placement.targets;
+    const char *where = settings->surfaces_where;
     drawing d = {.source = source};
     amount a = {0};
     bool wanted[MURK_MATERIALS_MAX] = {false};
-    for (size_t i = 0; i < wish->materials.n; ++i) {
-        wanted[wish->materials.index[i]] = true;
+    for (size_t i = 0; i < settings->materials.n; ++i) {
+        wanted[settings->materials.index[i]] = true;
     }
     murk_status status =
         murk_area_create(&d.area, stage->surfaces,
-                         wish->materials.n > 0 ? wanted : NULL, where, err);
+                         settings->materials.n > 0 ? wanted : NULL, where, err);
     if (!status) {
-        const double s = wish->surface_spacing_m;
-        status = amount_of(&a, source, wish->surface_points,
+        const double s = settings->surface_spacing_m;
+        status = amount_of(&a, source, settings->surface_points,
                            murk_area_m2(d.area) / (s * s), where, err);
     }
     if (!status) {
         status = begin(&d, where, err);
     }
     if (!status) {
-        status = draw_all(pile, out, &d, &a, murk_area_m2(d.area), where, err);
+        status =
+            draw_all(buffer, out, &d, &a, murk_area_m2(d.area), where, err);
     }
     release(&d);
     return status;
@@ -333,30 +337,33 @@ static murk_box box_of_medium(const murk_stage *stage, int medium)
 
 static murk_box box_to_draw_from(const murk_stage *stage)
 {
-    const murk_scene_targets *wish = &stage->scene->placement.targets;
-    const murk_vec3 r = {wish->radius_m, wish->radius_m, wish->radius_m};
+    const murk_scene_targets *settings = &stage->scene->placement.targets;
+    const murk_vec3 r = {settings->radius_m, settings->radius_m,
+                         settings->radius_m};
     murk_box box = stage->world.domain.box;
-    if (wish->shape == MURK_SCENE_ZONE_BOX) {
-        box = meet(box, wish->box);
-    } else if (wish->shape == MURK_SCENE_ZONE_SPHERE) {
-        box = meet(box, (murk_box){murk_sub(wish->center, r),
-                                   murk_add(wish->center, r)});
-    } else if (wish->shape == MURK_SCENE_ZONE_MESH) {
-        box = meet(box,
-                   murk_hulls_describe(murk_goals_target_hull(stage->goals), 0)
-                       .bounds_m);
+    if (settings->shape == MURK_SCENE_ZONE_BOX) {
+        box = meet(box, settings->box);
+    } else if (settings->shape == MURK_SCENE_ZONE_SPHERE) {
+        box = meet(box, (murk_box){murk_sub(settings->center, r),
+                                   murk_add(settings->center, r)});
+    } else if (settings->shape == MURK_SCENE_ZONE_MESH) {
+        box = meet(box, murk_boundary_meshes_describe(
+                            murk_goals_target_mesh(stage->goals), 0)
+                            .bounds_m);
     }
-    return wish->medium >= 0 ? meet(box, box_of_medium(stage, wish->medium))
-                             : box;
+    return settings->medium >= 0
+               ? meet(box, box_of_medium(stage, settings->medium))
+               : box;
 }
 
-murk_status murk_targets_draw_volume(murk_target_pile *pile,
+murk_status murk_targets_draw_volume(murk_target_buffer *buffer,
                                      murk_target_draw *out,
                                      const murk_target_source *source,
                                      murk_error *err)
 {
-    const murk_scene_targets *wish = &source->stage->scene->placement.targets;
-    const char *where = wish->volume_where;
+    const murk_scene_targets *settings =
+        &source->stage->scene->placement.targets;
+    const char *where = settings->volume_where;
     drawing d = {.source = source, .box = box_to_draw_from(source->stage)};
     amount a = {0};
     const murk_vec3 size = murk_sub(d.box.max, d.box.min);
@@ -364,14 +371,14 @@ murk_status murk_targets_draw_volume(murk_target_pile *pile,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "holds none of the domain's space");
     }
-    const double s = wish->volume_spacing_m, all = size.x * size.y * size.z;
-    murk_status status = amount_of(&a, source, wish->volume_points,
+    const double s = settings->volume_spacing_m, all = size.x * size.y * size.z;
+    murk_status status = amount_of(&a, source, settings->volume_points,
                                    all / (s * s * s), where, err);
     if (!status) {
         status = begin(&d, where, err);
     }
     if (!status) {
-        status = draw_all(pile, out, &d, &a, all, where, err);
+        status = draw_all(buffer, out, &d, &a, all, where, err);
     }
     release(&d);
     return status;

@@ -1,6 +1,6 @@
 /* Targets from a list. */
 #include "base/position.h"
-#include "study/target_pile.h"
+#include "study/target_buffer.h"
 
 #include "scene/table.h"
 
@@ -25,7 +25,7 @@ typedef struct list {
     long column[COLUMNS]; /* -1: not there */
     int band;
     double step_m;
-    murk_target_pile *surface, *volume;
+    murk_target_buffer *surface, *volume;
     double weight; /* of all */
 } list;
 
@@ -117,17 +117,17 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     photon.material = is_volume ? murk_target_medium(l->stage, l->band, place)
                                 : material_at(l, place, normal);
     l->weight += value[WEIGHT];
-    return murk_target_pile_put(is_volume ? l->volume : l->surface, &photon)
+    return murk_target_buffer_put(is_volume ? l->volume : l->surface, &photon)
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, l->table->path,
                            "no memory for its targets");
 }
 
-murk_status murk_targets_read(murk_target_pile *surface,
-                              murk_target_pile *volume, uint64_t *points,
+murk_status murk_targets_read(murk_target_buffer *surface,
+                              murk_target_buffer *volume, uint64_t *points,
                               const murk_stage *stage, murk_error *err)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
     murk_table *table = NULL;
     murk_status status =

@@ -18,7 +18,7 @@ murk_units murk_units_of(murk_quantity quantity)
 }
 
 /* spectrum NULL: even in wavelength. */
-static double per_watt(murk_quantity quantity, const murk_scene *scene,
+static double per_watt(murk_quantity quantity, const murk_scene_desc *scene,
                        int band, const murk_solar_spectrum *spectrum)
 {
     const double line = scene->band_nm[band];
@@ -45,7 +45,7 @@ double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
 void murk_units_packets(double *out, murk_quantity quantity,
                         const murk_stage *stage, const double *packet_w)
 {
-    const murk_scene *scene = stage->scene;
+    const murk_scene_desc *scene = stage->scene;
     for (int b = 0; b < scene->bands; ++b) {
         const double even = per_watt(quantity, scene, b, NULL);
         for (size_t i = 0; i < scene->n_lights; ++i) {
@@ -69,7 +69,7 @@ murk_estimate murk_units_sum(const murk_estimate *value, int n)
     return sum;
 }
 
-void murk_units_note(const murk_scene *scene)
+void murk_units_note(const murk_scene_desc *scene)
 {
     char list[16 * MURK_BANDS_MAX] = "";
     size_t used = 0;

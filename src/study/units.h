@@ -34,6 +34,6 @@ void murk_units_packets(double *out, murk_quantity quantity,
 murk_estimate murk_units_sum(const murk_estimate *value, int n);
 
 /* A note where bands count nothing: light that eyes or plants do not see. */
-void murk_units_note(const murk_scene *scene);
+void murk_units_note(const murk_scene_desc *scene);
 
 #endif

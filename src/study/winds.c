@@ -10,7 +10,7 @@ double murk_region_mean_square_slope(const murk_scene_region *region)
                : 0;
 }
 
-void murk_warn_of_winds(const murk_scene *scene)
+void murk_warn_of_winds(const murk_scene_desc *scene)
 {
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];

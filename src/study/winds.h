@@ -9,6 +9,6 @@ double murk_region_mean_square_slope(const murk_scene_region *region);
 
 /* Warns of winds that nobody measured slopes in (medium/waves.h), and of
  * sightlines through a surface that they know only as level. */
-void murk_warn_of_winds(const murk_scene *scene);
+void murk_warn_of_winds(const murk_scene_desc *scene);
 
 #endif

@@ -21,22 +21,23 @@ static size_t last_of(murk_inside set)
     return region;
 }
 
-bool murk_look_ahead(const murk_world *world, murk_inside *inside,
+bool murk_look_ahead(const murk_transport_world *world, murk_inside *inside,
                      murk_vec3 origin, murk_vec3 direction, double skip_m,
-                     double most_m, murk_ahead *ahead)
+                     double max_m, murk_ahead *ahead)
 {
     murk_boundary *b = &ahead->boundary;
     bool any = murk_media_boundary(world->media, *inside, origin, direction,
                                    INFINITY, b);
     ahead->is_mesh = false;
-    if (!world->hulls) {
+    if (!world->boundary_meshes) {
         return any;
     }
-    const double tolerance = murk_hulls_tolerance_m(world->hulls);
+    const double tolerance =
+        murk_boundary_meshes_tolerance_m(world->boundary_meshes);
     murk_crossing c;
-    if (!murk_hulls_next(world->hulls, origin, direction, skip_m,
-                         any ? fmin(most_m, b->distance_m + tolerance) : most_m,
-                         inside, &c) ||
+    if (!murk_boundary_meshes_next(
+            world->boundary_meshes, origin, direction, skip_m,
+            any ? fmin(max_m, b->distance_m + tolerance) : max_m, inside, &c) ||
         !is_well_inside(&world->domain.box,
                         murk_along(origin, c.distance_m, direction),
                         tolerance)) {
@@ -58,7 +59,7 @@ bool murk_look_ahead(const murk_world *world, murk_inside *inside,
     return true;
 }
 
-murk_inside murk_inside_at(const murk_world *world, murk_vec3 point,
+murk_inside murk_inside_at(const murk_transport_world *world, murk_vec3 point,
                            murk_vec3 direction)
 {
     const murk_box *box = &world->domain.box;
@@ -68,30 +69,32 @@ murk_inside murk_inside_at(const murk_world *world, murk_vec3 point,
     murk_inside inside = murk_media_inside(
         world->media,
         murk_along(point, OFF_NEARS * MURK_INTERFACE_NEAR * size, direction));
-    if (world->hulls) {
-        const double off =
-            OFF_TOLERANCES * murk_hulls_tolerance_m(world->hulls);
-        inside |=
-            murk_hulls_at(world->hulls, murk_along(point, off, direction));
+    if (world->boundary_meshes) {
+        const double off = OFF_TOLERANCES * murk_boundary_meshes_tolerance_m(
+                                                world->boundary_meshes);
+        inside |= murk_boundary_meshes_at(world->boundary_meshes,
+                                          murk_along(point, off, direction));
     }
     return inside;
 }
 
-murk_inside murk_inside_wrapped(const murk_world *world, murk_inside inside,
-                                murk_vec3 point, int axis)
+murk_inside murk_inside_wrapped(const murk_transport_world *world,
+                                murk_inside inside, murk_vec3 point, int axis)
 {
     inside = murk_media_wrapped(world->media, inside, point, axis);
-    if (world->hulls) {
+    if (world->boundary_meshes) {
         /* Just inside the domain, where a face in its side does not count. */
         const murk_box *box = &world->domain.box;
-        const double off =
-            OFF_TOLERANCES * murk_hulls_tolerance_m(world->hulls);
+        const double off = OFF_TOLERANCES * murk_boundary_meshes_tolerance_m(
+                                                world->boundary_meshes);
         const murk_vec3 middle = murk_scale(0.5, murk_add(box->min, box->max));
         const murk_vec3 in =
             axis == 0 ? murk_vec(point.x < middle.x ? off : -off, 0, 0)
                       : murk_vec(0, point.y < middle.y ? off : -off, 0);
-        inside = (inside & ~murk_hulls_regions(world->hulls)) |
-                 murk_hulls_at(world->hulls, murk_add(point, in));
+        inside =
+            (inside & ~murk_boundary_meshes_regions(world->boundary_meshes)) |
+            murk_boundary_meshes_at(world->boundary_meshes,
+                                    murk_add(point, in));
     }
     return inside;
 }

@@ -17,7 +17,7 @@ struct murk_follower {
 murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
                                  murk_error *err)
 {
-    const murk_world *world = trace->world;
+    const murk_transport_world *world = trace->world;
     const size_t materials = murk_surfaces_materials(world->surfaces);
     const size_t absorbers = materials + murk_media_count(world->media);
     murk_follower *f = calloc(1, sizeof *f);

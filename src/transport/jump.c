@@ -14,7 +14,7 @@
 #define WRAPS_BEFORE 8
 
 /* The least a jump leads sideways [periods]. */
-#define LEAST_PERIODS 2
+#define MIN_PERIODS 2
 
 /* Share of the domain's largest coordinate by which heights that are not free
  * are grown: some times what surfaces in single precision are off by. */
@@ -30,16 +30,16 @@ static void add(double (*height)[2], size_t *n, double low, double high,
     }
 }
 
-static void add_lamp(double (*height)[2], size_t *n, const murk_light *light,
+static void add_lamp(double (*height)[2], size_t *n, const murk_source *light,
                      double grow)
 {
     const double z = light->position.z;
     double low = z, high = z;
-    if (light->type == MURK_LIGHT_RECT) {
+    if (light->type == MURK_SOURCE_RECT) {
         const double a = light->edge1.z, b = light->edge2.z;
         low += fmin(0, a) + fmin(0, b);
         high += fmax(0, a) + fmax(0, b);
-    } else if (light->type != MURK_LIGHT_POINT) {
+    } else if (light->type != MURK_SOURCE_POINT) {
         low -= light->radius_m;
         high += light->radius_m;
     }
@@ -47,14 +47,15 @@ static void add_lamp(double (*height)[2], size_t *n, const murk_light *light,
 }
 
 murk_status murk_jump_heights(double (**out)[2], size_t *n,
-                              const murk_world *world, murk_error *err)
+                              const murk_transport_world *world,
+                              murk_error *err)
 {
     *out = NULL;
     *n = 0;
     if (!world->domain.is_periodic) {
         return MURK_OK;
     }
-    const size_t lights = murk_lights_count(world->lights);
+    const size_t lights = murk_sources_count(world->lights);
     double(*height)[2] = calloc(lights + 2, sizeof *height);
     if (!height) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
@@ -70,8 +71,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
     add(height, n, surfaces.min.z, surfaces.max.z, grow);
     add(height, n, regions.min.z, regions.max.z, grow);
     for (size_t i = 0; i < lights; ++i) {
-        const murk_light *light = murk_lights_get(world->lights, i);
-        if (!murk_light_is_distant(light)) {
+        const murk_source *light = murk_sources_get(world->lights, i);
+        if (!murk_source_is_distant(light)) {
             add_lamp(height, n, light, grow);
         }
     }
@@ -102,7 +103,7 @@ double murk_jump_ahead(const murk_walker *w)
     const double run = (end - z) / dz;
     const double x = run * fabs(w->direction.x) / (walls->x[1] - walls->x[0]);
     const double y = run * fabs(w->direction.y) / (walls->y[1] - walls->y[0]);
-    return fmax(x, y) > LEAST_PERIODS ? run : 0;
+    return fmax(x, y) > MIN_PERIODS ? run : 0;
 }
 
 static double brought_back(double x, const double wall[2])

@@ -10,7 +10,8 @@
 /* The heights that are not free, as [n][2] bounds; *out is the caller's:
  * free(). NULL and 0 where the domain is not periodic. */
 murk_status murk_jump_heights(double (**out)[2], size_t *n,
-                              const murk_world *world, murk_error *err);
+                              const murk_transport_world *world,
+                              murk_error *err);
 
 /* How far a jump leads; 0: the ray has not wrapped often enough since its last
  * event, or the way to the next height that is not free is short. */

@@ -16,10 +16,11 @@ static size_t lanes_of(size_t cells)
     return lanes < 1 ? 1 : lanes < LANES ? lanes : LANES;
 }
 
-murk_status murk_ledger_create(murk_ledger **out, const murk_world *world,
+murk_status murk_ledger_create(murk_ledger **out,
+                               const murk_transport_world *world,
                                murk_error *err)
 {
-    const size_t channels = murk_lights_channels(world->lights);
+    const size_t channels = murk_sources_channels(world->lights);
     const size_t materials = murk_surfaces_materials(world->surfaces);
     const size_t media = murk_media_count(world->media);
     assert(out && channels > 0 && materials > 0);

@@ -43,8 +43,8 @@ static void refract(beam *b, double index)
 }
 
 /* Follows the column from `at` along z over length_m. */
-static void descend(beam *b, const murk_world *world, int band, murk_vec3 at,
-                    murk_vec3 along, double length_m)
+static void descend(beam *b, const murk_transport_world *world, int band,
+                    murk_vec3 at, murk_vec3 along, double length_m)
 {
     murk_inside inside = murk_inside_at(world, at, along);
     double skip_m = 0;
@@ -71,14 +71,14 @@ static void descend(beam *b, const murk_world *world, int band, murk_vec3 at,
         }
         at = murk_along(at, piece_m, along);
         length_m -= piece_m;
-        skip_m = ahead.is_mesh && world->hulls
-                     ? murk_hulls_tolerance_m(world->hulls)
+        skip_m = ahead.is_mesh && world->boundary_meshes
+                     ? murk_boundary_meshes_tolerance_m(world->boundary_meshes)
                      : 0;
     }
 }
 
-double murk_outside_share(const murk_world *world, int band, murk_vec3 place,
-                          murk_vec3 *direction, bool *is_bent)
+double murk_outside_share(const murk_transport_world *world, int band,
+                          murk_vec3 place, murk_vec3 *direction, bool *is_bent)
 {
     const murk_box *box = &world->domain.box;
     const murk_vec3 d = *direction;
@@ -117,8 +117,8 @@ double murk_outside_share(const murk_world *world, int band, murk_vec3 place,
     return fmin(1, b.share);
 }
 
-double murk_outside_straight(const murk_world *world, int band, murk_vec3 place,
-                             murk_vec3 direction)
+double murk_outside_straight(const murk_transport_world *world, int band,
+                             murk_vec3 place, murk_vec3 direction)
 {
     bool is_bent;
     const double share =

@@ -15,12 +15,12 @@
  * the index of refraction changes on the way, *direction becomes the refracted
  * direction, and *is_bent (may be NULL) true. 1 unless the domain's media
  * continue and the place is on a side. */
-double murk_outside_share(const murk_world *world, int band, murk_vec3 place,
-                          murk_vec3 *direction, bool *is_bent);
+double murk_outside_share(const murk_transport_world *world, int band,
+                          murk_vec3 place, murk_vec3 *direction, bool *is_bent);
 
 /* The same along a straight line, for pictures: 0 where the line would be
  * bent. */
-double murk_outside_straight(const murk_world *world, int band, murk_vec3 place,
-                             murk_vec3 direction);
+double murk_outside_straight(const murk_transport_world *world, int band,
+                             murk_vec3 place, murk_vec3 direction);
 
 #endif

@@ -73,7 +73,7 @@ struct murk_tallies {
     murk_tally_bin *cell; /* [copies][channels][cells] */
 };
 
-/* Of a worker of the crew. */
+/* Of a worker of the thread pool. */
 murk_scorer *murk_tallies_scorer(murk_tallies *tallies, unsigned worker);
 
 /* A photon of that channel starts. */

@@ -24,8 +24,8 @@ static size_t copies_of(double cells, size_t channels, unsigned threads)
 {
     const double copy_bytes = cells * (double)channels * sizeof(murk_tally_bin);
     const double copies = floor(COPIES_BYTES / copy_bytes);
-    const double most = (double)scorers_of(threads);
-    return copies < 1 ? 1 : (size_t)(copies < most ? copies : most);
+    const double maximum = (double)scorers_of(threads);
+    return copies < 1 ? 1 : (size_t)(copies < maximum ? copies : maximum);
 }
 
 double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
@@ -141,7 +141,7 @@ murk_status murk_tallies_create(murk_tallies **out,
                                 const murk_tally_desc *descs, size_t n,
                                 const murk_domain *domain, size_t channels,
                                 int bands, unsigned threads,
-                                double memory_most_bytes, murk_error *err)
+                                double memory_max_bytes, murk_error *err)
 {
     assert(out && n > 0 && channels > 0 && channels % (size_t)bands == 0);
     murk_status status = murk_tallies_check(descs, n, domain, err);
@@ -150,7 +150,7 @@ murk_status murk_tallies_create(murk_tallies **out,
     }
     const double bytes =
         murk_tallies_memory(descs, n, channels, bands, threads);
-    if (!(bytes <= memory_most_bytes)) {
+    if (!(bytes <= memory_max_bytes)) {
         size_t largest = 0;
         for (size_t i = 1; i < n; ++i) {
             if (murk_tally_cells(&descs[i]) >
@@ -163,7 +163,7 @@ murk_status murk_tallies_create(murk_tallies **out,
                          "for each of %zu lights times bands; this machine "
                          "has %.3g GB free",
                          bytes / 1e9, murk_tally_cells(&descs[largest]),
-                         channels, memory_most_bytes / 1e9);
+                         channels, memory_max_bytes / 1e9);
     }
     murk_tallies *t = calloc(1, sizeof *t);
     if (t) {

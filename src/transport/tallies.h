@@ -89,7 +89,7 @@ murk_status murk_tallies_create(murk_tallies **out,
                                 const murk_tally_desc *descs, size_t n,
                                 const murk_domain *domain, size_t channels,
                                 int bands, unsigned threads,
-                                double memory_most_bytes, murk_error *err);
+                                double memory_max_bytes, murk_error *err);
 void murk_tallies_destroy(murk_tallies *tallies); /* NULL is fine */
 
 /* Made for that many channels, and that many threads or more. */

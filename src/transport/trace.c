@@ -3,8 +3,8 @@
 #include <assert.h>
 #include <string.h>
 
-#include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "transport/walk.h"
 
@@ -80,16 +80,16 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
         !trace->tallies ||
         (trace->events_max <= MURK_TALLY_LEGS_MAX &&
          murk_tallies_fit(trace->tallies, ledger->channels, trace->threads)));
-    assert(trace->least_weight >= MURK_LEAST_WEIGHT_MIN &&
+    assert(trace->least_weight >= MURK_MIN_WEIGHT_MIN &&
            trace->least_weight <= 1);
-    assert(ledger->channels == murk_lights_channels(trace->world->lights));
+    assert(ledger->channels == murk_sources_channels(trace->world->lights));
     if (trace->last <= trace->first ||
-        murk_lights_lit(trace->world->lights) == 0) {
+        murk_sources_lit(trace->world->lights) == 0) {
         return;
     }
     run r = {murk_course_of(trace), ledger};
     const uint64_t photons = trace->last - trace->first;
-    murk_crew_run_workers(
+    murk_pool_run_workers(
         trace->threads, (photons + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS,
         trace_batch, &r);
 }

@@ -21,23 +21,24 @@
 
 #include "base/status.h"
 #include "base/tally.h"
-#include "geometry/hulls.h"
+#include "geometry/boundary_meshes.h"
 #include "geometry/surfaces.h"
-#include "light/lights.h"
 #include "medium/media.h"
+#include "source/sources.h"
 #include "transport/tallies.h"
 
 /* Everything that a photon can meet; borrowed, immutable. */
-typedef struct murk_world {
+typedef struct murk_transport_world {
     const murk_surfaces *surfaces;
     const murk_media *media;
-    const murk_lights *lights;
+    const murk_sources *lights;
     murk_domain domain;
     int bands;
-    const murk_hulls *hulls; /* of the regions that are meshes; NULL: none */
+    const murk_boundary_meshes
+        *boundary_meshes; /* of the regions that are meshes; NULL: none */
     bool continues; /* outside of open sides the media go on, for light of sun
                        and sky that enters there: transport/outside.h */
-} murk_world;
+} murk_transport_world;
 
 typedef enum murk_event_kind {
     MURK_EVENT_EMITTED,
@@ -122,13 +123,13 @@ typedef void (*murk_leg_sink)(void *context, uint64_t batch,
           */
 
 typedef struct murk_trace {
-    const murk_world *world;
+    const murk_transport_world *world;
     uint32_t seed;
     uint32_t stream; /* 0: the map that chooses; 1: held out; 2: confirms */
     uint64_t first, last; /* photons [first, last); batch 0 starts at first */
     unsigned threads;
     uint32_t events_max, wraps_max;
-    double least_weight; /* MURK_LEAST_WEIGHT_MIN..1 */
+    double least_weight; /* MURK_MIN_WEIGHT_MIN..1 */
     bool by_delta; /* free flight by delta tracking, for which the media must be
                       prepared; else by march */
     murk_event_sink sink;  /* may be NULL */
@@ -143,7 +144,7 @@ murk_trace murk_trace_defaults(
     void); /* threads 1; caps 1e5 events, 1e4 wraps; least weight 1 */
 
 /* Below it, what rounding to whole quanta does could be seen. */
-#define MURK_LEAST_WEIGHT_MIN 1e-5
+#define MURK_MIN_WEIGHT_MIN 1e-5
 
 /* Energy by channel (light * bands + band), in quanta. */
 typedef struct murk_ledger {
@@ -158,7 +159,8 @@ typedef struct murk_ledger {
 } murk_ledger;
 
 /* Empty books of a world; the caller's: murk_ledger_destroy(). */
-murk_status murk_ledger_create(murk_ledger **out, const murk_world *world,
+murk_status murk_ledger_create(murk_ledger **out,
+                               const murk_transport_world *world,
                                murk_error *err);
 void murk_ledger_destroy(murk_ledger *ledger); /* NULL is fine */
 

@@ -39,10 +39,10 @@
 static bool meets_surface(const murk_walker *w, murk_hit *hit,
                           double *distance_m)
 {
-    const double most =
+    const double maximum =
         murk_walls_ahead(&w->course->grown, w->probe, w->direction);
     if (!murk_surfaces_hit(w->course->world->surfaces, w->probe, w->direction,
-                           most, hit)) {
+                           maximum, hit)) {
         return false;
     }
     const double ahead =
@@ -136,7 +136,7 @@ static inline double as_far_as_media_let(const murk_walker *w)
 {
     murk_collision collision;
     double rest[2];
-    return w->course->world->hulls && w->course->any_media &&
+    return w->course->world->boundary_meshes && w->course->any_media &&
                    w->solids.n == 0 && collides(w, INFINITY, &collision, rest)
                ? collision.distance_m
                : INFINITY;
@@ -234,7 +234,7 @@ static murk_fate follow(murk_walker *w)
 static void start(murk_walker *w, murk_ray ray)
 {
     const murk_walk_setup *r = w->course;
-    const murk_light *light = murk_lights_get(r->world->lights, w->light);
+    const murk_source *light = murk_sources_get(r->world->lights, w->light);
     w->position = w->probe = ray.origin;
     w->direction = ray.direction;
     if (r->any_boundaries) {
@@ -243,12 +243,12 @@ static void start(murk_walker *w, murk_ray ray)
     if (!r->any_surfaces) {
         return;
     }
-    if (murk_light_is_distant(light)) {
+    if (murk_source_is_distant(light)) {
         murk_walker_enter(w);
         return;
     }
     const murk_vec3 off =
-        light->type == MURK_LIGHT_RECT
+        light->type == MURK_SOURCE_RECT
             ? murk_unit(murk_cross(light->edge1, light->edge2))
             : ray.direction;
     w->probe = murk_surfaces_leave(r->world->surfaces, ray.origin, off);
@@ -288,13 +288,13 @@ static murk_fate spend(murk_walker *w)
  * boundary outside has refracted is of class specular. */
 static void come_from_outside(murk_walker *w, murk_ray *ray)
 {
-    const murk_world *world = w->course->world;
+    const murk_transport_world *world = w->course->world;
     const murk_trace *trace = w->course->trace;
     bool is_bent;
     const double share = murk_outside_share(world, w->band, ray->origin,
                                             &ray->direction, &is_bent);
     if (share < 1) {
-        /* slots 0 and 1 are the emission's own (light/lights.c) */
+        /* slots 0 and 1 are the emission's own (source/sources.c) */
         const murk_random4 random =
             murk_random(trace->seed, MURK_EMIT + MURK_STREAM * trace->stream,
                         w->photon, 0, 2);
@@ -309,9 +309,9 @@ static void come_from_outside(murk_walker *w, murk_ray *ray)
  * light enters by. */
 static murk_station first_station(const murk_walker *w)
 {
-    const murk_light *light =
-        murk_lights_get(w->course->world->lights, w->light);
-    return murk_light_is_distant(light)
+    const murk_source *light =
+        murk_sources_get(w->course->world->lights, w->light);
+    return murk_source_is_distant(light)
                ? (murk_station){murk_along(w->position, -w->course->margin_m,
                                            w->direction),
                                 0}
@@ -320,7 +320,7 @@ static murk_station first_station(const murk_walker *w)
 
 murk_walk_setup murk_course_of(const murk_trace *trace)
 {
-    const murk_world *world = trace->world;
+    const murk_transport_world *world = trace->world;
     const murk_surfaces_facts facts = murk_surfaces_describe(world->surfaces);
     const murk_box box = world->domain.box;
     const double size =
@@ -336,22 +336,25 @@ murk_walk_setup murk_course_of(const murk_trace *trace)
         .walls = murk_walls_of(&box, 0),
         .grown = murk_walls_of(&box, grow),
         .margin_m = grow,
-        .near_m = fmax(2 * step,
-                       world->hulls ? murk_hulls_tolerance_m(world->hulls) : 0),
+        .near_m = fmax(2 * step, world->boundary_meshes
+                                     ? murk_boundary_meshes_tolerance_m(
+                                           world->boundary_meshes)
+                                     : 0),
         .in_plane_m = fmax(step / 2, IN_PLANE_BY * size),
         .any_surfaces = facts.triangles + facts.spheres > 0,
         .any_solids = facts.solids > 0,
         .any_media = murk_media_any(world->media),
-        .any_boundaries = murk_media_bends(world->media) || world->hulls,
+        .any_boundaries =
+            murk_media_bends(world->media) || world->boundary_meshes,
         .purpose_shift = MURK_STREAM * trace->stream,
-        .least_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
+        .min_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }
 
 void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
                       uint64_t photon)
 {
-    const murk_world *world = r->world;
-    const size_t channel = murk_lights_channel_of(world->lights, photon);
+    const murk_transport_world *world = r->world;
+    const size_t channel = murk_sources_channel_of(world->lights, photon);
     murk_walker w = {.course = r,
                      .sums = s,
                      .batch = batch,
@@ -362,10 +365,10 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
                      .band = (int)(channel % (size_t)world->bands),
                      .event_class = MURK_CLASS_FIRST};
     ++s->emitted[channel];
-    murk_ray ray = murk_lights_emit(world->lights, r->trace->seed,
-                                    r->trace->stream, photon);
+    murk_ray ray = murk_sources_emit(world->lights, r->trace->seed,
+                                     r->trace->stream, photon);
     if (world->continues &&
-        murk_light_is_distant(murk_lights_get(world->lights, w.light))) {
+        murk_source_is_distant(murk_sources_get(world->lights, w.light))) {
         come_from_outside(&w, &ray);
     }
     start(&w, ray);

@@ -6,7 +6,7 @@
 #include "transport/trace.h"
 #include "transport/walls.h"
 
-#define MURK_EMISSIONS_MAX (MURK_LIGHTS_MAX * MURK_BANDS_MAX)
+#define MURK_EMISSIONS_MAX (MURK_SOURCES_MAX * MURK_BANDS_MAX)
 
 typedef enum murk_fate {
     MURK_FATE_SURFACES, /* absorbed there */
@@ -19,7 +19,7 @@ typedef enum murk_fate {
 /* What all photons of a run share. */
 typedef struct murk_walk_setup {
     const murk_trace *trace;
-    const murk_world *world;
+    const murk_transport_world *world;
     murk_walls walls;  /* the domain's */
     murk_walls grown;  /* where surfaces are looked for */
     double margin_m;   /* by how much it is grown */
@@ -31,7 +31,7 @@ typedef struct murk_walk_setup {
     const double (*busy)[2]; /* [n_busy] heights that are not free */
     size_t n_busy;
     uint32_t purpose_shift;
-    int64_t least_quanta; /* roulette from here down */
+    int64_t min_quanta; /* roulette from here down */
 } murk_walk_setup;
 
 murk_walk_setup murk_course_of(const murk_trace *trace);

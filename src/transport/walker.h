@@ -63,7 +63,7 @@ static inline void murk_walker_keep(const murk_walker *w, size_t absorber,
 static inline bool murk_walker_splits(murk_walker *w, double kept, double u,
                                       murk_fate fate, size_t absorber)
 {
-    if (w->quanta <= w->course->least_quanta) {
+    if (w->quanta <= w->course->min_quanta) {
         return false;
     }
     const int64_t left = (int64_t)floor((double)w->quanta * kept + u);

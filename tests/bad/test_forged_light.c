@@ -3,10 +3,10 @@
 #include "base/rng.h"
 #include "base/tally.h"
 #include "check.h"
-#include "photonmap/light_file.h"
+#include "photonmap/map_file.h"
 #include "photonmap/photon.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static const char *refusal(const murk_section *sections, size_t n,
 {
     static murk_error err;
     const murk_section *found =
-        murk_light_file_find(sections, n, change->section);
+        murk_map_file_find(sections, n, change->section);
     char before[8];
     murk_traced *traced = NULL;
     err = (murk_error){0};
@@ -62,9 +62,10 @@ static const char *refusal(const murk_section *sections, size_t n,
     char *at = (char *)found->bytes + change->at;
     memcpy(before, at, change->width);
     memcpy(at, &change->value, change->width);
-    CHECK(murk_light_file_write(path, sections, n, NULL) == MURK_OK);
+    CHECK(murk_map_file_write(path, sections, n, NULL) == MURK_OK);
     memcpy(at, before, change->width);
-    const murk_status status = murk_light_load(&traced, stage, path, 1, &err);
+    const murk_status status =
+        murk_lightmap_load(&traced, stage, path, 1, &err);
     if (!status) {
         murk_traced_destroy(traced);
         return "";
@@ -129,7 +130,7 @@ static void test_forgeries(const murk_section *sections, size_t n,
     }
     /* a photon of a light that its number is not dealt to */
     const murk_photon *first =
-        murk_light_file_find(sections, n, "surface")->bytes;
+        murk_map_file_find(sections, n, "surface")->bytes;
     const forgery dealt = {"surface",
                            offsetof(murk_photon, light),
                            1,
@@ -152,7 +153,7 @@ static void test_noise(const murk_section *sections, size_t n,
         uint32_t word[4];
         murk_random_words(5, MURK_TEST, i, 0, 0, word);
         const murk_section *section =
-            murk_light_file_find(sections, n, name[i % 6]);
+            murk_map_file_find(sections, n, name[i % 6]);
         const forgery change = {section->name,
                                 word[0] % (section->size - 4),
                                 4,
@@ -172,14 +173,14 @@ int main(void)
     murk_traced *traced = NULL;
     murk_section *sections = NULL;
     size_t n = 0;
-    CHECK(stage && !murk_light_trace(&traced, stage, 0, 1, NULL));
-    if (traced && !murk_light_save(traced, stage, path, NULL) &&
-        !murk_light_file_read(&sections, &n, path, NULL)) {
+    CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 1, NULL));
+    if (traced && !murk_lightmap_save(traced, stage, path, NULL) &&
+        !murk_map_file_read(&sections, &n, path, NULL)) {
         test_forgeries(sections, n, stage);
         test_noise(sections, n, stage);
     }
     CHECK(sections);
-    murk_light_file_release(sections, n);
+    murk_map_file_release(sections, n);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
     remove(path);

@@ -15,7 +15,7 @@
 
 #define FOLDER    "tests/unit/medium/grids/"
 #define SLOWEST_S 10.0     /* the project's bound for any bad input */
-#define MOST_KB   2000000L /* likewise */
+#define MAX_KB    2000000L /* likewise */
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define UNDER_SANITIZER 1
@@ -26,7 +26,7 @@
 #endif
 
 #ifdef UNDER_SANITIZER
-/* The child has no limit there (base/child.h): the sanitizer sets one. */
+/* The child has no limit there (base/subprocess.h): the sanitizer sets one. */
 const char *__asan_default_options(void);
 const char *__asan_default_options(void)
 {
@@ -205,7 +205,7 @@ int main(void)
     struct rusage children;
     CHECK(getrusage(RUSAGE_CHILDREN, &children) == 0);
 #ifndef UNDER_SANITIZER
-    CHECK(children.ru_maxrss < MOST_KB);
+    CHECK(children.ru_maxrss < MAX_KB);
 #endif
 
     unlink(path);

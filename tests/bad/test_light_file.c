@@ -4,7 +4,7 @@
 
 #include "base/file.h"
 #include "base/rng.h"
-#include "photonmap/light_file.h"
+#include "photonmap/map_file.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -30,9 +30,9 @@ static const char *refusal(murk_status want)
     murk_section *sections = NULL;
     size_t n = 0;
     err = (murk_error){0};
-    const murk_status status = murk_light_file_read(&sections, &n, path, &err);
+    const murk_status status = murk_map_file_read(&sections, &n, path, &err);
     if (!status) {
-        murk_light_file_release(sections, n);
+        murk_map_file_release(sections, n);
         return "";
     }
     CHECK(status == want && sections == NULL && n == 0);
@@ -48,7 +48,7 @@ static char *make_small_file(size_t *size)
     const murk_section sections[] = {{"surface", surface, sizeof surface},
                                      {"scene", scene, sizeof scene}};
     char *bytes = NULL;
-    CHECK(murk_light_file_write(path, sections, 2, NULL) == MURK_OK);
+    CHECK(murk_map_file_write(path, sections, 2, NULL) == MURK_OK);
     CHECK(murk_file_read(&bytes, size, path, 1000, NULL) == MURK_OK);
     CHECK_TEXT(refusal(MURK_OK), "");
     return bytes;

@@ -1,10 +1,10 @@
 /* Broken mesh files end in a mesh or in one clear line, soon, and never in a
  * crash. Which of the two it is, the bytes decide; that each case ends is the
  * test. An argument multiplies the number of cases, for a long run. */
-#include "base/child.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/rng.h"
+#include "base/subprocess.h"
 #include "check.h"
 #include "geometry/surfaces.h"
 
@@ -69,7 +69,7 @@ static void try_bytes(const char *extension, const char *bytes, size_t size)
     const double start_s = processor_s();
     const murk_status status = murk_mesh_read(&m, path, NULL, "scene", &err);
     CHECK(processor_s() - start_s <
-          murk_child_limits_for(size).seconds + SPARE_S);
+          murk_subprocess_limits_for(size).seconds + SPARE_S);
     CHECK((status == MURK_OK) == (m != NULL));
     if (m) {
         ++meshes;

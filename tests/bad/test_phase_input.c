@@ -19,7 +19,7 @@ static const char GOOD[] = "angle_deg,phase_per_sr\n"
                            "0.1,1766.61\n0.5,218.839\n1,71.6082\n10,1.15257\n"
                            "90,0.00429232\n140,0\n175,0.003\n180,0.00315366\n";
 
-static murk_scene *scene;
+static murk_scene_desc *scene;
 static int read_well;
 
 static double seconds(void)
@@ -133,7 +133,7 @@ int main(void)
         test_too_much();
         CHECK(read_well > 200); /* both ways were taken */
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     folder_leave((const char *const[]){"fog.yaml", "p.csv", NULL});
     return check_done();
 }

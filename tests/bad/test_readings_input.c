@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #define SLOWEST_S 10.0 /* the project's bound for any bad input */
-#define MOST_KB   2000000L
+#define MAX_KB    2000000L
 
 static const char SCENE[] =
     "murk: 1\n"
@@ -42,7 +42,7 @@ static const char GOOD[] =
     "fluence,,4,5,6,,,,,,,.5,,,,,,,probe,percent,40,5,\n";
 
 static char path[] = "/tmp/murk-readings-XXXXXX";
-static murk_scene *scene;
+static murk_scene_desc *scene;
 static int read_well;
 
 static void check_refusal(murk_status status, const murk_error *err)
@@ -177,7 +177,7 @@ static void test_names_of_keys(void)
     murk_yaml_destroy(root);
 }
 
-static long most_kb(void)
+static long max_kb(void)
 {
     struct rusage use;
     getrusage(RUSAGE_SELF, &use);
@@ -191,7 +191,8 @@ int main(void)
     const int handle = mkstemp(path);
     CHECK(handle >= 0);
     close(handle);
-    CHECK(murk_scene_parse(&scene, SCENE, "s.yaml", NULL, 0, &err) == MURK_OK);
+    CHECK(murk_scene_desc_parse(&scene, SCENE, "s.yaml", NULL, 0, &err) ==
+          MURK_OK);
     if (scene) {
         try_file(GOOD, sizeof GOOD - 1);
         CHECK(read_well == 1);
@@ -201,9 +202,9 @@ int main(void)
         CHECK(read_well > 50); /* both ways were taken */
         test_too_large();
         test_names_of_keys();
-        CHECK(most_kb() < MOST_KB);
+        CHECK(max_kb() < MAX_KB);
     }
     unlink(path);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return check_done();
 }

@@ -9,10 +9,10 @@
 #include "../unit/scene/scene_files.h"
 #include "scene/table.h"
 
-#define MOST_SECONDS 10.0
-#define MOST_BYTES   2e9
-#define FULL         15900000 /* bytes: just below the limit of a scene */
-#define RUN          8000000  /* of one thing repeated */
+#define MAX_SECONDS 10.0
+#define MAX_BYTES   2e9
+#define FULL        15900000 /* bytes: just below the limit of a scene */
+#define RUN         8000000  /* of one thing repeated */
 
 static double seconds(void)
 {
@@ -31,17 +31,18 @@ static double peak_bytes(void)
 /* The file is refused, and the message holds that part. */
 static void check_file(const char *path, const char *part)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
     const double start = seconds();
-    const murk_status status = murk_scene_read(&scene, path, NULL, 0, &err);
+    const murk_status status =
+        murk_scene_desc_read(&scene, path, NULL, 0, &err);
     const double took = seconds() - start;
     CHECK(status != MURK_OK && scene == NULL);
     CHECK(murk_status_exit_code(status) == 2);
     CHECK_MENTIONS(err.text, part);
     CHECK(strchr(err.text, '\n') == NULL && strchr(err.where, '\n') == NULL);
-    CHECK(took < MOST_SECONDS);
-    murk_scene_destroy(scene);
+    CHECK(took < MAX_SECONDS);
+    murk_scene_desc_destroy(scene);
 }
 
 static void check_bytes(const char *bytes, size_t size, const char *part)
@@ -220,7 +221,7 @@ static void check_table(const char *text, size_t size, const char *part)
     CHECK(status != MURK_OK && table == NULL);
     CHECK(murk_status_exit_code(status) == 2);
     CHECK_MENTIONS(err.text, part);
-    CHECK(seconds() - start < MOST_SECONDS);
+    CHECK(seconds() - start < MAX_SECONDS);
     murk_table_destroy(table);
 }
 
@@ -263,7 +264,7 @@ int main(void)
     test_long_runs();
     test_bytes_that_are_no_text();
     test_tables();
-    CHECK(peak_bytes() < MOST_BYTES);
+    CHECK(peak_bytes() < MAX_BYTES);
     folder_leave((const char *const[]){"fog.yaml", "a.csv", NULL});
     return check_done();
 }

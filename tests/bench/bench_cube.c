@@ -21,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "plain_tracer.h"
 #include "transport/trace.h"
@@ -50,7 +50,7 @@ typedef struct parts {
     murk_grid *grid;
     murk_surfaces *surfaces;
     murk_media *media;
-    murk_lights *lights;
+    murk_sources *lights;
     murk_ledger *ledger;
 } parts;
 
@@ -102,13 +102,13 @@ static murk_status make_plain_ramp(parts *p, bool is_linear, murk_error *err)
     return MURK_OK;
 }
 
-static murk_world world_of(const parts *p)
+static murk_transport_world world_of(const parts *p)
 {
-    return (murk_world){.surfaces = p->surfaces,
-                        .media = p->media,
-                        .lights = p->lights,
-                        .domain = domain,
-                        .bands = 1};
+    return (murk_transport_world){.surfaces = p->surfaces,
+                                  .media = p->media,
+                                  .lights = p->lights,
+                                  .domain = domain,
+                                  .bands = 1};
 }
 
 static murk_status make(parts *p, const cube *c, murk_error *err)
@@ -126,11 +126,11 @@ static murk_status make(parts *p, const cube *c, murk_error *err)
                                .to_world = murk_affine_identity(),
                                .where = "ball"}};
     const size_t n = c->ball.scattering_per_m > 0 ? 2 : 1;
-    const murk_light beam = {.type = MURK_LIGHT_BEAM,
-                             .position = {30.1, 30.2, 0},
-                             .direction = {0, 0, 1},
-                             .power_w = {{1}},
-                             .where = "beam"};
+    const murk_source beam = {.type = MURK_SOURCE_BEAM,
+                              .position = {30.1, 30.2, 0},
+                              .direction = {0, 0, 1},
+                              .power_w = {{1}},
+                              .where = "beam"};
     murk_status status = c->is_ramp ? make_ramp(p, c->is_linear, err) : MURK_OK;
     if (!status && c->is_ramp) {
         status = make_plain_ramp(p, c->is_linear, err);
@@ -151,16 +151,16 @@ static murk_status make(parts *p, const cube *c, murk_error *err)
         status = murk_media_prepare_delta(p->media, err);
     }
     if (!status) {
-        status = murk_lights_create(&p->lights, &beam, 1, 1, &domain, err);
+        status = murk_sources_create(&p->lights, &beam, 1, 1, &domain, err);
     }
-    const murk_world world = world_of(p);
+    const murk_transport_world world = world_of(p);
     return status ? status : murk_ledger_create(&p->ledger, &world, err);
 }
 
 static void unmake(parts *p)
 {
     murk_ledger_destroy(p->ledger);
-    murk_lights_destroy(p->lights);
+    murk_sources_destroy(p->lights);
     murk_media_destroy(p->media);
     murk_surfaces_destroy(p->surfaces);
     murk_grid_destroy(p->grid);
@@ -171,7 +171,7 @@ static void unmake(parts *p)
 static double murk_seconds(parts *p, uint64_t first, uint64_t n,
                            unsigned threads, bool by_delta)
 {
-    const murk_world world = world_of(p);
+    const murk_transport_world world = world_of(p);
     murk_trace trace = murk_trace_defaults();
     trace.world = &world;
     trace.seed = 1;
@@ -205,7 +205,7 @@ static double plain_seconds(const plain_box *box, count *sum, uint64_t n,
 {
     loops l = {box, n / threads, seed, {{0}}};
     const double begin = murk_clock_s();
-    murk_crew_run(threads, threads, loop, &l);
+    murk_pool_run(threads, threads, loop, &l);
     const double seconds = murk_clock_s() - begin;
     for (unsigned i = 0; i < threads; ++i) {
         sum->absorbed += (double)l.result[i].absorbed;

@@ -87,7 +87,7 @@ static bool fit(planted_field *field)
     }
     const murk_calibration_desc desc = {.keys = keys,
                                         .measured = field->measured,
-                                        .donors = &field->donors,
+                                        .imported = &field->imported,
                                         .loss_width = 1,
                                         .starts = 1,
                                         .threads = THREADS,

@@ -8,12 +8,12 @@
  * gets its points packed, its best leaf size of those tried (for queries and
  * for building apart), and unsorted results. Timings of both alternate; the
  * figure is the median. */
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "base/rng.h"
 #include "peer_kd.h"
-#include "photonmap/light_file.h"
 #include "photonmap/map.h"
+#include "photonmap/map_file.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -109,14 +109,14 @@ static size_t read_maps(contest contests[2], const char *path)
     murk_section *sections = NULL;
     size_t n_sections = 0, n = 0;
     murk_error err = {0};
-    if (murk_light_file_read(&sections, &n_sections, path, &err)) {
+    if (murk_map_file_read(&sections, &n_sections, path, &err)) {
         fprintf(stderr, "bench_kd: %s: %s\n", err.where, err.text);
         exit(2);
     }
     const char *names[] = {"surface", "volume"};
     for (int i = 0; i < 2; ++i) {
         const murk_section *section =
-            murk_light_file_find(sections, n_sections, names[i]);
+            murk_map_file_find(sections, n_sections, names[i]);
         if (section && section->size >= 1000 * sizeof(murk_photon)) {
             contest *c = &contests[n++];
             c->n = section->size / sizeof(murk_photon);
@@ -125,7 +125,7 @@ static size_t read_maps(contest contests[2], const char *path)
             qsort(c->photons, c->n, sizeof *c->photons, compare_emitted);
         }
     }
-    murk_light_file_release(sections, n_sections);
+    murk_map_file_release(sections, n_sections);
     return n;
 }
 
@@ -189,7 +189,7 @@ static double time_queries(contest *c, murk_worker_job job, unsigned threads,
                            size_t *hits)
 {
     const double start = murk_clock_s();
-    murk_crew_run_workers(threads, QUERIES / BATCH, job, c);
+    murk_pool_run_workers(threads, QUERIES / BATCH, job, c);
     const double seconds = murk_clock_s() - start;
     *hits = 0;
     for (size_t i = 0; i < QUERIES / BATCH; ++i) {

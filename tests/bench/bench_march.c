@@ -10,7 +10,7 @@
  * through a medium placed in the world, is timed as `march-world`; the same
  * with trilinear interpolation, which the bare loop does not do, as
  * `march-linear`. */
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "base/rng.h"
 #include "medium/grid.h"
@@ -155,7 +155,7 @@ static void linear_batch(void *context, uint64_t batch)
 static double time_of(murk_job job, contest *c, unsigned threads)
 {
     const double start = murk_clock_s();
-    murk_crew_run(threads, RAYS / BATCH, job, c);
+    murk_pool_run(threads, RAYS / BATCH, job, c);
     return murk_clock_s() - start;
 }
 
@@ -247,7 +247,7 @@ static void compare_answers(const contest *c)
     double ours = 0, bare = 0, world = 0, linear = 0;
     for (size_t i = 0; i < RAYS; ++i) {
         const double reach = 2 * (double)c->rays[i].length;
-        const double bound = 8 * FLT_EPSILON * reach * reach * facts->maximum;
+        const double bound = 8 * FLT_EPSILON * reach * reach * facts->max;
         if (!(fabs(c->ours[i] - c->bare[i]) <= bound)) {
             fprintf(stderr, "bench_march: ray %zu: %.9g, bare loop %.9g\n", i,
                     c->ours[i], c->bare[i]);

@@ -7,7 +7,7 @@
  * and culling, packed 16 wide for each candidate beforehand, with the better of
  * Embree's two hints. Timings alternate; the figure is the median. Run from the
  * top folder. */
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/progress.h"
 #include "base/rng.h"
 #include "peer_occlusion.h"
@@ -218,7 +218,7 @@ static void look_once(void *context, unsigned worker, uint64_t batch)
 static double time_ours(looks *l, unsigned threads)
 {
     const double begun_s = murk_clock_s();
-    murk_crew_run_workers(threads, CANDIDATES, look_once, l);
+    murk_pool_run_workers(threads, CANDIDATES, look_once, l);
     return murk_clock_s() - begun_s;
 }
 

@@ -104,7 +104,8 @@ static void tell(const char *name, double least_weight, const char *unit,
 static void bench_slab(const slab *s)
 {
     const double wide = 1e5, air = s->index > 1;
-    const murk_light light = test_beam(murk_vec(0, 0, -air), murk_vec(0, 0, 1));
+    const murk_source light =
+        test_beam(murk_vec(0, 0, -air), murk_vec(0, 0, 1));
     const murk_medium fog = test_medium(1, s->albedo, s->g);
     murk_region region = test_everywhere(0);
     if (s->index > 1) {
@@ -138,7 +139,7 @@ static void bench_slab(const slab *s)
 
 static void bench_maps(void)
 {
-    const murk_light lamp = test_point(murk_vec(3, 4, 3.5));
+    const murk_source lamp = test_point(murk_vec(3, 4, 3.5));
     const murk_medium fog = test_medium(.1, .95, .8);
     const murk_region region = test_everywhere(0);
     const murk_material paint = test_material(.5, 0, 0, 0);

@@ -1,6 +1,6 @@
 #include "peer_occlusion.h"
 
-#include "base/crew.h"
+#include "base/pool.h"
 #include "base/tally.h"
 
 #if __has_include(<embree3/rtcore.h>)
@@ -178,6 +178,6 @@ size_t peer_occlusion_cast(const peer_occlusion *peer, unsigned threads,
                            bool is_coherent)
 {
     cast c = {.peer = peer, .is_coherent = is_coherent};
-    murk_crew_run(threads, (peer->packets + BATCH - 1) / BATCH, cast_batch, &c);
+    murk_pool_run(threads, (peer->packets + BATCH - 1) / BATCH, cast_batch, &c);
     return (size_t)murk_tally_read(&c.blocked);
 }

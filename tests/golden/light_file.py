@@ -1,6 +1,6 @@
 """light.murk read from its published layout, and a plan's coverage computed
 again from it in plain Python: another programmer's reading of
-src/photonmap/light_file.h, src/photonmap/photon.h and the meaning of coverage.
+src/photonmap/map_file.h, src/photonmap/photon.h and the meaning of coverage.
 For convex places in homogeneous fog, where no wall is in the way."""
 
 import math

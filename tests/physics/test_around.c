@@ -11,7 +11,7 @@
 #include "check.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 
@@ -92,7 +92,7 @@ static void look_around(const murk_stage *stage, murk_estimate of[2],
             .from_nm = {450, 650},
             .to_nm = {450, 650},
             .threads = 2};
-        murk_picture *p = NULL;
+        murk_image *p = NULL;
         murk_error err = {0};
         if (murk_render_run(&p, &render, &err)) {
             printf("%s: %s\n", err.where, err.text);
@@ -106,7 +106,7 @@ static void look_around(const murk_stage *stage, murk_estimate of[2],
             take(&whole[b], 4 * MURK_PI * p->mean[b]);
             take(&pixels[b], 4 * MURK_PI * plain);
         }
-        murk_picture_destroy(p);
+        murk_image_destroy(p);
     }
     for (int b = 0; b < 2; ++b) {
         of[b] = mean_of(&whole[b], POINTS);
@@ -126,7 +126,7 @@ int main(void)
     murk_stage *stage = stage_text_create(ROOM, NULL);
     murk_traced *traced = NULL;
     murk_error err = {0};
-    if (!stage || murk_light_trace(&traced, stage, 0, 2, &err)) {
+    if (!stage || murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
         return 1;
     }

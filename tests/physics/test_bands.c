@@ -92,7 +92,7 @@ static run run_of(const char *text, uint32_t seed)
     trace.sink = note;
     trace.context = &r.turns;
     murk_trace_run(&trace, ledger);
-    murk_lights_deal(stage->lights, PHOTONS, r.photons);
+    murk_sources_deal(stage->lights, PHOTONS, r.photons);
     for (size_t c = 0; c < LIGHTS * r.bands; ++c) {
         const int64_t all = ledger->emitted[c];
         CHECK(all == (int64_t)r.photons[c] * MURK_PACKET);
@@ -126,13 +126,13 @@ static double off(const run *all, size_t band, const run *alone, size_t light,
 /* The farthest of a band's shares. */
 static double farthest(const run *all, size_t band, const run *alone)
 {
-    double most = 0;
+    double max = 0;
     for (size_t light = 0; light < LIGHTS; ++light) {
         for (int fate = 0; fate < FATES; ++fate) {
-            most = fmax(most, off(all, band, alone, light, fate));
+            max = fmax(max, off(all, band, alone, light, fate));
         }
     }
-    return most;
+    return max;
 }
 
 static double mean_off(const run *r, size_t band, double want)

@@ -9,7 +9,7 @@
 #include "check.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 
@@ -66,16 +66,16 @@ static double error_of(const sums *s)
     return sqrt((s->squares / SEEDS - mean * mean) / (SEEDS - 1));
 }
 
-static murk_picture *taken(uint32_t seed, murk_render_method method)
+static murk_image *taken(uint32_t seed, murk_render_method method)
 {
     char own[32];
     snprintf(own, sizeof own, "seed=%lu", (unsigned long)seed);
     const char *const overrides[] = {own, NULL};
     murk_error err = {0};
     murk_traced *traced = NULL;
-    murk_picture *picture = NULL;
+    murk_image *picture = NULL;
     murk_stage *stage = stage_text_create(BOX, overrides);
-    if (!stage || murk_light_trace(&traced, stage, 0, 2, &err)) {
+    if (!stage || murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
@@ -102,7 +102,7 @@ static murk_picture *taken(uint32_t seed, murk_render_method method)
 
 /* Squares of what pixels are off by, in those of what they say: 1 in the mean.
  * Whole pictures are one number, since their pixels share records. */
-static double squares_told(const murk_picture *p)
+static double squares_told(const murk_image *p)
 {
     double off = 0, told = 0;
     for (size_t i = 0; i < PIXELS; ++i) {
@@ -118,11 +118,11 @@ static void test_radiance_and_errors(murk_render_method method,
     const double limit = murk_sidak_limit(1e-6, ZTESTS);
     sums mean = {0, 0}, pixels = {0, 0}, whole = {0, 0};
     for (uint32_t seed = 1; seed <= SEEDS; ++seed) {
-        murk_picture *p = taken(seed, method);
+        murk_image *p = taken(seed, method);
         take(&mean, p->mean[0]);
         take(&pixels, squares_told(p));
         take(&whole, pow((p->mean[0] - TRUTH) / p->mean_error[0], 2));
-        murk_picture_destroy(p);
+        murk_image_destroy(p);
     }
     printf("%s: %.5f +- %.5f, truth %.5f; squares over those told: pixels "
            "%.3f +- %.3f, means %.3f +- %.3f\n",

@@ -84,7 +84,7 @@ int main(int argc, char **argv)
 {
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     const double limit = murk_sidak_limit(1e-6, Z_TESTS);
-    murk_light lamps[TEST_WALLS];
+    murk_source lamps[TEST_WALLS];
     test_wall_lamps(&room, lamps);
     const double extinction = TWO_PERCENT / VISIBILITY_M;
     const murk_medium haze = test_medium(extinction, 1, .5);

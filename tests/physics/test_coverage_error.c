@@ -52,12 +52,12 @@ static measured measure(const char *extinction, const char *emit, unsigned seed)
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_stage *stage = stage_text_create(scene_text, overrides);
     const bool is_measured =
-        stage && !murk_light_trace(&traced, stage, 1, 1, &err) &&
+        stage && !murk_lightmap_trace(&traced, stage, 1, 1, &err) &&
         !murk_plan_sight(&sight, stage, traced, 1, &err) &&
-        !murk_coverage_measure(&coverage, sight, sensors, 2, &err);
+        !murk_coverage_result_measure(&coverage, sight, sensors, 2, &err);
     CHECK(is_measured);
     if (is_measured) {
         /* balanced: the mean of two fractions, each of independent records */
@@ -71,7 +71,7 @@ static measured measure(const char *extinction, const char *emit, unsigned seed)
     } else {
         printf("%s: %s\n", err.where, err.text);
     }
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);

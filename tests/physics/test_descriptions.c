@@ -13,7 +13,7 @@
 #include "check.h"
 #include "medium/grid_write.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -136,7 +136,7 @@ static light lit(const description *d, uint32_t seed, int photons)
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(text, NULL);
-    if (!stage || murk_light_trace(&traced, stage, 0, 1, &err)) {
+    if (!stage || murk_lightmap_trace(&traced, stage, 0, 1, &err)) {
         printf("%s: %s: %s\n", d->name, err.where, err.text);
         stage_text_destroy(stage);
         return out;
@@ -167,11 +167,11 @@ static double sigmas_between(murk_estimate a, murk_estimate b)
 /* The quantity that is farthest off. */
 static double farthest(const light *a, const light *b)
 {
-    double most = 0;
+    double max = 0;
     for (size_t i = 0; i < QUANTITIES; ++i) {
-        most = fmax(most, sigmas_between(a->quantity[i], b->quantity[i]));
+        max = fmax(max, sigmas_between(a->quantity[i], b->quantity[i]));
     }
-    return most;
+    return max;
 }
 
 int main(int argc, char **argv)

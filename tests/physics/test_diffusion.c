@@ -40,12 +40,12 @@ static void count_through(void *context, uint64_t batch,
 /* 1 / transmittance with its error; the slab is 1 m thick. */
 static murk_estimate resistance(double tau, double g, uint32_t seed)
 {
-    const murk_light lamp = {.type = MURK_LIGHT_RECT,
-                             .position = {-.5, -.5, 0},
-                             .edge1 = {1, 0, 0},
-                             .edge2 = {0, 1, 0},
-                             .power_w = {{1}},
-                             .where = "lamp"};
+    const murk_source lamp = {.type = MURK_SOURCE_RECT,
+                              .position = {-.5, -.5, 0},
+                              .edge1 = {1, 0, 0},
+                              .edge2 = {0, 1, 0},
+                              .power_w = {{1}},
+                              .where = "lamp"};
     const murk_medium medium = test_medium(tau, 1, g);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(
@@ -95,7 +95,7 @@ static double decay(double albedo)
 }
 
 /* The integral of r exp(-k r), which is what the light of a shell goes by. */
-static double shell(double k, double r0, double r1)
+static double boundary(double k, double r0, double r1)
 {
     return (r0 / k + 1 / (k * k)) * exp(-k * r0) -
            (r1 / k + 1 / (k * k)) * exp(-k * r1);
@@ -107,7 +107,8 @@ typedef struct far_away {
     double inner[LAMP_PHOTONS], outer[LAMP_PHOTONS];
 } far_away;
 
-static void note_shells(void *context, uint64_t batch, const murk_event *event)
+static void note_boundaries(void *context, uint64_t batch,
+                            const murk_event *event)
 {
     far_away *f = context;
     chords_note(&f->balls, batch, event);
@@ -118,7 +119,7 @@ static void note_shells(void *context, uint64_t batch, const murk_event *event)
 static void test_far_from_a_lamp(uint32_t seed)
 {
     const double albedo = .9, radius[] = {7, 8.5, 10.5, 13};
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_medium medium = test_medium(1, albedo, 0);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(
@@ -134,18 +135,18 @@ static void test_far_from_a_lamp(uint32_t seed)
     for (size_t i = 0; i < 4; ++i) {
         f->balls.place[i] = chord_ball(lamp.position, radius[i]);
     }
-    test_world_trace(&w, LAMP_PHOTONS, seed, note_shells, f);
+    test_world_trace(&w, LAMP_PHOTONS, seed, note_boundaries, f);
     const murk_estimate got =
         murk_ratio_estimate(f->outer, f->inner, LAMP_PHOTONS, LAMP_PHOTONS);
     const double k = decay(albedo), diffusion = sqrt(3 * (1 - albedo));
     CHECK_WITHIN(limit(), got.value,
-                 shell(k, radius[2], radius[3]) /
-                     shell(k, radius[0], radius[1]),
+                 boundary(k, radius[2], radius[3]) /
+                     boundary(k, radius[0], radius[1]),
                  got.standard_error);
     /* Teeth: diffusion's own constant. */
     CHECK(sigmas_off(got.value,
-                     shell(diffusion, radius[2], radius[3]) /
-                         shell(diffusion, radius[0], radius[1]),
+                     boundary(diffusion, radius[2], radius[3]) /
+                         boundary(diffusion, radius[0], radius[1]),
                      got.standard_error) > limit());
     free(f);
     test_world_unmade(&w);

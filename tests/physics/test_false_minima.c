@@ -63,20 +63,20 @@ static bool fit_all(counts *out, planted_field *field, const unsigned *seed,
         if (!planted_fit_once(&fit, field, seed[i], THREADS)) {
             return false;
         }
-        double most = 0;
+        double max = 0;
         for (size_t k = 0; k < tank.n; ++k) {
             const double off = fabs(fit.off.sigma[k]);
-            most = off <= most ? most : off; /* NaN, of no error, stays */
+            max = off <= max ? max : off; /* NaN, of no error, stays */
             out->within_1 += off < 1;
             out->within_2 += off < 2;
         }
-        const bool is_off = !(most <= OFF_MAX);
+        const bool is_off = !(max <= OFF_MAX);
         out->off += is_off;
         out->refused += !fit.is_accepted;
         if (is_off || !fit.is_accepted) {
             printf("seed %u, %zu starts: %.1f standard errors off, chi2 %.1f "
                    "of %ld, %s\n",
-                   seed[i], starts, most, fit.chi2, fit.degrees_of_freedom,
+                   seed[i], starts, max, fit.chi2, fit.degrees_of_freedom,
                    fit.is_accepted ? "accepted" : "refused");
         }
     }

@@ -57,7 +57,7 @@ static answer traced(const murk_medium *media, size_t n_media,
                      const murk_region *regions, size_t n_regions,
                      uint32_t seed)
 {
-    const murk_light light = test_point(murk_vec(1.1, 0.4, 0.3));
+    const murk_source light = test_point(murk_vec(1.1, 0.4, 0.3));
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {3, 2, 2}}, false},
                       .lights = &light,
@@ -86,14 +86,14 @@ static answer traced(const murk_medium *media, size_t n_media,
 /* The largest distance between two answers, in their standard errors. */
 static double apart(const answer *a, const answer *b)
 {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < MEASURES; ++i) {
         const murk_estimate *x = &a->measure[i], *y = &b->measure[i];
-        most =
-            fmax(most, sigmas_off(x->value, y->value,
-                                  hypot(x->standard_error, y->standard_error)));
+        max =
+            fmax(max, sigmas_off(x->value, y->value,
+                                 hypot(x->standard_error, y->standard_error)));
     }
-    return most;
+    return max;
 }
 
 static void check_same(const answer *a, const answer *b)

@@ -396,7 +396,7 @@ static slab_run run_slab(const murk_grid *grid, double extinction_per_m,
     const murk_region region = {.shape = MURK_REGION_GRID,
                                 .to_world = murk_affine_identity(),
                                 .where = "slab"};
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(11.2, 7.4, -0.5), murk_vec(0.6, 0, 0.8));
     test_world w = test_world_made(&(test_setup){
         .domain = {{{-0.5, -0.5, -0.5}, {39.5, 31.5, 23.5}}, true},

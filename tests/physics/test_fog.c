@@ -37,7 +37,7 @@ static void note_first(void *context, uint64_t batch, const murk_event *event)
  * 1/s^2 and 20/s^4. The walls are 20 optical depths away. */
 static void test_lamp_in_fog(uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_medium fog = test_medium(1, .5, .8);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(&(test_setup){.domain = hall,
@@ -74,7 +74,7 @@ static void note_kind(void *context, uint64_t batch, const murk_event *event)
 
 static test_world fog_box(double extinction, double albedo)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_medium fog = test_medium(extinction, albedo, 0);
     const murk_region region = test_everywhere(0);
     return test_world_made(&(test_setup){.domain = hall,
@@ -116,7 +116,7 @@ static void test_albedo_exactly_1(uint32_t seed)
 static void test_fog_crosses_a_wall(uint32_t seed)
 {
     const double s = 0.7;
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(-1, 0.3, 0.2), murk_vec(1, 0, 0));
     const murk_surface_desc wall = test_rect(
         murk_vec(1, -20, -20), murk_vec(0, 40, 0), murk_vec(0, 0, 40), 0);

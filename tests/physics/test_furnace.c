@@ -34,20 +34,20 @@ static double limit(void)
 }
 
 /* A watt a square metre into air, n^2 as much into water. */
-static murk_light wall_lamp(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2,
-                            double index)
+static murk_source wall_lamp(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2,
+                             double index)
 {
     const double area = murk_length(murk_cross(edge1, edge2));
-    return (murk_light){.type = MURK_LIGHT_RECT,
-                        .position = corner,
-                        .edge1 = edge1,
-                        .edge2 = edge2,
-                        .power_w = {{index * index * area}},
-                        .where = "wall"};
+    return (murk_source){.type = MURK_SOURCE_RECT,
+                         .position = corner,
+                         .edge1 = edge1,
+                         .edge2 = edge2,
+                         .power_w = {{index * index * area}},
+                         .where = "wall"};
 }
 
 /* Water stands a metre high. */
-static void light_walls(murk_light lamp[LAMPS], double index)
+static void light_walls(murk_source lamp[LAMPS], double index)
 {
     const murk_vec3 x = {4, 0, 0}, y = {0, 3, 0}, z = {0, 0, 1};
     const murk_vec3 far_x = x, far_y = y;
@@ -56,7 +56,7 @@ static void light_walls(murk_light lamp[LAMPS], double index)
     for (int i = 0; i < 2; ++i) {
         const murk_vec3 up = murk_scale(i, z);
         const double n = i == 0 ? index : 1;
-        murk_light *side = &lamp[2 + 4 * i];
+        murk_source *side = &lamp[2 + 4 * i];
         side[0] = wall_lamp(up, z, x, n);
         side[1] = wall_lamp(murk_add(up, far_y), x, z, n);
         side[2] = wall_lamp(up, y, z, n);
@@ -73,7 +73,7 @@ static murk_region with_index(murk_region region, double ior)
 /* Fluence rates per W/m2 that the walls send into air. */
 static void heat(double water, chords *c, uint32_t seed)
 {
-    murk_light lamps[LAMPS];
+    murk_source lamps[LAMPS];
     light_walls(lamps, WATER);
     const murk_material materials[] = {test_material(WALLS, 0, 0, 0),
                                        test_material(0, 0, 1, GLASS)};

@@ -73,7 +73,7 @@ static double fresnel(double degrees, double index)
 static passage through_plate(double degrees, double index, uint32_t seed)
 {
     const double a = degrees * MURK_PI / 180;
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(-3, 0.1, 2), murk_vec(sin(a), 0, -cos(a)));
     const murk_material glass = test_material(0, 0, 1, index);
     const murk_surface_desc plate =
@@ -116,7 +116,7 @@ static void test_plate_reflects_and_bends(uint32_t seed)
  * meet; all else is trapped for ever, and counted as lost. */
 static void test_cube_traps_light(uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(0.1, 0.2, 0.3));
+    const murk_source lamp = test_point(murk_vec(0.1, 0.2, 0.3));
     const murk_material glass = test_material(0, 0.4, 0.6, INDEX);
     const murk_surface_desc cube =
         test_box(murk_vec(-1, -1, -1), murk_vec(1, 1, 1), 0);
@@ -148,7 +148,7 @@ static void test_cube_traps_light(uint32_t seed)
  * through the middle, again and again. */
 static void test_lamp_inside_a_sphere(uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(5, 5, 5));
+    const murk_source lamp = test_point(murk_vec(5, 5, 5));
     const murk_material glass = test_material(0, 0, 1, INDEX);
     const murk_surface_desc ball = test_sphere(murk_vec(5, 5, 5), 2, 0);
     test_world w = test_world_made(
@@ -172,7 +172,7 @@ static void test_lamp_inside_a_sphere(uint32_t seed)
  * index. */
 static void test_sheet_does_not_bend(uint32_t seed)
 {
-    const murk_light beam = test_beam(murk_vec(0, 0, 2), murk_vec(1, 0.5, -1));
+    const murk_source beam = test_beam(murk_vec(0, 0, 2), murk_vec(1, 0.5, -1));
     const murk_material film = test_material(0, 0.3, 0.6, INDEX);
     const murk_surface_desc sheet = test_rect(
         murk_vec(-9, -9, 0), murk_vec(18, 0, 0), murk_vec(0, 18, 0), 0);

@@ -49,7 +49,7 @@ typedef struct contents {
 /* All walls shine alike; one watt in all. */
 static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
 {
-    murk_light lamps[TEST_WALLS];
+    murk_source lamps[TEST_WALLS];
     test_wall_lamps(&room, lamps);
     const murk_material materials[] = {
         test_material(in->reflectance, 0, 0, 0), test_material(0, 1, 0, 0),
@@ -228,7 +228,7 @@ static void test_inverse_square(uint32_t seed)
 {
     const double distance[] = {0, .3, 1, 2, 4};
     const double radius[] = {.2, .1, .3, .5, .9};
-    const murk_light lamp = test_point(murk_vec(.1, -.2, .3));
+    const murk_source lamp = test_point(murk_vec(.1, -.2, .3));
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-5, -5, -5}, {5, 5, 5}}, false},
                       .lights = &lamp,

@@ -17,7 +17,7 @@ static tale through_plate(double degrees, double extinction_per_m, double ior,
                           uint32_t seed)
 {
     const double a = degrees * MURK_PI / 180;
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.1, 0.1, 2), murk_vec(sin(a), 0, -cos(a)));
     const murk_medium glass = test_medium(extinction_per_m, 0, 0);
     const murk_region slab = with_index(
@@ -72,7 +72,7 @@ static void test_layers_share_faces(uint32_t seed)
         layers[i].to_world = murk_affine_place(turn, 1, shift);
     }
     const murk_affine *placed = &layers[0].to_world;
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_affine_point(placed, murk_vec(0.1, 0.2, 2)),
                   murk_affine_direction(placed, murk_vec(0, 0, -1)));
     const tale t =
@@ -96,7 +96,7 @@ static void test_layers_share_faces(uint32_t seed)
  * each other, or the water reaches into the glass, which counts for more. */
 static void test_glass_holds_water(uint32_t seed)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.13, 0.21, 2), murk_vec(0, 0, -1));
     const murk_material glass = test_material(0, 0, 1, GLASS);
     const murk_surface_desc panes[2] = {
@@ -139,7 +139,7 @@ static void test_glass_holds_water(uint32_t seed)
 
 static void test_descriptions_agree(uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(0.2, 0.1, -0.6));
+    const murk_source lamp = test_point(murk_vec(0.2, 0.1, -0.6));
     const murk_medium water = test_medium(1.5, 0.9, 0.6);
     murk_region same[4] = {
         below(0, 0, WATER),
@@ -174,7 +174,7 @@ static void test_descriptions_agree(uint32_t seed)
  * numbers, so nearly every photon fares alike. */
 static void test_region_is_like_a_solid(uint32_t seed)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(-2, 0.1, 2), murk_vec(1, 0.05, -0.9));
     const murk_vec3 min = {-1, -1, -1}, max = {1, 1, 1};
     const murk_region cube = with_index(test_box_region(0, min, max), GLASS);
@@ -222,7 +222,7 @@ static double escaping(double index)
 
 static tale from_under_water(double index, uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, -1));
+    const murk_source lamp = test_point(murk_vec(0, 0, -1));
     const murk_region sea = below(0, 0, index);
     return traced(&(test_setup){.domain = {{{-9, -9, -3}, {9, 9, 3}}, false},
                                 .lights = &lamp,

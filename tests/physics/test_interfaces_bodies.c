@@ -17,7 +17,7 @@
 static void test_lamp_in_a_ball(uint32_t seed)
 {
     const murk_vec3 middle = {5, 5, 5};
-    const murk_light lamp = test_point(middle);
+    const murk_source lamp = test_point(middle);
     const double tau = 0.4;
     const murk_medium murky = test_medium(tau / 2, 0, 0);
     const murk_region ball = with_index(test_ball_region(0, middle, 2), DENSE);
@@ -41,7 +41,7 @@ static void test_lamp_in_a_ball(uint32_t seed)
 static void test_balls_in_balls(uint32_t seed)
 {
     const murk_vec3 middle = {0, 0, 0};
-    const murk_light lamp = test_point(middle);
+    const murk_source lamp = test_point(middle);
     const murk_region balls[3] = {
         with_index(test_ball_region(0, middle, 4), 1.2),
         with_index(test_ball_region(0, middle, 3), WATER),
@@ -102,7 +102,7 @@ static void note_bow(void *context, uint64_t batch, const murk_event *event)
 static void test_ball_turns_light(uint32_t seed)
 {
     bow b = {.index = WATER, .offset = 0.6};
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(-3, 0.36, 0.48), murk_vec(1, 0, 0));
     const murk_region ball =
         with_index(test_ball_region(0, murk_vec(0, 0, 0), 1), WATER);
@@ -139,9 +139,9 @@ static const slab slabs[] = {
 
 static tale through_slab(const slab *s, bool is_diffuse, uint32_t seed)
 {
-    murk_light light = test_beam(murk_vec(0, 0, -0.5), murk_vec(0, 0, 1));
+    murk_source light = test_beam(murk_vec(0, 0, -0.5), murk_vec(0, 0, 1));
     if (is_diffuse) {
-        light.type = MURK_LIGHT_RECT;
+        light.type = MURK_SOURCE_RECT;
         light.position = murk_vec(-1, -1, -0.5);
         light.edge1 = murk_vec(2, 0, 0);
         light.edge2 = murk_vec(0, 2, 0);
@@ -189,7 +189,7 @@ static void test_slabs(uint32_t seed)
 /* Light starts in the face of a cube of index 1.37, 60 mm wide. */
 static tale in_cube(double index, uint32_t seed)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(30.1, 30.2, 0), murk_vec(0, 0, 1));
     const murk_medium fog = test_medium(1.005, 1 / 1.005, .01);
     const murk_region cube = with_index(

@@ -8,7 +8,7 @@
 #include "check.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 
@@ -35,8 +35,8 @@ static const char WATER[] =
     "regions=[{medium: water, box: {min_m: [0, 0, 0], max_m: [0.5, 4, 1]}, "
     "ior: 1.34}]";
 
-static murk_picture *taken(const murk_stage *stage, const murk_traced *traced,
-                           murk_render_method method, size_t samples)
+static murk_image *taken(const murk_stage *stage, const murk_traced *traced,
+                         murk_render_method method, size_t samples)
 {
     const murk_trace trace = murk_stage_trace(stage);
     const murk_render render = {
@@ -51,7 +51,7 @@ static murk_picture *taken(const murk_stage *stage, const murk_traced *traced,
         .to_nm = {550},
         .threads = 2};
     murk_error err = {0};
-    murk_picture *picture = NULL;
+    murk_image *picture = NULL;
     if (murk_render_run(&picture, &render, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
@@ -65,23 +65,23 @@ static void test_three_ways_agree(const char *const *overrides)
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(AQUARIUM, overrides);
-    if (!stage || murk_light_trace(&traced, stage, 0, 2, &err)) {
+    if (!stage || murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
-    murk_picture *path = taken(stage, traced, MURK_BY_PATHS, 600);
+    murk_image *path = taken(stage, traced, MURK_BY_PATHS, 600);
     static const murk_render_method ways[] = {MURK_BY_MAPS, MURK_BY_MAPS_ONLY};
     for (int i = 0; i < 2; ++i) {
-        murk_picture *map = taken(stage, traced, ways[i], 16);
+        murk_image *map = taken(stage, traced, ways[i], 16);
         const double error = hypot(map->mean_error[0], path->mean_error[0]);
         printf("paths %.4f +- %.4f, maps %.4f +- %.4f\n", path->mean[0],
                path->mean_error[0], map->mean[0], map->mean_error[0]);
         CHECK_WITHIN(limit, map->mean[0], path->mean[0], error);
         /* teeth: a fifth less */
         CHECK(sigmas_off(map->mean[0], 0.8 * path->mean[0], error) > limit);
-        murk_picture_destroy(map);
+        murk_image_destroy(map);
     }
-    murk_picture_destroy(path);
+    murk_image_destroy(path);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
 }

@@ -26,7 +26,7 @@
 #include "check.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -159,8 +159,8 @@ static murk_stage *made(const view *v)
         stage = stage_text_create(v->yaml, NULL);
     } else {
         murk_error err = {0};
-        murk_scene *scene = NULL;
-        if (murk_scene_read(&scene, v->path, NULL, 0, &err) ||
+        murk_scene_desc *scene = NULL;
+        if (murk_scene_desc_read(&scene, v->path, NULL, 0, &err) ||
             murk_stage_create(&stage, scene, &err)) {
             printf("%s: %s\n", err.where, err.text);
         }
@@ -174,20 +174,20 @@ static murk_stage *made(const view *v)
 static murk_traced *lit(const murk_stage *stage, uint64_t photons)
 {
     /* the stage is the test's own */
-    murk_scene *scene = (murk_scene *)(uintptr_t)stage->scene;
+    murk_scene_desc *scene = (murk_scene_desc *)(uintptr_t)stage->scene;
     scene->photons.emit = photons;
     murk_error err = {0};
     murk_traced *traced = NULL;
-    if (murk_light_trace(&traced, stage, 0, 2, &err)) {
+    if (murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
     return traced;
 }
 
-static murk_picture *taken(const view *v, const murk_stage *stage,
-                           const murk_traced *traced, murk_render_method method,
-                           size_t samples, uint32_t seed)
+static murk_image *taken(const view *v, const murk_stage *stage,
+                         const murk_traced *traced, murk_render_method method,
+                         size_t samples, uint32_t seed)
 {
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
@@ -206,7 +206,7 @@ static murk_picture *taken(const view *v, const murk_stage *stage,
                                 .to_nm = {550},
                                 .threads = 2};
     murk_error err = {0};
-    murk_picture *picture = NULL;
+    murk_image *picture = NULL;
     if (murk_render_run(&picture, &render, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
@@ -277,14 +277,14 @@ static void check_exact(const view *v, double want)
     murk_stage *stage = made(v);
     murk_traced *traced = lit(stage, 100000);
     for (murk_render_method m = MURK_BY_MAPS; m <= MURK_BY_MAPS_ONLY; ++m) {
-        murk_picture *p = taken(v, stage, traced, m, v->samples, 6);
+        murk_image *p = taken(v, stage, traced, m, v->samples, 6);
         const double ratio = p->mean[0] / want;
         printf("%s, exact, %s: %+.4f +- %.4f\n", v->name, name[m], ratio - 1,
                p->mean_error[0] / want);
         CHECK(fabs(ratio - 1) < OFF);
         CHECK(fabs(1.04 * ratio - 1) >= OFF && fabs(0.96 * ratio - 1) >= OFF);
         CHECK(p->lost == 0);
-        murk_picture_destroy(p);
+        murk_image_destroy(p);
     }
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
@@ -326,7 +326,7 @@ static void test_exact_solutions(void)
 
 /* What a picture's mean is off by, beyond its error and that of the truth, as
  * a share. */
-static double off_by(const murk_picture *picture, double mean, double error)
+static double off_by(const murk_image *picture, double mean, double error)
 {
     const double all = hypot(picture->mean_error[0], error);
     return fmax(0, fabs(picture->mean[0] - mean) - limit * all) / mean;
@@ -334,7 +334,7 @@ static double off_by(const murk_picture *picture, double mean, double error)
 
 /* By 1,000,000 photons the mean is off by less than 2 % as it stands, noise and
  * all, and knows it. Teeth: a truth 5 % off is not met. */
-static void check_flat(const view *v, const murk_picture *map)
+static void check_flat(const view *v, const murk_image *map)
 {
     const double ratio = map->mean[0] / v->mean;
     CHECK(fabs(ratio - 1) < BIAS);
@@ -344,7 +344,7 @@ static void check_flat(const view *v, const murk_picture *map)
 }
 
 /* Teeth: another truth is not met. */
-static void check_maps(const view *v, const char *name, const murk_picture *map)
+static void check_maps(const view *v, const char *name, const murk_image *map)
 {
     printf("%s, %s: %+.4f +- %.4f\n", v->name, name, map->mean[0] / v->mean - 1,
            hypot(map->mean_error[0], v->error) / v->mean);
@@ -361,23 +361,23 @@ static void check_maps(const view *v, const char *name, const murk_picture *map)
 static void test_three_ways_agree(const view *v)
 {
     murk_stage *stage = made(v);
-    murk_picture *path =
+    murk_image *path =
         taken(v, stage, NULL, MURK_BY_PATHS, is_nightly ? 6000 : 16, 5);
     printf("%s, paths: %.6g +- %.2g, told %.6g +- %.2g\n", v->name,
            path->mean[0], path->mean_error[0], v->mean, v->error);
     CHECK_WITHIN(limit, path->mean[0], v->mean,
                  hypot(path->mean_error[0], v->error));
     CHECK(path->lost == 0);
-    murk_picture_destroy(path);
+    murk_image_destroy(path);
     murk_traced *traced = lit(stage, is_nightly ? 1000000 : 100000);
-    murk_picture *maps = taken(v, stage, traced, MURK_BY_MAPS,
-                               v->samples * (is_nightly ? 8 : 1), 2);
+    murk_image *maps = taken(v, stage, traced, MURK_BY_MAPS,
+                             v->samples * (is_nightly ? 8 : 1), 2);
     check_maps(v, "maps", maps);
-    murk_picture *alone = taken(v, stage, traced, MURK_BY_MAPS_ONLY,
-                                v->samples * (is_nightly ? 8 : 1), 2);
+    murk_image *alone = taken(v, stage, traced, MURK_BY_MAPS_ONLY,
+                              v->samples * (is_nightly ? 8 : 1), 2);
     check_maps(v, "maps alone", alone);
-    murk_picture_destroy(maps);
-    murk_picture_destroy(alone);
+    murk_image_destroy(maps);
+    murk_image_destroy(alone);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
 }
@@ -391,8 +391,8 @@ typedef struct compared {
 } compared;
 
 /* z of what a block of size * size pixels is off by. */
-static double z_of_block(const murk_picture *a, const murk_picture *b,
-                         size_t left, size_t top, size_t size, double brighter)
+static double z_of_block(const murk_image *a, const murk_image *b, size_t left,
+                         size_t top, size_t size, double brighter)
 {
     double off = 0, squares = 0;
     for (size_t y = top; y < top + size; ++y) {
@@ -407,8 +407,8 @@ static double z_of_block(const murk_picture *a, const murk_picture *b,
     return off / sqrt(squares);
 }
 
-static compared compare(const murk_picture *a, const murk_picture *b,
-                        size_t size, double brighter, double surer)
+static compared compare(const murk_image *a, const murk_image *b, size_t size,
+                        double brighter, double surer)
 {
     compared c = {.count = (double)(PIXELS / size / size)};
     for (size_t y = 0; y < HEIGHT; y += size) {
@@ -438,8 +438,8 @@ static void check_seeds(const view *v, size_t samples, size_t size,
                         double brighter)
 {
     murk_stage *stage = made(v);
-    murk_picture *a = taken(v, stage, NULL, MURK_BY_PATHS, samples, 3);
-    murk_picture *b = taken(v, stage, NULL, MURK_BY_PATHS, samples, 4);
+    murk_image *a = taken(v, stage, NULL, MURK_BY_PATHS, samples, 3);
+    murk_image *b = taken(v, stage, NULL, MURK_BY_PATHS, samples, 4);
     const compared c = compare(a, b, size, 1, 1);
     printf("paths, seed by seed, %s: worst %.2f, mean %.2f (%g times brighter: "
            "%.2f), squares %.3f\n",
@@ -448,8 +448,8 @@ static void check_seeds(const view *v, size_t samples, size_t size,
     CHECK(is_like(c));
     CHECK(!is_like(compare(a, b, size, brighter, 1)));
     CHECK(!is_like(compare(a, b, size, 1, 2))); /* errors halved */
-    murk_picture_destroy(a);
-    murk_picture_destroy(b);
+    murk_image_destroy(a);
+    murk_image_destroy(b);
     stage_text_destroy(stage);
 }
 
@@ -476,8 +476,7 @@ static void test_errors_fall_with_photons(void)
     double before = INFINITY, pixels_before = INFINITY;
     for (uint64_t photons = 500; photons <= 128000; photons *= 16) {
         murk_traced *traced = lit(stage, photons);
-        murk_picture *map =
-            taken(room, stage, traced, MURK_BY_MAPS_ONLY, 24, 2);
+        murk_image *map = taken(room, stage, traced, MURK_BY_MAPS_ONLY, 24, 2);
         double squares = 0;
         for (size_t i = 0; i < PIXELS; ++i) {
             squares += (double)map->error[0][i] * (double)map->error[0][i];
@@ -491,7 +490,7 @@ static void test_errors_fall_with_photons(void)
         CHECK(pixels < pixels_before);
         before = map->mean_error[0];
         pixels_before = pixels;
-        murk_picture_destroy(map);
+        murk_image_destroy(map);
         murk_traced_destroy(traced);
     }
     stage_text_destroy(stage);

@@ -26,12 +26,12 @@ static murk_vec3 sun(void)
     return murk_unit(murk_vec(0.6, 0.4, 0.45));
 }
 
-static murk_light sky_of(int type)
+static murk_source sky_of(int type)
 {
-    return (murk_light){.type = MURK_LIGHT_DOME,
-                        .dome = murk_dome_cie(type, sun()),
-                        .power_w = {{100}},
-                        .where = "sky"};
+    return (murk_source){.type = MURK_SOURCE_DOME,
+                         .dome = murk_dome_cie(type, sun()),
+                         .power_w = {{100}},
+                         .where = "sky"};
 }
 
 /* Power forward through one plane per W of the light, times that power. */
@@ -52,7 +52,7 @@ static murk_estimate through(const test_setup *setup,
     trace.tallies = tallies;
     murk_trace_run(&trace, made.ledger);
     CHECK(murk_ledger_imbalance(made.ledger) == 0);
-    const double packet_w = murk_lights_power_w(made.lights) / (double)photons;
+    const double packet_w = murk_sources_power_w(made.lights) / (double)photons;
     const murk_estimate out =
         murk_tallies_read(tallies, 0, 0, 0, made.ledger->emitted, &packet_w);
     murk_tallies_destroy(tallies);
@@ -92,7 +92,7 @@ static void test_open_ground(uint32_t seed)
 {
     const murk_box box = {{-2, -1, 0}, {4, 3, 2}};
     for (int type = 1; type <= MURK_DOME_TYPES; ++type) {
-        const murk_light light = sky_of(type);
+        const murk_source light = sky_of(type);
         for (int periodic = 0; periodic < 2; ++periodic) {
             const test_setup setup = {
                 .domain = {box, periodic}, .lights = &light, .n_lights = 1};
@@ -157,13 +157,13 @@ static const murk_portal portals[3] = {
     {{0, 2, 1}, {0, 1, 0}, {0, 0, 1}},
     {{3, 2.2, 2.5}, {0, 0.8, 0}, {1, 0, 0}}};
 
-static void compare(const murk_light *light, uint64_t far, uint64_t near,
-                    double least_merit, uint32_t seed)
+static void compare(const murk_source *light, uint64_t far, uint64_t near,
+                    double min_merit, uint32_t seed)
 {
     murk_surface_desc wall[WALLS];
     const murk_material material[2] = {test_material(0.5, 0, 0, 0),
                                        test_material(0, 0, 0, 0)};
-    murk_light aimed = *light;
+    murk_source aimed = *light;
     aimed.portal = portals;
     aimed.portals = 3;
     test_setup setup = {.domain = {{{-3, -2, 0}, {5, 5, 4}}, false},
@@ -189,19 +189,19 @@ static void compare(const murk_light *light, uint64_t far, uint64_t near,
     printf("aimed %.4g +- %.2g, else %.4g +- %.2g W/m2: figure of merit %.1f\n",
            by_window.value, by_window.standard_error, all.value,
            all.standard_error, merit);
-    CHECK(merit > least_merit);
+    CHECK(merit > min_merit);
 }
 
 static void test_room_with_windows(uint32_t seed)
 {
-    const murk_light even = sky_of(5), clear = sky_of(12);
+    const murk_source even = sky_of(5), clear = sky_of(12);
     compare(&even, 1200000, 100000, 5, seed);
     compare(&clear, 1200000, 100000, 5, seed);
-    murk_light rays = {.type = MURK_LIGHT_DIRECTIONAL,
-                       .direction = murk_vec(0.5, 0.1, -0.8),
-                       .angular_radius_rad = 0.02,
-                       .power_w = {{100}},
-                       .where = "sun"};
+    murk_source rays = {.type = MURK_SOURCE_DIRECTIONAL,
+                        .direction = murk_vec(0.5, 0.1, -0.8),
+                        .angular_radius_rad = 0.02,
+                        .power_w = {{100}},
+                        .where = "sun"};
     compare(&rays, 1200000, 120000, 5, seed);
 }
 

@@ -88,13 +88,13 @@ static double length_of(const probe *p)
 }
 
 /* curvature: the largest |second derivative| along each axis. */
-static double bound_of(const probe *p, murk_vec3 curvature, double most)
+static double bound_of(const probe *p, murk_vec3 curvature, double max)
 {
     const murk_vec3 h = p->step_m;
     const double off = h.x * h.x / 8 * curvature.x +
                        h.y * h.y / 8 * curvature.y +
                        h.z * h.z / 8 * curvature.z;
-    return length_of(p) * (off + 0x1p-24 * most);
+    return length_of(p) * (off + 0x1p-24 * max);
 }
 
 /* Within the bound, and the same check would see 0.1 %. */
@@ -146,9 +146,9 @@ static void test_gaussian_puff(void)
     CHECK_NEAR(want, 9.78627302413, 5e-12);
     const probe p = {puff,          {-1.25, 0.5, -0.21}, {0.02, 0.02, 0.02},
                      {190, 21, 21}, {-1.2, b, 0},        {2.3, b, 0}};
-    const double most = 4 / (s * s); /* |f''| along any axis, at the centre */
+    const double max = 4 / (s * s); /* |f''| along any axis, at the centre */
     check_depth(depth_through_grid(&p, 1), want,
-                bound_of(&p, murk_vec(most, most, most), 4));
+                bound_of(&p, murk_vec(max, max, max), 4));
 }
 
 #define BALL_STEP_M 0.004

@@ -25,15 +25,16 @@ static double limit(void)
     return murk_sidak_limit(1e-6, CHECKS);
 }
 
-static murk_light sun(double zenith_deg, double azimuth_deg)
+static murk_source sun(double zenith_deg, double azimuth_deg)
 {
     const double zenith = zenith_deg * MURK_PI / 180,
                  azimuth = azimuth_deg * MURK_PI / 180;
-    return (murk_light){.type = MURK_LIGHT_DIRECTIONAL,
-                        .direction = {sin(zenith) * cos(azimuth),
-                                      sin(zenith) * sin(azimuth), -cos(zenith)},
-                        .power_w = {{1000}},
-                        .where = "sun"};
+    return (murk_source){.type = MURK_SOURCE_DIRECTIONAL,
+                         .direction = {sin(zenith) * cos(azimuth),
+                                       sin(zenith) * sin(azimuth),
+                                       -cos(zenith)},
+                         .power_w = {{1000}},
+                         .where = "sun"};
 }
 
 /* Power downwards through the level plane at z_m. */
@@ -59,7 +60,7 @@ static murk_estimate down_at(const test_setup *setup, bool continues,
     trace.tallies = tallies;
     murk_trace_run(&trace, made.ledger);
     CHECK(murk_ledger_imbalance(made.ledger) == 0);
-    const double packet_w = murk_lights_power_w(made.lights) / PHOTONS;
+    const double packet_w = murk_sources_power_w(made.lights) / PHOTONS;
     const murk_estimate out =
         murk_tallies_read(tallies, 0, 0, 0, made.ledger->emitted, &packet_w);
     murk_tallies_destroy(tallies);
@@ -79,7 +80,7 @@ static void check_at(test_setup setup, double z_m, double want, uint32_t seed)
 
 static void test_an_even_medium(uint32_t seed)
 {
-    const murk_light light = sun(60, 20);
+    const murk_source light = sun(60, 20);
     const murk_medium medium = test_medium(0.1, 0, 0);
     const murk_region region = test_everywhere(0);
     const test_setup setup = {.lights = &light,
@@ -99,7 +100,7 @@ static void test_an_even_medium(uint32_t seed)
 /* Fog over absorbing water: the beam bends at the surface outside, too. */
 static void test_fog_over_water(uint32_t seed)
 {
-    const murk_light light = sun(50, 65);
+    const murk_source light = sun(50, 65);
     const murk_medium media[2] = {test_medium(0.02, 0, 0),
                                   test_medium(0.15, 0, 0)};
     const murk_region regions[2] = {
@@ -122,10 +123,10 @@ static void test_fog_over_water(uint32_t seed)
 /* 2 E3(tau) = 2 integral of mu exp(-tau / mu). */
 static void test_an_even_sky(uint32_t seed)
 {
-    const murk_light light = {.type = MURK_LIGHT_DOME,
-                              .dome = {0},
-                              .power_w = {{1000}},
-                              .where = "sky"};
+    const murk_source light = {.type = MURK_SOURCE_DOME,
+                               .dome = {0},
+                               .power_w = {{1000}},
+                               .where = "sky"};
     const murk_medium medium = test_medium(0.08, 0, 0);
     const murk_region region = test_everywhere(0);
     double e3 = 0;
@@ -145,7 +146,7 @@ static void test_an_even_sky(uint32_t seed)
 /* Light from below crosses the layers below. */
 static void test_shares_by_hand(void)
 {
-    const murk_light light = sun(60, 0);
+    const murk_source light = sun(60, 0);
     const murk_medium medium = test_medium(0.1, 0.5, 0);
     const murk_region region =
         test_box_region(0, murk_vec(0, 0, 0), murk_vec(10, 10, 4));
@@ -160,7 +161,7 @@ static void test_shares_by_hand(void)
     murk_vec3 down = {sqrt(0.75), 0, -0.5}, up = {sqrt(0.75), 0, 0.5},
               level = {1, 0, 0};
     bool is_bent = true;
-    const murk_world *w = &made.world;
+    const murk_transport_world *w = &made.world;
     CHECK_NEAR(murk_outside_share(w, 0, murk_vec(0, 5, 3), &down, &is_bent),
                exp(-0.1 * 1 / 0.5), 1e-12);
     CHECK(!is_bent && down.z == -0.5);

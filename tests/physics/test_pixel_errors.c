@@ -74,17 +74,17 @@ static murk_stage *made(const view *v)
         return stage_text_create(v->yaml, NULL);
     }
     murk_error err = {0};
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_stage *stage = NULL;
-    if (murk_scene_read(&scene, v->path, NULL, 0, &err) ||
+    if (murk_scene_desc_read(&scene, v->path, NULL, 0, &err) ||
         murk_stage_create(&stage, scene, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
     return stage;
 }
 
-static murk_picture *taken(const view *v, const murk_stage *stage,
-                           size_t samples, uint32_t seed)
+static murk_image *taken(const view *v, const murk_stage *stage, size_t samples,
+                         uint32_t seed)
 {
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
@@ -103,7 +103,7 @@ typedef struct judged {
     double stated; /* mean squared error over the variance between seeds */
 } judged;
 
-static judged judge(const murk_picture *truth, murk_picture *const *picture,
+static judged judge(const murk_image *truth, murk_image *const *picture,
                     size_t seeds, double larger)
 {
     judged j = {0};
@@ -144,8 +144,8 @@ static void test_errors_are_honest(const view *v, size_t seeds,
     if (!stage) {
         exit(1);
     }
-    murk_picture *truth = taken(v, stage, truth_samples, 1000);
-    murk_picture *picture[SEEDS_MAX];
+    murk_image *truth = taken(v, stage, truth_samples, 1000);
+    murk_image *picture[SEEDS_MAX];
     double unsure = 0;
     for (size_t k = 0; k < seeds; ++k) {
         picture[k] = taken(v, stage, SAMPLES, (uint32_t)k + 1);
@@ -161,9 +161,9 @@ static void test_errors_are_honest(const view *v, size_t seeds,
     CHECK(!is_honest(judge(truth, picture, seeds, 0.75)));
     CHECK(!is_honest(judge(truth, picture, seeds, 1.25)));
     for (size_t k = 0; k < seeds; ++k) {
-        murk_picture_destroy(picture[k]);
+        murk_image_destroy(picture[k]);
     }
-    murk_picture_destroy(truth);
+    murk_image_destroy(truth);
     stage_text_destroy(stage);
 }
 

@@ -48,7 +48,7 @@ static double binomial(unsigned n, unsigned k, double p)
 }
 
 /* Fewer come with a chance of less than `chance`. */
-static unsigned least_of(unsigned n, double p, double chance)
+static unsigned min_of(unsigned n, double p, double chance)
 {
     unsigned k = 0;
     for (double below = binomial(n, 0, p); below <= chance;) {
@@ -57,27 +57,27 @@ static unsigned least_of(unsigned n, double p, double chance)
     return k;
 }
 
-static unsigned most_of(unsigned n, double p, double chance)
+static unsigned max_of(unsigned n, double p, double chance)
 {
-    return n - least_of(n, 1 - p, chance);
+    return n - min_of(n, 1 - p, chance);
 }
 
 typedef struct limits {
-    unsigned within_2, within_1, within_1_most;
+    unsigned within_2, within_1, within_1_max;
     double sigma; /* of sums of squares */
 } limits;
 
 static limits limits_of(unsigned n)
 {
     const double chance = BUDGET / (COUNTS + SUMS);
-    limits l = {.within_2 = least_of(n, WITHIN_2, chance),
-                .within_1 = least_of(n, WITHIN_1, chance),
-                .within_1_most = most_of(n, WITHIN_1, chance),
+    limits l = {.within_2 = min_of(n, WITHIN_2, chance),
+                .within_1 = min_of(n, WITHIN_1, chance),
+                .within_1_max = max_of(n, WITHIN_1, chance),
                 .sigma = murk_normal_upper(chance / 2)};
     if (n == SEEDS_NIGHTLY) { /* required of it */
         l.within_2 = l.within_2 > 82 ? l.within_2 : 82;
         l.within_1 = l.within_1 > 45 ? l.within_1 : 45;
-        l.within_1_most = l.within_1_most < 87 ? l.within_1_most : 87;
+        l.within_1_max = l.within_1_max < 87 ? l.within_1_max : 87;
     }
     return l;
 }
@@ -98,7 +98,7 @@ typedef struct tried {
     double along, plain_along; /* likewise, of those that know all */
     unsigned known;
     double residuals, freedom; /* of the rows */
-    double most_slope_noise;
+    double max_slope_noise;
 } tried;
 
 static bool try_all(tried *t, const planted_case *of, unsigned seeds)
@@ -118,7 +118,7 @@ static bool try_all(tried *t, const planted_case *of, unsigned seeds)
             break;
         }
         CHECK(fit.converged);
-        CHECK(fit.effective_share >= MURK_LEAST_SHARE);
+        CHECK(fit.effective_share >= MURK_MIN_SHARE);
         for (size_t k = 0; k < of->n; ++k) {
             t->sigma[i][k] = fit.off.sigma[k];
         }
@@ -130,7 +130,7 @@ static bool try_all(tried *t, const planted_case *of, unsigned seeds)
         }
         t->residuals += fit.chi2;
         t->freedom += (double)fit.degrees_of_freedom;
-        t->most_slope_noise = fmax(t->most_slope_noise, fit.slope_noise);
+        t->max_slope_noise = fmax(t->max_slope_noise, fit.slope_noise);
     }
     planted_close(&field);
     return is_well;
@@ -154,7 +154,7 @@ static void check_counts(const tried *t, const limits *l)
         printf("%-28s of %u: %u within one standard error, %u within two\n",
                t->of->key[k], t->n, one, two);
         CHECK(two >= l->within_2);
-        CHECK(one >= l->within_1 && one <= l->within_1_most);
+        CHECK(one >= l->within_1 && one <= l->within_1_max);
         halved_passes = halved_passes && one >= l->within_2 &&
                         within(t, k, .5) >= l->within_1;
     }
@@ -173,7 +173,7 @@ static void check_squares(const tried *t, const limits *l)
         "%.0f (%+.1f); noise of slopes up to %.2f draws them by %+.1f sigma, "
         "taking slopes for exact by %+.1f\n",
         t->of->name, t->square, freedom, off, t->residuals, t->freedom, rows,
-        t->most_slope_noise, t->along / sqrt(t->known),
+        t->max_slope_noise, t->along / sqrt(t->known),
         t->plain_along / sqrt(t->known));
     CHECK_WITHIN(l->sigma, off, 0, 1);
     CHECK_WITHIN(l->sigma, rows, 0, 1);
@@ -201,18 +201,18 @@ static void test_planted_parameters(unsigned seeds)
             freedom += (double)(t.n * t.of->n);
         }
     }
-    const double most = limits_of(seeds).sigma;
+    const double max = limits_of(seeds).sigma;
     const double off = normal_of_chi2(square, freedom);
     const double drawn = along / sqrt(known);
     const double plain_drawn = plain_along / sqrt(known);
     printf("all: chi2 %.1f of %.0f (%+.1f sigma); drawn by noise of slopes "
            "%+.1f sigma, taking them for exact %+.1f\n",
            square, freedom, off, drawn, plain_drawn);
-    CHECK_WITHIN(most, off, 0, 1);
-    CHECK_WITHIN(most, drawn, 0, 1);
+    CHECK_WITHIN(max, off, 0, 1);
+    CHECK_WITHIN(max, drawn, 0, 1);
     /* teeth: errors said to be half, and twice, as large */
-    CHECK(fabs(normal_of_chi2(4 * square, freedom)) > most);
-    CHECK(fabs(normal_of_chi2(square / 4, freedom)) > most);
+    CHECK(fabs(normal_of_chi2(4 * square, freedom)) > max);
+    CHECK(fabs(normal_of_chi2(square / 4, freedom)) > max);
 }
 
 /* ---- coverage alone ---- */

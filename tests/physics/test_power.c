@@ -26,19 +26,19 @@ static murk_estimate measure(const char *text, const murk_pose *pose, size_t n,
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_stage *stage = stage_text_create(text, overrides);
     const bool is_measured =
-        stage && !murk_light_trace(&traced, stage, 0, 2, &err) &&
+        stage && !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
         !murk_plan_sight(&sight, stage, traced, 2, &err) &&
-        !murk_coverage_measure(&coverage, sight, pose, n, &err);
+        !murk_coverage_result_measure(&coverage, sight, pose, n, &err);
     CHECK(is_measured);
     if (is_measured) {
         out = coverage.total;
     } else {
         printf("%s: %s\n", err.where, err.text);
     }
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
@@ -85,11 +85,11 @@ static double counts(double rho, double factor)
  * variance is that of 1 - exp(-x) + x exp(-x). */
 static double coverage_of_plate(double factor, double *sigma)
 {
-    const double most = sqrt(7 * 7 - HEIGHT * HEIGHT);
+    const double max = sqrt(7 * 7 - HEIGHT * HEIGHT);
     double mean = 0, first = 0, second = 0;
     for (int i = 0; i < STEPS; ++i) {
-        const double rho = (i + .5) * most / STEPS, x = counts(rho, factor);
-        const double share = 2 * MURK_PI * rho * most / STEPS / 400;
+        const double rho = (i + .5) * max / STEPS, x = counts(rho, factor);
+        const double share = 2 * MURK_PI * rho * max / STEPS / 400;
         const double f = 1 - exp(-x) + x * exp(-x);
         mean += share * (1 - exp(-x));
         first += share * f;

@@ -29,7 +29,7 @@ static double limit(void)
 static const murk_box yard = {{-5, -5, -5}, {5, 5, 5}};
 
 /* Eight lamps of 1/8 W in a ball. */
-static void ball_lamps(murk_vec3 center, murk_light lamp[BALL_LAMPS])
+static void ball_lamps(murk_vec3 center, murk_source lamp[BALL_LAMPS])
 {
     const double half = RECIPROCAL_R_M / sqrt(5);
     for (int i = 0; i < BALL_LAMPS; ++i) {
@@ -44,7 +44,7 @@ static void ball_lamps(murk_vec3 center, murk_light lamp[BALL_LAMPS])
 static murk_estimate given(const test_setup *yard_setup, murk_vec3 from,
                            murk_vec3 to, uint64_t photons, uint32_t seed)
 {
-    murk_light lamp[BALL_LAMPS];
+    murk_source lamp[BALL_LAMPS];
     ball_lamps(from, lamp);
     test_setup setup = *yard_setup;
     setup.domain.box = yard;

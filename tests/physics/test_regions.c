@@ -36,7 +36,7 @@ typedef struct layout {
     murk_region region[3];
     murk_mesh *mesh[3];
     murk_medium medium[2]; /* fog, clear */
-    murk_light light;
+    murk_source light;
     murk_surface_desc surface[2];
     murk_material material[2];
 } layout;
@@ -84,14 +84,14 @@ static void check_same(const ends *a, const ends *b)
     }
 }
 
-static double most_off(const ends *a, const ends *b)
+static double max_off(const ends *a, const ends *b)
 {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < SHARES; ++i) {
-        most = fmax(most, sigmas_off(a->share[i], b->share[i],
-                                     sigma_of(a->share[i], b->share[i])));
+        max = fmax(max, sigmas_off(a->share[i], b->share[i],
+                                   sigma_of(a->share[i], b->share[i])));
     }
-    return most;
+    return max;
 }
 
 /* The domain is [-1, 1]^3; all regions start as boxes of fog. */
@@ -202,7 +202,7 @@ static void test_a_grid_is_the_same_as_a_mesh(uint32_t seed)
     in_grid.region[0] = test_box_region(0, low, high);
     const ends c = traced(&in_grid, seed + 2), d = traced(&in_mesh, seed + 3);
     check_same(&c, &d);
-    CHECK(most_off(&c, &a) > 2 * limit());
+    CHECK(max_off(&c, &a) > 2 * limit());
     murk_grid_destroy(grid);
 }
 
@@ -245,8 +245,8 @@ static void test_would_notice_it(uint32_t seed)
     const ends ball = traced_ball(false, 1.33, 2, seed);
     const ends dense = traced_ball(true, 1.33, 2.4, seed + 1);
     const ends sharp = traced_ball(true, 1.46, 2, seed + 2);
-    CHECK(most_off(&dense, &ball) > 2 * limit());
-    CHECK(most_off(&sharp, &ball) > 2 * limit());
+    CHECK(max_off(&dense, &ball) > 2 * limit());
+    CHECK(max_off(&sharp, &ball) > 2 * limit());
 }
 
 /* ---- one in another, and surfaces in the face ---- */

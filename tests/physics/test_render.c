@@ -61,10 +61,10 @@ static murk_stage *made(const char *yaml)
     return stage;
 }
 
-static murk_picture *taken(const murk_stage *stage, const taking *t)
+static murk_image *taken(const murk_stage *stage, const taking *t)
 {
     murk_error err = {0};
-    murk_picture *picture = NULL;
+    murk_image *picture = NULL;
     const murk_trace trace = murk_stage_trace(stage);
     const murk_render render = {
         .trace = &trace,
@@ -89,11 +89,11 @@ static void test_even_light_stays_even_in_fog(void)
     const double limit = murk_sidak_limit(1e-6, ZTESTS);
     murk_stage *stage = made(FOG_BOX);
     const taking t = {{1, 2, 2}, {4, 2.2, 1.8}, 1.5, 40, 30, 32};
-    murk_picture *p = taken(stage, &t);
+    murk_image *p = taken(stage, &t);
     CHECK_WITHIN(limit, p->mean[0], FURNACE, p->mean_error[0]);
     CHECK(sigmas_off(p->mean[0], 1 / (MURK_PI * (1 - 0.62)), p->mean_error[0]) >
           limit);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     stage_text_destroy(stage);
 }
 
@@ -107,7 +107,7 @@ static void test_even_light_stays_even_in_fog(void)
  * side / sqrt(pi): 2 pi * radius times the rest. Not taken off is what the fog
  * dims on the way to the camera, far more than what scattering twice adds, of
  * the order of (extinction * side)^2. */
-static double most_added(void)
+static double max_added(void)
 {
     const double g = ASYMMETRY;
     double integral = 0;
@@ -122,10 +122,10 @@ static double most_added(void)
 }
 
 /* In standard errors, beyond what the target adds. */
-static double contrast_off(const murk_picture *p, double want)
+static double contrast_off(const murk_image *p, double want)
 {
     const double contrast = 1 - p->mean[0] / FURNACE;
-    const double off = fabs(contrast - want) - most_added();
+    const double off = fabs(contrast - want) - max_added();
     return off / (p->mean_error[0] / FURNACE);
 }
 
@@ -142,14 +142,14 @@ static void test_contrast_falls_as_koschmieder_says(void)
                           .width = 16,
                           .height = 16,
                           .samples = 200};
-        murk_picture *p = taken(stage, &t);
+        murk_image *p = taken(stage, &t);
         printf("%g m: contrast %.5f +- %.5f, law %.5f, at most %.5f added\n", d,
                1 - p->mean[0] / FURNACE, p->mean_error[0] / FURNACE,
-               exp(-EXTINCTION * d), most_added());
+               exp(-EXTINCTION * d), max_added());
         CHECK(contrast_off(p, exp(-EXTINCTION * d)) < limit);
         CHECK(contrast_off(p, exp(-EXTINCTION * 1.1 * d)) > limit);
         CHECK(contrast_off(p, exp(-EXTINCTION / 1.1 * d)) > limit);
-        murk_picture_destroy(p);
+        murk_image_destroy(p);
     }
     stage_text_destroy(stage);
 }

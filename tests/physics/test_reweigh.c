@@ -219,11 +219,11 @@ static void test_would_notice_a_wrong_weight(const followed_text *l)
         const char *const overrides[] = {wrong[i][0], wrong[i][1], NULL};
         murk_optics *at = optics_text_create(scene_text, overrides);
         const reweighed got = reweigh(l, at, NULL);
-        double most = 0;
+        double max = 0;
         for (size_t k = 0; k < SUMS; ++k) {
-            most = fmax(most, sigmas(got.value[k], want.value[k]));
+            max = fmax(max, sigmas(got.value[k], want.value[k]));
         }
-        CHECK(most > murk_sidak_limit(BUDGET, CHECKS));
+        CHECK(max > murk_sidak_limit(BUDGET, CHECKS));
         murk_optics_destroy(at);
     }
     followed_text_release(&other);

@@ -34,17 +34,18 @@ static void trace_anew(murk_estimate out[GROUPS], const char *override,
     murk_stage *stage = stage_text_create(scene_text, overrides);
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
-    CHECK(stage && !murk_light_trace(&traced, stage, stream, 2, NULL) &&
+    CHECK(stage && !murk_lightmap_trace(&traced, stage, stream, 2, NULL) &&
           !murk_plan_sight(&sight, stage, traced, 2, NULL));
     for (size_t g = 0, first = 0; g < GROUPS; ++g) {
         size_t n = 0;
         while (first + n < POSES && group_of[first + n] == g) {
             ++n;
         }
-        murk_coverage coverage = {0};
-        CHECK(!murk_coverage_measure(&coverage, sight, poses + first, n, NULL));
+        murk_coverage_result coverage = {0};
+        CHECK(!murk_coverage_result_measure(&coverage, sight, poses + first, n,
+                                            NULL));
         out[g] = coverage.total;
-        murk_coverage_release(&coverage);
+        murk_coverage_result_release(&coverage);
         first += n;
     }
     murk_sight_destroy(sight);

@@ -44,7 +44,7 @@ static void note_hit(void *context, uint64_t batch, const murk_event *event)
     }
 }
 
-static hits lit(const murk_light *lamp, const murk_surface_desc *surface,
+static hits lit(const murk_source *lamp, const murk_surface_desc *surface,
                 double radius_m, uint32_t seed)
 {
     test_world w = test_world_made(&(test_setup){.domain = hall,
@@ -72,7 +72,7 @@ static murk_surface_desc floor_at(double z)
 
 static void test_point_lamp_over_a_floor(uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const double height[] = {2, 4};
     for (int i = 0; i < 2; ++i) {
         const double h = height[i];
@@ -91,8 +91,8 @@ static void test_point_lamp_over_a_floor(uint32_t seed)
 /* A lamp that lies on its own ceiling lights the room all the same. */
 static void test_flat_lamp_over_a_floor(uint32_t seed)
 {
-    murk_light lamp = test_point(murk_vec(-1e-4, -1e-4, 2.7));
-    lamp.type = MURK_LIGHT_RECT;
+    murk_source lamp = test_point(murk_vec(-1e-4, -1e-4, 2.7));
+    lamp.type = MURK_SOURCE_RECT;
     lamp.edge1 = murk_vec(0, 2e-4, 0);
     lamp.edge2 = murk_vec(2e-4, 0, 0);
     const murk_surface_desc both[2] = {floor_at(0), floor_at(2.7)};
@@ -111,7 +111,7 @@ static void test_flat_lamp_over_a_floor(uint32_t seed)
 
 static void test_point_lamp_in_a_sphere_is_even(uint32_t seed)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_surface_desc ball = test_sphere(murk_vec(0, 0, 0), 5, 0);
     const hits h = lit(&lamp, &ball, 5, seed);
     CHECK(h.n == PHOTONS);
@@ -136,7 +136,7 @@ static void test_hits_in_a_closed_room(uint32_t seed)
     const double d = 0.8, mean = 1 / (1 - d);
     const double sigma = sqrt(d) / (1 - d) / sqrt(PHOTONS);
     const murk_material white = test_material(d, 0, 0, 0);
-    const murk_light lamp = test_point(murk_vec(1, 2, 0.5));
+    const murk_source lamp = test_point(murk_vec(1, 2, 0.5));
     for (int i = 0; i < 2; ++i) {
         const double x = i == 0 ? 8 : 7.3;
         const murk_surface_desc room =

@@ -13,7 +13,7 @@
 #include "render/render.h"
 #include "scene/table.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 
@@ -90,7 +90,7 @@ static radiances seen(murk_render_method method, const char *override,
     murk_traced *traced = NULL;
     murk_error err = {0};
     if (!stage || (method != MURK_BY_PATHS &&
-                   murk_light_trace(&traced, stage, 0, 2, &err))) {
+                   murk_lightmap_trace(&traced, stage, 0, 2, &err))) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
@@ -106,7 +106,7 @@ static radiances seen(murk_render_method method, const char *override,
                                     .from_nm = {550},
                                     .to_nm = {550},
                                     .threads = 2};
-        murk_picture *picture = NULL;
+        murk_image *picture = NULL;
         if (murk_render_run(&picture, &render, &err)) {
             printf("%s: %s\n", err.where, err.text);
             exit(1);
@@ -115,7 +115,7 @@ static radiances seen(murk_render_method method, const char *override,
         r.error[k % 2][k / 2] = picture->mean_error[0];
         /* the nearly level ones, which wrap until they count as lost */
         CHECK((double)picture->lost < 0.01 * (double)picture->rays);
-        murk_picture_destroy(picture);
+        murk_image_destroy(picture);
     }
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
@@ -125,7 +125,7 @@ static radiances seen(murk_render_method method, const char *override,
 /* Largest distance from the reference, in errors. */
 static double worst(const murk_table *table, const radiances *r, int tilts)
 {
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < 2 * tilts; ++k) {
         const double want = told(table, k % 2, tilt_deg[k / 2]);
         const double z =
@@ -133,9 +133,9 @@ static double worst(const murk_table *table, const radiances *r, int tilts)
         printf("%4.0f degrees, %s: %.5f +- %.5f, reference %.5f, z %.2f\n",
                tilt_deg[k / 2], k % 2 ? "below" : "above",
                r->mean[k % 2][k / 2], r->error[k % 2][k / 2], want, z);
-        most = fmax(most, z);
+        max = fmax(max, z);
     }
-    return most;
+    return max;
 }
 
 int main(void)

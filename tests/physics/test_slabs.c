@@ -57,9 +57,9 @@ static const set_up narrow = {.half_width_m = 0.5, .is_periodic = true};
 static ends traced(const slab *s, set_up how, uint32_t seed)
 {
     const double w = how.half_width_m;
-    murk_light light = test_beam(murk_vec(0.1, 0.2, 0), murk_vec(0, 0, 1));
+    murk_source light = test_beam(murk_vec(0.1, 0.2, 0), murk_vec(0, 0, 1));
     if (how.is_diffuse) {
-        light.type = MURK_LIGHT_RECT;
+        light.type = MURK_SOURCE_RECT;
         light.position = murk_vec(-w, -w, 0);
         light.edge1 = murk_vec(2 * w, 0, 0);
         light.edge2 = murk_vec(0, 2 * w, 0);

@@ -10,7 +10,7 @@
 #include "base/stats.h"
 #include "check.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 
@@ -39,7 +39,7 @@ static bool sums_by_photon(const char *store_when, const char *least_weight,
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(scene_text, overrides);
     const bool is_traced =
-        stage && !murk_light_trace(&traced, stage, 0, 2, &err);
+        stage && !murk_lightmap_trace(&traced, stage, 0, 2, &err);
     if (!is_traced) {
         printf("%s: %s\n", err.where, err.text);
         goto done;

@@ -21,8 +21,8 @@
 #include "check.h"
 #include "worlds.h"
 
-#define TALLIES_MOST 4
-#define CHECKS       40
+#define TALLIES_MAX 4
+#define CHECKS      40
 
 static double limit;
 
@@ -111,8 +111,8 @@ static void test_inverse_square(void)
 {
     const murk_domain domain = {{{-4, -4, -4}, {4, 4, 4}}, false};
     const murk_vec3 lamp = {0.3, -0.2, 0.1};
-    const murk_light light = test_point(lamp);
-    murk_tally_desc d[TALLIES_MOST] = {
+    const murk_source light = test_point(lamp);
+    murk_tally_desc d[TALLIES_MAX] = {
         sphere_tally(murk_add(lamp, murk_vec(0, 0.6, 0.8)), 0.7),
         sphere_tally(murk_add(lamp, murk_vec(2, -2, 1)), 0.7),
         sphere_tally(murk_add(lamp, murk_vec(-2.4, 0, -1.8)), 0.2),
@@ -153,10 +153,10 @@ static void test_closed_sphere(double least_weight)
 {
     const double rho = 0.8, radius = 2, height = 0.5;
     const murk_domain domain = {{{-2.1, -2.1, -2.1}, {2.1, 2.1, 2.1}}, false};
-    const murk_light light = test_point(murk_vec(0, 0, 0));
+    const murk_source light = test_point(murk_vec(0, 0, 0));
     const murk_material wall = test_material(rho, 0, 0, 0);
     const murk_surface_desc ball = test_sphere(murk_vec(0, 0, 0), radius, 0);
-    const murk_tally_desc d[TALLIES_MOST] = {
+    const murk_tally_desc d[TALLIES_MAX] = {
         sphere_tally(murk_vec(0, 0, 0), radius),
         {.name = "off",
          .type = MURK_TALLY_SPHERE,
@@ -237,7 +237,7 @@ static void test_absorbed_is_fluence(double least_weight)
 {
     const double extinction = 2, albedo = 0.9;
     const murk_domain domain = {{{0, 0, 0}, {2, 2, 2}}, false};
-    const murk_light light = test_point(murk_vec(0.5, 1, 1.2));
+    const murk_source light = test_point(murk_vec(0.5, 1, 1.2));
     const murk_medium fog = test_medium(extinction, albedo, 0.6);
     const murk_region region = test_everywhere(0);
     const test_setup setup = {.domain = domain,

@@ -58,7 +58,7 @@ typedef struct measured {
                            independent */
 } measured;
 
-static measured measure(const murk_world *world, uint64_t photons,
+static measured measure(const murk_transport_world *world, uint64_t photons,
                         uint32_t seed, double least_weight)
 {
     measured out;
@@ -81,10 +81,10 @@ static measured measure(const murk_world *world, uint64_t photons,
 
     uint64_t dealt[LAMPS];
     double packet_w[LAMPS];
-    murk_lights_deal(world->lights, photons, dealt);
+    murk_sources_deal(world->lights, photons, dealt);
     for (size_t c = 0; c < LAMPS; ++c) {
         packet_w[c] =
-            murk_lights_channel_power_w(world->lights, c) / (double)dealt[c];
+            murk_sources_channel_power_w(world->lights, c) / (double)dealt[c];
     }
     for (size_t i = 0; i < VALUES; ++i) {
         out.value[i] = murk_tallies_read(tallies, tally[i], 0, cell[i],
@@ -96,7 +96,7 @@ static measured measure(const murk_world *world, uint64_t photons,
     return out;
 }
 
-static void test_errors(const murk_world *world, double least_weight,
+static void test_errors(const murk_transport_world *world, double least_weight,
                         double limit)
 {
     const double p = erf(1 / sqrt(2.02));
@@ -133,8 +133,8 @@ static void test_errors(const murk_world *world, double least_weight,
 int main(void)
 {
     const double limit = murk_sidak_limit(1e-6, CHECKS);
-    murk_light lamps[LAMPS] = {test_point(murk_vec(1, 1, 1.5)),
-                               test_point(murk_vec(3.2, 2, 0.4))};
+    murk_source lamps[LAMPS] = {test_point(murk_vec(1, 1, 1.5)),
+                                test_point(murk_vec(3.2, 2, 0.4))};
     lamps[0].power_w.band[0] = 10;
     lamps[1].power_w.band[0] = 3;
     const murk_material wall = test_material(0.9, 0, 0, 0);

@@ -43,19 +43,19 @@ static const char room[] =
 static const char *seed_text = "seed=1";
 
 /* The one plan there is. */
-static murk_plan plan_of(const char *targets, const char *more)
+static murk_plan_result plan_of(const char *targets, const char *more)
 {
     char text[512];
     murk_error err = {0};
-    murk_plan plan = {0};
+    murk_plan_result plan = {0};
     murk_traced *traced = NULL;
     snprintf(text, sizeof text, "placement.targets=%s", targets);
     const char *const overrides[] = {text, more ? more : seed_text, seed_text,
                                      NULL};
     murk_stage *stage = stage_text_create(room, overrides);
     CHECK(stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
-          !murk_light_trace(&traced, stage, 0, 2, &err) &&
-          !murk_plan_make(&plan, stage, traced, 2, &err));
+          !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
+          !murk_plan_result_make(&plan, stage, traced, 2, &err));
     CHECK_TEXT(err.text, "");
     CHECK(!traced || murk_photon_map_count(traced->surface) == 0);
     murk_traced_destroy(traced);
@@ -75,12 +75,12 @@ static void check_coverage(murk_estimate got, double want, double wrong)
 static void check_both(const char *targets, const char *more, double want,
                        double wrong)
 {
-    murk_plan plan = plan_of(targets, more);
+    murk_plan_result plan = plan_of(targets, more);
     check_coverage(plan.in_sample.total, want, wrong);
     CHECK(plan.has_held_out);
     check_coverage(plan.held_out, want, wrong);
     CHECK(plan.held_out.value != plan.in_sample.total.value);
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
 }
 
 static void test_a_shadow_on_the_wall(void)
@@ -89,13 +89,13 @@ static void test_a_shadow_on_the_wall(void)
     const double seen = 1 - 2 * SHADOW / 4;
     check_both(far, NULL, seen, 1 - 1.15 * 2 * SHADOW / 4);
     /* The error of a share of independent points is known. */
-    murk_plan plan = plan_of(far, NULL);
+    murk_plan_result plan = plan_of(far, NULL);
     CHECK_NEAR(plan.in_sample.total.standard_error,
                sqrt(seen * (1 - seen) / 40000), 5e-5);
     CHECK(plan.targets.points == 40000);
     CHECK(plan.place.curve_points >= 1);
     CHECK(plan.place.proven_optimal);
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
 }
 
 /* ---- through gas ---- */
@@ -136,7 +136,7 @@ static void test_the_wall_through_gas(void)
 /* A region of interest is measured by itself, whatever it weighs. */
 static void test_a_region_of_the_wall(void)
 {
-    murk_plan plan =
+    murk_plan_result plan =
         plan_of("{surfaces: {materials: [far], points: 40000}}",
                 "placement.interest=[{name: right, weight: 4, box: {min_m: "
                 "[0, 1, 0], max_m: [4, 4, 3]}}]");
@@ -147,7 +147,7 @@ static void test_a_region_of_the_wall(void)
                    (3 - 1.1 * dark) / 3);
     check_coverage(plan.in_sample.total, (4 * (3 - dark) + 1) / 13,
                    (4 - dark) / 4);
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
 }
 
 /* A ball of 1 m about the sensor, short of all walls. */

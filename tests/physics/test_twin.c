@@ -46,7 +46,7 @@ static answer murk_answer(const plain_box *b, uint32_t seed)
 {
     const double extinction =
         b->matter.absorption_per_m + b->matter.scattering_per_m;
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(b->start_m[0], b->start_m[1], b->start_m[2]),
                   murk_vec(b->direction[0], b->direction[1], b->direction[2]));
     const double in_ball = b->ball.absorption_per_m + b->ball.scattering_per_m;

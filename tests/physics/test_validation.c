@@ -61,7 +61,7 @@ static void trace(validation *v, double albedo, uint32_t events_max)
     static const score_of through = {.kind = SCORE_ESCAPED, .way = 1};
     const scores score = {&through, 1};
     const validation_reference half = {"through", .5, 0};
-    const murk_light light = test_beam(murk_vec(0, 0, 0), murk_vec(0, 0, 1));
+    const murk_source light = test_beam(murk_vec(0, 0, 0), murk_vec(0, 0, 1));
     const murk_medium fog = test_medium(log(2), albedo, 0);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(

@@ -265,18 +265,18 @@ static void note_escape(void *context, uint64_t batch, const murk_event *event)
 static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
 {
     const murk_vec3 x = {3, 0, 0}, y = {0, 3, 0};
-    const murk_light lamps[] = {{.type = MURK_LIGHT_RECT,
-                                 .position = {0, 0, 2},
-                                 .edge1 = y,
-                                 .edge2 = x,
-                                 .power_w = {{1}},
-                                 .where = "sky"},
-                                {.type = MURK_LIGHT_RECT,
-                                 .position = {0, 0, -2},
-                                 .edge1 = x,
-                                 .edge2 = y,
-                                 .power_w = {{SEA_INDEX * SEA_INDEX}},
-                                 .where = "bottom"}};
+    const murk_source lamps[] = {{.type = MURK_SOURCE_RECT,
+                                  .position = {0, 0, 2},
+                                  .edge1 = y,
+                                  .edge2 = x,
+                                  .power_w = {{1}},
+                                  .where = "sky"},
+                                 {.type = MURK_SOURCE_RECT,
+                                  .position = {0, 0, -2},
+                                  .edge1 = x,
+                                  .edge2 = y,
+                                  .power_w = {{SEA_INDEX * SEA_INDEX}},
+                                  .where = "bottom"}};
     const murk_material materials[] = {test_material(1, 0, 0, 0),
                                        test_material(0, 0, 1, 1.5)};
     const murk_surface_desc surfaces[] = {
@@ -335,10 +335,10 @@ static murk_estimate from_a_bottom(double albedo, double mean_square_slope,
                                    uint32_t seed)
 {
     const uint64_t n = 50000;
-    const murk_light sun = {.type = MURK_LIGHT_DIRECTIONAL,
-                            .direction = {.6, 0, -.8},
-                            .power_w = {{1}},
-                            .where = "sun"};
+    const murk_source sun = {.type = MURK_SOURCE_DIRECTIONAL,
+                             .direction = {.6, 0, -.8},
+                             .power_w = {{1}},
+                             .where = "sun"};
     const murk_material sand = test_material(albedo, 0, 0, 0);
     const murk_surface_desc bottom =
         test_rect(murk_vec(0, 0, -1), murk_vec(3, 0, 0), murk_vec(0, 3, 0), 0);

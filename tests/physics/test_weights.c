@@ -26,7 +26,7 @@ static const slab slabs[] = {
     {.2, 0, 5, .035230, .008082},
 };
 
-static const double least_weights[] = {1, .3, 1e-2, MURK_LEAST_WEIGHT_MIN};
+static const double least_weights[] = {1, .3, 1e-2, MURK_MIN_WEIGHT_MIN};
 
 #define SLABS   (sizeof slabs / sizeof slabs[0])
 #define WEIGHTS (sizeof least_weights / sizeof least_weights[0])
@@ -53,7 +53,7 @@ typedef struct shares {
 static shares traced(const slab *s, double albedo, double least_weight,
                      uint32_t seed)
 {
-    const murk_light light = test_beam(murk_vec(.1, .2, 0), murk_vec(0, 0, 1));
+    const murk_source light = test_beam(murk_vec(.1, .2, 0), murk_vec(0, 0, 1));
     const murk_medium fog = test_medium(s->tau, albedo, s->g);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/crew.h"
+#include "base/pool.h"
 #include "cases/groups.h"
 
 typedef struct group {
@@ -72,14 +72,14 @@ static bool is_known(const char *word)
     return false;
 }
 
-static bool reads_number(const char *text, unsigned long least,
-                         unsigned long most, unsigned long *out)
+static bool reads_number(const char *text, unsigned long min, unsigned long max,
+                         unsigned long *out)
 {
     char *end = NULL;
     errno = 0;
     *out = text ? strtoul(text, &end, 10) : 0;
     return text && *text >= '0' && *text <= '9' && *end == '\0' && errno == 0 &&
-           *out >= least && *out <= most;
+           *out >= min && *out <= max;
 }
 
 static int write_csv(const validation *v, const char *path)
@@ -170,7 +170,7 @@ static void run(validation *v, const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {.settings = {.threads = murk_crew_processors(), .seed = 1}};
+    options o = {.settings = {.threads = murk_pool_processors(), .seed = 1}};
     const int status = read_options(&o, argc, argv);
     if (status) {
         return status;

@@ -25,15 +25,15 @@ static void print_misfit(const char *name, const clear_misfit *m)
  * for refraction. */
 static void test_the_sun_stands_where_the_station_says(const clear_day *day)
 {
-    double most = 0;
+    double max = 0;
     for (size_t i = 0; i < day->n; ++i) {
         if (day->minute[i].stated_zenith_deg < 80) {
-            most = fmax(most, fabs(day->minute[i].stated_zenith_deg -
-                                   day->minute[i].apparent_zenith_deg));
+            max = fmax(max, fabs(day->minute[i].stated_zenith_deg -
+                                 day->minute[i].apparent_zenith_deg));
         }
     }
-    printf("zenith angles: %.4f degrees off at most\n", most);
-    CHECK(most < 0.05);
+    printf("zenith angles: %.4f degrees off at most\n", max);
+    CHECK(max < 0.05);
 }
 
 int main(void)

@@ -40,7 +40,7 @@ static double read_number(const char *from, const char *key)
 }
 
 /* The file is flat enough to be scanned: each grid's keys follow "file". */
-static size_t read_figures(figures *all, size_t most)
+static size_t read_figures(figures *all, size_t max)
 {
     static char text[65536];
     FILE *file = fopen(FOLDER "vdb_stats.json", "r");
@@ -51,7 +51,7 @@ static size_t read_figures(figures *all, size_t most)
     fclose(file);
     size_t n = 0;
     const char *at = text;
-    while (n < most && (at = strstr(at, "\"file\"")) != NULL) {
+    while (n < max && (at = strstr(at, "\"file\"")) != NULL) {
         figures *f = &all[n++];
         read_text(at, "file", f->file, sizeof f->file);
         read_text(at, "grid", f->grid, sizeof f->grid);

@@ -11,8 +11,8 @@
  * clocks an hour wrong it fits worse by a quarter at least. Nothing is
  * random. */
 #include "check.h"
-#include "light/night_sky.h"
 #include "night_field.h"
+#include "source/night_sky.h"
 
 static void print_nights(const night_field *f, const night_fit *x)
 {

@@ -3,7 +3,7 @@
  * took. Every value and error of every cell is compared bit for bit. */
 #include "check.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 static const char scene_text[] =
     "murk: 1\n"
@@ -45,7 +45,7 @@ static book measured(const char *photons, const char *more, unsigned threads)
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(scene_text, overrides);
-    CHECK(stage && !murk_light_trace(&traced, stage, 0, threads, &err));
+    CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, threads, &err));
     if (traced) {
         size_t n = 0;
         out.emitted = traced->emitted;

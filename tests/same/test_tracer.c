@@ -54,8 +54,8 @@ static void keep(books *b, const murk_ledger *l)
  * and in a star of many facets, two lamps, periodic sides. */
 static books traced(unsigned threads, uint32_t seed)
 {
-    murk_light lights[2] = {test_point(murk_vec(1, 1, 2)),
-                            test_beam(murk_vec(3, 3, 3), murk_vec(-1, 1, -2))};
+    murk_source lights[2] = {test_point(murk_vec(1, 1, 2)),
+                             test_beam(murk_vec(3, 3, 3), murk_vec(-1, 1, -2))};
     lights[1].power_w.band[0] = 0.4;
     const murk_material materials[2] = {test_material(0.6, 0.1, 0.1, 0),
                                         test_material(0, 0, 0.99, 1.5)};

@@ -1,14 +1,14 @@
 #include "clear_day.h"
 
 #include "base/calendar.h"
-#include "light/clear_sky.h"
+#include "source/clear_sky.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define LEAST_LINKE 1.0
-#define MOST_LINKE  10.0
+#define MIN_LINKE 1.0
+#define MAX_LINKE 10.0
 
 /* a line holds the means of the minute that ends at its time */
 #define MIDDLE_S 30.0
@@ -120,7 +120,7 @@ static double badness(const clear_day *day, double linke)
 
 clear_fit clear_day_fit(const clear_day *day)
 {
-    double low = LEAST_LINKE, high = MOST_LINKE;
+    double low = MIN_LINKE, high = MAX_LINKE;
     while (high - low > 1e-4) { /* one valley: thirds */
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
         if (badness(day, a) < badness(day, b)) {

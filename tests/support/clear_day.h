@@ -9,7 +9,7 @@
 #ifndef MURK_TESTS_CLEAR_DAY_H
 #define MURK_TESTS_CLEAR_DAY_H
 
-#include "light/ephemeris.h"
+#include "source/ephemeris.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -167,7 +167,7 @@ static inline lit lit_with(const char *const *overrides, size_t media)
     CHECK_TEXT(err.text, "");
     l.traced = malloc(sizeof *l.traced);
     set_optics(l.traced, as_traced);
-    l.traced->optics.scene = (murk_scene *)(uintptr_t)l.stage->scene;
+    l.traced->optics.scene = (murk_scene_desc *)(uintptr_t)l.stage->scene;
     return l;
 }
 

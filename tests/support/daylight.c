@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #define PLANES  60
 #define TEXT    20000
@@ -16,12 +16,12 @@
  * ratios. */
 static void lay(double depth[PLANES], size_t n, const double *about_per_m)
 {
-    double least = INFINITY, most = 0;
+    double min = INFINITY, max = 0;
     for (size_t i = 0; i < n; ++i) {
-        least = fmin(least, about_per_m[i]);
-        most = fmax(most, about_per_m[i]);
+        min = fmin(min, about_per_m[i]);
+        max = fmax(max, about_per_m[i]);
     }
-    const double first = 1 / most, last = 6.5 / least;
+    const double first = 1 / max, last = 6.5 / min;
     depth[0] = SHALLOW * last;
     for (int k = 1; k < PLANES; ++k) {
         depth[k] = first * pow(last / first, (k - 1) / (PLANES - 2.));
@@ -105,7 +105,7 @@ void daylight_attenuation(murk_estimate *out, const char *water,
                     photons_a_band, seed);
         stage = stage_text_create(text, NULL);
     }
-    if (stage && murk_light_trace(&traced, stage, 0, 2, &err)) {
+    if (stage && murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
     for (size_t i = 0; i < n; ++i) {

@@ -37,10 +37,10 @@ static bool fits(const murk_media *media, const line *l,
         media, 0, 0, murk_along(l->from, c->distance_m - near, l->along));
     const double behind = murk_media_scattering(
         media, 0, 0, murk_along(l->from, c->distance_m + near, l->along));
-    const double least = fmin(before, behind), most = fmax(before, behind);
+    const double minimum = fmin(before, behind), maximum = fmax(before, behind);
     return c->distance_m >= 0 && c->distance_m <= l->length &&
-           c->scattering_per_m >= least * (1 - 1e-6) &&
-           c->scattering_per_m <= most * (1 + 1e-6);
+           c->scattering_per_m >= minimum * (1 - 1e-6) &&
+           c->scattering_per_m <= maximum * (1 + 1e-6);
 }
 
 static int ascending(const void *a, const void *b)
@@ -98,27 +98,28 @@ void test_flights_free(test_flights *flights)
 double test_flights_off_law(const test_flights *flights)
 {
     const double n = (double)flights->n;
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < flights->n; ++i) {
         const double y = flights->y[i];
-        most = fmax(most, fmax((double)(i + 1) / n - y, y - (double)i / n));
+        maximum =
+            fmax(maximum, fmax((double)(i + 1) / n - y, y - (double)i / n));
     }
-    return most * sqrt(n);
+    return maximum * sqrt(n);
 }
 
 double test_flights_apart(const test_flights *a, const test_flights *b)
 {
     const double n = (double)a->n, m = (double)b->n;
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0, j = 0; i < a->n && j < b->n;) {
         if (a->y[i] <= b->y[j]) {
             ++i;
         } else {
             ++j;
         }
-        most = fmax(most, fabs((double)i / n - (double)j / m));
+        maximum = fmax(maximum, fabs((double)i / n - (double)j / m));
     }
-    return most * sqrt(n * m / (n + m));
+    return maximum * sqrt(n * m / (n + m));
 }
 
 double test_flights_limit(double budget, double checks)

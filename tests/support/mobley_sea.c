@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #define TILE_M 0.5
 
@@ -73,7 +73,7 @@ mobley_light mobley_sea_lit(const mobley_sea *sea, uint64_t photons,
     murk_stage *stage = make(sea, photons, seed);
     murk_traced *traced = NULL;
     murk_error err = {0};
-    if (stage && murk_light_trace(&traced, stage, 0, 2, &err)) {
+    if (stage && murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
     if (traced) {

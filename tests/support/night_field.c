@@ -2,9 +2,9 @@
 
 #include "base/calendar.h"
 #include "check.h"
-#include "light/ephemeris.h"
-#include "light/moonlight.h"
-#include "light/night_sky.h"
+#include "source/ephemeris.h"
+#include "source/moonlight.h"
+#include "source/night_sky.h"
 
 #include <glob.h>
 

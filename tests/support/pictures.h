@@ -11,12 +11,12 @@
 #include <stdlib.h>
 
 /* The picture of `render` at 550 nm, of the light that `trace` describes. */
-static inline murk_picture *picture_of_trace(murk_render render,
-                                             const murk_trace *trace)
+static inline murk_image *picture_of_trace(murk_render render,
+                                           const murk_trace *trace)
 {
     render.trace = trace;
     render.from_nm[0] = render.to_nm[0] = 550;
-    murk_picture *picture = NULL;
+    murk_image *picture = NULL;
     murk_error err = {0};
     if (murk_render_run(&picture, &render, &err)) {
         printf("%s: %s\n", err.where, err.text);
@@ -26,8 +26,8 @@ static inline murk_picture *picture_of_trace(murk_render render,
 }
 
 /* The same of a world by seed 1. */
-static inline murk_picture *picture_of_world(murk_render render,
-                                             const test_world *world)
+static inline murk_image *picture_of_world(murk_render render,
+                                           const test_world *world)
 {
     murk_trace trace = murk_trace_defaults();
     trace.world = &world->world;

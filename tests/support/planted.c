@@ -64,13 +64,14 @@ bool planted_open(planted_field *f, const planted_case *of)
 {
     *f = (planted_field){.of = of};
     murk_error err = {0};
-    murk_status status = murk_scene_read(&f->scene, of->scene, NULL, 0, &err);
+    murk_status status =
+        murk_scene_desc_read(&f->scene, of->scene, NULL, 0, &err);
     if (!status) {
-        status = murk_donors_import(&f->donors, f->scene, &err);
+        status = murk_imported_stages_import(&f->imported, f->scene, &err);
     }
     if (!status) {
         status = murk_stage_import_beside(&f->stage, f->scene,
-                                          f->donors.stage[0], &err);
+                                          f->imported.stage[0], &err);
     }
     if (!status) {
         status = murk_stage_build(f->stage, &err);
@@ -89,9 +90,9 @@ void planted_close(planted_field *f)
 {
     free(f->truth);
     murk_measurements_destroy(f->measured);
-    murk_stage_destroy(f->stage); /* borrows of the donors */
-    murk_donors_release(&f->donors);
-    murk_scene_destroy(f->scene);
+    murk_stage_destroy(f->stage); /* borrows of the imported stages */
+    murk_imported_stages_release(&f->imported);
+    murk_scene_desc_destroy(f->scene);
     *f = (planted_field){0};
 }
 
@@ -119,7 +120,7 @@ desc_of(const planted_field *f, const murk_free_keys *keys, unsigned threads)
 {
     return (murk_calibration_desc){.keys = keys,
                                    .measured = f->measured,
-                                   .donors = &f->donors,
+                                   .imported = &f->imported,
                                    .loss_width = 1,
                                    .starts = f->starts ? f->starts : 1,
                                    .threads = threads,
@@ -309,7 +310,7 @@ murk_model *planted_model(const planted_field *field,
     const murk_model_desc desc = {.keys = keys,
                                   .measured = field->measured,
                                   .threads = 2,
-                                  .donors = &field->donors};
+                                  .imported = &field->imported};
     murk_model *model = NULL;
     murk_error err = {0};
     if (murk_model_create(&model, &desc, &err)) {

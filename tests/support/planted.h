@@ -27,8 +27,8 @@ extern const planted_case planted_fog, planted_smoke, planted_water,
 /* A case that is read; its files are imported. */
 typedef struct planted_field {
     const planted_case *of;
-    murk_scene *scene;
-    murk_donors donors;
+    murk_scene_desc *scene;
+    murk_imported_stages imported;
     murk_stage *stage; /* as it stands */
     murk_measurements *measured;
     double *truth; /* [measured->rows] what rows read at the planted values */

@@ -23,8 +23,7 @@ static bool counts(const score_of *s, const murk_event *event, double mu)
         is_direct(event) != (s->light == SCORE_DIRECT)) {
         return false;
     }
-    return s->mu_most == 0 ||
-           (fabs(mu) >= s->mu_least && fabs(mu) < s->mu_most);
+    return s->mu_max == 0 || (fabs(mu) >= s->mu_min && fabs(mu) < s->mu_max);
 }
 
 static double over_cosine(double mu)

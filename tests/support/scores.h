@@ -27,8 +27,8 @@ typedef struct score_of {
     score_light light;
     int way;
     double z_m;
-    double mu_least, mu_most; /* of |cosine| with z, [least, most); both 0: any
-                               */
+    double mu_min, mu_max; /* of |cosine| with z, [least, most); both 0: any
+                            */
 } score_of;
 
 /* The context of scores_add: n quantities in order. */

@@ -9,11 +9,12 @@
 
 #define OVERRIDES_MAX 16
 
-murk_scene *scene_text_create(const char *yaml, const char *const *overrides)
+murk_scene_desc *scene_text_create(const char *yaml,
+                                   const char *const *overrides)
 {
     char path[] = "/tmp/murk_test_scene_XXXXXX";
     murk_error err = {0};
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_override list[OVERRIDES_MAX];
     size_t n = 0;
     while (overrides && overrides[n] && n < OVERRIDES_MAX) {
@@ -23,7 +24,7 @@ murk_scene *scene_text_create(const char *yaml, const char *const *overrides)
     const int fd = mkstemp(path);
     if (fd < 0 || write(fd, yaml, strlen(yaml)) < 0) {
         printf("cannot write %s\n", path);
-    } else if (murk_scene_read(&scene, path, list, n, &err)) {
+    } else if (murk_scene_desc_read(&scene, path, list, n, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
     if (fd >= 0) {
@@ -37,10 +38,10 @@ murk_stage *stage_text_create(const char *yaml, const char *const *overrides)
 {
     murk_error err = {0};
     murk_stage *stage = NULL;
-    murk_scene *scene = scene_text_create(yaml, overrides);
+    murk_scene_desc *scene = scene_text_create(yaml, overrides);
     if (scene && murk_stage_create(&stage, scene, &err)) {
         printf("%s: %s\n", err.where, err.text);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
     return stage;
 }
@@ -49,8 +50,8 @@ void stage_text_destroy(murk_stage *stage)
 {
     if (stage) {
         /* the test made the scene, so it may also end it */
-        murk_scene *scene = (murk_scene *)(uintptr_t)stage->scene;
+        murk_scene_desc *scene = (murk_scene_desc *)(uintptr_t)stage->scene;
         murk_stage_destroy(stage);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
 }

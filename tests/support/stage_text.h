@@ -10,7 +10,8 @@
 murk_stage *stage_text_create(const char *yaml, const char *const *overrides);
 void stage_text_destroy(murk_stage *stage);
 
-/* The scene alone; the caller's: murk_scene_destroy(). */
-murk_scene *scene_text_create(const char *yaml, const char *const *overrides);
+/* The scene alone; the caller's: murk_scene_desc_destroy(). */
+murk_scene_desc *scene_text_create(const char *yaml,
+                                   const char *const *overrides);
 
 #endif

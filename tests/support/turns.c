@@ -4,11 +4,11 @@
 
 #include "base/rng.h"
 
-#define PI       3.14159265358979324
-#define BINS     40
-#define NEAREST  1e-5 /* rad */
-#define EDGES    4000
-#define LEAST_IN 20. /* samples expected in a bin */
+#define PI      3.14159265358979324
+#define BINS    40
+#define NEAREST 1e-5 /* rad */
+#define EDGES   4000
+#define MIN_IN  20. /* samples expected in a bin */
 
 /* Nodes and weights of the five-point rule on [-1, 1], Abramowitz & Stegun,
  * Handbook of Mathematical Functions, 1964, table 25.4. */
@@ -51,7 +51,7 @@ typedef struct bins {
 static bins bins_of(turn_density density, const void *context, uint64_t n)
 {
     bins b = {.n = 0};
-    const double least = fmax(1. / (BINS - 1), LEAST_IN / (double)n);
+    const double min = fmax(1. / (BINS - 1), MIN_IN / (double)n);
     const double all = turn_share(density, context, NEAREST, PI);
     double share = fmax(0, 1 - all), from = NEAREST;
     for (int i = 0; i < EDGES; ++i) {
@@ -59,10 +59,10 @@ static bins bins_of(turn_density density, const void *context, uint64_t n)
             i + 1 == EDGES ? PI : NEAREST * pow(PI / NEAREST, (i + 1.) / EDGES);
         share += turn_share(density, context, from, to);
         from = to;
-        if (i + 1 == EDGES && share < LEAST_IN / (double)n) {
+        if (i + 1 == EDGES && share < MIN_IN / (double)n) {
             b.share[b.n - 1] += share; /* the last one takes what is left */
             b.until[b.n - 1] = -1;
-        } else if (i + 1 == EDGES || share >= least) {
+        } else if (i + 1 == EDGES || share >= min) {
             b.until[b.n] = i + 1 == EDGES ? -1 : cos(to);
             b.share[b.n++] = share;
             share = 0;

@@ -11,7 +11,7 @@
 /* The first block, which tells how many photons the case needs. */
 #define BLOCK_FIRST (UINT64_C(32) * MURK_BATCH_PHOTONS)
 /* The largest: what its batches' sums take stays small. */
-#define BLOCK_MOST (UINT64_C(1024) * MURK_BATCH_PHOTONS)
+#define BLOCK_MAX (UINT64_C(1024) * MURK_BATCH_PHOTONS)
 
 /* Errors are estimates, too: a little more than needed spares a last, tiny
  * block. */
@@ -24,7 +24,7 @@
 #define CHANNELS_MAX 64
 
 /* A share of the emitted light that may be lost: far below every error. */
-#define LOST_MOST 1e-6
+#define LOST_MAX 1e-6
 
 /* Sums of one batch of photons; only the thread that traces it writes here. */
 typedef struct batch_sums {
@@ -141,7 +141,7 @@ static murk_estimate tallied(const sums *s, const validation_cell *cell)
             (double)murk_tally_read(&s->ledger->emitted[i]) / MURK_PACKET;
         packet_w[i] =
             packets > 0
-                ? murk_lights_channel_power_w(s->c->world->lights, i) / packets
+                ? murk_sources_channel_power_w(s->c->world->lights, i) / packets
                 : 0;
     }
     const double scale = cell->scale != 0 ? cell->scale : 1;
@@ -247,22 +247,22 @@ static void start(sums *s, const validation *v, const validation_case *c)
 static void trace_all(const validation *v, sums *s)
 {
     const validation_case *c = s->c;
-    const double most =
-        (double)(c->photons_most > 0 ? c->photons_most : UINT64_C(1) << 32);
+    const double max =
+        (double)(c->photons_max > 0 ? c->photons_max : UINT64_C(1) << 32);
     batch_sums *batch =
-        malloc((size_t)(BLOCK_MOST / MURK_BATCH_PHOTONS) * sizeof *batch);
+        malloc((size_t)(BLOCK_MAX / MURK_BATCH_PHOTONS) * sizeof *batch);
     if (!batch) {
         fprintf(stderr, "no memory for the sums of %s\n", c->name);
         exit(1);
     }
     double needed = (double)BLOCK_FIRST;
-    while ((double)s->photons < fmin(needed, most) &&
+    while ((double)s->photons < fmin(needed, max) &&
            !(c->is_wrong && s->photons > 0 && is_plainly_off(s))) {
-        const double left = fmin(needed, most) - (double)s->photons;
+        const double left = fmin(needed, max) - (double)s->photons;
         const double batches = ceil(left / MURK_BATCH_PHOTONS);
         const double growth = fmax((double)BLOCK_FIRST, 3 * (double)s->photons);
-        const double n = fmin(fmin(batches * MURK_BATCH_PHOTONS, growth),
-                              (double)BLOCK_MOST);
+        const double n =
+            fmin(fmin(batches * MURK_BATCH_PHOTONS, growth), (double)BLOCK_MAX);
         trace_block(v, batch, (uint64_t)n, s);
         needed = 0;
         for (size_t q = 0; q < c->quantities; ++q) {
@@ -279,7 +279,7 @@ static bool is_sound(const validation *v, const sums *s)
 {
     const double lost = lost_share(s->ledger);
     const int64_t imbalance = murk_ledger_imbalance(s->ledger);
-    const bool sound = imbalance == 0 && lost <= LOST_MOST;
+    const bool sound = imbalance == 0 && lost <= LOST_MAX;
     if (!sound) {
         fprintf(stderr, "%s/%s: imbalance %" PRId64 ", share lost %g\n",
                 v->group, s->c->name, imbalance, lost);

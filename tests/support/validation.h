@@ -68,7 +68,7 @@ typedef struct validation_case {
     const char *name;     /* within its group: "n 1 albedo .9 g .75 tau 2" */
     const char *source;   /* of the reference: author, year, table or doi */
     const char *is_wrong; /* not NULL: a twin, and what is wrong: "g .70" */
-    const murk_world *world;
+    const murk_transport_world *world;
     const validation_reference *reference; /* [quantities] */
     size_t quantities;
     validation_score score; /* mean score of a photon = reference value; NULL:
@@ -84,8 +84,8 @@ typedef struct validation_case {
     double error_scale;    /* references are in units of this; 0: 1. The
                               absolute bound on errors is 3e-5 of it */
     double exactness;      /* errors asked for are divided by this; 0: 1 */
-    uint64_t photons_most; /* 0: 2^32. Rows whose errors are not reached then
-                              are marked */
+    uint64_t photons_max;  /* 0: 2^32. Rows whose errors are not reached then
+                               are marked */
     const char *why_short; /* they may be in the nightly form, too, for this
                               reason, which is printed; NULL: they fail */
     uint32_t events_max;   /* 0: the tracer's own */
@@ -106,7 +106,7 @@ void validation_check(validation *v, const char *name, const char *source,
  * that many sigmas, where the run's own limit is wider. Its reference is a
  * bound: murk may be as far below as it likes, and not above. */
 void validation_mark_short(validation *v, const char *why_short);
-void validation_mark_limit(validation *v, double sigmas_most);
+void validation_mark_limit(validation *v, double sigmas_max);
 void validation_mark_bound(validation *v);
 
 /* For groups: whether a case of that name runs at all; the form; the error that

@@ -71,7 +71,7 @@ void validation_join(validation *v, const char *path)
         row->murk.value = number(t, i, "murk");
         row->murk.standard_error = number(t, i, "standard_error");
         row->is_quick = read_is_quick(t, i);
-        row->sigmas_most = number(t, i, "sigmas_most");
+        row->sigmas_max = number(t, i, "sigmas_most");
         row->is_bound = flag(t, i, "is_bound");
         row->is_short = flag(t, i, "is_short");
         snprintf(row->why_short, sizeof row->why_short, "%s",

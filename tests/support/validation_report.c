@@ -41,7 +41,7 @@ static double against(const validation_row *row)
 
 static bool is_refused(const validation_row *row, double limit)
 {
-    const double own = row->sigmas_most > 0 ? row->sigmas_most : limit;
+    const double own = row->sigmas_max > 0 ? row->sigmas_max : limit;
     return !(against(row) <= (row->is_bound ? 0 : fmin(own, limit)));
 }
 
@@ -62,14 +62,14 @@ static bool is_one_case(const validation_row *a, const validation_row *b)
 static const validation_row *farthest(const validation *v, size_t i,
                                       size_t *end)
 {
-    const validation_row *first = &v->row[i], *most = first;
+    const validation_row *first = &v->row[i], *max = first;
     for (; i < v->rows && is_one_case(&v->row[i], first); ++i) {
-        if (against(&v->row[i]) > against(most)) {
-            most = &v->row[i];
+        if (against(&v->row[i]) > against(max)) {
+            max = &v->row[i];
         }
     }
     *end = i;
-    return most;
+    return max;
 }
 
 typedef struct verdict {
@@ -133,8 +133,8 @@ static void markdown_row(const validation_row *row, double limit, FILE *out)
             : row->is_short       ? " *"
                                   : "",
             bold, validation_sigmas(row), bold);
-    if (row->sigmas_most > 0) {
-        fprintf(out, " (limit %g)", row->sigmas_most);
+    if (row->sigmas_max > 0) {
+        fprintf(out, " (limit %g)", row->sigmas_max);
     }
     fprintf(out, " | %.2e | %s%s |\n", (double)row->photons, row->source,
             row->is_unsound ? " **unsound**" : "");
@@ -242,7 +242,7 @@ void validation_csv(const validation *v, FILE *out)
                 row->group, form_of(row), v->settings.seed, row->name,
                 row->wrong, row->quantity, row->reference, row->uncertainty,
                 row->murk.value, row->murk.standard_error,
-                validation_sigmas(row), row->sigmas_most, row->is_bound,
+                validation_sigmas(row), row->sigmas_max, row->is_bound,
                 row->is_short, row->why_short, row->is_unsound, row->photons,
                 row->source);
     }

@@ -54,9 +54,9 @@ void validation_mark_short(validation *v, const char *why_short)
              why_short ? why_short : "");
 }
 
-void validation_mark_limit(validation *v, double sigmas_most)
+void validation_mark_limit(validation *v, double sigmas_max)
 {
-    v->row[v->rows - 1].sigmas_most = sigmas_most;
+    v->row[v->rows - 1].sigmas_max = sigmas_max;
 }
 
 void validation_mark_bound(validation *v)

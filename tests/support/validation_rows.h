@@ -11,11 +11,11 @@ typedef struct validation_row {
     double reference, uncertainty;
     murk_estimate murk;
     uint64_t photons;
-    double sigmas_most; /* 0: only the run's own limit */
-    bool is_bound;      /* murk may be anything up to the reference */
-    bool is_short;      /* photons ended before its error was reached */
-    bool is_quick;      /* its form */
-    bool is_unsound;    /* of a case that lost light, or whose ledger is off */
+    double sigmas_max; /* 0: only the run's own limit */
+    bool is_bound;     /* murk may be anything up to the reference */
+    bool is_short;     /* photons ended before its error was reached */
+    bool is_quick;     /* its form */
+    bool is_unsound;   /* of a case that lost light, or whose ledger is off */
 } validation_row;
 
 struct validation {

@@ -13,26 +13,30 @@ static void must(murk_status status, const murk_error *err)
 }
 
 /* Regions lie where their mesh does, moved as they say. */
-static void make_hulls(test_world *made, const test_setup *setup,
-                       murk_region *regions)
+static void make_boundary_meshes(test_world *made, const test_setup *setup,
+                                 murk_region *regions)
 {
-    murk_hull_desc desc[MURK_REGIONS_MAX];
+    murk_boundary_mesh_desc desc[MURK_REGIONS_MAX];
     murk_error err = {0};
     size_t n = 0;
     for (size_t i = 0; i < setup->n_regions; ++i) {
         regions[i] = setup->regions[i];
         if (regions[i].shape == MURK_REGION_MESH) {
-            desc[n++] = (murk_hull_desc){.region = (int)i,
-                                         .mesh = setup->mesh[i],
-                                         .to_world = regions[i].to_world};
+            desc[n++] =
+                (murk_boundary_mesh_desc){.region = (int)i,
+                                          .mesh = setup->mesh[i],
+                                          .to_world = regions[i].to_world};
         }
     }
     if (n > 0) {
-        must(murk_hulls_create(&made->hulls, desc, n, &err), &err);
+        must(murk_boundary_meshes_create(&made->boundary_meshes, desc, n, &err),
+             &err);
     }
     for (size_t i = 0; i < setup->n_regions; ++i) {
         if (regions[i].shape == MURK_REGION_MESH) {
-            regions[i].box = murk_hulls_describe(made->hulls, (int)i).bounds_m;
+            regions[i].box =
+                murk_boundary_meshes_describe(made->boundary_meshes, (int)i)
+                    .bounds_m;
         }
     }
 }
@@ -43,7 +47,7 @@ test_world test_world_made(const test_setup *setup)
     test_world made = {0};
     murk_error err = {0};
     murk_region regions[MURK_REGIONS_MAX];
-    make_hulls(&made, setup, regions);
+    make_boundary_meshes(&made, setup, regions);
     must(
         murk_surfaces_create(&made.surfaces, setup->surfaces, setup->n_surfaces,
                              setup->n_materials ? setup->materials : &black,
@@ -52,15 +56,16 @@ test_world test_world_made(const test_setup *setup)
     must(murk_media_create(&made.media, setup->media, setup->n_media, regions,
                            setup->n_regions, &setup->domain.box, &err),
          &err);
-    must(murk_lights_create(&made.lights, setup->lights, setup->n_lights, 1,
-                            &setup->domain, &err),
+    must(murk_sources_create(&made.lights, setup->lights, setup->n_lights, 1,
+                             &setup->domain, &err),
          &err);
-    made.world = (murk_world){.surfaces = made.surfaces,
-                              .media = made.media,
-                              .lights = made.lights,
-                              .domain = setup->domain,
-                              .bands = 1,
-                              .hulls = made.hulls};
+    made.world =
+        (murk_transport_world){.surfaces = made.surfaces,
+                               .media = made.media,
+                               .lights = made.lights,
+                               .domain = setup->domain,
+                               .bands = 1,
+                               .boundary_meshes = made.boundary_meshes};
     must(murk_ledger_create(&made.ledger, &made.world, &err), &err);
     return made;
 }
@@ -68,10 +73,10 @@ test_world test_world_made(const test_setup *setup)
 void test_world_unmade(test_world *world)
 {
     murk_ledger_destroy(world->ledger);
-    murk_lights_destroy(world->lights);
+    murk_sources_destroy(world->lights);
     murk_media_destroy(world->media);
     murk_surfaces_destroy(world->surfaces);
-    murk_hulls_destroy(world->hulls);
+    murk_boundary_meshes_destroy(world->boundary_meshes);
 }
 
 void test_world_trace(test_world *world, uint64_t n, uint32_t seed,
@@ -97,21 +102,21 @@ double test_photons(const test_world *world, const murk_tally *account)
     return (double)(quanta / MURK_PACKET);
 }
 
-murk_light test_beam(murk_vec3 origin, murk_vec3 direction)
+murk_source test_beam(murk_vec3 origin, murk_vec3 direction)
 {
-    return (murk_light){.type = MURK_LIGHT_BEAM,
-                        .position = origin,
-                        .direction = direction,
-                        .power_w = {{1}},
-                        .where = "beam"};
+    return (murk_source){.type = MURK_SOURCE_BEAM,
+                         .position = origin,
+                         .direction = direction,
+                         .power_w = {{1}},
+                         .where = "beam"};
 }
 
-murk_light test_point(murk_vec3 position)
+murk_source test_point(murk_vec3 position)
 {
-    return (murk_light){.type = MURK_LIGHT_POINT,
-                        .position = position,
-                        .power_w = {{1}},
-                        .where = "point"};
+    return (murk_source){.type = MURK_SOURCE_POINT,
+                         .position = position,
+                         .power_w = {{1}},
+                         .where = "point"};
 }
 
 murk_medium test_medium(double extinction_per_m, double albedo,
@@ -201,17 +206,17 @@ murk_surface_desc test_sphere(murk_vec3 center, double radius_m, int material)
     return s;
 }
 
-static murk_light wall_lamp(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
+static murk_source wall_lamp(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
 {
-    return (murk_light){.type = MURK_LIGHT_RECT,
-                        .position = corner,
-                        .edge1 = edge1,
-                        .edge2 = edge2,
-                        .power_w = {{murk_length(murk_cross(edge1, edge2))}},
-                        .where = "wall"};
+    return (murk_source){.type = MURK_SOURCE_RECT,
+                         .position = corner,
+                         .edge1 = edge1,
+                         .edge2 = edge2,
+                         .power_w = {{murk_length(murk_cross(edge1, edge2))}},
+                         .where = "wall"};
 }
 
-void test_wall_lamps(const murk_box *box, murk_light lamp[TEST_WALLS])
+void test_wall_lamps(const murk_box *box, murk_source lamp[TEST_WALLS])
 {
     const murk_vec3 o = box->min, size = murk_sub(box->max, box->min);
     const murk_vec3 x = {size.x, 0, 0}, y = {0, size.y, 0}, z = {0, 0, size.z};

@@ -7,11 +7,11 @@
 
 /* Room for a world's parts; owned by it. */
 typedef struct test_world {
-    murk_world world;
+    murk_transport_world world;
     murk_surfaces *surfaces;
     murk_media *media;
-    murk_lights *lights;
-    murk_hulls *hulls;
+    murk_sources *lights;
+    murk_boundary_meshes *boundary_meshes;
     murk_ledger *ledger;
 } test_world;
 
@@ -19,7 +19,7 @@ typedef struct test_world {
  * the default; none given: black. */
 typedef struct test_setup {
     murk_domain domain;
-    const murk_light *lights;
+    const murk_source *lights;
     size_t n_lights;
     const murk_surface_desc *surfaces;
     size_t n_surfaces;
@@ -44,8 +44,8 @@ void test_world_trace(test_world *world, uint64_t n, uint32_t seed,
 double test_photons(const test_world *world, const murk_tally *account);
 
 /* Parts with everything else as it should be. */
-murk_light test_beam(murk_vec3 origin, murk_vec3 direction);
-murk_light test_point(murk_vec3 position);
+murk_source test_beam(murk_vec3 origin, murk_vec3 direction);
+murk_source test_point(murk_vec3 position);
 murk_medium test_medium(double extinction_per_m, double albedo,
                         double mean_cosine);
 murk_region test_everywhere(size_t medium);
@@ -62,6 +62,6 @@ murk_surface_desc test_sphere(murk_vec3 center, double radius_m, int material);
 /* The six walls of a box as lamps that shine inwards by cosine law, all alike,
  * one watt together. */
 #define TEST_WALLS 6
-void test_wall_lamps(const murk_box *box, murk_light lamp[TEST_WALLS]);
+void test_wall_lamps(const murk_box *box, murk_source lamp[TEST_WALLS]);
 
 #endif

@@ -190,18 +190,18 @@ static void test_a_column_of_chlorophyll(void)
     const double deep = (double)f.size[2] * f.voxel_m;
     const murk_vec3 first = kind_first_middle(&kind_chlorophyll, &f);
     CHECK_NEAR(first.z, f.voxel_m / 2 - deep, 1e-12);
-    double sum = 0, most = 0, at = 0;
+    double sum = 0, max = 0, at = 0;
     for (size_t k = 0; k < f.size[2]; ++k) {
         const murk_vec3 p =
             murk_along(first, f.voxel_m, murk_vec(0, 0, (double)k));
         const double value = kind_chlorophyll.value(&f, p);
         sum += value * f.voxel_m;
-        at = value > most ? p.z : at;
-        most = fmax(most, value);
+        at = value > max ? p.z : at;
+        max = fmax(max, value);
     }
     CHECK_NEAR(sum, .1 * deep + 20, 1e-4); /* 4.7 widths to the surface */
     CHECK_NEAR(at, -70, f.voxel_m);
-    CHECK_NEAR(most, .1 + 20 / (15 * sqrt(2 * MURK_PI)), 2e-3);
+    CHECK_NEAR(max, .1 + 20 / (15 * sqrt(2 * MURK_PI)), 2e-3);
 }
 
 int main(int argc, char **argv)

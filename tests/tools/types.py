@@ -1,9 +1,32 @@
-"""Every struct, union and enum name of src/ is defined once: tools/house finds no other."""
+"""Every struct, union and enum name of src/ is defined once (tools/house finds no other), and the
+names of the handles of the public interface are taken by no type and no function inside murk."""
 import os
+import re
 import subprocess
 import sys
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-found = subprocess.run([os.path.join(TOP, "tools", "house"), "--list", "types"], capture_output=True, text=True, check=True)
-print(found.stdout, end="")
-sys.exit(1 if found.stdout.strip() else 0)
+HANDLES = "context scene world light sensors coverage plan study fit picture".split()
+# A word in a comment or a string, such as the key murk_study, is not a name of the program.
+TOKENS = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|(\bmurk_(?:%s)(?:_(?:create|read|destroy|set|get))?\b)"
+                    % "|".join(HANDLES), re.S)
+
+
+def reserved_names(text):
+    return [m[1] for m in TOKENS.finditer(text) if m[1]]
+
+
+assert reserved_names("typedef struct murk_plan { int a; } murk_plan; murk_scene_set(x); /* murk_fit */") == \
+    ["murk_plan", "murk_plan", "murk_scene_set"]
+house = [sys.executable, os.path.join(TOP, "tools", "house"), "--list", "types"]
+found = subprocess.run(house, capture_output=True, text=True, check=True).stdout
+files = subprocess.run(["git", "ls-files", "src/*.c", "src/*.h", "src/*.cpp"], cwd=TOP, check=True, capture_output=True,
+                       text=True).stdout.split()
+for name in files:
+    path = os.path.join(TOP, name)
+    if os.path.isfile(path):
+        with open(path, encoding="utf-8") as f:
+            for taken in reserved_names(f.read()):
+                found += f"{name}: {taken} is reserved for the public interface\n"
+print(found, end="")
+sys.exit(1 if found.strip() else 0)

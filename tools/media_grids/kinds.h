@@ -19,7 +19,7 @@
 /* A number that a user may give as NAME=VALUE. */
 typedef struct media_word {
     const char *name;
-    double usual, least, most;
+    double usual, min, max;
     const char *about;
 } media_word;
 

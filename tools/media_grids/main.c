@@ -14,13 +14,13 @@
 #define FRAMES_MAX 100000
 #define LONG_M     1e9
 
-typedef struct wish {
+typedef struct settings {
     const media_kind *kind;
     media_frame frame;
     const char *out;
     uint64_t frames; /* 0: one file, no sequence */
     double step_s;
-} wish;
+} settings;
 
 static void print_help(void)
 {
@@ -55,15 +55,15 @@ static const media_kind *kind_named(const char *name)
     return NULL;
 }
 
-static bool number_in(const char *text, double least, double most, double *out)
+static bool number_in(const char *text, double min, double max, double *out)
 {
-    return murk_number_parse(text, out) && *out >= least && *out <= most;
+    return murk_number_parse(text, out) && *out >= min && *out <= max;
 }
 
-static bool count_in(const char *text, uint64_t least, uint64_t most,
+static bool count_in(const char *text, uint64_t min, uint64_t max,
                      uint64_t *out)
 {
-    return murk_count_parse(text, out) && *out >= least && *out <= most;
+    return murk_count_parse(text, out) && *out >= min && *out <= max;
 }
 
 static murk_status refuse(murk_error *err, const char *where, const char *found,
@@ -101,7 +101,7 @@ static murk_status read_size(media_frame *f, const char *text, murk_error *err)
 }
 
 /* NAME=VALUE. */
-static murk_status read_word(wish *w, const char *text, murk_error *err)
+static murk_status read_word(settings *w, const char *text, murk_error *err)
 {
     for (int i = 0; i < KIND_WORDS_MAX && w->kind->words[i].name; ++i) {
         const media_word *word = &w->kind->words[i];
@@ -109,11 +109,10 @@ static murk_status read_word(wish *w, const char *text, murk_error *err)
         if (strncmp(text, word->name, n) != 0 || text[n] != '=') {
             continue;
         }
-        if (!number_in(text + n + 1, word->least, word->most,
-                       &w->frame.word[i])) {
+        if (!number_in(text + n + 1, word->min, word->max, &w->frame.word[i])) {
             return murk_fail(err, MURK_BAD_VALUE, word->name,
-                             "%.80s, must be %g..%g", text + n + 1, word->least,
-                             word->most);
+                             "%.80s, must be %g..%g", text + n + 1, word->min,
+                             word->max);
         }
         return MURK_OK;
     }
@@ -121,7 +120,7 @@ static murk_status read_word(wish *w, const char *text, murk_error *err)
                      "%.80s: no such number or option, see --help", text);
 }
 
-static murk_status read_option(wish *w, const char *name, const char *value,
+static murk_status read_option(settings *w, const char *name, const char *value,
                                murk_error *err)
 {
     uint64_t seed;
@@ -160,9 +159,10 @@ static bool is_option(const char *text)
     return false;
 }
 
-static murk_status read_wish(wish *w, int argc, char **argv, murk_error *err)
+static murk_status read_settings(settings *w, int argc, char **argv,
+                                 murk_error *err)
 {
-    *w = (wish){.kind = kind_named(argv[1]), .step_s = 1};
+    *w = (settings){.kind = kind_named(argv[1]), .step_s = 1};
     if (!w->kind) {
         return refuse(err, "make_media", argv[1],
                       "fog-bank, rain-shafts, plume or chlorophyll");
@@ -190,8 +190,8 @@ static murk_status read_wish(wish *w, int argc, char **argv, murk_error *err)
                   : refuse(err, "-o", "nothing", "the name of a file");
 }
 
-static murk_status write_frame(const wish *w, const char *path, float *value,
-                               murk_error *err)
+static murk_status write_frame(const settings *w, const char *path,
+                               float *value, murk_error *err)
 {
     kind_fill(w->kind, &w->frame, value);
     const char *const notes[] = {"unit", w->kind->unit, "medium", w->kind->name,
@@ -209,7 +209,7 @@ static murk_status write_frame(const wish *w, const char *path, float *value,
     return status;
 }
 
-static murk_status make(wish *w, murk_error *err)
+static murk_status make(settings *w, murk_error *err)
 {
     const size_t n = w->frame.size[0] * w->frame.size[1] * w->frame.size[2];
     float *value = malloc(n * sizeof *value);
@@ -237,9 +237,9 @@ int main(int argc, char **argv)
         print_help();
         return argc < 2 ? 2 : 0;
     }
-    wish w;
+    settings w;
     murk_error err = {0};
-    murk_status status = read_wish(&w, argc, argv, &err);
+    murk_status status = read_settings(&w, argc, argv, &err);
     if (!status) {
         status = make(&w, &err);
     }

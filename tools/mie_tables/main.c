@@ -200,12 +200,12 @@ static int check_all(const char *folder, bool is_quick)
 }
 
 /* Up to `most` numbers, by commas; 0 where the text is anything else. */
-static size_t read_numbers(const char *text, size_t most, double *out)
+static size_t read_numbers(const char *text, size_t max, double *out)
 {
     size_t n = 0;
     for (const char *at = text;;) {
         char *end;
-        if (n == most) {
+        if (n == max) {
             return 0;
         }
         out[n++] = strtod(at, &end);

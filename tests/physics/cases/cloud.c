@@ -17,7 +17,7 @@
 
 #include "cases/groups.h"
 #include "cases/reference.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #define SCENE            "tests/physics/scenes/step-cloud.yaml"
 #define SOURCE           "I3RC consensus, Cahalan et al. 2005"
@@ -101,19 +101,19 @@ static lit_cloud light_up(const validation *v, const experiment *x)
         list[n++].text = x->overrides[i];
     }
     murk_error err = {0};
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_stage *stage = NULL;
     murk_traced *light = NULL;
-    if (murk_scene_read(&scene, SCENE, list, n, &err) ||
+    if (murk_scene_desc_read(&scene, SCENE, list, n, &err) ||
         murk_stage_create(&stage, scene, &err) ||
-        murk_light_trace(&light, stage, 0, validation_threads(v), &err)) {
+        murk_lightmap_trace(&light, stage, 0, validation_threads(v), &err)) {
         die(&err);
     }
     lit_cloud out = {0};
     read_columns(light, scene->media[0].albedo.band[0], &out);
     murk_traced_destroy(light);
     murk_stage_destroy(stage);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return out;
 }
 

@@ -38,7 +38,7 @@ static void trace(validation *v, const char *name, const char *is_wrong,
     if (!validation_wants(v, name)) {
         return;
     }
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(30.1, 30.2, 0), murk_vec(0, 0, 1));
     const murk_medium fog =
         test_medium(1 + absorption, 1 / (1 + absorption), .01);

@@ -21,11 +21,11 @@
 #define INSIDE 1e-7
 
 /* Halves the time to the same error here, against roulette alone. */
-#define LEAST_WEIGHT .2
+#define MIN_WEIGHT .2
 
 /* Values below these are nightly only. */
-#define LEAST        1e-5
-#define QUICK_LEAST  1e-3
+#define MIN          1e-5
+#define QUICK_MIN    1e-3
 #define QUICK_BRIGHT .05
 
 #define DEPTHS_MAX 12
@@ -56,7 +56,7 @@ static void name_of(const murk_table *t, size_t row, char name[64])
 }
 
 static void add_depth(profile *p, const murk_table *t, size_t row,
-                      double least_value)
+                      double min_value)
 {
     static const char *const column[KINDS] = {"fluence", "down", "up"};
     static const score_of kind[KINDS] = {
@@ -69,7 +69,7 @@ static void add_depth(profile *p, const murk_table *t, size_t row,
     for (int k = 0; k < KINDS; ++k) {
         /* All light goes down through the face, where nothing mirrors it. */
         const bool is_plain = depth == 0 && k == 1 && !(p->of.index > 1);
-        if (is_plain || !(reference_number(t, row, column[k]) >= least_value)) {
+        if (is_plain || !(reference_number(t, row, column[k]) >= min_value)) {
             continue;
         }
         snprintf(p->quantity[p->n], sizeof p->quantity[p->n], "%s at %s cm",
@@ -85,7 +85,7 @@ static void add_depth(profile *p, const murk_table *t, size_t row,
 /* The rows of one profile follow one another. Returns the row after its last.
  */
 static size_t read_profile(profile *p, const murk_table *t, size_t row,
-                           double least_value)
+                           double min_value)
 {
     const double absorption = reference_number(t, row, "absorption_per_cm");
     const double scattering = reference_number(t, row, "scattering_per_cm");
@@ -101,7 +101,7 @@ static size_t read_profile(profile *p, const murk_table *t, size_t row,
         if (strcmp(name, p->name) != 0) {
             break;
         }
-        add_depth(p, t, row, least_value);
+        add_depth(p, t, row, min_value);
     }
     return row;
 }
@@ -150,7 +150,7 @@ static void trace_tallies(validation *v, const profile *p)
                                            .tallies = n,
                                            .cell = cell,
                                            .cells = n,
-                                           .least_weight = LEAST_WEIGHT});
+                                           .least_weight = MIN_WEIGHT});
     test_world_unmade(&w);
 }
 
@@ -169,7 +169,7 @@ static void trace(validation *v, const profile *p, const char *is_wrong)
                                            .quantities = p->n,
                                            .score = scores_add,
                                            .context = &score,
-                                           .least_weight = LEAST_WEIGHT});
+                                           .least_weight = MIN_WEIGHT});
     test_world_unmade(&w);
 }
 
@@ -179,8 +179,8 @@ void cases_depth(validation *v)
     const bool is_quick = validation_is_quick(v);
     for (size_t row = 0; row < t->rows;) {
         profile p, bright;
-        (void)read_profile(&bright, t, row, is_quick ? QUICK_BRIGHT : LEAST);
-        row = read_profile(&p, t, row, is_quick ? QUICK_LEAST : LEAST);
+        (void)read_profile(&bright, t, row, is_quick ? QUICK_BRIGHT : MIN);
+        row = read_profile(&p, t, row, is_quick ? QUICK_MIN : MIN);
         const bool is_slow = strcmp(p.name, "A, index 1.37") == 0;
         const bool is_thick = strncmp(p.name, "thick", strlen("thick")) == 0;
         if (!is_quick || !is_thick) {

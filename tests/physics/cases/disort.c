@@ -20,17 +20,17 @@
 #define HALF_WIDTH 50.0 /* of the domain where murk tallies */
 
 /* Pays where much is absorbed (src/README.md). */
-#define LEAST_WEIGHT .3
+#define MIN_WEIGHT .3
 
 /* The table of a phase function, made from the first n of its moments. */
-static murk_phase_table *table_of(const char *column, size_t most)
+static murk_phase_table *table_of(const char *column, size_t max)
 {
     static double chi[MOMENTS_MAX], angle_deg[MOMENTS_ROWS],
         phase_per_sr[MOMENTS_ROWS];
     const size_t n = moments_read(MOMENTS, column, chi);
     murk_phase_table *table = NULL;
     murk_error err = {0};
-    moments_tabulate(chi, n < most ? n : most, angle_deg, phase_per_sr);
+    moments_tabulate(chi, n < max ? n : max, angle_deg, phase_per_sr);
     const murk_phase_rows rows = {.rows = MOMENTS_ROWS,
                                   .angle_deg = angle_deg,
                                   .phase_per_sr = phase_per_sr,
@@ -44,7 +44,7 @@ static murk_phase_table *table_of(const char *column, size_t most)
 
 /* *table is NULL where the phase function needs none; the caller destroys it.
  */
-static murk_phase phase_of(const char *name, size_t most_moments,
+static murk_phase phase_of(const char *name, size_t max_moments,
                            murk_phase_table **table)
 {
     *table = NULL;
@@ -57,7 +57,7 @@ static murk_phase phase_of(const char *name, size_t most_moments,
     if (strcmp(name, "hg") == 0) {
         return murk_phase_hg(.75);
     }
-    *table = table_of(name, most_moments);
+    *table = table_of(name, max_moments);
     return murk_phase_tabulated(*table);
 }
 
@@ -109,7 +109,7 @@ static problem problem_of(const murk_table *t, size_t row)
 /* A twin has another phase function, or too few moments of its own. */
 static void trace(validation *v, const murk_table *t, size_t row,
                   const char *is_wrong, const murk_phase *instead,
-                  size_t most_moments)
+                  size_t max_moments)
 {
     const problem p = problem_of(t, row);
     if (!validation_wants(v, p.name)) {
@@ -117,7 +117,7 @@ static void trace(validation *v, const murk_table *t, size_t row,
     }
     murk_phase_table *table;
     const murk_phase phase =
-        phase_of(reference_text(t, row, "phase"), most_moments, &table);
+        phase_of(reference_text(t, row, "phase"), max_moments, &table);
     test_world w =
         layer_made(&(layer){.albedo = reference_number(t, row, "albedo"),
                             .phase = instead ? *instead : phase,
@@ -132,7 +132,7 @@ static void trace(validation *v, const murk_table *t, size_t row,
                                            .quantities = p.n,
                                            .score = scores_add,
                                            .context = &score,
-                                           .least_weight = LEAST_WEIGHT});
+                                           .least_weight = MIN_WEIGHT});
     test_world_unmade(&w);
     murk_phase_table_destroy(table);
 }
@@ -171,7 +171,7 @@ static void trace_plane(validation *v, const murk_table *t, size_t row)
                                            .tallies = 1,
                                            .cell = cell,
                                            .cells = 2,
-                                           .least_weight = LEAST_WEIGHT});
+                                           .least_weight = MIN_WEIGHT});
     test_world_unmade(&w);
     murk_phase_table_destroy(table);
 }

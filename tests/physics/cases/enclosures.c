@@ -65,12 +65,12 @@ static void black_box(validation *v, const char *is_wrong, double height)
 {
     const murk_surface_desc walls =
         test_box(murk_vec(0, 0, 0), murk_vec(size.x, size.y, size.z), 0);
-    const murk_light floor = {.type = MURK_LIGHT_RECT,
-                              .position = {0, 0, 0},
-                              .edge1 = {size.x, 0, 0},
-                              .edge2 = {0, size.y, 0},
-                              .power_w = {{1}},
-                              .where = "floor"};
+    const murk_source floor = {.type = MURK_SOURCE_RECT,
+                               .position = {0, 0, 0},
+                               .edge1 = {size.x, 0, 0},
+                               .edge2 = {0, size.y, 0},
+                               .power_w = {{1}},
+                               .where = "floor"};
     test_world w = test_world_made(&(test_setup){
         .domain = {{{-1, -1, -1}, {size.x + 1, size.y + 1, size.z + 1}}, false},
         .lights = &floor,
@@ -111,7 +111,7 @@ static void sphere(validation *v, const char *is_wrong, double diffuse)
     const double d = .8;
     const murk_surface_desc wall = test_sphere(murk_vec(0, 0, 0), RADIUS, 0);
     const murk_material white = test_material(diffuse, 0, 0, 0);
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-3, -3, -3}, {3, 3, 3}}, false},
                       .lights = &lamp,
@@ -149,7 +149,7 @@ static void sphere(validation *v, const char *is_wrong, double diffuse)
 static void furnished_room(validation *v, const char *is_wrong, double kept)
 {
     const murk_box room = {{0, 0, 0}, {4, 3, 2}};
-    murk_light lamp[TEST_WALLS];
+    murk_source lamp[TEST_WALLS];
     test_wall_lamps(&room, lamp);
     const murk_material materials[3] = {test_material(REFLECTED, 0, 0, 0),
                                         test_material(1 - kept, 0, 0, 0),

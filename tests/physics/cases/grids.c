@@ -246,7 +246,7 @@ static void run(validation *v, const grid_case *c)
     murk_region region = test_everywhere(0);
     region.shape = MURK_REGION_GRID;
     region.to_world = murk_affine_place(c->turned_deg, c->scale, c->moved_m);
-    const murk_light beam =
+    const murk_source beam =
         test_beam(c->from, murk_unit(murk_sub(c->to, c->from)));
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-40, -40, -40}, {40, 40, 40}}, false},

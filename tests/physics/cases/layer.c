@@ -16,13 +16,13 @@ static double half_width(const layer *of)
     return of->half_width > 0 ? of->half_width : WIDE;
 }
 
-static murk_light light_of(const layer *of, double z)
+static murk_source light_of(const layer *of, double z)
 {
     const double mu0 = of->mu0 > 0 ? of->mu0 : 1;
-    murk_light light =
+    murk_source light =
         test_beam(murk_vec(.1, .2, z), murk_vec(sqrt(1 - mu0 * mu0), 0, mu0));
     if (of->is_diffuse) {
-        light.type = MURK_LIGHT_RECT;
+        light.type = MURK_SOURCE_RECT;
         light.position = murk_vec(-1, -1, z);
         light.edge1 = murk_vec(2, 0, 0);
         light.edge2 = murk_vec(0, 2, 0);
@@ -35,7 +35,7 @@ test_world layer_made(const layer *of)
     const double tau = isinf(of->tau) ? DEEP : of->tau;
     const double air = of->index > 1 ? AIR : 0;
     const double wide = half_width(of);
-    murk_light light = light_of(of, -air);
+    murk_source light = light_of(of, -air);
     murk_medium medium = test_medium(1, of->albedo, 0);
     medium.phase[0] = of->phase;
     murk_region region = test_everywhere(0);

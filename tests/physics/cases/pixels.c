@@ -64,8 +64,8 @@ static const view views[] = {
     {"hollow ball", BALL, OF_BALL, {.5, .1, 0}, {0, 1, .3}},
     {"fog between shining walls", FOG, OF_FOG, {.5, 1, 1}, {2, 1.1, .9}}};
 
-static murk_picture *taken(const validation *v, const view *of,
-                           const murk_stage *stage, uint32_t seed)
+static murk_image *taken(const validation *v, const view *of,
+                         const murk_stage *stage, uint32_t seed)
 {
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
@@ -80,8 +80,8 @@ static murk_picture *taken(const validation *v, const view *of,
 }
 
 /* Of one seed's picture: squares of what is off, over those of the errors. */
-static void take_ratios(double *of_pixels, double *of_mean,
-                        const murk_picture *p, double radiance, double larger)
+static void take_ratios(double *of_pixels, double *of_mean, const murk_image *p,
+                        double radiance, double larger)
 {
     double off = 0, stated = 0;
     for (size_t i = 0; i < PIXELS; ++i) {
@@ -123,10 +123,10 @@ static void compare(validation *v, const view *of, const char *is_wrong,
     double of_pixels[SEEDS] = {NAN}, of_mean[SEEDS] = {NAN};
     murk_stage *stage = stage_text_create(of->yaml, NULL);
     for (int k = 0; stage && k < seeds; ++k) {
-        murk_picture *p =
+        murk_image *p =
             taken(v, of, stage, validation_seed(v) + 500 + (uint32_t)k);
         take_ratios(&of_pixels[k], &of_mean[k], p, of->radiance, larger);
-        murk_picture_destroy(p);
+        murk_image_destroy(p);
     }
     stage_text_destroy(stage);
     const uint64_t rays = (uint64_t)seeds * PIXELS * SAMPLES;

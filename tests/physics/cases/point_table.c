@@ -10,7 +10,7 @@
 /* Steps of the two integrals: the spline's over a shell, and over the
  * continuous spectrum in x, nu = tanh x, by the trapezoid rule: good to 1e-8
  * from r = .1 on. */
-#define SHELL_STEPS    256
+#define BOUNDARY_STEPS 256
 #define SPECTRUM_STEPS 16384
 #define SPECTRUM_END   20.0
 
@@ -75,13 +75,13 @@ static double spline_at(const point_table *t, double r)
                 (b * b * b - b) * t->curvature[i]);
 }
 
-double point_table_shell(const point_table *t, double r0, double r1)
+double point_table_boundary(const point_table *t, double r0, double r1)
 {
     double sum = 0;
-    for (int i = 0; i < SHELL_STEPS; ++i) {
-        sum += exp(spline_at(t, r0 + (r1 - r0) * (i + .5) / SHELL_STEPS));
+    for (int i = 0; i < BOUNDARY_STEPS; ++i) {
+        sum += exp(spline_at(t, r0 + (r1 - r0) * (i + .5) / BOUNDARY_STEPS));
     }
-    return sum / SHELL_STEPS;
+    return sum / BOUNDARY_STEPS;
 }
 
 double point_table_error(double stretch)
@@ -107,7 +107,7 @@ static double first_moment(double a, double r0, double r1)
            (r1 / a + 1 / (a * a)) * exp(-a * r1);
 }
 
-double point_exact_shell(double c, double r0, double r1)
+double point_exact_boundary(double c, double r0, double r1)
 {
     const double k = discrete_root(c), artanh_k = atanh(k);
     const double dc_dk = 1 / artanh_k - k / ((1 - k * k) * artanh_k * artanh_k);

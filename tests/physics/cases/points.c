@@ -22,20 +22,20 @@
 #include "cases/point_table.h"
 #include "check.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 #include "worlds.h"
 
-#define SOURCE_ISOTROPIC   "Case, de Hoffmann and Placzek 1953"
-#define SOURCE_HG          "P_N, N = 1199"
-#define HALF_M             60.0
-#define BLOCKS_LEAST       64
-#define SHELLS_MAX         POINT_RADII_MAX
-#define FARTHEST           10.0
-#define TALLY_STRETCH      1.1
-#define MAP_STRETCH        1.25
-#define PHOTONS_MOST_TALLY (UINT64_C(1) << 28)
-#define PHOTONS_MOST_MAP   (UINT64_C(1) << 28)
-#define WHY_SHORT          "photons end at 2.7e8, which take most of an hour"
+#define SOURCE_ISOTROPIC  "Case, de Hoffmann and Placzek 1953"
+#define SOURCE_HG         "P_N, N = 1199"
+#define HALF_M            60.0
+#define BLOCKS_MIN        64
+#define BOUNDARIES_MAX    POINT_RADII_MAX
+#define FARTHEST          10.0
+#define TALLY_STRETCH     1.1
+#define MAP_STRETCH       1.25
+#define PHOTONS_MAX_TALLY (UINT64_C(1) << 28)
+#define PHOTONS_MAX_MAP   (UINT64_C(1) << 28)
+#define WHY_SHORT         "photons end at 2.7e8, which take most of an hour"
 
 /* The medium of a table, and the one that is traced. */
 typedef struct source_case {
@@ -44,22 +44,22 @@ typedef struct source_case {
 } source_case;
 
 /* Shells about the radii of a table, and what they have collected. */
-typedef struct shells {
+typedef struct boundaries {
     size_t n;
-    double from[SHELLS_MAX], to[SHELLS_MAX];
-    validation_reference reference[SHELLS_MAX];
-    char quantity[SHELLS_MAX][48];
+    double from[BOUNDARIES_MAX], to[BOUNDARIES_MAX];
+    validation_reference reference[BOUNDARIES_MAX];
+    char quantity[BOUNDARIES_MAX][48];
     uint64_t photons, blocks;
-    double sum[SHELLS_MAX], square[SHELLS_MAX]; /* of blocks' means */
-} shells;
+    double sum[BOUNDARIES_MAX], square[BOUNDARIES_MAX]; /* of blocks' means */
+} boundaries;
 
-static void lay_shells(shells *s, const point_table *t, double stretch)
+static void lay_boundaries(boundaries *s, const point_table *t, double stretch)
 {
-    *s = (shells){0};
+    *s = (boundaries){0};
     for (size_t i = 1; i < t->n && t->r[i] <= FARTHEST; ++i) {
         const double r = t->r[i], r0 = r / stretch, r1 = r * stretch;
-        const double f = t->g == 0 ? point_exact_shell(t->albedo, r0, r1)
-                                   : point_table_shell(t, r0, r1);
+        const double f = t->g == 0 ? point_exact_boundary(t->albedo, r0, r1)
+                                   : point_table_boundary(t, r0, r1);
         snprintf(s->quantity[s->n], sizeof s->quantity[s->n],
                  "4 pi r^2 fluence, r %.3g..%.3g", r0, r1);
         s->from[s->n] = r0;
@@ -72,7 +72,7 @@ static void lay_shells(shells *s, const point_table *t, double stretch)
 }
 
 /* Block means of f by shell. */
-static void add_block(shells *s, const double *f, uint64_t photons)
+static void add_block(boundaries *s, const double *f, uint64_t photons)
 {
     for (size_t i = 0; i < s->n; ++i) {
         s->sum[i] += f[i];
@@ -82,7 +82,7 @@ static void add_block(shells *s, const double *f, uint64_t photons)
     ++s->blocks;
 }
 
-static murk_estimate estimate_of(const shells *s, size_t i)
+static murk_estimate estimate_of(const boundaries *s, size_t i)
 {
     const double n = (double)s->blocks, mean = s->sum[i] / n;
     return (murk_estimate){
@@ -90,10 +90,10 @@ static murk_estimate estimate_of(const shells *s, size_t i)
 }
 
 /* A wrong constant shows as soon as errors are known at all. */
-static bool are_done(const validation *v, const source_case *c, const shells *s,
-                     uint64_t most)
+static bool are_done(const validation *v, const source_case *c,
+                     const boundaries *s, uint64_t max)
 {
-    if (s->blocks < BLOCKS_LEAST) {
+    if (s->blocks < BLOCKS_MIN) {
         return false;
     }
     bool done = true;
@@ -101,11 +101,11 @@ static bool are_done(const validation *v, const source_case *c, const shells *s,
         done &= estimate_of(s, i).standard_error <=
                 validation_error_wanted(v, s->reference[i].value, 1);
     }
-    return done || c->traced_albedo != c->albedo || s->photons >= most;
+    return done || c->traced_albedo != c->albedo || s->photons >= max;
 }
 
 static void report(validation *v, const source_case *c, const char *name,
-                   const shells *s)
+                   const boundaries *s)
 {
     char wrong[32];
     snprintf(wrong, sizeof wrong, "albedo %g", c->traced_albedo);
@@ -126,10 +126,10 @@ static void report(validation *v, const source_case *c, const char *name,
 
 /* ---- by tallies ---- */
 
-static murk_tallies *balls_made(const shells *s, const test_world *w,
+static murk_tallies *balls_made(const boundaries *s, const test_world *w,
                                 unsigned threads)
 {
-    murk_tally_desc desc[2 * SHELLS_MAX] = {0};
+    murk_tally_desc desc[2 * BOUNDARIES_MAX] = {0};
     for (size_t i = 0; i < 2 * s->n; ++i) {
         desc[i].type = MURK_TALLY_SPHERE;
         desc[i].where = "ball";
@@ -164,9 +164,9 @@ static void trace_tallies(validation *v, const source_case *c)
         return;
     }
     const point_table table = point_table_read(c->albedo, c->g);
-    shells s;
-    lay_shells(&s, &table, TALLY_STRETCH);
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    boundaries s;
+    lay_boundaries(&s, &table, TALLY_STRETCH);
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_medium medium = test_medium(1, c->traced_albedo, c->g);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(&(test_setup){
@@ -182,17 +182,17 @@ static void trace_tallies(validation *v, const source_case *c)
     murk_tallies *tallies = balls_made(&s, &w, threads);
     const uint64_t block =
         (validation_is_quick(v) ? 8 : 64) * MURK_BATCH_PHOTONS;
-    double before[SHELLS_MAX] = {0};
+    double before[BOUNDARIES_MAX] = {0};
     murk_trace trace = murk_trace_defaults();
     trace.world = &w.world;
     trace.seed = validation_seed(v) + c->seed;
     trace.threads = threads;
     trace.tallies = tallies;
-    while (!are_done(v, c, &s, PHOTONS_MOST_TALLY)) {
+    while (!are_done(v, c, &s, PHOTONS_MAX_TALLY)) {
         trace.first = s.photons;
         trace.last = s.photons + block;
         murk_trace_run(&trace, w.ledger);
-        double f[SHELLS_MAX];
+        double f[BOUNDARIES_MAX];
         for (size_t i = 0; i < s.n; ++i) {
             const double length = length_in(tallies, 2 * i + 1, s.to[i], &w) -
                                   length_in(tallies, 2 * i, s.from[i], &w);
@@ -219,7 +219,7 @@ static const char map_scene[] =
 
 /* The mean of f in each shell from the records of one map, per photon. */
 static void read_map(const murk_traced *light, const murk_stage *stage,
-                     const shells *s, double *f)
+                     const boundaries *s, double *f)
 {
     const murk_vec3 lamp = {0, 0, 0};
     const murk_photon *photon = murk_photon_map_photons(light->volume);
@@ -260,22 +260,22 @@ static void trace_map(validation *v, const source_case *c)
         return;
     }
     const point_table table = point_table_read(c->albedo, c->g);
-    shells s;
-    lay_shells(&s, &table, MAP_STRETCH);
+    boundaries s;
+    lay_boundaries(&s, &table, MAP_STRETCH);
     const uint64_t block = validation_is_quick(v) ? 20000 : 200000;
-    while (!are_done(v, c, &s, PHOTONS_MOST_MAP)) {
+    while (!are_done(v, c, &s, PHOTONS_MAX_MAP)) {
         char text[1024];
         murk_error err = {0};
         murk_traced *light = NULL;
         snprintf(text, sizeof text, map_scene, c->traced_albedo, c->g, block,
                  seed_of_block(v, c, s.blocks));
         murk_stage *stage = stage_text_create(text, NULL);
-        if (!stage ||
-            murk_light_trace(&light, stage, 0, validation_threads(v), &err)) {
+        if (!stage || murk_lightmap_trace(&light, stage, 0,
+                                          validation_threads(v), &err)) {
             fprintf(stderr, "%s: %s\n", err.where, err.text);
             exit(1);
         }
-        double f[SHELLS_MAX] = {0};
+        double f[BOUNDARIES_MAX] = {0};
         read_map(light, stage, &s, f);
         add_block(&s, f, block);
         murk_traced_destroy(light);
@@ -303,15 +303,15 @@ static void check_table(double albedo)
     for (size_t i = 1; i < t.n && t.r[i] <= FARTHEST; ++i) {
         const double r = t.r[i], thin = 1e-5;
         const double at =
-            point_exact_shell(albedo, r * (1 - thin), r * (1 + thin));
+            point_exact_boundary(albedo, r * (1 - thin), r * (1 + thin));
         require(fabs(point_table_at(&t, i) / at - 1) < 3e-7,
                 "table and formula differ", albedo, r);
         for (int k = 0; k < 2; ++k) {
             const double stretch = k ? TALLY_STRETCH : MAP_STRETCH;
             const double exact =
-                point_exact_shell(albedo, r / stretch, r * stretch);
+                point_exact_boundary(albedo, r / stretch, r * stretch);
             const double spline =
-                point_table_shell(&t, r / stretch, r * stretch);
+                point_table_boundary(&t, r / stretch, r * stretch);
             require(fabs(spline / exact - 1) < point_table_error(stretch),
                     "the spline errs by more than it says", albedo, r);
         }

@@ -145,8 +145,8 @@ static void trace_angles(validation *v, const char *is_wrong, double g,
         of[k] = (score_of){.kind = SCORE_ESCAPED,
                            .light = SCORE_DIFFUSE,
                            .way = k < BINS ? -1 : 1,
-                           .mu_least = bin / BINS,
-                           .mu_most = bin + 1 == BINS ? 2 : (bin + 1) / BINS};
+                           .mu_min = bin / BINS,
+                           .mu_max = bin + 1 == BINS ? 2 : (bin + 1) / BINS};
     }
     const scores score = {of, 2 * BINS};
     trace_layer(v,

@@ -103,10 +103,10 @@ static void add_depth(depths *d, const murk_table *t, size_t row)
 static test_world sea_made(const water *w)
 {
     const double sine = sqrt(1 - SUN_COSINE * SUN_COSINE);
-    const murk_light sun = {.type = MURK_LIGHT_DIRECTIONAL,
-                            .direction = {sine, 0, -SUN_COSINE},
-                            .power_w = {{ED_SURFACE / SUN_COSINE}},
-                            .where = "sun"};
+    const murk_source sun = {.type = MURK_SOURCE_DIRECTIONAL,
+                             .direction = {sine, 0, -SUN_COSINE},
+                             .power_w = {{ED_SURFACE / SUN_COSINE}},
+                             .where = "sun"};
     murk_medium medium =
         test_medium(1, w->traced_albedo > 0 ? w->traced_albedo : w->albedo, 0);
     medium.phase[0] = w->phase;
@@ -130,7 +130,7 @@ static test_world sea_made(const water *w)
  * the light is left, the common one would say nothing. */
 typedef struct stretch {
     const char *name;
-    double tau_least, tau_most;
+    double tau_min, tau_max;
     double bound;
 } stretch;
 
@@ -148,7 +148,7 @@ static void trace(validation *v, const murk_table *t, const water *w,
         const double tau = reference_number(t, row, "tau");
         if (reference_number(t, row, "problem") == w->problem &&
             reference_number(t, row, "albedo") == w->albedo &&
-            tau >= at->tau_least && tau <= at->tau_most && d.n < DEPTHS_MAX) {
+            tau >= at->tau_min && tau <= at->tau_max && d.n < DEPTHS_MAX) {
             add_depth(&d, t, row);
         }
     }

@@ -9,7 +9,7 @@
 #include "scores.h"
 
 /* Pays where much is absorbed (src/README.md). */
-#define LEAST_WEIGHT .3
+#define MIN_WEIGHT .3
 
 #define SOURCE "adding-doubling, 64 to 120 nodes"
 
@@ -33,7 +33,7 @@ static void trace(validation *v, const char *name, const char *is_wrong,
                                            .quantities = score.n,
                                            .score = scores_add,
                                            .context = &score,
-                                           .least_weight = LEAST_WEIGHT});
+                                           .least_weight = MIN_WEIGHT});
     test_world_unmade(&w);
 }
 

@@ -22,7 +22,7 @@
 #include "cases/groups.h"
 #include "cases/reference.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 #include "study/plan.h"
 
 #define BY_HAND "closed form"
@@ -67,12 +67,12 @@ static measured measure(const validation *v, double fog_per_m, double range_m,
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_stage *stage = stage_text_create(text, overrides);
     if (stage &&
-        !murk_light_trace(&traced, stage, 0, validation_threads(v), &err) &&
+        !murk_lightmap_trace(&traced, stage, 0, validation_threads(v), &err) &&
         !murk_plan_sight(&sight, stage, traced, validation_threads(v), &err) &&
-        !murk_coverage_measure(&coverage, sight, pose, sensors, &err)) {
+        !murk_coverage_result_measure(&coverage, sight, pose, sensors, &err)) {
         out.coverage = coverage.total;
         out.fluence =
             murk_tallies_read(traced->tallies, 0, 0, 0, traced->ledger->emitted,
@@ -80,7 +80,7 @@ static measured measure(const validation *v, double fog_per_m, double range_m,
     } else {
         printf("%s: %s\n", err.where, err.text);
     }
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);

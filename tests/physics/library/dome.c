@@ -1,5 +1,5 @@
 /* The sky's distribution. */
-#include "light/dome.h"
+#include "source/dome.h"
 #include "library/library.h"
 
 #include <math.h>

@@ -1,9 +1,9 @@
 /* Light of the night: moon, twilight, dark sky. */
 #include "library/library.h"
-#include "light/moonlight.h"
-#include "light/night_sky.h"
-#include "light/twilight.h"
 #include "night_field.h"
+#include "source/moonlight.h"
+#include "source/night_sky.h"
+#include "source/twilight.h"
 
 #include <math.h>
 

@@ -3,10 +3,10 @@
 #include "base/vector.h"
 #include "clear_day.h"
 #include "library/library.h"
-#include "light/clear_sky.h"
-#include "light/ephemeris.h"
-#include "light/geocentric.h"
-#include "light/solar_spectrum.h"
+#include "source/clear_sky.h"
+#include "source/ephemeris.h"
+#include "source/geocentric.h"
+#include "source/solar_spectrum.h"
 
 #define DEG            (180 / MURK_PI)
 #define ASTRONOMICAL_M 149597870700.0

@@ -39,7 +39,7 @@ static void water_itself(murk_library *library)
                        "presets water/pure and water/sea.");
     for (size_t row = 0; row < t->rows; ++row) {
         const double nm = reference_number(t, row, "wavelength_nm");
-        if (nm >= MURK_WATER_LEAST_NM && nm <= MURK_WATER_MOST_NM) {
+        if (nm >= MURK_WATER_MIN_NM && nm <= MURK_WATER_MAX_NM) {
             compare_water(library, "absorption", nm,
                           reference_number(t, row, "absorption"),
                           murk_water_absorption(nm), 5e-6, "Pope & Fry 1997");

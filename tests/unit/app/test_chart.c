@@ -100,8 +100,8 @@ static void test_places(void)
     CHECK(fabs(murk_axis_place(&vast, 0) - 50) < 1e-9);
     const murk_axis one = axis_over(7, 7, MURK_SCALE_EVEN);
     CHECK(fabs(murk_axis_place(&one, 7) - 50) < 1e-9);
-    const murk_axis least = axis_over(0, 5e-324, MURK_SCALE_EVEN);
-    CHECK(isfinite(murk_axis_place(&least, 0)));
+    const murk_axis min = axis_over(0, 5e-324, MURK_SCALE_EVEN);
+    CHECK(isfinite(murk_axis_place(&min, 0)));
 }
 
 /* ---- lines and points ---- */
@@ -249,8 +249,8 @@ static void test_each_cell_is_drawn_once(void)
                       .y = {-2, 2},
                       .size = {12, 7},
                       .value = value,
-                      .least = NAN,
-                      .most = NAN,
+                      .min = NAN,
+                      .max = NAN,
                       .is_equal = true};
     WRITTEN(murk_heat_draw(to, &heat));
     CHECK(cells_drawn() == 12 * 7);
@@ -265,7 +265,7 @@ static void test_each_cell_is_drawn_once(void)
 }
 
 /* The middle of the largest cell, and lowest and highest colour. */
-static void test_a_field_says_where_its_most_is(void)
+static void test_a_field_says_where_its_max_is(void)
 {
     const double value[] = {0, 1, 2, 9, 4, 5};
     const murk_heat heat = {.title = "t",
@@ -276,8 +276,8 @@ static void test_a_field_says_where_its_most_is(void)
                             .y = {0, 4},
                             .size = {3, 2},
                             .value = value,
-                            .least = NAN,
-                            .most = NAN};
+                            .min = NAN,
+                            .max = NAN};
     WRITTEN(murk_heat_draw(to, &heat));
     CHECK(count("from 0 to 9 W, which is at 10.5, 3.") == 2);
     CHECK(count("stroke=\"#440154\" d=\"M0 0.5h1\"") == 1);
@@ -296,8 +296,8 @@ static void test_a_row_of_cells_is_low(void)
                       .y = {0, 1},
                       .size = {3, 1},
                       .value = value,
-                      .least = NAN,
-                      .most = NAN};
+                      .min = NAN,
+                      .max = NAN};
     WRITTEN(murk_heat_draw(to, &heat));
     CHECK(cells_drawn() == 3);
     CHECK(count("scale(143.33 -40)") == 1);
@@ -319,6 +319,6 @@ int main(void)
     test_bars_are_as_long_as_their_values();
     test_bars_of_either_sign_and_none();
     test_each_cell_is_drawn_once();
-    test_a_field_says_where_its_most_is();
+    test_a_field_says_where_its_max_is();
     return check_done();
 }

@@ -12,8 +12,8 @@ static void keep_note(const char *where, const char *text)
     snprintf(noted + used, sizeof noted - used, "%s: %s\n", where, text);
 }
 
-static double foretold(const murk_scene *scene, const murk_forecast *forecast,
-                       int camera)
+static double predicted(const murk_scene_desc *scene,
+                        const murk_forecast *forecast, int camera)
 {
     cJSON *root = cJSON_CreateObject();
     murk_json_cameras(root, scene, forecast);
@@ -25,7 +25,7 @@ static double foretold(const murk_scene *scene, const murk_forecast *forecast,
     return value;
 }
 
-static void test_pictures_and_maps_are_foretold(void)
+static void test_pictures_and_maps_are_forecast(void)
 {
     murk_scene_camera camera[2] = {
         {.name = "gate", .where = "yard.yaml:9:5: cameras.0", .samples = 1},
@@ -34,16 +34,17 @@ static void test_pictures_and_maps_are_foretold(void)
     camera[0].pixels[1] = 48;
     /* more than any machine has: 16 bands of 2^40 pixels */
     camera[1].pixels[0] = camera[1].pixels[1] = (size_t)1 << 20;
-    const murk_scene scene = {.cameras = camera, .n_cameras = 2, .bands = 16};
+    const murk_scene_desc scene = {
+        .cameras = camera, .n_cameras = 2, .bands = 16};
     const murk_forecast dark = {0}, lit = {.surface = 1e6, .volume = 1e5};
     const double maps = murk_photon_map_memory_for(1e6) +
                         murk_photon_map_memory_for(1e5) -
                         2 * murk_photon_map_memory_for(0);
-    CHECK(foretold(&scene, &dark, 0) >=
+    CHECK(predicted(&scene, &dark, 0) >=
           murk_render_bytes(64, 48, 16, MURK_BY_MAPS));
     const double kernels =
         murk_gather_memory_for(1e6, 1e5) - murk_gather_memory_for(0, 0);
-    CHECK(foretold(&scene, &lit, 0) - foretold(&scene, &dark, 0) ==
+    CHECK(predicted(&scene, &lit, 0) - predicted(&scene, &dark, 0) ==
           maps + kernels);
     /* copies of 32 bytes, kernels of at least 24, balls of 16 */
     CHECK(kernels > 1.1e6 * (32 + 24 + 16));
@@ -59,6 +60,6 @@ static void test_pictures_and_maps_are_foretold(void)
 
 int main(void)
 {
-    test_pictures_and_maps_are_foretold();
+    test_pictures_and_maps_are_forecast();
     return check_done();
 }

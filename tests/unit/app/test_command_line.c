@@ -9,7 +9,7 @@
 
 static void check_word(const char *word, const char *want)
 {
-    char *got = murk_shell_word(word);
+    char *got = murk_region_boundary_word(word);
     CHECK(got != NULL);
     CHECK_TEXT(got ? got : "", want);
     free(got);

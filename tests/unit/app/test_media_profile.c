@@ -24,9 +24,9 @@ static murk_status layers_of(murk_profile_layers *out, const char *text,
 {
     put(text);
     *err = (murk_error){0};
-    const murk_profile_wish wish = {
+    const murk_profile_settings settings = {
         .csv = csv, .column = column, .rows = rows, .voxel_m = voxel_m};
-    return murk_profile_layers_read(out, &wish, err);
+    return murk_profile_layers_read(out, &settings, err);
 }
 
 static double depth_of(const murk_profile_layers *l)

@@ -11,7 +11,7 @@ static const char *bound_of(double regret, double lower)
 {
     static char text[1024];
     char name[] = "/tmp/murk-over-XXXXXX";
-    murk_scene scene = {0};
+    murk_scene_desc scene = {0};
     murk_conditions all = {.scene = &scene};
     const murk_over over = {.conditions = &all,
                             .regret = regret,

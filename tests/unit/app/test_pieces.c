@@ -91,7 +91,7 @@ static bool holds(const murk_piece *piece, murk_vec3 at, double slack)
 }
 
 /* Points of each piece are found on it, from either side. */
-static void check_finding(const murk_surfaces *surfaces, double edge_m)
+static void check_incumbent(const murk_surfaces *surfaces, double edge_m)
 {
     murk_pieces pieces;
     murk_error err = {0};
@@ -152,8 +152,8 @@ int main(void)
     murk_surfaces *surfaces = make_world();
     check_areas(surfaces, 0.9);
     check_areas(surfaces, 0.11);
-    check_finding(surfaces, 5);
-    check_finding(surfaces, 0.1);
+    check_incumbent(surfaces, 5);
+    check_incumbent(surfaces, 0.1);
     test_sizes(surfaces);
     murk_surfaces_destroy(surfaces);
     return check_done();

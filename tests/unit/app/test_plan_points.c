@@ -3,7 +3,7 @@
  * is random. */
 #include "app/plan_points.h"
 #include "check.h"
-#include "photonmap/light_file.h"
+#include "photonmap/map_file.h"
 #include "photonmap/photon.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ static void write_light(const char *second)
         {.name = "surface", .bytes = photon, .size = SURFACE * sizeof *photon},
         {.bytes = photon + SURFACE, .size = VOLUME * sizeof *photon}};
     snprintf(section[1].name, sizeof section[1].name, "%s", second);
-    CHECK(murk_light_file_write(path, section, 2, NULL) == MURK_OK);
+    CHECK(murk_map_file_write(path, section, 2, NULL) == MURK_OK);
     free(photon);
 }
 
@@ -51,13 +51,13 @@ static void test_all_in_order(void)
 /* k * photons / n, rounded down: steps of two sizes that differ by one. */
 static void test_evenly_chosen(void)
 {
-    const size_t most[] = {1, 7, 64, 333, 999};
-    for (size_t m = 0; m < sizeof most / sizeof *most; ++m) {
+    const size_t max[] = {1, 7, 64, 333, 999};
+    for (size_t m = 0; m < sizeof max / sizeof *max; ++m) {
         murk_plan_points points;
-        CHECK(murk_plan_points_of_light(&points, path, most[m], NULL) ==
+        CHECK(murk_plan_points_of_light(&points, path, max[m], NULL) ==
               MURK_OK);
-        CHECK(points.n == most[m] && points.photons == SURFACE + VOLUME);
-        const size_t step = (SURFACE + VOLUME) / most[m];
+        CHECK(points.n == max[m] && points.photons == SURFACE + VOLUME);
+        const size_t step = (SURFACE + VOLUME) / max[m];
         size_t in_volume = 0;
         for (size_t i = 0; i < points.n; ++i) {
             const double x = (double)points.point[i].place_m[0];
@@ -67,7 +67,7 @@ static void test_evenly_chosen(void)
             in_volume += points.point[i].is_volume;
         }
         CHECK(fabs((double)in_volume -
-                   (double)(most[m] * VOLUME) / (SURFACE + VOLUME)) <= 1);
+                   (double)(max[m] * VOLUME) / (SURFACE + VOLUME)) <= 1);
         murk_plan_points_release(&points);
     }
 }

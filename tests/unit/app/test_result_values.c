@@ -134,7 +134,7 @@ static void test_shortest_decimals(void)
 
 /* A row of a pose: cells quoted as RFC 4180 says, angles of what has an axis.
  */
-static void test_poses_as_rows(const murk_scene *scene)
+static void test_poses_as_rows(const murk_scene_desc *scene)
 {
     const murk_pose all_round = {.type = 0, .position = {1, 2.5, 0.1}};
     const murk_pose cone = {.type = 1,
@@ -152,7 +152,7 @@ static void test_poses_as_rows(const murk_scene *scene)
     free(text);
 }
 
-static void test_sensors_in_json(const murk_scene *scene)
+static void test_sensors_in_json(const murk_scene_desc *scene)
 {
     const murk_pose pose[] = {{.type = 0, .position = {1, 2, 3}},
                               {.type = 1,
@@ -160,7 +160,7 @@ static void test_sensors_in_json(const murk_scene *scene)
                                .heading_rad = 90 * DEG,
                                .tilt_rad = 0}};
     double covers[] = {.5, .25}, only[] = {.125, NAN}, seen[] = {.75, .25};
-    const murk_coverage coverage = {
+    const murk_coverage_result coverage = {
         .covers = covers, .only_it_covers = only, .seen_by_at_least = seen};
     cJSON *root = cJSON_CreateObject();
     murk_json_sensors(root, scene, pose, 2, &coverage);

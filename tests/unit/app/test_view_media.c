@@ -25,19 +25,19 @@ static const murk_box box = {{0, 0, 0}, {8, 4, 2}};
 static void test_layers(void)
 {
     murk_stage *made = stage_text_create(LAYERS, NULL);
-    const size_t most[] = {300, 5000, 100000};
+    const size_t max[] = {300, 5000, 100000};
     for (size_t m = 0; m < 3; ++m) {
         murk_view_media media;
-        CHECK(murk_view_media_make(&media, made->media, &box, most[m], NULL) ==
+        CHECK(murk_view_media_make(&media, made->media, &box, max[m], NULL) ==
               MURK_OK);
         const size_t n = media.size[0] * media.size[1] * media.size[2];
-        CHECK(n <= most[m] && n > most[m] / 4 && !media.is_even);
+        CHECK(n <= max[m] && n > max[m] / 4 && !media.is_even);
         CHECK(media.size[0] == 2 * media.size[1] &&
               media.size[0] == 4 * media.size[2]);
         for (size_t i = 0; i < n; ++i) {
             const size_t k = i / (media.size[0] * media.size[1]);
             const double z = 2 * ((double)k + 0.5) / (double)media.size[2];
-            const double root = sqrt((0.01 + z) / media.most_per_m);
+            const double root = sqrt((0.01 + z) / media.max_per_m);
             CHECK(fabs(media.cell[i] - 255 * root) < 0.501);
         }
         murk_view_media_release(&media);
@@ -51,7 +51,7 @@ static void test_even_fog_is_told(void)
     murk_view_media media;
     CHECK(murk_view_media_make(&media, made->media, &box, 1000, NULL) ==
           MURK_OK);
-    CHECK(media.is_even && fabs(media.most_per_m - 0.3) < 1e-12);
+    CHECK(media.is_even && fabs(media.max_per_m - 0.3) < 1e-12);
     CHECK(media.cell && media.cell[0] == 255);
     murk_view_media_release(&media);
     stage_text_destroy(made);

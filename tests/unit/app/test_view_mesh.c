@@ -118,16 +118,17 @@ static void test_many_become_fewer(const murk_surfaces *surfaces)
 {
     murk_view_mesh all;
     CHECK(murk_view_mesh_make(&all, surfaces, SIZE_MAX, NULL) == MURK_OK);
-    for (size_t most = 60; most < 2 * WAVE * WAVE; most *= 6) {
+    for (size_t maximum = 60; maximum < 2 * WAVE * WAVE; maximum *= 6) {
         murk_view_mesh m;
-        CHECK(murk_view_mesh_make(&m, surfaces, most, NULL) == MURK_OK);
-        CHECK(m.is_coarse && m.triangles <= most && m.triangles > most / 8);
+        CHECK(murk_view_mesh_make(&m, surfaces, maximum, NULL) == MURK_OK);
+        CHECK(m.is_coarse && m.triangles <= maximum &&
+              m.triangles > maximum / 8);
         CHECK(m.asked == 2 * WAVE * WAVE);
         check_sound(&m);
         /* the middle of a cell's corners is off the sheet by what it bends
          * within the cell, and that is at most a wave's height */
         CHECK(farthest(&m) < 0.4);
-        if (most > 5000) {
+        if (maximum > 5000) {
             CHECK(farthest(&m) < 0.01);
             CHECK(fabs(area(&m) / area(&all) - 1) < 0.05);
         }

@@ -11,19 +11,19 @@
 
 #define HOSTILE "a\nend_header\n\"<&>]]>\x7f\xc3\xa9"
 
-static murk_scene hostile_scene(void)
+static murk_scene_desc hostile_scene(void)
 {
     static char path[] = HOSTILE;
-    murk_scene scene = {.path = path, .seed = 5};
+    murk_scene_desc scene = {.path = path, .seed = 5};
     return scene;
 }
 
 /* What a writer writes; the caller frees it. */
-static char *written(void (*put)(FILE *, const murk_scene *))
+static char *written(void (*put)(FILE *, const murk_scene_desc *))
 {
     char *text = NULL;
     size_t size = 0;
-    const murk_scene scene = hostile_scene();
+    const murk_scene_desc scene = hostile_scene();
     FILE *to = open_memstream(&text, &size);
     CHECK(to != NULL);
     put(to, &scene);
@@ -73,7 +73,7 @@ static void put_number(const void *context, size_t i, void *item)
 static void check_mesh(bool has_triangles, size_t points)
 {
     const float y = 2.5F;
-    const murk_scene scene = hostile_scene();
+    const murk_scene_desc scene = hostile_scene();
     const murk_vtk_array number = {"number", "UInt8", 1, 1, put_number};
     const murk_vtp vtp = {.scene = &scene,
                           .points = points,
@@ -116,7 +116,7 @@ static void check_mesh(bool has_triangles, size_t points)
 
 static void test_what_cannot_be_written(void)
 {
-    const murk_scene scene = hostile_scene();
+    const murk_scene_desc scene = hostile_scene();
     const murk_vtk_array number = {"number", "UInt8", 1, 1, put_number};
     const murk_vtp vtp = {.scene = &scene, .array = &number, .arrays = 1};
     murk_error err = {0};

@@ -10,17 +10,17 @@
 #define SEED   3
 #define POINTS 3000
 
-typedef struct finding {
+typedef struct incumbent {
     const murk_vec3 *point;
     murk_vec3 at;
     double radius_m;
     bool found[POINTS];
     size_t calls, stop_at;
-} finding;
+} incumbent;
 
 static bool meet(void *context, size_t i)
 {
-    finding *f = context;
+    incumbent *f = context;
     f->found[i] |= murk_length(murk_sub(f->point[i], f->at)) <= f->radius_m;
     return ++f->calls == f->stop_at;
 }
@@ -34,14 +34,15 @@ static murk_vec3 random_point(uint64_t i, uint32_t event)
 int main(void)
 {
     static murk_vec3 point[POINTS];
-    static finding f;
+    static incumbent f;
     murk_cells *cells = NULL;
     murk_error err = {0};
     CHECK(murk_cells_create(&cells, .5, &err) == MURK_OK);
     size_t near = 0, missed = 0, calls = 0;
     for (size_t i = 0; i < POINTS; ++i) {
         point[i] = random_point(i, 0);
-        f = (finding){.point = point, .at = random_point(i, 1), .radius_m = .4};
+        f = (incumbent){
+            .point = point, .at = random_point(i, 1), .radius_m = .4};
         CHECK(!murk_cells_search(cells, f.at, f.radius_m, meet, &f));
         for (size_t k = 0; k < i; ++k) {
             const bool is_near =
@@ -55,7 +56,8 @@ int main(void)
     CHECK(near > 1000 && missed == 0);
     /* 27 cells of 1/8 m^3 among 400 m^3, some of them of other cells */
     CHECK(calls < POINTS * (size_t)POINTS / 2 / 50);
-    f = (finding){.point = point, .at = point[7], .radius_m = .4, .stop_at = 1};
+    f = (incumbent){
+        .point = point, .at = point[7], .radius_m = .4, .stop_at = 1};
     CHECK(murk_cells_search(cells, f.at, f.radius_m, meet, &f));
     CHECK(f.calls == 1);
     murk_cells_destroy(cells);

@@ -52,12 +52,12 @@ static void test_write_and_read(const char *path)
     CHECK(whole[0] == pieces[0] && whole[1] == pieces[1]);
 }
 
-static void expect_unreadable(const char *path, size_t most, const char *why)
+static void expect_unreadable(const char *path, size_t max, const char *why)
 {
     murk_error err = {0};
     char *text = NULL;
     size_t size = 0;
-    CHECK(murk_file_read(&text, &size, path, most, &err) == MURK_BAD_FILE);
+    CHECK(murk_file_read(&text, &size, path, max, &err) == MURK_BAD_FILE);
     CHECK(text == NULL);
     CHECK_TEXT(err.where, path);
     CHECK_MENTIONS(err.text, why);

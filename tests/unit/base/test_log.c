@@ -79,10 +79,10 @@ static void test_another_sink_gets_all(void)
     const murk_warn_sink before = murk_warn_to(hear);
     CHECK(strcmp(said_by(say_four_things), "") == 0);
     CHECK(heard == 12);
-    const bool was_silent = murk_warn_hush(true);
+    const bool was_silent = murk_warn_quiet(true);
     say_four_things();
     CHECK(heard == 12);
-    CHECK(murk_warn_hush(was_silent));
+    CHECK(murk_warn_quiet(was_silent));
     murk_warn_to(before);
 }
 

@@ -1,7 +1,7 @@
 /* ln Gamma against factorials and Gamma(1/2), and from many threads at once:
  * the thread sanitizer must find nothing. Nothing here is random. */
-#include "base/crew.h"
 #include "base/log_gamma.h"
+#include "base/pool.h"
 #include "check.h"
 
 #include <float.h>
@@ -35,7 +35,7 @@ static void fill(void *context, uint64_t i)
 static void test_threads(void)
 {
     double value[MANY];
-    murk_crew_run(4, MANY, fill, value);
+    murk_pool_run(4, MANY, fill, value);
     for (uint64_t i = 0; i < MANY; ++i) {
         CHECK(value[i] == murk_log_gamma(at(i)));
     }

@@ -25,7 +25,7 @@ static void test_student(void)
 }
 
 /* P(K <= k) summed term by term with whole binomials. */
-static double at_most(size_t n, double q, size_t k)
+static double at_max(size_t n, double q, size_t k)
 {
     double term = pow(1 - q, (double)n), sum = 0;
     for (size_t i = 0; i <= k; ++i) {
@@ -43,12 +43,12 @@ static void test_ranks(void)
         CHECK((double)r.value >= 0.05 * (double)n - 1e-9 &&
               (double)r.value - 1 < 0.05 * (double)n);
         if (r.lower > 0) {
-            CHECK(at_most(n, 0.05, r.lower - 1) <= miss);
+            CHECK(at_max(n, 0.05, r.lower - 1) <= miss);
         }
-        CHECK(at_most(n, 0.05, r.lower) > miss || r.lower == n);
+        CHECK(at_max(n, 0.05, r.lower) > miss || r.lower == n);
         if (r.upper > 0) {
-            CHECK(1 - at_most(n, 0.05, r.upper - 1) <= miss);
-            CHECK(r.upper == 1 || 1 - at_most(n, 0.05, r.upper - 2) > miss);
+            CHECK(1 - at_max(n, 0.05, r.upper - 1) <= miss);
+            CHECK(r.upper == 1 || 1 - at_max(n, 0.05, r.upper - 2) > miss);
         }
         CHECK(r.lower <= r.value && (r.value <= r.upper || r.upper == 0));
     }

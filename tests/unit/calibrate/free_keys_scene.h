@@ -51,7 +51,7 @@ static const char *const SCENE =
 
 static char path[] = "/tmp/murk-free-XXXXXX";
 static char noted[2000];
-static murk_scene *scene;
+static murk_scene_desc *scene;
 
 static inline void keep_note(const char *where, const char *text)
 {

@@ -49,9 +49,9 @@ static double transmittance(const murk_stage *stage, const murk_stage *values,
     murk_beams *beams = NULL;
     double out = NAN;
     /* only read: a stage's scene is const for others */
-    const murk_optics optics = {.phases = values->phases,
-                                .scene =
-                                    (murk_scene *)(uintptr_t)values->scene};
+    const murk_optics optics = {
+        .phases = values->phases,
+        .scene = (murk_scene_desc *)(uintptr_t)values->scene};
     CHECK(murk_beams_create(&beams, stage, &optics, &err) == MURK_OK);
     CHECK(murk_beam_transmittance(&out, beams, reading, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");

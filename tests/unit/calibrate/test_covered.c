@@ -45,10 +45,11 @@ static void measure(murk_estimate out[GROUPS], const lit *l,
         while (first + n < POSES && group_of[first + n] == g) {
             ++n;
         }
-        murk_coverage coverage = {0};
-        CHECK(!murk_coverage_measure(&coverage, sight, poses + first, n, NULL));
+        murk_coverage_result coverage = {0};
+        CHECK(!murk_coverage_result_measure(&coverage, sight, poses + first, n,
+                                            NULL));
         out[g] = coverage.total;
-        murk_coverage_release(&coverage);
+        murk_coverage_result_release(&coverage);
         first += n;
     }
     murk_sight_destroy(sight);
@@ -105,7 +106,7 @@ static void test_is_what_sensing_measures(void)
  * parameters than those traced. */
 static double slope_error(const lit *l, const double at[KEYS], const double *by)
 {
-    double most = 0;
+    double max = 0;
     for (size_t k = 0; k < NOTHING; ++k) {
         double low[KEYS], high[KEYS];
         memcpy(low, at, sizeof low);
@@ -116,12 +117,12 @@ static double slope_error(const lit *l, const double at[KEYS], const double *by)
         const read_out b = read_at(l, high, STEP, 0);
         for (size_t g = 0; g < GROUPS; ++g) {
             const double want = (b.value[g] - a.value[g]) / (2 * STEP * at[k]);
-            most = fmax(most, fabs(by[g * KEYS + k] - want));
+            max = fmax(max, fabs(by[g * KEYS + k] - want));
         }
         free(a.batch);
         free(b.batch);
     }
-    return most;
+    return max;
 }
 
 /* To 1e-6: the step's own bias is of its square. */
@@ -333,7 +334,7 @@ static void test_memory_is_bounded(void)
     const murk_sightlines_through through = {.sight = sight};
     for (int is_enough = 0; is_enough < 2; ++is_enough) {
         murk_sightlines lines = {0};
-        murk_sightlines_room room = {.most_bytes = needed - !is_enough};
+        murk_sightlines_room room = {.max_bytes = needed - !is_enough};
         CHECK(murk_sightlines_find(&lines, &through, 0, &poses[0], &room) ==
               is_enough);
         CHECK(lines.n == (is_enough ? look.seen : 0));

@@ -3,7 +3,7 @@
 #include "calibrate/followed.h"
 #include "check.h"
 #include "stage_text.h"
-#include "study/light.h"
+#include "study/lightmap.h"
 
 #include <stdlib.h>
 
@@ -384,7 +384,7 @@ static void test_store_says_how_many(void)
     murk_followed *bare = follow(&desc);
     murk_traced *traced = NULL;
     murk_error err = {0};
-    CHECK(!murk_light_trace(&traced, stage, 0, 2, &err));
+    CHECK(!murk_lightmap_trace(&traced, stage, 0, 2, &err));
     if (f && bare && traced) {
         test_maps_are_the_scenes(f, traced);
         CHECK(bare->emitted == f->emitted && bare->n < f->n);
@@ -402,7 +402,7 @@ static void test_refusals(const murk_stage *stage)
     murk_followed_desc desc = desc_of(stage);
     murk_followed *f = NULL;
     murk_error err = {0};
-    desc.memory_most_bytes = 1e5;
+    desc.memory_max_bytes = 1e5;
     CHECK(murk_followed_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
     CHECK_MENTIONS(err.text, "must be at most 0.0001 GB");
 
@@ -431,7 +431,7 @@ int main(void)
     murk_followed *followed = stage ? follow(&desc) : NULL;
     murk_traced *traced = NULL;
     murk_error err = {0};
-    CHECK(stage && !murk_light_trace(&traced, stage, 0, 2, &err));
+    CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 2, &err));
     if (followed && traced) {
         test_records_know_their_paths(stage, followed);
         test_maps_are_the_scenes(followed, traced);

@@ -115,7 +115,8 @@ static void test_ranges_are_natural(void)
 
 /* ---- scenes at values ---- */
 
-static double resolved(const murk_scene *at, const char *const *part, size_t n)
+static double resolved(const murk_scene_desc *at, const char *const *part,
+                       size_t n)
 {
     murk_yaml *root = NULL;
     double value = NAN;
@@ -148,14 +149,14 @@ static void test_a_scene_has_the_values(void)
     field f;
     make_field(&f, AS_IT_STANDS);
     murk_free_keys *keys = made(&f, asked, 4, NULL);
-    murk_scene *at = NULL;
+    murk_scene_desc *at = NULL;
     murk_optics *optics = NULL;
     CHECK(murk_free_scene(&at, keys, 0, value, NULL) == MURK_OK);
     for (size_t k = 0; k < 4; ++k) {
         CHECK(resolved(at, way[k], ways[k]) == value[k]);
     }
     CHECK(at->regions[1].translate_m.y == 0 && at->n_conditions == 0);
-    murk_scene_destroy(at);
+    murk_scene_desc_destroy(at);
     CHECK(murk_free_optics(&optics, keys, 0, value, NULL) == MURK_OK);
     CHECK(optics->media == 10 && optics->bands == 2 && optics->channels == 10);
     CHECK(optics->albedo[2].band[1] == .1 + .2);
@@ -192,7 +193,7 @@ static void test_values_out_of_range_are_named(void)
     field f;
     make_field(&f, AS_IT_STANDS);
     murk_free_keys *keys = made(&f, asked, 1, NULL);
-    murk_scene *at = NULL;
+    murk_scene_desc *at = NULL;
     murk_error err = {0};
     CHECK(murk_free_scene(&at, keys, 0, &value, &err) == MURK_BAD_VALUE);
     CHECK(at == NULL);
@@ -221,13 +222,13 @@ static void test_each_condition_has_its_own(void)
     CHECK(murk_free_key_is_in(keys, 2, 0) && murk_free_key_is_in(keys, 2, 1));
     const double value[] = {60, 40, .7};
     for (size_t c = 0; c < 2; ++c) {
-        murk_scene *at = NULL;
+        murk_scene_desc *at = NULL;
         static const char *const way[] = {"media", "fog", "visibility_m"};
         CHECK(murk_free_scene(&at, keys, c, value, NULL) == MURK_OK);
         CHECK(resolved(at, way, 3) == value[c]);
         CHECK(at->media[3].albedo.band[0] == .7);
         CHECK(at->media[3].albedo.band[1] == .95);
-        murk_scene_destroy(at);
+        murk_scene_desc_destroy(at);
     }
     murk_free_keys_destroy(keys);
 }
@@ -247,12 +248,12 @@ static void test_one_value_wins_over_a_condition(void)
     CHECK_MENTIONS(noted, "noon has no such key");
     const double value[] = {33, .4};
     for (size_t c = 0; c < 2; ++c) {
-        murk_scene *at = NULL;
+        murk_scene_desc *at = NULL;
         static const char *const way[] = {"media", "fog", "visibility_m"};
         CHECK(murk_free_scene(&at, keys, c, value, NULL) == MURK_OK);
         CHECK(resolved(at, way, 3) == 33);
         CHECK(at->media[2].profile_z_m.n == (c == 0 ? 0 : 2));
-        murk_scene_destroy(at);
+        murk_scene_desc_destroy(at);
     }
     murk_free_keys_destroy(keys);
 }
@@ -329,7 +330,7 @@ int main(void)
     FILE *to = fdopen(handle, "w");
     CHECK(to && fputs(SCENE, to) >= 0 && fclose(to) == 0);
     murk_warn_to(keep_note);
-    if (murk_scene_read(&scene, path, NULL, 0, &err)) {
+    if (murk_scene_desc_read(&scene, path, NULL, 0, &err)) {
         printf("%s: %s\n", err.where, err.text);
         return 1;
     }
@@ -344,6 +345,6 @@ int main(void)
     test_differences_keep_the_bounds();
     test_differences_are_the_laws_slopes();
     unlink(path);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return check_done();
 }

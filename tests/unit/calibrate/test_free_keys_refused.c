@@ -121,13 +121,13 @@ int main(void)
     FILE *to = fdopen(handle, "w");
     CHECK(to && fputs(SCENE, to) >= 0 && fclose(to) == 0);
     murk_warn_to(keep_note);
-    if (murk_scene_read(&scene, path, NULL, 0, &err)) {
+    if (murk_scene_desc_read(&scene, path, NULL, 0, &err)) {
         printf("%s: %s\n", err.where, err.text);
         return 1;
     }
     test_keys_are_refused();
     test_counts_and_bounds_are_refused();
     unlink(path);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return check_done();
 }

@@ -19,7 +19,7 @@ static const char *const SCENE =
     " tilts_deg: [0]}\n"
     "conditions: {dawn: {}, noon: {}}\n";
 
-static murk_scene *scene;
+static murk_scene_desc *scene;
 static char path[] = "/tmp/murk-readings-XXXXXX";
 static char noted[1000];
 
@@ -360,7 +360,7 @@ static void test_sensors_and_groups_are_refused(void)
 int main(void)
 {
     murk_error err = {0};
-    if (murk_scene_parse(&scene, SCENE, "s.yaml", NULL, 0, &err)) {
+    if (murk_scene_desc_parse(&scene, SCENE, "s.yaml", NULL, 0, &err)) {
         printf("%s: %s\n", err.where, err.text);
         return 1;
     }
@@ -380,6 +380,6 @@ int main(void)
     test_places_are_refused();
     test_sensors_and_groups_are_refused();
     unlink(path);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return check_done();
 }

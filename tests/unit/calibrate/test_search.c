@@ -156,14 +156,14 @@ static void test_steps_are_told(void)
     step.is_successful = false;
     f.search.share = .49;
     CHECK(p.watch(p.context, &step));
-    CHECK(told.calls == 1 && !f.search.is_starved);
+    CHECK(told.calls == 1 && !f.search.is_undersampled);
     f.search.is_scouting = true;
     step.is_successful = true;
     CHECK(p.watch(p.context, &step));
-    CHECK(told.calls == 2 && !f.search.is_starved);
+    CHECK(told.calls == 2 && !f.search.is_undersampled);
     f.search.is_scouting = false;
     CHECK(!p.watch(p.context, &step));
-    CHECK(f.search.is_starved && f.search.iterations == 5);
+    CHECK(f.search.is_undersampled && f.search.iterations == 5);
     murk_fit_search_release(&f.search);
 }
 

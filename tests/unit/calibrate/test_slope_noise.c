@@ -105,9 +105,9 @@ static void test_information_is_the_sandwich(void)
     const double share = .4;
     make_jacobian(jacobian);
     const murk_slope_noise noise = noise_of(bias, noisy, share);
-    double rows[N * N], most, said[N * N];
+    double rows[N * N], max, said[N * N];
     murk_error err = {0};
-    CHECK(!murk_slope_noise_information(rows, &most, &noise, jacobian, ROWS, N,
+    CHECK(!murk_slope_noise_information(rows, &max, &noise, jacobian, ROWS, N,
                                         &err));
     square(said, rows, N);
     double a[N * N], middle[N * N], inverse[N * N], left[N * N], wanted[N * N];
@@ -124,18 +124,18 @@ static void test_information_is_the_sandwich(void)
     for (size_t k = 0; k < N * N; ++k) {
         CHECK_NEAR(covariance[k], wanted[k], 1e-13);
     }
-    CHECK(most > 0 && most < 1);
+    CHECK(max > 0 && max < 1);
     /* without noise: J^T J */
     double none[N * N] = {0}, plain[N * N];
     const murk_slope_noise no_noise = noise_of(bias, none, share);
-    CHECK(!murk_slope_noise_information(rows, &most, &no_noise, jacobian, ROWS,
+    CHECK(!murk_slope_noise_information(rows, &max, &no_noise, jacobian, ROWS,
                                         N, &err));
     square(said, rows, N);
     square(plain, jacobian, ROWS);
     for (size_t k = 0; k < N * N; ++k) {
         CHECK_NEAR(said[k], plain[k], 1e-12 * plain[0]);
     }
-    CHECK(most == 0);
+    CHECK(max == 0);
 }
 
 /* Where all that a direction tells is noise, nothing is known along it, and no
@@ -151,11 +151,11 @@ static void test_noise_alone_tells_nothing(void)
     }
     noisy[3] = 2 * squares[3] * 1e-4;
     const murk_slope_noise noise = noise_of(bias, noisy, 0);
-    double rows[N * N], most, residual[ROWS], step[N], length;
+    double rows[N * N], max, residual[ROWS], step[N], length;
     murk_error err = {0};
-    CHECK(!murk_slope_noise_information(rows, &most, &noise, jacobian, ROWS, N,
+    CHECK(!murk_slope_noise_information(rows, &max, &noise, jacobian, ROWS, N,
                                         &err));
-    CHECK(most > 1);
+    CHECK(max > 1);
     double said[N * N];
     square(said, rows, N);
     CHECK(said[0] > .9 * squares[0]);
@@ -175,9 +175,9 @@ static void test_noise_without_end_is_refused(void)
     double noisy[N * N] = {1, 0, 0, INFINITY};
     make_jacobian(jacobian);
     const murk_slope_noise noise = noise_of(bias, noisy, 0);
-    double rows[N * N], most;
+    double rows[N * N], max;
     murk_error err = {0};
-    CHECK(murk_slope_noise_information(rows, &most, &noise, jacobian, ROWS, N,
+    CHECK(murk_slope_noise_information(rows, &max, &noise, jacobian, ROWS, N,
                                        &err) == MURK_RUN_FAILED);
     CHECK_MENTIONS(err.text, "not finite");
 }
@@ -215,14 +215,14 @@ static void solve_one(estimates *out, uint32_t t)
     const murk_slope_noise noise = noise_of(bias, noisy, common * common);
     double none[N] = {0}, nothing[N * N] = {0}, length;
     const murk_slope_noise no_noise = noise_of(none, nothing, 0);
-    double step[N], plain[N], rows[N * N], most;
+    double step[N], plain[N], rows[N * N], max;
     murk_error err = {0};
     CHECK(!murk_slope_noise_step(step, &length, &noise, residual, seen, ROWS, N,
                                  &err));
     CHECK(!murk_slope_noise_step(plain, &length, &no_noise, residual, seen,
                                  ROWS, N, &err));
-    CHECK(!murk_slope_noise_information(rows, &most, &noise, seen, ROWS, N,
-                                        &err));
+    CHECK(
+        !murk_slope_noise_information(rows, &max, &noise, seen, ROWS, N, &err));
     out->plain[t] = plain[0];
     out->undone[t] = step[0];
     for (size_t q = 0; q < N; ++q) {

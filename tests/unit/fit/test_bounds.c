@@ -101,8 +101,8 @@ static void test_nobody_finds_less(void)
         double x[N] = {0};
         CHECK(murk_least_squares_solve(&found, x, &p, NULL) == MURK_OK);
         CHECK(found.end == MURK_LEAST_SQUARES_CONVERGED);
-        const double least = twin(&l);
-        CHECK(found.cost <= least * (1 + 1e-10));
+        const double min = twin(&l);
+        CHECK(found.cost <= min * (1 + 1e-10));
         CHECK_NEAR(found.cost, cost_at(&l, x), 1e-12);
         for (size_t j = 0; j < N; ++j) {
             CHECK(x[j] >= l.lower[j] && x[j] <= l.upper[j]);

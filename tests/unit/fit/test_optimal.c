@@ -122,9 +122,9 @@ static void test_against_every_set(void)
         murk_optimal_pick pick[5];
         const double gain =
             choose(pick, (size_t)k, information, row, CANDIDATES, N);
-        const double most = best_of_all(information, row, k);
-        CHECK(gain <= most + SLACK && gain >= (1 - exp(-1)) * most);
-        best += gain >= most - SLACK;
+        const double max = best_of_all(information, row, k);
+        CHECK(gain <= max + SLACK && gain >= (1 - exp(-1)) * max);
+        best += gain >= max - SLACK;
         /* gains are those of adding in turn */
         double before = determinant(information);
         for (int i = 0; i < k; ++i) {

@@ -44,8 +44,8 @@ static murk_lay lay_of(double spacing_m)
 {
     return (murk_lay){.spacing_m = spacing_m,
                       .within = EVERYWHERE,
-                      .most_rise = 1,
-                      .most = 1000000};
+                      .max_rise = 1,
+                      .max = 1000000};
 }
 
 static murk_foot *feet_of(const murk_surfaces *s, const murk_lay *lay,
@@ -70,17 +70,17 @@ static bool has(const murk_foot *foot, size_t n, murk_vec3 p, double within)
 }
 
 /* Smallest distance between any two. */
-static double least_gap(const murk_foot *foot, size_t n)
+static double min_gap(const murk_foot *foot, size_t n)
 {
-    double least = INFINITY;
+    double minimum = INFINITY;
     for (size_t i = 0; i < n; ++i) {
         for (size_t k = 0; k < i; ++k) {
-            least =
-                fmin(least,
+            minimum =
+                fmin(minimum,
                      murk_length(murk_sub(foot[i].position, foot[k].position)));
         }
     }
-    return least;
+    return minimum;
 }
 
 /* A room of 4 x 3 x 2.5 m: rows and columns half a metre apart, a quarter from
@@ -169,7 +169,7 @@ static void check_even(const murk_surfaces *s, double spacing_m, double area_m2,
     const murk_lay lay = lay_of(spacing_m);
     size_t n;
     murk_foot *foot = feet_of(s, &lay, &n);
-    CHECK(least_gap(foot, n) >= .75 * spacing_m);
+    CHECK(min_gap(foot, n) >= .75 * spacing_m);
     for (size_t i = 0; i < places; ++i) {
         CHECK(has(foot, n, place[i], 1.1 * spacing_m));
     }
@@ -280,11 +280,11 @@ static void test_what_is_not_wanted_gets_none(void)
     free(feet_of(s, &lay, &n));
     CHECK(n == 4);
     lay = lay_of(.5);
-    lay.least_rise = .8; /* floor, ceiling and sheet */
+    lay.min_rise = .8; /* floor, ceiling and sheet */
     free(feet_of(s, &lay, &n));
     CHECK(n == 2 * 48 + 4);
     lay = lay_of(.5);
-    lay.most_rise = .6; /* walls, from 2 m on: one row */
+    lay.max_rise = .6; /* walls, from 2 m on: one row */
     lay.within.min.z = 2;
     free(feet_of(s, &lay, &n));
     CHECK(n == 2 * (8 + 6));
@@ -331,7 +331,7 @@ static void test_great_surfaces_are_cut_off(void)
     CHECK_TEXT(err.where, "here");
     CHECK_MENTIONS(err.text, "spacing_m is 2 m");
     lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
-    lay.most = 24;
+    lay.max = 24;
     CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", &err) ==
           MURK_BAD_VALUE);
     murk_surfaces_destroy(s);
@@ -358,7 +358,7 @@ static void test_area_beyond_all_feet_is_refused(void)
         murk_surfaces *s = create(desc, floors);
         murk_lay lay = lay_of(2);
         lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
-        lay.most = 25;
+        lay.max = 25;
         murk_foot *foot = NULL;
         size_t n = 0;
         CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", NULL) ==
@@ -374,7 +374,7 @@ static void test_area_beyond_all_feet_is_refused(void)
  * would have to be compared with more than 4096 others. */
 static void test_stacks_are_cut_off(void)
 {
-    enum { SHEETS = 4200, MOST = 4097 };
+    enum { SHEETS = 4200, MAX = 4097 };
     murk_mesh *m = closed_mesh_empty(3 * SHEETS, SHEETS);
     for (uint32_t i = 0; i < SHEETS; ++i) {
         const double z = 1e-4 * i;
@@ -390,7 +390,7 @@ static void test_stacks_are_cut_off(void)
     const murk_lay lay = lay_of(1);
     size_t n;
     free(feet_of(s, &lay, &n));
-    CHECK(n == MOST);
+    CHECK(n == MAX);
     murk_surfaces_destroy(s);
     murk_mesh_destroy(m);
 }

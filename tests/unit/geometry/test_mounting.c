@@ -54,21 +54,21 @@ static void test_smooth_surfaces_go_on(void)
     }
 }
 
-static double least_of_face(const murk_mounting *m, const murk_triangle *t,
-                            murk_vec3 point)
+static double min_of_face(const murk_mounting *m, const murk_triangle *t,
+                          murk_vec3 point)
 {
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i <= FINE; ++i) {
         for (int j = 0; i + j <= FINE; ++j) {
             murk_vec3 p =
                 murk_along(t->a, (double)i / FINE, murk_sub(t->b, t->a));
             p = murk_along(p, (double)j / FINE, murk_sub(t->c, t->a));
             if (p.z >= m->above_m) {
-                least = fmin(least, murk_length(murk_sub(p, point)));
+                min = fmin(min, murk_length(murk_sub(p, point)));
             }
         }
     }
-    return least;
+    return min;
 }
 
 /* Of a steep face what is above the floor counts. */
@@ -82,9 +82,9 @@ static void test_faces_by_points_on_them(void)
     for (size_t i = 0; i < sizeof above_m / sizeof *above_m; ++i) {
         const murk_mounting m = upright(above_m[i], 1e-9);
         for (size_t k = 0; k < sizeof point / sizeof *point; ++k) {
-            const double least = least_of_face(&m, &t, point[k]);
+            const double min = min_of_face(&m, &t, point[k]);
             const double got = murk_mounting_from_face(&m, &t, point[k]);
-            CHECK(got <= least + 1e-12 && got >= least - 0.025);
+            CHECK(got <= min + 1e-12 && got >= min - 0.025);
             const murk_triangle turned = {t.c, t.b, t.a};
             CHECK(fabs(murk_mounting_from_face(&m, &turned, point[k]) - got) <
                   1e-12);
@@ -94,10 +94,10 @@ static void test_faces_by_points_on_them(void)
     CHECK(isinf(murk_mounting_from_face(&over, &t, point[0])));
 }
 
-static double least_of_ball(const murk_mounting *m, const murk_ball *b,
-                            murk_vec3 point)
+static double min_of_ball(const murk_mounting *m, const murk_ball *b,
+                          murk_vec3 point)
 {
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i <= FINE; ++i) {
         for (int j = 0; j < FINE; ++j) {
             const murk_vec3 p =
@@ -105,11 +105,11 @@ static double least_of_ball(const murk_mounting *m, const murk_ball *b,
                            murk_about(murk_vec(0, 0, 1), -1 + 2.0 * i / FINE,
                                       2 * MURK_PI * j / FINE));
             if (p.z >= m->above_m) {
-                least = fmin(least, murk_length(murk_sub(p, point)));
+                min = fmin(min, murk_length(murk_sub(p, point)));
             }
         }
     }
-    return least;
+    return min;
 }
 
 /* So it does of a sphere on which the mount does not stand. */
@@ -123,9 +123,9 @@ static void test_balls_by_points_on_them(void)
     for (size_t i = 0; i < sizeof above_m / sizeof *above_m; ++i) {
         const murk_mounting m = upright(above_m[i], 1e-9);
         for (size_t k = 0; k < sizeof point / sizeof *point; ++k) {
-            const double least = least_of_ball(&m, &b, point[k]);
+            const double min = min_of_ball(&m, &b, point[k]);
             const double got = murk_mounting_from_ball(&m, &b, point[k]);
-            CHECK(fabs(got - least) < 0.025);
+            CHECK(fabs(got - min) < 0.025);
         }
     }
     const murk_mounting over = upright(2.51, 1e-9);

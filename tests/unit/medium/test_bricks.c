@@ -54,15 +54,15 @@ static float sample(int i, int j, int k)
 /* The simple twin: every value that is seen from any voxel of the brick. */
 static float plain_bound(const int32_t first[3], int edge, int below, int above)
 {
-    float most = 0;
+    float max = 0;
     for (int i = first[0] - below; i < first[0] + edge + above; ++i) {
         for (int j = first[1] - below; j < first[1] + edge + above; ++j) {
             for (int k = first[2] - below; k < first[2] + edge + above; ++k) {
-                most = fmaxf(most, sample(i, j, k));
+                max = fmaxf(max, sample(i, j, k));
             }
         }
     }
-    return most;
+    return max;
 }
 
 static murk_bricks *bricks_of(const murk_grid *grid, int edge, int below,

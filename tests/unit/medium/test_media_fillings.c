@@ -200,7 +200,7 @@ static void test_all_fillings_add(uint32_t seed)
     regions[3].to_world =
         murk_affine_place(murk_vec(5, 0, 0), 0.75, murk_vec(0, 1, 0));
     murk_media *together = build(media, 5, regions, 5);
-    double most = 0;
+    double max = 0;
     for (uint64_t i = 0; i < 300; ++i) {
         const line l = random_line(seed, i);
         const double clear = 0.01 * l.length + 2 * plain_profile_depth(&l);
@@ -209,9 +209,9 @@ static void test_all_fillings_add(uint32_t seed)
                             plain_depth(&media[3], &regions[3], 1, &l);
         CHECK_NEAR(depth(together, &l), want, 1e-11);
         check_flight(together, &l, seed, i);
-        most = fmax(most, want - clear);
+        max = fmax(max, want - clear);
     }
-    CHECK(most > 1);
+    CHECK(max > 1);
     murk_media_destroy(together);
 }
 
@@ -268,7 +268,7 @@ static void test_shapes_around_fillings(uint32_t seed)
         instead[1].medium = 1;
         instead[1].replaces = true;
         murk_media *replaced = build(both, 2, instead, 2);
-        double most = 0;
+        double max = 0;
         for (uint64_t i = 0; i < 300; ++i) {
             const line l = random_line(seed, i);
             double t0 = 0, t1 = l.length;
@@ -283,9 +283,9 @@ static void test_shapes_around_fillings(uint32_t seed)
                        1e-11);
             check_flight(part, &l, seed, i);
             check_flight(replaced, &l, seed, i);
-            most = fmax(most, want);
+            max = fmax(max, want);
         }
-        CHECK(most > 1);
+        CHECK(max > 1);
         murk_media_destroy(whole);
         murk_media_destroy(part);
         murk_media_destroy(rest);

@@ -115,7 +115,7 @@ static void test_overlapping_grids_add(uint32_t seed)
     regions[1].to_world =
         murk_affine_place(murk_vec(0, 0, 45), 1.5, murk_vec(1, 1, 0));
     murk_media *together = build(media, regions, 4);
-    double most = 0;
+    double maximum = 0;
     for (uint64_t i = 0; i < 200; ++i) {
         const line ray = random_line(seed, i);
         const double even = 0.01 * ray.length;
@@ -129,7 +129,7 @@ static void test_overlapping_grids_add(uint32_t seed)
         const double got = murk_media_optical_depth(together, 0, 0, ray.from,
                                                     ray.along, ray.length);
         CHECK_NEAR(got, want, 1e-12);
-        most = fmax(most, got - even);
+        maximum = fmax(maximum, got - even);
 
         const murk_random4 r = murk_random(seed, MURK_TEST, i, 12, 0);
         const double tau = r.u[0] * got;
@@ -150,7 +150,7 @@ static void test_overlapping_grids_add(uint32_t seed)
                        murk_along(ray.from, ray.length, ray.along)),
                    exp(-got), 1e-12);
     }
-    CHECK(most > 1);
+    CHECK(maximum > 1);
     murk_media_destroy(together);
 }
 

@@ -15,21 +15,21 @@
 
 /* Integral over slopes x along the ray, by Simpson's rule, of x^power times the
  * area c - t x that is seen of them; up to x_most. Slopes rise against -x. */
-static double summed(double width, double cosine, int power, double x_most)
+static double summed(double width, double cosine, int power, double x_max)
 {
     const double t = width * sqrt(1 - cosine * cosine);
-    const double least = -8, most = fmin(x_most, t > 0 ? cosine / t : 8);
+    const double min = -8, max = fmin(x_max, t > 0 ? cosine / t : 8);
     const int n = 4000;
-    const double step = (most - least) / n;
+    const double step = (max - min) / n;
     double sum = 0;
     for (int i = 0; i <= n; ++i) {
-        const double x = least + i * step;
+        const double x = min + i * step;
         sum += (i == 0 || i == n ? 1
                 : i % 2          ? 4
                                  : 2) *
                (cosine - t * x) * exp(-x * x) / ROOT_PI * pow(x, power);
     }
-    return most > least ? sum * step / 3 : 0;
+    return max > min ? sum * step / 3 : 0;
 }
 
 /* Of the three the first two are the paper's measured range; at 10 m/s the
@@ -99,7 +99,7 @@ static void test_facets_are_drawn_by_the_area_seen(void)
  * surface, at it and away from it. */
 static void test_extremes_are_drawn(void)
 {
-    const double least = 0x1p-33, ends[] = {least, .5, 1 - least};
+    const double min = 0x1p-33, ends[] = {min, .5, 1 - min};
     for (int i = 0; i < 27; ++i) {
         const double u[3] = {ends[i % 3], ends[i / 3 % 3], ends[i / 9]};
         for (int k = -6; k <= 6; ++k) {

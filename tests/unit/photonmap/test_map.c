@@ -194,7 +194,7 @@ static void test_no_record_is_lost(void)
     free(photons);
 }
 
-static void test_memory_is_foretold(void)
+static void test_memory_is_forecast(void)
 {
     const size_t n[] = {0, 1, 31, 32, 33, 512, 513, 8192, 8193, 100000};
     for (size_t i = 0; i < sizeof n / sizeof n[0]; ++i) {
@@ -249,7 +249,7 @@ int main(void)
     test_odd_queries_find_nothing();
     test_huge_positions_are_fine();
     test_no_record_is_lost();
-    test_memory_is_foretold();
+    test_memory_is_forecast();
     test_photons_nowhere_are_refused();
     test_an_empty_map_is_a_map();
     return check_done();

@@ -31,18 +31,18 @@ static void test_axes_are_exact(void)
  * finely, so one a hundredth smaller would be wrong. */
 static void test_error_is_bounded_and_the_bound_is_tight(void)
 {
-    double most = 0;
+    double max = 0;
     for (uint64_t i = 0; i < 200000; ++i) {
         const murk_random4 r = murk_random(1, MURK_TEST, i, 0, 0);
         const murk_vec3 d =
             murk_about(murk_vec(0, 0, 1), 2 * r.u[0] - 1, 2 * MURK_PI * r.u[1]);
-        most = fmax(most, error_at(d.x, d.y, d.z));
+        max = fmax(max, error_at(d.x, d.y, d.z));
         const double h = 1e-3; /* near the middle of a face */
-        most = fmax(most, error_at(1 + h * r.u[1], 1 + h * r.u[2],
-                                   i % 2 ? 1 : -1 - h * r.u[3]));
+        max = fmax(max, error_at(1 + h * r.u[1], 1 + h * r.u[2],
+                                 i % 2 ? 1 : -1 - h * r.u[3]));
     }
-    CHECK(most <= MURK_DIRECTION_ERROR_RAD);
-    CHECK(most > 0.99 * MURK_DIRECTION_ERROR_RAD);
+    CHECK(max <= MURK_DIRECTION_ERROR_RAD);
+    CHECK(max > 0.99 * MURK_DIRECTION_ERROR_RAD);
 }
 
 static void test_packing_is_stable(void)

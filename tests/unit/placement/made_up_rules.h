@@ -1,17 +1,17 @@
 /* Made-up rules of every kind for made-up problems, and their plans by brute
  * force: all subsets, each judged by the plain meaning of the rules. */
-#ifndef MURK_TESTS_MADE_UP_RULES_H
-#define MURK_TESTS_MADE_UP_RULES_H
+#ifndef MURK_TESTS_MADE_UP_CONSTRAINTS_H
+#define MURK_TESTS_MADE_UP_CONSTRAINTS_H
 
 #include "made_up.h"
 
 #include <string.h>
 
-#define MADE_UP_MOST 12 /* candidates */
+#define MADE_UP_MAX 12 /* candidates */
 
 enum made_up_kind {
     CAPS = 1,
-    LEAST = 2,
+    MIN = 2,
     BUDGET = 4,
     FIXED = 8,
     SITES = 16,
@@ -20,20 +20,20 @@ enum made_up_kind {
     KINDS = 7
 };
 
-typedef struct made_up_rules {
-    murk_rules rules;
+typedef struct made_up_constraints {
+    murk_constraints constraints;
     unsigned kinds;
     size_t candidates;
-    uint32_t class_of[MADE_UP_MOST];
-    size_t least[3], most[3];
-    int64_t cost[MADE_UP_MOST];
+    uint32_t class_of[MADE_UP_MAX];
+    size_t min[3], max[3];
+    int64_t cost[MADE_UP_MAX];
     size_t fixed[2];
-    uint32_t site[MADE_UP_MOST];
-    double position_m[MADE_UP_MOST][3];
-    size_t conflict_first[MADE_UP_MOST + 1];
-    uint32_t conflict[MADE_UP_MOST * MADE_UP_MOST];
-    bool is_listed[MADE_UP_MOST][MADE_UP_MOST];
-} made_up_rules;
+    uint32_t site[MADE_UP_MAX];
+    double position_m[MADE_UP_MAX][3];
+    size_t conflict_first[MADE_UP_MAX + 1];
+    uint32_t conflict[MADE_UP_MAX * MADE_UP_MAX];
+    bool is_listed[MADE_UP_MAX][MADE_UP_MAX];
+} made_up_constraints;
 
 static uint32_t made_up_draw(uint32_t seed, uint32_t what, uint32_t at,
                              uint32_t below)
@@ -44,7 +44,7 @@ static uint32_t made_up_draw(uint32_t seed, uint32_t what, uint32_t at,
 }
 
 /* The last half exclude all that the first half do, one by one. */
-static void made_up_nest(made_up_rules *out)
+static void made_up_nest(made_up_constraints *out)
 {
     const size_t n = out->candidates, half = n / 2;
     for (int pass = 0; pass < 3; ++pass) {
@@ -59,11 +59,11 @@ static void made_up_nest(made_up_rules *out)
 }
 
 /* Fills *out in place, whose arrays out->rules points to. */
-static void made_up_rules_fill(made_up_rules *out, uint32_t seed,
-                               unsigned kinds, size_t candidates)
+static void made_up_constraints_fill(made_up_constraints *out, uint32_t seed,
+                                     unsigned kinds, size_t candidates)
 {
-    *out = (made_up_rules){.kinds = kinds, .candidates = candidates};
-    murk_rules *rules = &out->rules;
+    *out = (made_up_constraints){.kinds = kinds, .candidates = candidates};
+    murk_constraints *constraints = &out->constraints;
     size_t listed = 0;
     for (uint32_t j = 0; j < candidates; ++j) {
         out->class_of[j] = made_up_draw(seed, 1, j, 3);
@@ -91,38 +91,39 @@ static void made_up_rules_fill(made_up_rules *out, uint32_t seed,
     }
     out->conflict_first[candidates] = listed;
     for (uint32_t c = 0; c < 3; ++c) {
-        out->least[c] = made_up_draw(seed, 7, c, 2);
-        out->most[c] = 1 + made_up_draw(seed, 8, c, 2);
+        out->min[c] = made_up_draw(seed, 7, c, 2);
+        out->max[c] = 1 + made_up_draw(seed, 8, c, 2);
     }
-    if (kinds & (CAPS | LEAST)) {
-        rules->classes = 3;
-        rules->class_of = out->class_of;
-        rules->least = kinds & LEAST ? out->least : NULL;
-        rules->most = kinds & CAPS ? out->most : NULL;
+    if (kinds & (CAPS | MIN)) {
+        constraints->classes = 3;
+        constraints->class_of = out->class_of;
+        constraints->min = kinds & MIN ? out->min : NULL;
+        constraints->max = kinds & CAPS ? out->max : NULL;
     }
     if (kinds & BUDGET) {
-        rules->cost = out->cost;
-        rules->budget = 4 + made_up_draw(seed, 9, 0, 8);
+        constraints->cost = out->cost;
+        constraints->budget = 4 + made_up_draw(seed, 9, 0, 8);
     }
     if (kinds & FIXED) {
         out->fixed[0] = made_up_draw(seed, 10, 0, (uint32_t)candidates);
-        rules->fixed = out->fixed;
-        rules->fixed_count = 1;
+        constraints->fixed = out->fixed;
+        constraints->fixed_count = 1;
         out->fixed[1] = made_up_draw(seed, 10, 1, (uint32_t)candidates);
-        rules->fixed_count += out->fixed[1] != out->fixed[0] && seed % 2 == 0;
+        constraints->fixed_count +=
+            out->fixed[1] != out->fixed[0] && seed % 2 == 0;
     }
-    rules->site = kinds & SITES ? out->site : NULL;
+    constraints->site = kinds & SITES ? out->site : NULL;
     if (kinds & SPACING) {
-        rules->position_m = (const double(*)[3])out->position_m;
-        rules->spacing_m = 1.2;
+        constraints->position_m = (const double(*)[3])out->position_m;
+        constraints->spacing_m = 1.2;
     }
     if (kinds & LIST) {
-        rules->conflict_first = out->conflict_first;
-        rules->conflict = out->conflict;
+        constraints->conflict_first = out->conflict_first;
+        constraints->conflict = out->conflict;
     }
 }
 
-static bool made_up_excludes(const made_up_rules *m, size_t a, size_t b)
+static bool made_up_excludes(const made_up_constraints *m, size_t a, size_t b)
 {
     const double x = m->position_m[a][0] - m->position_m[b][0];
     const double y = m->position_m[a][1] - m->position_m[b][1];
@@ -132,7 +133,7 @@ static bool made_up_excludes(const made_up_rules *m, size_t a, size_t b)
 }
 
 /* Whether the set (bit j: candidate j) keeps the rules; count apart. */
-static bool made_up_keeps(const made_up_rules *m, uint32_t set)
+static bool made_up_keeps(const made_up_constraints *m, uint32_t set)
 {
     size_t have[3] = {0};
     int64_t cost = 0;
@@ -149,22 +150,22 @@ static bool made_up_keeps(const made_up_rules *m, uint32_t set)
         }
     }
     for (size_t c = 0; c < 3; ++c) {
-        if ((m->kinds & LEAST && have[c] < m->least[c]) ||
-            (m->kinds & CAPS && have[c] > m->most[c])) {
+        if ((m->kinds & MIN && have[c] < m->min[c]) ||
+            (m->kinds & CAPS && have[c] > m->max[c])) {
             return false;
         }
     }
-    for (size_t k = 0; k < m->rules.fixed_count; ++k) {
+    for (size_t k = 0; k < m->constraints.fixed_count; ++k) {
         if (!(set >> m->fixed[k] & 1)) {
             return false;
         }
     }
-    return set != 0 && (!(m->kinds & BUDGET) || cost <= m->rules.budget);
+    return set != 0 && (!(m->kinds & BUDGET) || cost <= m->constraints.budget);
 }
 
 static uint64_t made_up_set_value(const made_up *m, uint32_t set)
 {
-    size_t plan[MADE_UP_MOST], n = 0;
+    size_t plan[MADE_UP_MAX], n = 0;
     for (size_t j = 0; j < m->problem.candidates; ++j) {
         if (set >> j & 1) {
             plan[n++] = j;
@@ -175,10 +176,10 @@ static uint64_t made_up_set_value(const made_up *m, uint32_t set)
 
 /* best[n]: of the plans of n sensors; UINT64_MAX: there is none. */
 static inline void made_up_ruled_optima(const made_up *m,
-                                        const made_up_rules *r,
-                                        uint64_t best[MADE_UP_MOST + 1])
+                                        const made_up_constraints *r,
+                                        uint64_t best[MADE_UP_MAX + 1])
 {
-    for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
+    for (size_t n = 0; n <= MADE_UP_MAX; ++n) {
         best[n] = UINT64_MAX;
     }
     for (uint32_t set = 1; set < 1u << r->candidates; ++set) {

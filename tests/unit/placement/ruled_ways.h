@@ -8,8 +8,8 @@
 
 #include <math.h>
 
-#define MATRIX_MOST ((uint64_t)1 << 32)
-#define METHODS     4
+#define MATRIX_MAX ((uint64_t)1 << 32)
+#define METHODS    4
 
 typedef struct tally {
     int plans, refused, not_best, proven;
@@ -23,8 +23,7 @@ static murk_status place_any(murk_place_result *out, const made_up *m,
         return murk_place_unknown(out, &m->problem, desc, err);
     }
     murk_matrix *matrix = NULL;
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, err) ==
-          MURK_OK);
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, err) == MURK_OK);
     const murk_status status =
         murk_place_known(out, &m->problem, matrix, desc, err);
     murk_matrix_destroy(matrix);
@@ -41,19 +40,19 @@ static uint32_t set_of(const murk_place_result *r)
 }
 
 /* The best worth of plans that may be had for this count. */
-static uint64_t optimum_of(const made_up_rules *r, const uint64_t *best,
+static uint64_t optimum_of(const made_up_constraints *r, const uint64_t *best,
                            size_t count)
 {
     if (!(r->kinds & BUDGET)) {
         return best[count];
     }
-    uint64_t most = UINT64_MAX;
+    uint64_t max = UINT64_MAX;
     for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
-        if (best[n] != UINT64_MAX && (most == UINT64_MAX || best[n] > most)) {
-            most = best[n];
+        if (best[n] != UINT64_MAX && (max == UINT64_MAX || best[n] > max)) {
+            max = best[n];
         }
     }
-    return most;
+    return max;
 }
 
 static double share_promised(const char *guarantee, size_t n)
@@ -74,7 +73,7 @@ static double share_promised(const char *guarantee, size_t n)
 
 /* No other place for one sensor, and with a budget no further sensor, is worth
  * more. */
-static void check_certificate(const made_up *m, const made_up_rules *r,
+static void check_certificate(const made_up *m, const made_up_constraints *r,
                               const murk_place_result *plan, size_t count)
 {
     const uint32_t set = set_of(plan);
@@ -94,8 +93,8 @@ static void check_certificate(const made_up *m, const made_up_rules *r,
     }
 }
 
-static void check_curve(const made_up_rules *r, const murk_place_result *plan,
-                        const uint64_t *best)
+static void check_curve(const made_up_constraints *r,
+                        const murk_place_result *plan, const uint64_t *best)
 {
     CHECK((plan->curve_points == 0) == ((r->kinds & BUDGET) != 0));
     for (size_t k = 0; k < plan->curve_points; ++k) {
@@ -110,7 +109,7 @@ static void check_curve(const made_up_rules *r, const murk_place_result *plan,
     }
 }
 
-static void check_plan(const made_up *m, const made_up_rules *r,
+static void check_plan(const made_up *m, const made_up_constraints *r,
                        const murk_place_desc *desc, bool known,
                        const murk_place_result *plan, const uint64_t *best,
                        tally *t)
@@ -146,10 +145,10 @@ static void check_plan(const made_up *m, const made_up_rules *r,
     t->proven += plan->proven_optimal;
 }
 
-static void try_all_ways(const made_up *m, const made_up_rules *r,
+static void try_all_ways(const made_up *m, const made_up_constraints *r,
                          uint32_t seed, size_t count, tally *t)
 {
-    uint64_t best[MADE_UP_MOST + 1];
+    uint64_t best[MADE_UP_MAX + 1];
     made_up_ruled_optima(m, r, best);
     const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
     murk_place_result first[METHODS] = {{0}};
@@ -161,7 +160,7 @@ static void try_all_ways(const made_up *m, const made_up_rules *r,
         desc.count = count;
         desc.restarts = 3;
         desc.seed = seed;
-        desc.rules = &r->rules;
+        desc.constraints = &r->constraints;
         desc.keep_dominated = way >= METHODS;
         desc.with_curve = seed % 4 < 2;
         if (!known && method == MURK_PLACE_EXACT) {

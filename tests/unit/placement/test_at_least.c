@@ -7,8 +7,8 @@
 #include "made_up.h"
 #include "made_up_rules.h"
 
-#define MATRIX_MOST  UINT64_C(1000000000)
-#define PHOTONS_MOST 130
+#define MATRIX_MAX  UINT64_C(1000000000)
+#define PHOTONS_MAX 130
 
 /* The weight of photons seen by k or more of the set, times MURK_CLEAR;
  * seen_by[photons] are sets of candidates. */
@@ -36,20 +36,20 @@ static void find_seen_by(const made_up *m, uint32_t *seen_by)
 
 static uint64_t strict_of(const made_up *m, uint32_t set, size_t k)
 {
-    uint32_t seen_by[PHOTONS_MOST];
+    uint32_t seen_by[PHOTONS_MAX];
     find_seen_by(m, seen_by);
     return weigh(m, seen_by, set, k);
 }
 
 /* best[n]: of all sets of n that keep the rules (NULL: of all); UINT64_MAX
  * where there is none. */
-static void find_optima(const made_up *m, const made_up_rules *r, size_t k,
-                        uint64_t best[MADE_UP_MOST + 1])
+static void find_optima(const made_up *m, const made_up_constraints *r,
+                        size_t k, uint64_t best[MADE_UP_MAX + 1])
 {
-    for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
+    for (size_t n = 0; n <= MADE_UP_MAX; ++n) {
         best[n] = UINT64_MAX;
     }
-    uint32_t seen_by[PHOTONS_MOST];
+    uint32_t seen_by[PHOTONS_MAX];
     find_seen_by(m, seen_by);
     for (uint32_t set = 0; set < UINT32_C(1) << m->problem.candidates; ++set) {
         if (r && !made_up_keeps(r, set)) {
@@ -61,9 +61,9 @@ static void find_optima(const made_up *m, const made_up_rules *r, size_t k,
     }
 }
 
-static size_t fewest_of(const uint64_t best[MADE_UP_MOST + 1], uint64_t target)
+static size_t fewest_of(const uint64_t best[MADE_UP_MAX + 1], uint64_t target)
 {
-    for (size_t n = 1; n <= MADE_UP_MOST; ++n) {
+    for (size_t n = 1; n <= MADE_UP_MAX; ++n) {
         if (best[n] != UINT64_MAX && best[n] >= target) {
             return n;
         }
@@ -76,25 +76,25 @@ typedef struct tally {
     int solved, proven, unproven, refused;
 } tally;
 
-static void try_one(const made_up *m, const made_up_rules *rules, size_t k,
-                    uint64_t target, murk_place_method method, uint64_t nodes,
-                    tally *t)
+static void try_one(const made_up *m, const made_up_constraints *constraints,
+                    size_t k, uint64_t target, murk_place_method method,
+                    uint64_t nodes, tally *t)
 {
-    uint64_t best[MADE_UP_MOST + 1];
-    find_optima(m, rules, k, best);
+    uint64_t best[MADE_UP_MAX + 1];
+    find_optima(m, constraints, k, best);
     const size_t fewest = fewest_of(best, target);
     murk_at_least strict;
     murk_at_least_init(&strict, &m->problem, (unsigned)k);
     murk_matrix *matrix = NULL;
     murk_error err = {0};
-    CHECK(murk_matrix_create(&matrix, &strict.problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &strict.problem, MATRIX_MAX, &err) ==
           MURK_OK);
     murk_place_desc desc = murk_place_defaults();
     desc.method = method;
     desc.count = m->problem.candidates;
     desc.target = target;
     desc.nodes = nodes;
-    desc.rules = rules ? &rules->rules : NULL;
+    desc.constraints = constraints ? &constraints->constraints : NULL;
     murk_place_result found = {0};
     const murk_status status =
         murk_place_at_least(&found, &strict.problem, matrix, &desc, &err);
@@ -103,14 +103,14 @@ static void try_one(const made_up *m, const made_up_rules *rules, size_t k,
         ++t->refused;
     } else if (status != MURK_OK) {
         /* Only a search that is cut may miss a plan under rules. */
-        CHECK(rules && nodes == 0 && status == MURK_RUN_FAILED);
+        CHECK(constraints && nodes == 0 && status == MURK_RUN_FAILED);
     } else {
         uint32_t set = 0;
         for (size_t i = 0; i < found.count; ++i) {
             set |= UINT32_C(1) << found.sensor[i];
         }
         CHECK((size_t)__builtin_popcount(set) == found.count);
-        CHECK(!rules || made_up_keeps(rules, set));
+        CHECK(!constraints || made_up_keeps(constraints, set));
         CHECK(found.value == strict_of(m, set, k));
         CHECK(found.value >= target);
         CHECK(found.count >= fewest);
@@ -162,23 +162,24 @@ static void test_brute_force(void)
     CHECK(t.unproven > 0); /* the other branch is met, too */
 }
 
-static void test_rules(void)
+static void test_constraints(void)
 {
     static const unsigned kinds[] = {
-        CAPS, LEAST, FIXED, SITES, SPACING, LIST, CAPS | LEAST | FIXED};
+        CAPS, MIN, FIXED, SITES, SPACING, LIST, CAPS | MIN | FIXED};
     tally t = {0};
     for (uint32_t i = 0; i < 140; ++i) {
         made_up *m = made_up_create(900 + i, 60, 8, .5, 1, 1 + i % 3, 1);
-        made_up_rules rules;
-        made_up_rules_fill(&rules, i, kinds[i % 7], 8);
-        uint64_t best[MADE_UP_MOST + 1], most = 0;
-        find_optima(m, &rules, 2, best);
-        for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
-            most = best[n] != UINT64_MAX && best[n] > most ? best[n] : most;
+        made_up_constraints constraints;
+        made_up_constraints_fill(&constraints, i, kinds[i % 7], 8);
+        uint64_t best[MADE_UP_MAX + 1], max = 0;
+        find_optima(m, &constraints, 2, best);
+        for (size_t n = 0; n <= MADE_UP_MAX; ++n) {
+            max = best[n] != UINT64_MAX && best[n] > max ? best[n] : max;
         }
-        if (most > 0) {
-            try_one(m, &rules, 2, i % 10 ? most / 10 * (6 + i % 4) + 1 : most,
-                    methods[i % 2], i % 4 ? 1000000 : 0, &t);
+        if (max > 0) {
+            try_one(m, &constraints, 2,
+                    i % 10 ? max / 10 * (6 + i % 4) + 1 : max, methods[i % 2],
+                    i % 4 ? 1000000 : 0, &t);
         }
         made_up_destroy(m);
     }
@@ -204,7 +205,7 @@ static void test_too_much(void)
 int main(void)
 {
     test_brute_force();
-    test_rules();
+    test_constraints();
     test_too_much();
     return check_done();
 }

@@ -4,7 +4,7 @@
 #include "made_up.h"
 #include "placement/worst_bound.h"
 
-#define MATRIX_MOST ((uint64_t)1 << 32)
+#define MATRIX_MAX ((uint64_t)1 << 32)
 
 static void test_pairs_and_memory(void)
 {
@@ -15,7 +15,7 @@ static void test_pairs_and_memory(void)
     for (size_t k = 0; k < 6400 * 20; ++k) {
         pairs += m->clarity[k] > 0;
     }
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
     CHECK(murk_matrix_pairs(matrix) == pairs);
     const size_t bytes = murk_matrix_memory_bytes(matrix);
@@ -49,8 +49,8 @@ static void test_growth_behind_the_pilot_is_noticed(void)
             m->clarity[j * 3200 + i] = 1;
         }
     }
-    const uint64_t most = 1000 * 200;
-    CHECK(murk_matrix_create(&matrix, &m->problem, most, &err) ==
+    const uint64_t max = 1000 * 200;
+    CHECK(murk_matrix_create(&matrix, &m->problem, max, &err) ==
           MURK_RUN_FAILED);
     CHECK_MENTIONS(err.text, "GB");
     CHECK(matrix == NULL);
@@ -72,18 +72,19 @@ static void check_bounds_stop(made_up *m, murk_matrix *matrix)
 {
     const uint32_t plan[] = {0, 1, 2};
     const murk_blocks blocks = {.n = 2, .first = {0, 32, 64}};
-    murk_oracle oracle;
+    murk_evaluator evaluator;
     murk_bound bound;
     murk_block_views views;
     murk_worst_bound worst;
     murk_error err = {0};
     uint64_t upper = MURK_SHARE_ONE;
-    CHECK(!murk_oracle_init(&oracle, &m->problem, matrix, NULL, 3, true, &err));
-    CHECK(!murk_bound_init(&bound, &oracle, &err));
-    CHECK(!murk_block_views_init(&views, &oracle, &blocks, &err));
+    CHECK(!murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, true,
+                               &err));
+    CHECK(!murk_bound_init(&bound, &evaluator, &err));
+    CHECK(!murk_block_views_init(&views, &evaluator, &blocks, &err));
     CHECK(!murk_worst_bound_init(&worst, &views, &err));
     murk_interrupt_request();
-    CHECK(murk_bound_tighten(&bound, 3, 0, plan, 3, 400) == oracle.ceiling);
+    CHECK(murk_bound_tighten(&bound, 3, 0, plan, 3, 400) == evaluator.ceiling);
     CHECK(bound.evaluations == 0);
     CHECK(
         !murk_worst_bound_tighten(&worst, 3, 0, plan, 3, 60, 8, &upper, &err));
@@ -91,7 +92,7 @@ static void check_bounds_stop(made_up *m, murk_matrix *matrix)
     murk_worst_bound_release(&worst);
     murk_block_views_release(&views);
     murk_bound_release(&bound);
-    murk_oracle_release(&oracle);
+    murk_evaluator_release(&evaluator);
 }
 
 /* Last: the flag stays up. */
@@ -103,7 +104,7 @@ static void test_interrupt_ends_all(void)
     murk_place_result result = {0};
     murk_error err = {0};
     desc.count = 3;
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
     check_bounds_stop(m, matrix);
     m->problem.look = look_then_interrupt;
@@ -113,7 +114,7 @@ static void test_interrupt_ends_all(void)
     CHECK(murk_place_known(&result, &m->problem, matrix, &desc, NULL) ==
           MURK_INTERRUPTED);
     CHECK(result.sensor == NULL);
-    CHECK(murk_matrix_create(&late, &m->problem, MATRIX_MOST, NULL) ==
+    CHECK(murk_matrix_create(&late, &m->problem, MATRIX_MAX, NULL) ==
           MURK_INTERRUPTED);
     CHECK(late == NULL);
     murk_matrix_destroy(matrix);

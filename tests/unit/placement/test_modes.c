@@ -4,7 +4,7 @@
 #include "placement/place.h"
 
 #include "placement/cover.h"
-#include "placement/thresholds.h"
+#include "placement/multipliers.h"
 #include "ruled_ways.h"
 
 static const struct mode {
@@ -58,7 +58,7 @@ static murk_matrix *matrix_of(const made_up *m)
 {
     murk_matrix *matrix = NULL;
     murk_error err = {0};
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
     CHECK_TEXT(err.text, "");
     return matrix;
@@ -123,17 +123,17 @@ static void test_covers(uint32_t seed)
 /* For any thresholds, whatever stands and whoever joins, the two sums are not
  * less than the worth. How near they come shows that a hundredth less would be
  * too little. */
-static void check_thresholds(const made_up *m, uint32_t seed, int *too_low)
+static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
 {
     murk_matrix *matrix = matrix_of(m);
-    murk_oracle oracle;
-    murk_thresholds t;
+    murk_evaluator evaluator;
+    murk_multipliers t;
     murk_cover stand;
     murk_error err = {0};
     const murk_layout *layout = &matrix->layout;
-    CHECK(murk_oracle_init(&oracle, &m->problem, matrix, NULL, 3, true, &err) ==
-          MURK_OK);
-    CHECK(murk_thresholds_init(&t, &oracle, &err) == MURK_OK);
+    CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, true,
+                              &err) == MURK_OK);
+    CHECK(murk_multipliers_init(&t, &evaluator, &err) == MURK_OK);
     CHECK(murk_cover_init(&stand, layout, false));
     float *threshold = calloc(layout->slots + 1, sizeof *threshold);
     for (uint32_t k = 0; k < 30; ++k) {
@@ -149,7 +149,7 @@ static void check_thresholds(const made_up *m, uint32_t seed, int *too_low)
                 murk_cover_add(&stand, layout, &matrix->row[plan[i]]);
             }
         }
-        murk_thresholds_stand(&t, stands > 0 ? &stand : NULL);
+        murk_multipliers_stand(&t, stands > 0 ? &stand : NULL);
         for (size_t i = 0; i < layout->slots; ++i) {
             const uint32_t at = made_up_draw(seed, 42, (uint32_t)i + 1000 * k,
                                              k % 4 == 0   ? 1
@@ -157,8 +157,8 @@ static void check_thresholds(const made_up *m, uint32_t seed, int *too_low)
                                                           : MURK_CLEAR + 1);
             threshold[i] = (float)at > t.floor[i] ? (float)at : t.floor[i];
         }
-        uint64_t sum = murk_thresholds_take(&t, threshold);
-        murk_thresholds_gains(&t, joins + stands, n - stands, gain);
+        uint64_t sum = murk_multipliers_take(&t, threshold);
+        murk_multipliers_gains(&t, joins + stands, n - stands, gain);
         for (size_t i = 0; i < n - stands; ++i) {
             sum += gain[i];
         }
@@ -168,19 +168,19 @@ static void check_thresholds(const made_up *m, uint32_t seed, int *too_low)
     }
     free(threshold);
     murk_cover_release(&stand);
-    murk_thresholds_release(&t);
-    murk_oracle_release(&oracle);
+    murk_multipliers_release(&t);
+    murk_evaluator_release(&evaluator);
     murk_matrix_destroy(matrix);
 }
 
-static void test_thresholds(uint32_t seed)
+static void test_multipliers(uint32_t seed)
 {
     for (size_t mode = 0; mode < MODES; ++mode) {
         int too_low = 0;
         for (uint32_t k = 0; k < 20; ++k) {
             made_up *m = create(seed + k, k, 60, 9, 1);
             set_mode(m, &modes[mode]);
-            check_thresholds(m, seed + k, &too_low);
+            check_multipliers(m, seed + k, &too_low);
             made_up_destroy(m);
         }
         printf("%s: a bound lower by a hundredth fails %d times of 600\n",
@@ -198,17 +198,17 @@ static void test_slopes(uint32_t seed)
         set_mode(m, &modes[mode]);
         murk_matrix *matrix = matrix_of(m);
         const murk_layout *layout = &matrix->layout;
-        murk_oracle oracle;
-        murk_thresholds t;
+        murk_evaluator evaluator;
+        murk_multipliers t;
         murk_cover stand;
         murk_error err = {0};
-        CHECK(murk_oracle_init(&oracle, &m->problem, matrix, NULL, 3, true,
-                               &err) == MURK_OK);
-        CHECK(murk_thresholds_init(&t, &oracle, &err) == MURK_OK);
+        CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3,
+                                  true, &err) == MURK_OK);
+        CHECK(murk_multipliers_init(&t, &evaluator, &err) == MURK_OK);
         CHECK(murk_cover_init(&stand, layout, false));
         murk_cover_add(&stand, layout, &matrix->row[0]);
         murk_cover_add(&stand, layout, &matrix->row[1]);
-        murk_thresholds_stand(&t, &stand);
+        murk_multipliers_stand(&t, &stand);
         float *threshold = calloc(layout->slots, sizeof *threshold);
         float *down = calloc(layout->slots, sizeof *down);
         const uint32_t joins[] = {4, 6};
@@ -226,11 +226,11 @@ static void test_slopes(uint32_t seed)
                     expected += (double)down[i] * layout->weight[i];
                 }
             }
-            sum[lower] = murk_thresholds_take(&t, threshold);
-            murk_thresholds_gains(&t, joins, 2, gain);
+            sum[lower] = murk_multipliers_take(&t, threshold);
+            murk_multipliers_gains(&t, joins, 2, gain);
             sum[lower] += gain[0] + gain[1];
             if (!lower) {
-                murk_thresholds_slopes(&t, chosen, 2, down);
+                murk_multipliers_slopes(&t, chosen, 2, down);
             }
         }
         /* Of chances, slopes change by up to 2 / 5535 within the step. */
@@ -240,8 +240,8 @@ static void test_slopes(uint32_t seed)
         free(threshold);
         free(down);
         murk_cover_release(&stand);
-        murk_thresholds_release(&t);
-        murk_oracle_release(&oracle);
+        murk_multipliers_release(&t);
+        murk_evaluator_release(&evaluator);
         murk_matrix_destroy(matrix);
         made_up_destroy(m);
     }
@@ -258,8 +258,8 @@ static void test_every_rule_in_every_mode(uint32_t seed)
                 const uint32_t own = seed + 1000 * kinds + k;
                 made_up *m = create(own, k + kinds, 60, 9, 1);
                 set_mode(m, &modes[mode]);
-                made_up_rules r;
-                made_up_rules_fill(&r, own, kinds, 9);
+                made_up_constraints r;
+                made_up_constraints_fill(&r, own, kinds, 9);
                 const size_t count = kinds & BUDGET && k % 3
                                          ? 0
                                          : 1 + made_up_draw(own, 20, 0, 4);
@@ -455,7 +455,7 @@ int main(int argc, char **argv)
 {
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     test_covers(seed);
-    test_thresholds(seed);
+    test_multipliers(seed);
     test_slopes(seed);
     test_every_rule_in_every_mode(seed);
     test_curves(seed);

@@ -7,7 +7,7 @@
 #include "check.h"
 #include "made_up.h"
 
-#define MATRIX_MOST ((uint64_t)1 << 32)
+#define MATRIX_MAX ((uint64_t)1 << 32)
 
 static murk_place_result place_known(const made_up *m,
                                      const murk_place_desc *desc)
@@ -15,7 +15,7 @@ static murk_place_result place_known(const made_up *m,
     murk_error err = {0};
     murk_matrix *matrix = NULL;
     murk_place_result result = {0};
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
     CHECK(murk_place_known(&result, &m->problem, matrix, desc, &err) ==
           MURK_OK);

@@ -100,17 +100,17 @@ static void prove_from(const made_up *m, const ranked_plan *from, size_t rounds,
                        uint64_t optimum)
 {
     murk_matrix *matrix = NULL;
-    murk_oracle oracle;
+    murk_evaluator evaluator;
     murk_bound bound;
     murk_exact exact;
     murk_error err = {0};
-    uint32_t plan[MADE_UP_MOST];
+    uint32_t plan[MADE_UP_MAX];
     const size_t n = members_of(from->set, plan);
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
-    CHECK(murk_oracle_init(&oracle, &m->problem, matrix, NULL, n, false,
-                           &err) == MURK_OK);
-    CHECK(murk_bound_init(&bound, &oracle, &err) == MURK_OK);
+    CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, n, false,
+                              &err) == MURK_OK);
+    CHECK(murk_bound_init(&bound, &evaluator, &err) == MURK_OK);
     const uint64_t upper =
         murk_bound_tighten(&bound, n, from->value, plan, n, rounds);
     CHECK(upper >= optimum);
@@ -124,7 +124,7 @@ static void prove_from(const made_up *m, const ranked_plan *from, size_t rounds,
     }
     CHECK(made_up_set_value(m, found) == exact.value);
     murk_bound_release(&bound);
-    murk_oracle_release(&oracle);
+    murk_evaluator_release(&evaluator);
     murk_matrix_destroy(matrix);
 }
 
@@ -172,8 +172,8 @@ static void test_every_constraint(uint32_t seed)
             for (uint32_t k = 0; k < problems; ++k) {
                 const uint32_t own = seed + 1000 * kinds + k;
                 made_up *m = nearly_tied(own, &modes[mode], 9);
-                made_up_rules r;
-                made_up_rules_fill(&r, own, kinds, 9);
+                made_up_constraints r;
+                made_up_constraints_fill(&r, own, kinds, 9);
                 const size_t count = kinds & BUDGET && k % 3
                                          ? 0
                                          : 1 + made_up_draw(own, 20, 0, 4);

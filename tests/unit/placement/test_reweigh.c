@@ -6,9 +6,9 @@
 #include "check.h"
 #include "made_up.h"
 
-#define PHOTONS     2000
-#define CANDIDATES  40
-#define MATRIX_MOST ((uint64_t)1 << 32)
+#define PHOTONS    2000
+#define CANDIDATES 40
+#define MATRIX_MAX ((uint64_t)1 << 32)
 
 /* Each candidate sees one photon in `apart` groups of 125 alone, so that most
  * words of its row are empty. */
@@ -64,11 +64,11 @@ static void compare(uint32_t seed, size_t apart, uint32_t levels,
     murk_error err = {0};
     uint32_t weight[PHOTONS];
     draw_weights(weight, m, seed, way);
-    CHECK(!murk_matrix_create(&first, &m->problem, MATRIX_MOST, &err) &&
+    CHECK(!murk_matrix_create(&first, &m->problem, MATRIX_MAX, &err) &&
           !murk_matrix_reweigh(&other, first, weight, &err));
     murk_problem problem = m->problem;
     problem.weight = weight;
-    CHECK(!murk_matrix_create(&fresh, &problem, MATRIX_MOST, &err));
+    CHECK(!murk_matrix_create(&fresh, &problem, MATRIX_MAX, &err));
     murk_place_result a = place(&problem, other), b = place(&problem, fresh);
     CHECK(a.value == b.value && a.ceiling == b.ceiling && a.whole == b.whole);
     CHECK(a.count == b.count && a.upper >= a.value);

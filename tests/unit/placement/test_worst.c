@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#define MATRIX_MOST ((uint64_t)1 << 32)
+#define MATRIX_MAX ((uint64_t)1 << 32)
 
 typedef struct tally {
     int plans, refused, not_best, proven, loose;
@@ -65,10 +65,10 @@ static uint64_t worth_of(const murk_blocks *blocks, size_t c, uint64_t value,
 }
 
 /* The least worth over blocks of the set. */
-static uint64_t least_share(const made_up *m, const murk_blocks *blocks,
-                            uint32_t set)
+static uint64_t min_share(const made_up *m, const murk_blocks *blocks,
+                          uint32_t set)
 {
-    uint64_t least = UINT64_MAX;
+    uint64_t min = UINT64_MAX;
     uint32_t weight[400];
     made_up part = *m;
     part.weight = weight;
@@ -83,15 +83,16 @@ static uint64_t least_share(const made_up *m, const murk_blocks *blocks,
         }
         const uint64_t share =
             worth_of(blocks, c, made_up_set_value(&part, set), whole);
-        least = share < least ? share : least;
+        min = share < min ? share : min;
     }
-    return least;
+    return min;
 }
 
 /* Compares each block with what its best plan of `count` covers, less a little:
  * a search alone may not find the best, and then plans exceed the reference. */
-static void refer(murk_blocks *blocks, const made_up *m, const made_up_rules *r,
-                  murk_block_measure measure, size_t count, bool is_less)
+static void refer(murk_blocks *blocks, const made_up *m,
+                  const made_up_constraints *r, murk_block_measure measure,
+                  size_t count, bool is_less)
 {
     uint32_t weight[400];
     made_up part = *m;
@@ -103,15 +104,15 @@ static void refer(murk_blocks *blocks, const made_up *m, const made_up_rules *r,
                 i >= blocks->first[c] && i < blocks->first[c + 1];
             weight[i] = is_in ? m->weight[i] : 0;
         }
-        uint64_t best[MADE_UP_MOST + 1], most = 0;
+        uint64_t best[MADE_UP_MAX + 1], max = 0;
         made_up_ruled_optima(&part, r, best);
-        for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
+        for (size_t n = 0; n <= MADE_UP_MAX; ++n) {
             const bool is_meant = n == count || r->kinds & BUDGET;
-            if (is_meant && best[n] != UINT64_MAX && best[n] > most) {
-                most = best[n];
+            if (is_meant && best[n] != UINT64_MAX && best[n] > max) {
+                max = best[n];
             }
         }
-        blocks->reference[c] = is_less ? most - most / 7 : most;
+        blocks->reference[c] = is_less ? max - max / 7 : max;
     }
 }
 
@@ -124,15 +125,15 @@ static void combine_by(made_up *m, uint32_t way)
 }
 
 static void find_optima(const made_up *m, const murk_blocks *blocks,
-                        const made_up_rules *r, uint64_t *best)
+                        const made_up_constraints *r, uint64_t *best)
 {
-    for (size_t n = 0; n <= MADE_UP_MOST; ++n) {
+    for (size_t n = 0; n <= MADE_UP_MAX; ++n) {
         best[n] = UINT64_MAX;
     }
     for (uint32_t set = 1; set < 1u << m->problem.candidates; ++set) {
         if (made_up_keeps(r, set)) {
             const int n = __builtin_popcount(set);
-            const uint64_t value = least_share(m, blocks, set);
+            const uint64_t value = min_share(m, blocks, set);
             if (best[n] == UINT64_MAX || value > best[n]) {
                 best[n] = value;
             }
@@ -140,19 +141,19 @@ static void find_optima(const made_up *m, const murk_blocks *blocks,
     }
 }
 
-static uint64_t optimum_of(const made_up_rules *r, const uint64_t *best,
+static uint64_t optimum_of(const made_up_constraints *r, const uint64_t *best,
                            size_t count)
 {
     if (!(r->kinds & BUDGET)) {
         return best[count];
     }
-    uint64_t most = UINT64_MAX;
+    uint64_t max = UINT64_MAX;
     for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
-        if (best[n] != UINT64_MAX && (most == UINT64_MAX || best[n] > most)) {
-            most = best[n];
+        if (best[n] != UINT64_MAX && (max == UINT64_MAX || best[n] > max)) {
+            max = best[n];
         }
     }
-    return most;
+    return max;
 }
 
 static murk_status place(murk_place_result *out, const made_up *m,
@@ -160,8 +161,7 @@ static murk_status place(murk_place_result *out, const made_up *m,
                          murk_error *err)
 {
     murk_matrix *matrix = NULL;
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, err) ==
-          MURK_OK);
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, err) == MURK_OK);
     const murk_status status =
         murk_place_worst(out, &m->problem, matrix, blocks, desc, err);
     murk_matrix_destroy(matrix);
@@ -178,7 +178,8 @@ static uint32_t set_of(const murk_place_result *r)
 }
 
 static void check_plan(const made_up *m, const murk_blocks *blocks,
-                       const made_up_rules *r, const murk_place_desc *desc,
+                       const made_up_constraints *r,
+                       const murk_place_desc *desc,
                        const murk_place_result *plan, const uint64_t *best,
                        tally *t)
 {
@@ -187,7 +188,7 @@ static void check_plan(const made_up *m, const murk_blocks *blocks,
     CHECK(made_up_keeps(r, set));
     CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
                             : plan->count == desc->count);
-    CHECK(plan->value == least_share(m, blocks, set));
+    CHECK(plan->value == min_share(m, blocks, set));
     CHECK(plan->value <= optimum);
     CHECK(plan->upper >= optimum);
     CHECK(!plan->proven_optimal || plan->value == optimum);
@@ -208,12 +209,12 @@ static void check_plan(const made_up *m, const murk_blocks *blocks,
 }
 
 static void try_methods(const made_up *m, const murk_blocks *blocks,
-                        const made_up_rules *r, uint32_t seed, size_t count,
-                        tally *t)
+                        const made_up_constraints *r, uint32_t seed,
+                        size_t count, tally *t)
 {
     static const murk_place_method methods[] = {
         MURK_PLACE_BEST, MURK_PLACE_SPOQ, MURK_PLACE_GREEDY, MURK_PLACE_EXACT};
-    uint64_t best[MADE_UP_MOST + 1];
+    uint64_t best[MADE_UP_MAX + 1];
     find_optima(m, blocks, r, best);
     const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
     for (int way = 0; way < 8; ++way) {
@@ -222,7 +223,7 @@ static void try_methods(const made_up *m, const murk_blocks *blocks,
         desc.count = count;
         desc.restarts = 3;
         desc.seed = seed;
-        desc.rules = r->kinds ? &r->rules : NULL;
+        desc.constraints = r->kinds ? &r->constraints : NULL;
         desc.keep_dominated = way >= 4;
         desc.with_curve = seed % 2;
         murk_error err = {0};
@@ -249,8 +250,8 @@ static void test_against_brute_force(uint32_t seed)
         const murk_blocks blocks = blocks_of(m, 2 + k % 3);
         set_apart(m, &blocks);
         combine_by(m, k / 3 % 4);
-        made_up_rules none;
-        made_up_rules_fill(&none, seed, 0, 10);
+        made_up_constraints none;
+        made_up_constraints_fill(&none, seed, 0, 10);
         try_methods(m, &blocks, &none, seed + k, 1 + k % 4, &t);
         made_up_destroy(m);
     }
@@ -272,8 +273,8 @@ static void test_every_rule(uint32_t seed)
             const murk_blocks blocks = blocks_of(m, 2 + k % 2);
             set_apart(m, &blocks);
             combine_by(m, (k + kinds) % 5);
-            made_up_rules r;
-            made_up_rules_fill(&r, own, kinds, 9);
+            made_up_constraints r;
+            made_up_constraints_fill(&r, own, kinds, 9);
             const size_t count =
                 kinds & BUDGET && k % 3 ? 0 : 1 + made_up_draw(own, 20, 0, 4);
             try_methods(m, &blocks, &r, own, count, &t);
@@ -302,8 +303,8 @@ static void test_near_ties(uint32_t seed)
             }
         }
         combine_by(m, k % 5);
-        made_up_rules r;
-        made_up_rules_fill(&r, seed + k, k % 8 ? 0 : 1u << k / 8, 9);
+        made_up_constraints r;
+        made_up_constraints_fill(&r, seed + k, k % 8 ? 0 : 1u << k / 8, 9);
         try_methods(m, &blocks, &r, seed + k, 2 + k % 3, &t);
         made_up_destroy(m);
     }
@@ -332,23 +333,23 @@ static void test_regret(uint32_t seed)
         }
         m->all_clear = false;
         combine_by(m, k % 5);
-        made_up_rules r;
-        made_up_rules_fill(&r, own, k % 3 ? 0 : 1u << k / 3 % KINDS, 9);
+        made_up_constraints r;
+        made_up_constraints_fill(&r, own, k % 3 ? 0 : 1u << k / 3 % KINDS, 9);
         const size_t count = 2 + k % 3;
         murk_place_result plan = {0};
         murk_place_desc desc = murk_place_defaults();
         murk_error err = {0};
         desc.count = count;
-        desc.rules = r.kinds ? &r.rules : NULL;
+        desc.constraints = r.kinds ? &r.constraints : NULL;
         (void)place(&plan, m, &blocks, &desc, &err); /* of the worst */
         refer(&blocks, m, &r,
               k / 2 % 2 ? MURK_BLOCK_REGRET : MURK_BLOCK_REGRET_RELATIVE, count,
               k % 4 == 3);
         try_methods(m, &blocks, &r, own, count, &t);
-        uint64_t best[MADE_UP_MOST + 1];
+        uint64_t best[MADE_UP_MAX + 1];
         find_optima(m, &blocks, &r, best);
         else_than_worst += plan.sensor && !(r.kinds & BUDGET) &&
-                           least_share(m, &blocks, set_of(&plan)) < best[count];
+                           min_share(m, &blocks, set_of(&plan)) < best[count];
         murk_place_release(&plan);
         made_up_destroy(m);
     }
@@ -368,9 +369,9 @@ static void test_the_bound_alone(uint32_t seed)
             made_up_create(seed + k, 300, 11, .3, k % 2 ? 1 : 40, 3, 1);
         const murk_blocks blocks = blocks_of(m, 3);
         set_apart(m, &blocks);
-        made_up_rules none;
-        made_up_rules_fill(&none, seed, 0, 11);
-        uint64_t best[MADE_UP_MOST + 1];
+        made_up_constraints none;
+        made_up_constraints_fill(&none, seed, 0, 11);
+        uint64_t best[MADE_UP_MAX + 1];
         find_optima(m, &blocks, &none, best);
         murk_place_desc desc = murk_place_defaults();
         desc.count = 3;
@@ -396,7 +397,7 @@ static void test_one_block_is_plain(uint32_t seed)
     const murk_blocks one = blocks_of(m, 1);
     murk_matrix *matrix = NULL;
     murk_error err = {0};
-    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MOST, &err) ==
+    CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
     murk_place_desc desc = murk_place_defaults();
     desc.count = 3;
@@ -421,9 +422,9 @@ static void test_target(uint32_t seed)
         made_up *m = made_up_create(seed + k, 90, 10, .2, 1, 2, 1);
         const murk_blocks blocks = blocks_of(m, 3);
         set_apart(m, &blocks);
-        made_up_rules none;
-        made_up_rules_fill(&none, seed, 0, 10);
-        uint64_t best[MADE_UP_MOST + 1];
+        made_up_constraints none;
+        made_up_constraints_fill(&none, seed, 0, 10);
+        uint64_t best[MADE_UP_MAX + 1];
         find_optima(m, &blocks, &none, best);
         murk_place_desc desc = murk_place_defaults();
         desc.count = 6;

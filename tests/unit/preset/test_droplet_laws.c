@@ -96,9 +96,9 @@ static void test_refusals(void)
 
     murk_preset preset = {.name = "fog/droplets"};
     preset.word[MURK_WORD_DROPLETS].is_known = true;
-    preset.word[MURK_WORD_DROPLETS].most[0] = 1e6;
+    preset.word[MURK_WORD_DROPLETS].max[0] = 1e6;
     preset.word[MURK_WORD_VISIBILITY].is_known = true;
-    preset.word[MURK_WORD_VISIBILITY].most[0] = 1e6;
+    preset.word[MURK_WORD_VISIBILITY].max[0] = 1e6;
     murk_words both = words_of(1, 6, 3, 1);
     both.given[MURK_WORD_DROPLET_SHAPE] = false;
     both.given[MURK_WORD_VISIBILITY] = true;

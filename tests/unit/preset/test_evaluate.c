@@ -92,8 +92,8 @@ static void know(murk_preset *p, murk_word_id id, double otherwise)
     p->word[id] = (murk_preset_word){.is_known = true,
                                      .has_preset = true,
                                      .preset = {otherwise},
-                                     .least = {.01},
-                                     .most = {1e6}};
+                                     .min = {.01},
+                                     .max = {1e6}};
 }
 
 static void test_a_word_multiplies_its_part_alone(void)

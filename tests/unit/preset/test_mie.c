@@ -59,10 +59,10 @@ static void test_published_spheres(murk_mie *mie)
  * x^2 of these (Bohren & Huffman 1983, 5.2). */
 static void test_small_spheres_are_rayleighs(murk_mie *mie)
 {
-    const double n = 1.33, k = 1e-9, least = MURK_MIE_SIZE_MIN;
+    const double n = 1.33, k = 1e-9, min = MURK_MIE_SIZE_MIN;
     const double re = n * n - k * k - 1, im = 2 * n * k, down = re + 3;
     const double size = down * down + im * im;
-    for (double x = least; x < 2e-3; x *= 10) {
+    for (double x = min; x < 2e-3; x *= 10) {
         const murk_mie_sphere got = sphere(mie, n, k, x);
         const double absorption = 4 * x * (im * down - re * im) / size;
         const double scattering =

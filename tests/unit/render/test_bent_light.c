@@ -27,16 +27,16 @@
 /* The lamp: a square of that half side above the patch, of radiance 1. */
 #define HALF_M 1.0
 
-static murk_light lamp_at(double z)
+static murk_source lamp_at(double z)
 {
-    return (murk_light){.type = MURK_LIGHT_RECT,
-                        .position = {-HALF_M, -HALF_M, z},
-                        .edge1 = {0, 2 * HALF_M, 0},
-                        .edge2 = {2 * HALF_M, 0, 0},
-                        .power_w = {{4 * HALF_M * HALF_M * MURK_PI}}};
+    return (murk_source){.type = MURK_SOURCE_RECT,
+                         .position = {-HALF_M, -HALF_M, z},
+                         .edge1 = {0, 2 * HALF_M, 0},
+                         .edge2 = {2 * HALF_M, 0, 0},
+                         .power_w = {{4 * HALF_M * HALF_M * MURK_PI}}};
 }
 
-static murk_picture *taken(const test_world *world, const murk_render *wanted)
+static murk_image *taken(const test_world *world, const murk_render *wanted)
 {
     murk_render render = *wanted;
     render.threads = 2;
@@ -82,7 +82,7 @@ static void check_patch(const char *name, const test_setup *wanted,
     setup.n_materials = 2;
     setup.n_lights = 1;
     test_world world = test_world_made(&setup);
-    murk_picture *p =
+    murk_image *p =
         taken(&world, &(murk_render){.camera = murk_camera_look(
                                          murk_vec(0, 0, 0.5), murk_vec(0, 0, 0),
                                          murk_vec(0, 1, 0), 0.002, 8, 8),
@@ -92,11 +92,11 @@ static void check_patch(const char *name, const test_setup *wanted,
     const double want = DIFFUSE / MURK_PI * irradiance;
     printf("%s: %.6g +- %.2g, is %.6g\n", name, p->mean[0], p->mean_error[0],
            want);
-    const double most = limit * p->mean_error[0] + ALLOWED * want;
-    CHECK(fabs(p->mean[0] - want) < most);
-    CHECK(most < 0.03 / 1.03 * want);
+    const double max = limit * p->mean_error[0] + ALLOWED * want;
+    CHECK(fabs(p->mean[0] - want) < max);
+    CHECK(max < 0.03 / 1.03 * want);
     CHECK(p->lost == 0);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
 }
 
@@ -118,7 +118,7 @@ static void test_a_lamp_above_the_water(void)
                       (1 - reflected(1, cosine, n, down)) *
                       share_in_lamp(radius);
     }
-    const murk_light lamp = lamp_at(deep_m + above_m);
+    const murk_source lamp = lamp_at(deep_m + above_m);
     const murk_medium clear = test_medium(0, 0, 0);
     const murk_region water = {.shape = MURK_REGION_BELOW,
                                .below_z_m = deep_m,
@@ -154,7 +154,7 @@ static void test_a_lamp_behind_a_plate_of_glass(void)
                 2 * MURK_PI / STEPS * sine * share * share_in_lamp(radius);
         }
     }
-    const murk_light lamp = lamp_at(high_m);
+    const murk_source lamp = lamp_at(high_m);
     const murk_surface_desc plate =
         test_box(murk_vec(-3.5, -3.5, 1), murk_vec(3.5, 3.5, 1 + thick_m), 1);
     check_patch(
@@ -188,14 +188,14 @@ static murk_photon_map *records(void)
 }
 
 /* A floor that the maps alone light, in a medium of that index all over. */
-static murk_picture *by_maps(const murk_photon_map *map,
-                             const murk_photon_map *none, double index)
+static murk_image *by_maps(const murk_photon_map *map,
+                           const murk_photon_map *none, double index)
 {
     const murk_surface_desc floor =
         test_rect(murk_vec(-3, -3, 0), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 0);
     const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
     const murk_medium clear = test_medium(0, 0, 0);
-    const murk_light lamp = test_point(murk_vec(0, 0, 2));
+    const murk_source lamp = test_point(murk_vec(0, 0, 2));
     const murk_region all = {.shape = MURK_REGION_BELOW,
                              .below_z_m = 10,
                              .ior = index,
@@ -213,7 +213,7 @@ static murk_picture *by_maps(const murk_photon_map *map,
                       .n_media = 1,
                       .regions = &all,
                       .n_regions = 1});
-    murk_picture *p =
+    murk_image *p =
         taken(&world, &(murk_render){.camera = murk_camera_look(
                                          murk_vec(0, 0, 1), murk_vec(0, 0, 0),
                                          murk_vec(0, 1, 0), 0.6, 6, 4),
@@ -232,8 +232,8 @@ static void test_the_index_changes_no_error_of_maps(void)
     murk_photon_map *map = records(), *none = NULL;
     murk_error err = {0};
     CHECK(murk_photon_map_create(&none, NULL, 0, 1, &err) == MURK_OK);
-    murk_picture *air = by_maps(map, none, 1);
-    murk_picture *water = by_maps(map, none, 1.34);
+    murk_image *air = by_maps(map, none, 1);
+    murk_image *water = by_maps(map, none, 1.34);
     /* of half a watt a record, over 16 m2 */
     const double want = RECORDS * 0.5 / 16 / MURK_PI;
     CHECK(fabs(air->mean[0] / want - 1) < 0.2);
@@ -247,8 +247,8 @@ static void test_the_index_changes_no_error_of_maps(void)
         CHECK_NEAR((double)(water->rgb_error[1][i] / air->rgb_error[1][i]), 1,
                    1e-6);
     }
-    murk_picture_destroy(air);
-    murk_picture_destroy(water);
+    murk_image_destroy(air);
+    murk_image_destroy(water);
     murk_photon_map_destroy(map);
     murk_photon_map_destroy(none);
 }

@@ -14,20 +14,20 @@
 #define SEEN   3  /* images to either side whose frequencies are tested */
 #define ZTESTS ((2 * SEEN + 1) * (2 * SEEN + 1))
 
-static murk_light lamp_at(double x, double y, double z)
+static murk_source lamp_at(double x, double y, double z)
 {
-    return (murk_light){.type = MURK_LIGHT_RECT,
-                        .position = {x - 0.5, y - 0.5, z},
-                        .edge1 = {0, 1, 0},
-                        .edge2 = {1, 0, 0}, /* it shines downwards */
-                        .power_w = {{1}}};
+    return (murk_source){.type = MURK_SOURCE_RECT,
+                         .position = {x - 0.5, y - 0.5, z},
+                         .edge1 = {0, 1, 0},
+                         .edge2 = {1, 0, 0}, /* it shines downwards */
+                         .power_w = {{1}}};
 }
 
 /* The image in the middle of those that are weighed is the nearest one, along
  * sides of different lengths. */
 static void test_the_nearest_image_is_in_the_middle(void)
 {
-    const murk_light lamp = lamp_at(1, 2, 4);
+    const murk_source lamp = lamp_at(1, 2, 4);
     test_world world =
         test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {7, 3, 6}}, true},
                                       .lights = &lamp,
@@ -54,7 +54,7 @@ static void test_the_nearest_image_is_in_the_middle(void)
  * height / (nearest side of the square). */
 static void check_images(murk_vec3 place, double *beyond)
 {
-    const murk_light lamp = lamp_at(1, 3, 4);
+    const murk_source lamp = lamp_at(1, 3, 4);
     test_world world =
         test_world_made(&(test_setup){.domain = {{{0, 0, 0}, {5, 4, 6}}, true},
                                       .lights = &lamp,
@@ -110,7 +110,7 @@ static void test_images_are_drawn_by_their_chances(void)
  * nearest, none to lamps that shine away or lie below the surface. */
 static void test_rays_go_to_lamps_that_light_the_place(void)
 {
-    murk_light lamp[10];
+    murk_source lamp[10];
     for (int i = 0; i < 10; ++i) {
         lamp[i] = lamp_at(2 * i + 1, 2, i < 9 ? 4 : 0.5);
     }
@@ -121,16 +121,16 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
     murk_scenery scenery = scenery_of_world(&world);
     murk_shadow_origin outlook = {
         .position = {5, 2, 1}, .is_surface = true, .normal = {0, 0, 1}};
-    double rays[MURK_LIGHTS_MAX], sum = 0;
+    double rays[MURK_SOURCES_MAX], sum = 0;
     murk_choice_rays(&scenery, &outlook, rays);
     for (int i = 0; i < 10; ++i) {
         sum += rays[i];
     }
-    CHECK_NEAR(sum, MURK_LIGHTS_AT_ONCE, 1e-12);
+    CHECK_NEAR(sum, MURK_LIGHTMAPS_AT_ONCE, 1e-12);
     CHECK(rays[2] > rays[1] && rays[1] > rays[4] && rays[4] > rays[8]);
     CHECK_NEAR(rays[1], rays[3], 1e-12);
     /* the one below has but the blind share of even draws */
-    CHECK(rays[9] > 0 && rays[9] < 0.25 * MURK_LIGHTS_AT_ONCE / 10 * 1.001);
+    CHECK(rays[9] > 0 && rays[9] < 0.25 * MURK_LIGHTMAPS_AT_ONCE / 10 * 1.001);
     /* no more lights than rays: one to each */
     scenery.n_lit[0] = 3;
     murk_choice_rays(&scenery, &outlook, rays);
@@ -147,7 +147,7 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
 {
     enum { POINTS = 7 };
     const double width = 20, here = 2;
-    murk_light point[POINTS];
+    murk_source point[POINTS];
     double due[POINTS], sum = 0;
     for (int i = 0; i < POINTS; ++i) {
         point[i] = test_point(murk_vec(2.5 * i + 3, 2, 3));
@@ -163,11 +163,12 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
                       .n_lights = POINTS});
     murk_scenery scenery = scenery_of_world(&world);
     const murk_shadow_origin outlook = {.position = {here, 2, 1}};
-    double rays[MURK_LIGHTS_MAX];
+    double rays[MURK_SOURCES_MAX];
     murk_choice_rays(&scenery, &outlook, rays);
     for (int i = 0; i < POINTS; ++i) {
         CHECK_NEAR(rays[i],
-                   MURK_LIGHTS_AT_ONCE * (0.75 * due[i] / sum + 0.25 / POINTS),
+                   MURK_LIGHTMAPS_AT_ONCE *
+                       (0.75 * due[i] / sum + 0.25 / POINTS),
                    1e-9);
     }
     murk_scenery_release(&scenery);
@@ -179,29 +180,29 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
  * plane, and lights nothing above: it has the blind share alone. */
 static void test_images_light_what_lies_behind(void)
 {
-    murk_light lamp[6];
+    murk_source lamp[6];
     for (int i = 0; i < 5; ++i) {
         lamp[i] = lamp_at(1, 2, 2);
     }
-    lamp[5] = (murk_light){.type = MURK_LIGHT_RECT,
-                           .position = {3, 1.5, 1.8},
-                           .edge1 = {0, 1, 0},
-                           .edge2 = {0, 0, 1}, /* it shines along x */
-                           .power_w = {{1}}};
+    lamp[5] = (murk_source){.type = MURK_SOURCE_RECT,
+                            .position = {3, 1.5, 1.8},
+                            .edge1 = {0, 1, 0},
+                            .edge2 = {0, 0, 1}, /* it shines along x */
+                            .power_w = {{1}}};
     test_setup setup = {.domain = {{{0, 0, 0}, {4, 4, 6}}, true},
                         .lights = lamp,
                         .n_lights = 6};
     const murk_shadow_origin behind = {.position = {2.7, 2, 2.3}};
-    const double blind = 0.25 * MURK_LIGHTS_AT_ONCE / 6;
-    double rays[MURK_LIGHTS_MAX];
+    const double blind = 0.25 * MURK_LIGHTMAPS_AT_ONCE / 6;
+    double rays[MURK_SOURCES_MAX];
     for (int is_periodic = 1; is_periodic >= 0; --is_periodic) {
         setup.domain.is_periodic = is_periodic;
         test_world world = test_world_made(&setup);
         murk_scenery scenery = scenery_of_world(&world);
         murk_choice_rays(&scenery, &behind, rays);
-        CHECK_NEAR(rays[0], is_periodic ? blind : MURK_LIGHTS_AT_ONCE / 6.0,
+        CHECK_NEAR(rays[0], is_periodic ? blind : MURK_LIGHTMAPS_AT_ONCE / 6.0,
                    1e-12);
-        CHECK_NEAR(rays[5], MURK_LIGHTS_AT_ONCE - 5 * rays[0], 1e-12);
+        CHECK_NEAR(rays[5], MURK_LIGHTMAPS_AT_ONCE - 5 * rays[0], 1e-12);
         murk_scenery_release(&scenery);
         test_world_unmade(&world);
     }

@@ -17,8 +17,8 @@
  * beside the floor, floats: 1e-4 of the radiance at most. */
 #define ALLOWED 1e-4
 
-static murk_picture *taken(const test_world *world, murk_camera camera,
-                           size_t samples)
+static murk_image *taken(const test_world *world, murk_camera camera,
+                         size_t samples)
 {
     return picture_of_world((murk_render){.camera = camera,
                                           .samples = samples,
@@ -28,7 +28,7 @@ static murk_picture *taken(const test_world *world, murk_camera camera,
 }
 
 /* Looks with a hair's breadth of view. */
-static murk_camera hair(murk_vec3 from, murk_vec3 to)
+static murk_camera tolerance(murk_vec3 from, murk_vec3 to)
 {
     const murk_vec3 way = murk_sub(to, from);
     const murk_vec3 up = fabs(way.z) > fabs(way.x) + fabs(way.y)
@@ -37,7 +37,7 @@ static murk_camera hair(murk_vec3 from, murk_vec3 to)
     return murk_camera_look(from, to, up, 0.002, 8, 8);
 }
 
-static bool is_met(const murk_picture *p, double want, double allowed)
+static bool is_met(const murk_image *p, double want, double allowed)
 {
     const double limit = murk_sidak_limit(1e-6, CASES);
     return fabs(p->mean[0] - want) < limit * p->mean_error[0] + allowed * want;
@@ -49,7 +49,7 @@ static double check_case(const char *name, const test_setup *setup,
                          double allowed)
 {
     test_world world = test_world_made(setup);
-    murk_picture *p = taken(&world, camera, samples);
+    murk_image *p = taken(&world, camera, samples);
     printf("%s: %.6g +- %.2g, is %.6g\n", name, p->mean[0], p->mean_error[0],
            want);
     CHECK(is_met(p, want, allowed));
@@ -63,7 +63,7 @@ static double check_case(const char *name, const test_setup *setup,
         CHECK(setup->n_media > 0 || p->volume[0][i] == 0);
     }
     const double share = p->mean_error[0] / p->mean[0];
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
     return share;
 }
@@ -73,7 +73,7 @@ static double check_case(const char *name, const test_setup *setup,
 #define DIFFUSE 0.5
 
 /* Radiance of a floor at z = 0 below point lamps of a watt. */
-static double floor_radiance(const murk_light *lamp, size_t n, murk_vec3 at)
+static double floor_radiance(const murk_source *lamp, size_t n, murk_vec3 at)
 {
     double irradiance = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -87,7 +87,7 @@ static double floor_radiance(const murk_light *lamp, size_t n, murk_vec3 at)
 /* Twelve lamps, so that shadow rays are shared out; a watt each. */
 static void test_a_floor_below_many_lamps(void)
 {
-    murk_light lamp[12];
+    murk_source lamp[12];
     for (int i = 0; i < 12; ++i) {
         lamp[i] = test_point(murk_vec(i % 4 - 1.5, i / 4 - 1, 1 + 0.2 * i));
     }
@@ -102,13 +102,13 @@ static void test_a_floor_below_many_lamps(void)
                              .n_surfaces = 1,
                              .materials = &paint,
                              .n_materials = 1},
-               hair(murk_vec(0.3, 0.2, 0.5), murk_vec(0.3, 0.2, 0)), 600,
+               tolerance(murk_vec(0.3, 0.2, 0.5), murk_vec(0.3, 0.2, 0)), 600,
                floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)), ALLOWED);
 }
 
 /* Water up to `level` in a box of 8 m with a floor at z = 0 that reflects
  * `diffuse`, seen from a camera, by the light of one lamp. */
-static void check_water(const char *name, murk_light lamp, double level,
+static void check_water(const char *name, murk_source lamp, double level,
                         double diffuse, murk_camera camera, size_t samples,
                         double want)
 {
@@ -142,29 +142,29 @@ static void check_water(const char *name, murk_light lamp, double level,
 static void test_the_square_of_the_index(void)
 {
     const double n = 1.34, back = (n - 1) / (n + 1) * (n - 1) / (n + 1);
-    const murk_light point = test_point(murk_vec(1, 0.5, 2));
+    const murk_source point = test_point(murk_vec(1, 0.5, 2));
     const murk_vec3 at = {0.3, 0.2, 0};
     check_water("floor, camera and lamp under water", point, 10, DIFFUSE,
-                hair(murk_vec(0.3, 0.2, 0.5), at), 4,
+                tolerance(murk_vec(0.3, 0.2, 0.5), at), 4,
                 floor_radiance(&point, 1, at));
-    const murk_light ball = {.type = MURK_LIGHT_SPHERE,
-                             .position = {0, 0, 2},
-                             .radius_m = 0.5,
-                             .power_w = {{1}}};
+    const murk_source ball = {.type = MURK_SOURCE_SPHERE,
+                              .position = {0, 0, 2},
+                              .radius_m = 0.5,
+                              .power_w = {{1}}};
     const double bright = 1 / (4 * MURK_PI * MURK_PI * 0.25);
     check_water("a lamp seen under water", ball, 10, 0,
-                hair(murk_vec(0, 0, 0.5), murk_vec(0, 0, 2)), 4, bright);
+                tolerance(murk_vec(0, 0, 0.5), murk_vec(0, 0, 2)), 4, bright);
     check_water("a lamp seen from above the water", ball, 3, 0,
-                hair(murk_vec(0, 0, 4), murk_vec(0, 0, 2)), 4000,
+                tolerance(murk_vec(0, 0, 4), murk_vec(0, 0, 2)), 4000,
                 bright * (1 - back) / (n * n));
     /* the floor's light is of a lamp in the same water */
-    const murk_light sheet = {.type = MURK_LIGHT_SPHERE,
-                              .position = {1, 0.5, 2},
-                              .radius_m = 0.1,
-                              .power_w = {{1}}};
-    const murk_light middle = test_point(murk_vec(1, 0.5, 2));
+    const murk_source sheet = {.type = MURK_SOURCE_SPHERE,
+                               .position = {1, 0.5, 2},
+                               .radius_m = 0.1,
+                               .power_w = {{1}}};
+    const murk_source middle = test_point(murk_vec(1, 0.5, 2));
     check_water("a floor seen by a ball's light under water", sheet, 10,
-                DIFFUSE, hair(murk_vec(0.3, 0.2, 0.5), at), 300,
+                DIFFUSE, tolerance(murk_vec(0.3, 0.2, 0.5), at), 300,
                 floor_radiance(&middle, 1, at));
 }
 
@@ -173,12 +173,12 @@ static void test_the_square_of_the_index(void)
  * is that of a point in its middle. */
 static void test_a_mirror_doubles_the_lamp(void)
 {
-    const murk_light ball = {.type = MURK_LIGHT_SPHERE,
-                             .position = {0, 0, 2.5},
-                             .radius_m = 1,
-                             .power_w = {{1}}};
-    const murk_light both[2] = {test_point(murk_vec(0, 0, 2.5)),
-                                test_point(murk_vec(4, 0, 2.5))};
+    const murk_source ball = {.type = MURK_SOURCE_SPHERE,
+                              .position = {0, 0, 2.5},
+                              .radius_m = 1,
+                              .power_w = {{1}}};
+    const murk_source both[2] = {test_point(murk_vec(0, 0, 2.5)),
+                                 test_point(murk_vec(4, 0, 2.5))};
     const murk_surface_desc surface[2] = {
         test_rect(murk_vec(0.28, 0.18, 0), murk_vec(0.04, 0, 0),
                   murk_vec(0, 0.04, 0), 0),
@@ -195,14 +195,14 @@ static void test_a_mirror_doubles_the_lamp(void)
                              .n_surfaces = 2,
                              .materials = material,
                              .n_materials = 2},
-               hair(murk_vec(0.3, 0.2, 0.5), at), 8000,
+               tolerance(murk_vec(0.3, 0.2, 0.5), at), 8000,
                floor_radiance(both, 2, at), ALLOWED);
 }
 
 /* Two thin sheets between lamp and floor let half of the light through each. */
 static void test_sheets_dim_one_after_the_other(void)
 {
-    const murk_light point = test_point(murk_vec(1, 0.5, 2));
+    const murk_source point = test_point(murk_vec(1, 0.5, 2));
     const murk_surface_desc surface[3] = {
         test_rect(murk_vec(-3, -3, 0), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 0),
         test_rect(murk_vec(-3, -3, 1), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 1),
@@ -219,7 +219,7 @@ static void test_sheets_dim_one_after_the_other(void)
                              .n_surfaces = 3,
                              .materials = material,
                              .n_materials = 2},
-               hair(murk_vec(0.3, 0.2, 0.5), at), 4,
+               tolerance(murk_vec(0.3, 0.2, 0.5), at), 4,
                0.25 * floor_radiance(&point, 1, at), ALLOWED);
 }
 
@@ -230,11 +230,11 @@ static void test_sheets_dim_one_after_the_other(void)
 static void test_the_mean_knows_its_error(void)
 {
     const double q = exp(-0.7);
-    const murk_light sheet = {.type = MURK_LIGHT_RECT,
-                              .position = {2, -1, -1},
-                              .edge1 = {0, 0, 2},
-                              .edge2 = {0, 2, 0},
-                              .power_w = {{4 * MURK_PI}}};
+    const murk_source sheet = {.type = MURK_SOURCE_RECT,
+                               .position = {2, -1, -1},
+                               .edge1 = {0, 0, 2},
+                               .edge2 = {0, 2, 0},
+                               .power_w = {{4 * MURK_PI}}};
     const murk_medium soot = test_medium(0.35, 0, 0);
     const murk_region all = test_everywhere(0);
     test_world world = test_world_made(
@@ -247,11 +247,11 @@ static void test_the_mean_knows_its_error(void)
                       .n_regions = 1});
     const murk_camera camera = murk_camera_look(
         murk_vec(0, 0, 0), murk_vec(1, 0, 0), murk_vec(0, 0, 1), 0.01, 64, 64);
-    murk_picture *p = taken(&world, camera, 4);
+    murk_image *p = taken(&world, camera, 4);
     const double want = sqrt(q * (1 - q) / (4 * 64 * 64));
     printf("error of the mean: %.4g, is %.4g\n", p->mean_error[0], want);
     CHECK(fabs(p->mean_error[0] / want - 1) < 0.05);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
 }
 
@@ -265,9 +265,9 @@ static void test_light_scattered_once(void)
 {
     const double s = 0.4, g = 0.5, albedo = 1e-3;
     const double p = (1 - g * g) / (4 * MURK_PI * pow(1 + g * g, 1.5));
-    const murk_light sun = {.type = MURK_LIGHT_DIRECTIONAL,
-                            .direction = {0, 0, -1},
-                            .power_w = {{1000}}};
+    const murk_source sun = {.type = MURK_SOURCE_DIRECTIONAL,
+                             .direction = {0, 0, -1},
+                             .power_w = {{1000}}};
     const murk_medium smoke = test_medium(s, albedo, g);
     const murk_region box =
         test_box_region(0, murk_vec(0, -3, 0), murk_vec(3, 3, 2));
@@ -279,7 +279,7 @@ static void test_light_scattered_once(void)
                              .n_media = 1,
                              .regions = &box,
                              .n_regions = 1},
-               hair(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 1200,
+               tolerance(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 1200,
                1000 * albedo * p * exp(-s) * (1 - exp(-3 * s)), albedo);
 }
 
@@ -288,7 +288,7 @@ static void test_light_scattered_once(void)
 static void test_light_scattered_once_under_water(void)
 {
     const double s = 0.3, albedo = 1e-3;
-    const murk_light point = test_point(murk_vec(1, 1.5, 2));
+    const murk_source point = test_point(murk_vec(1, 1.5, 2));
     const murk_medium murky = test_medium(s, albedo, 0);
     const murk_region water = {.shape = MURK_REGION_BELOW,
                                .below_z_m = 10,
@@ -308,16 +308,16 @@ static void test_light_scattered_once_under_water(void)
                              .n_media = 1,
                              .regions = &water,
                              .n_regions = 1},
-               hair(murk_vec(-2, 0, 2), murk_vec(4, 0, 2)), 1200,
+               tolerance(murk_vec(-2, 0, 2), murk_vec(4, 0, 2)), 1200,
                s * albedo / (4 * MURK_PI) * sum, albedo);
 }
 
 /* As above, told by where it came from: all of it from the medium. */
 static void test_scattered_light_is_of_the_medium(void)
 {
-    const murk_light sun = {.type = MURK_LIGHT_DIRECTIONAL,
-                            .direction = {0, 0, -1},
-                            .power_w = {{1000}}};
+    const murk_source sun = {.type = MURK_SOURCE_DIRECTIONAL,
+                             .direction = {0, 0, -1},
+                             .power_w = {{1000}}};
     const murk_medium smoke = test_medium(0.4, 0.5, 0.5);
     const murk_region box =
         test_box_region(0, murk_vec(0, -3, 0), murk_vec(3, 3, 2));
@@ -329,10 +329,10 @@ static void test_scattered_light_is_of_the_medium(void)
                       .n_media = 1,
                       .regions = &box,
                       .n_regions = 1});
-    murk_picture *p =
-        taken(&world, hair(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 16);
+    murk_image *p =
+        taken(&world, tolerance(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 16);
     CHECK(p->volume[0][20] > 0 && p->surface[0][20] == 0);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
 }
 
@@ -344,7 +344,7 @@ static void test_scattered_light_is_of_the_medium(void)
 static const murk_domain periodic = {{{0, 0, -0.1}, {SIDE, SIDE, 6}}, true};
 
 /* A floor at z = 0 of a periodic domain with soot, below one lamp. */
-static test_setup over_floor(const murk_light *lamp,
+static test_setup over_floor(const murk_source *lamp,
                              const murk_surface_desc *floor,
                              const murk_material *paint,
                              const murk_medium *soot, const murk_region *all)
@@ -387,19 +387,19 @@ static void test_images_of_lamps_light_a_floor(void)
     const murk_medium soot = test_medium(ABSORB, 0, 0);
     const murk_region all = test_everywhere(0);
     const murk_vec3 at = {0.5, 4, 0}; /* near a side */
-    const murk_camera camera = hair(murk_vec(0.5, 4, 0.5), at);
+    const murk_camera camera = tolerance(murk_vec(0.5, 4, 0.5), at);
     const double seen = exp(-ABSORB * 0.5) * DIFFUSE / MURK_PI;
-    const murk_light point = test_point(murk_vec(4, 1, 2));
+    const murk_source point = test_point(murk_vec(4, 1, 2));
     test_setup setup = over_floor(&point, &floor, &paint, &soot, &all);
     check_case("images of a point", &setup, camera, 1500,
                seen * from_images(point.position, at, 1) / (4 * MURK_PI),
                ALLOWED);
     /* 2 x 3 m of radiance 1 / (6 pi), in strips of a tenth */
-    const murk_light sheet = {.type = MURK_LIGHT_RECT,
-                              .position = {2.5, 0.5, 3},
-                              .edge1 = {0, 3, 0},
-                              .edge2 = {2, 0, 0},
-                              .power_w = {{1}}};
+    const murk_source sheet = {.type = MURK_SOURCE_RECT,
+                               .position = {2.5, 0.5, 3},
+                               .edge1 = {0, 3, 0},
+                               .edge2 = {2, 0, 0},
+                               .power_w = {{1}}};
     double sum = 0;
     for (int i = 0; i < 20; ++i) {
         for (int j = 0; j < 30; ++j) {
@@ -425,16 +425,16 @@ static void test_a_periodic_furnace(void)
     const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
     const murk_medium fog = test_medium(0.2, 1, 0.6);
     const murk_region all = test_everywhere(0);
-    const murk_light lamp[2] = {{.type = MURK_LIGHT_RECT,
-                                 .position = {0, 0, 0},
-                                 .edge1 = {SIDE, 0, 0},
-                                 .edge2 = {0, SIDE, 0},
-                                 .power_w = {{SIDE * SIDE}}},
-                                {.type = MURK_LIGHT_RECT,
-                                 .position = {0, 0, 6},
-                                 .edge1 = {0, SIDE, 0},
-                                 .edge2 = {SIDE, 0, 0},
-                                 .power_w = {{SIDE * SIDE}}}};
+    const murk_source lamp[2] = {{.type = MURK_SOURCE_RECT,
+                                  .position = {0, 0, 0},
+                                  .edge1 = {SIDE, 0, 0},
+                                  .edge2 = {0, SIDE, 0},
+                                  .power_w = {{SIDE * SIDE}}},
+                                 {.type = MURK_SOURCE_RECT,
+                                  .position = {0, 0, 6},
+                                  .edge1 = {0, SIDE, 0},
+                                  .edge2 = {SIDE, 0, 0},
+                                  .power_w = {{SIDE * SIDE}}}};
     const size_t samples = 300;
     const double share =
         check_case("a periodic furnace",
@@ -462,11 +462,11 @@ static void test_a_periodic_furnace(void)
 static void test_a_tall_domain_is_done_soon(void)
 {
     const double side = 50, top = 1e6, haze = 3e-7;
-    const murk_light sheet = {.type = MURK_LIGHT_RECT,
-                              .position = {0, 0, top - 1000},
-                              .edge1 = {0, side, 0},
-                              .edge2 = {side, 0, 0},
-                              .power_w = {{MURK_PI * side * side}}};
+    const murk_source sheet = {.type = MURK_SOURCE_RECT,
+                               .position = {0, 0, top - 1000},
+                               .edge1 = {0, side, 0},
+                               .edge2 = {side, 0, 0},
+                               .power_w = {{MURK_PI * side * side}}};
     const murk_surface_desc floor = test_rect(
         murk_vec(0, 0, 0), murk_vec(side, 0, 0), murk_vec(0, side, 0), 0);
     const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
@@ -484,19 +484,20 @@ static void test_a_tall_domain_is_done_soon(void)
                         .regions = &all,
                         .n_regions = 1};
     check_case("a lamp far up, aslant", &setup,
-               hair(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 400,
+               tolerance(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 400,
                exp(-haze * (top - 1002) * sqrt(2)), 5e-4);
     test_world world = test_world_made(&setup);
-    murk_picture *p =
-        taken(&world, hair(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 1);
+    murk_image *p =
+        taken(&world, tolerance(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 1);
     const double slant = (top - 2) * sqrt(2);
     CHECK_NEAR((double)p->distance_m[20] / slant, 1, 2e-3);
     CHECK_NEAR((double)p->depth[0][20] / (haze * slant), 1, 2e-3);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
     air = test_medium(0, 0, 0);
     check_case("a floor far below its lamp", &setup,
-               hair(murk_vec(3, 4, 2), murk_vec(3, 4, 0)), 2000, DIFFUSE, 5e-4);
+               tolerance(murk_vec(3, 4, 2), murk_vec(3, 4, 0)), 2000, DIFFUSE,
+               5e-4);
 }
 
 int main(void)

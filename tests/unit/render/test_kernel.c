@@ -76,7 +76,7 @@ static test_world room(const murk_medium *media, const murk_region *regions,
         /* a wall across, and a ball */
         test_rect(murk_vec(2, 0, 0), murk_vec(0, 4, 0), murk_vec(0, 0, 4), 0),
         test_sphere(murk_vec(3, 3, 2), 0.5, 0)};
-    const murk_light lamp = test_point(murk_vec(1, 1, 1));
+    const murk_source lamp = test_point(murk_vec(1, 1, 1));
     return test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {5, 5, 5}}, false},
                       .lights = &lamp,
@@ -147,7 +147,7 @@ static void test_discs_shrink_into_slits(void)
     const murk_surface_desc plank = test_rect(
         murk_vec(0, 0, 0), murk_vec(4, 0, 0), murk_vec(0, 0.01, 0), 0);
     const murk_material paint = test_material(0.5, 0, 0, 0);
-    const murk_light lamp = test_point(murk_vec(1, 1, 1));
+    const murk_source lamp = test_point(murk_vec(1, 1, 1));
     test_world world = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {5, 5, 5}}, false},
                       .lights = &lamp,

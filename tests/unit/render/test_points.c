@@ -12,7 +12,7 @@
 /* A light, since a world must have one. */
 static test_world made(test_setup setup)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, 3));
+    const murk_source lamp = test_point(murk_vec(0, 0, 3));
     setup.lights = &lamp;
     setup.n_lights = 1;
     return test_world_made(&setup);

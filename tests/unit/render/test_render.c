@@ -11,8 +11,8 @@
 
 #define ZTESTS 4
 
-static murk_picture *taken(const test_world *world, murk_camera camera,
-                           size_t samples, unsigned threads)
+static murk_image *taken(const test_world *world, murk_camera camera,
+                         size_t samples, unsigned threads)
 {
     return picture_of_world((murk_render){.camera = camera,
                                           .samples = samples,
@@ -23,7 +23,7 @@ static murk_picture *taken(const test_world *world, murk_camera camera,
 
 static test_world hollow_ball(double diffuse)
 {
-    const murk_light lamp = test_point(murk_vec(0, 0, 0));
+    const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_surface_desc ball = test_sphere(murk_vec(0, 0, 0), 1, 0);
     const murk_material paint = test_material(diffuse, 0, 0, 0);
     return test_world_made(
@@ -50,7 +50,7 @@ static void test_a_closed_ball_glows_evenly(void)
     const murk_camera camera =
         murk_camera_look(murk_vec(0.5, 0.1, 0), murk_vec(0, 1, 0.3),
                          murk_vec(0, 0, 1), 1.5, 20, 16);
-    murk_picture *p = taken(&world, camera, 64, 2);
+    murk_image *p = taken(&world, camera, 64, 2);
     CHECK_WITHIN(limit, p->mean[0], ball_radiance(0.7), p->mean_error[0]);
     CHECK(sigmas_off(p->mean[0], ball_radiance(0.72), p->mean_error[0]) >
           2 * limit);
@@ -65,7 +65,7 @@ static void test_a_closed_ball_glows_evenly(void)
                              (double)p->position[1][middle],
                              (double)p->position[2][middle]};
     CHECK_NEAR(murk_length(there), 1, 1e-5);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
 }
 
@@ -74,7 +74,7 @@ static void test_a_closed_ball_glows_evenly(void)
 static void test_radiance_grows_by_the_square_of_the_index(void)
 {
     const double limit = murk_sidak_limit(1e-6, ZTESTS), n = 1.34;
-    const murk_light sky = {.type = MURK_LIGHT_DOME, .power_w = {{MURK_PI}}};
+    const murk_source sky = {.type = MURK_SOURCE_DOME, .power_w = {{MURK_PI}}};
     const murk_medium water = test_medium(0, 0, 0);
     const murk_region sea = {.shape = MURK_REGION_BELOW,
                              .below_z_m = 0,
@@ -91,13 +91,13 @@ static void test_radiance_grows_by_the_square_of_the_index(void)
                       .n_regions = 1});
     const murk_camera camera = murk_camera_look(
         murk_vec(0, 0, -1), murk_vec(0, 0, 1), murk_vec(0, 1, 0), 0.01, 8, 8);
-    murk_picture *p = taken(&world, camera, 256, 1);
+    murk_image *p = taken(&world, camera, 256, 1);
     const double back = (n - 1) / (n + 1) * (n - 1) / (n + 1);
     CHECK_WITHIN(limit, p->mean[0], n * n * (1 - back), p->mean_error[0]);
     CHECK(sigmas_off(p->mean[0], 1.33 * 1.33 * (1 - back), p->mean_error[0]) >
           2 * limit);
     CHECK_NEAR((double)p->distance_m[0], 1, 1e-4);
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
 }
 
@@ -105,11 +105,11 @@ static void test_radiance_grows_by_the_square_of_the_index(void)
 static void test_a_lamp_dims_by_the_depth_before_it(void)
 {
     const double limit = murk_sidak_limit(1e-6, ZTESTS);
-    const murk_light lamp = {.type = MURK_LIGHT_RECT,
-                             .position = {3, -1, -1},
-                             .edge1 = {0, 0, 2},
-                             .edge2 = {0, 2, 0},
-                             .power_w = {{4 * MURK_PI}}};
+    const murk_source lamp = {.type = MURK_SOURCE_RECT,
+                              .position = {3, -1, -1},
+                              .edge1 = {0, 0, 2},
+                              .edge2 = {0, 2, 0},
+                              .power_w = {{4 * MURK_PI}}};
     const murk_medium soot = test_medium(0.5, 0, 0);
     const murk_region all = test_everywhere(0);
     test_world world = test_world_made(
@@ -122,11 +122,11 @@ static void test_a_lamp_dims_by_the_depth_before_it(void)
                       .n_regions = 1});
     const murk_camera camera = murk_camera_look(
         murk_vec(0, 0, 0), murk_vec(1, 0, 0), murk_vec(0, 0, 1), 0.01, 16, 16);
-    murk_picture *p = taken(&world, camera, 64, 1);
+    murk_image *p = taken(&world, camera, 64, 1);
     CHECK_WITHIN(limit, p->mean[0], exp(-1.5), p->mean_error[0]);
     CHECK(sigmas_off(p->mean[0], exp(-1.7), p->mean_error[0]) > 2 * limit);
     CHECK_NEAR((double)p->depth[0][0], 0.5 * 4, 1e-3); /* to the side */
-    murk_picture_destroy(p);
+    murk_image_destroy(p);
     test_world_unmade(&world);
 }
 
@@ -136,15 +136,15 @@ static void test_the_same_on_any_threads(void)
     const murk_camera camera =
         murk_camera_look(murk_vec(0.5, 0.1, 0), murk_vec(0, 1, 0.3),
                          murk_vec(0, 0, 1), 1.5, 50, 37);
-    murk_picture *one = taken(&world, camera, 2, 1);
+    murk_image *one = taken(&world, camera, 2, 1);
     for (unsigned threads = 2; threads <= 5; threads += 3) {
-        murk_picture *more = taken(&world, camera, 2, threads);
+        murk_image *more = taken(&world, camera, 2, threads);
         CHECK(memcmp(one->radiance[0], more->radiance[0],
-                     (size_t)murk_picture_bytes(50, 37, 1)) == 0);
+                     (size_t)murk_image_bytes(50, 37, 1)) == 0);
         CHECK(memcmp(one->mean, more->mean, sizeof one->mean) == 0);
-        murk_picture_destroy(more);
+        murk_image_destroy(more);
     }
-    murk_picture_destroy(one);
+    murk_image_destroy(one);
     test_world_unmade(&world);
 }
 

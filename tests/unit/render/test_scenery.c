@@ -16,8 +16,8 @@ static test_setup with_two(const murk_surface_desc upright[2],
                            const murk_material paint[3],
                            const murk_medium *soot, const murk_region *all)
 {
-    static const murk_light lamp = {
-        .type = MURK_LIGHT_POINT, .position = {1, 2, 5}, .power_w = {{1}}};
+    static const murk_source lamp = {
+        .type = MURK_SOURCE_POINT, .position = {1, 2, 5}, .power_w = {{1}}};
     return (test_setup){.domain = {{{0, 0, 0}, {SIDE, SIDE, 6}}, true},
                         .lights = &lamp,
                         .n_lights = 1,

@@ -17,8 +17,8 @@ static void test_shares_are_nearest_ranks(void)
     CHECK(murk_spread_share(value, 101, 0.4951) == 50);
     CHECK(murk_spread_share(value, 101, 0.4949) == 49);
     CHECK(murk_spread_share(value, 101, 1) == 100);
-    CHECK(murk_spread_step(0) == 1 && murk_spread_step(MURK_SPREAD_MOST) == 1);
-    CHECK(murk_spread_step(MURK_SPREAD_MOST + 1) == 3); /* odd */
+    CHECK(murk_spread_step(0) == 1 && murk_spread_step(MURK_SPREAD_MAX) == 1);
+    CHECK(murk_spread_step(MURK_SPREAD_MAX + 1) == 3); /* odd */
 }
 
 /* Sums of independent groups: the variance of their sum is n / (n - 1) of the

@@ -13,16 +13,16 @@
 
 static float red[PIXELS], green[PIXELS], blue[PIXELS];
 
-static murk_picture picture_of(float value)
+static murk_image picture_of(float value)
 {
     for (size_t i = 0; i < PIXELS; ++i) {
         red[i] = green[i] = blue[i] = value;
     }
-    return (murk_picture){
+    return (murk_image){
         .width = WIDTH, .height = HEIGHT, .rgb = {red, green, blue}};
 }
 
-static double stops_of(const murk_picture *p)
+static double stops_of(const murk_image *p)
 {
     double stops = NAN;
     murk_error err = {0};
@@ -84,7 +84,7 @@ static void test_odd_colours(void)
 
 static void test_exposure_makes_the_log_mean_grey(void)
 {
-    murk_picture p = picture_of(0.36F);
+    murk_image p = picture_of(0.36F);
     CHECK_NEAR(stops_of(&p), -1, 1e-12);
     for (size_t i = 0; i < PIXELS / 2; ++i) {
         red[i] = green[i] = blue[i] = 1.44F; /* two stops more in one half */

@@ -37,26 +37,26 @@ static inline void put_file(const char *name, const void *bytes, size_t size)
 }
 
 /* Reads the text as fog.yaml. */
-static inline murk_status scene_of(murk_scene **out, const char *text,
+static inline murk_status scene_of(murk_scene_desc **out, const char *text,
                                    const murk_override *overrides, size_t n,
                                    murk_error *err)
 {
     *out = NULL;
     *err = (murk_error){0};
     put_file("fog.yaml", text, strlen(text));
-    return murk_scene_read(out, "fog.yaml", overrides, n, err);
+    return murk_scene_desc_read(out, "fog.yaml", overrides, n, err);
 }
 
 /* The text is refused in exactly these words. */
 #define CHECK_REFUSED(input, want_status, want_where, want_text)            \
     do {                                                                    \
-        murk_scene *scene_;                                                 \
+        murk_scene_desc *scene_;                                            \
         murk_error err_;                                                    \
         CHECK(scene_of(&scene_, (input), NULL, 0, &err_) == (want_status)); \
         CHECK(scene_ == NULL);                                              \
         CHECK_TEXT(err_.where, want_where);                                 \
         CHECK_TEXT(err_.text, want_text);                                   \
-        murk_scene_destroy(scene_);                                         \
+        murk_scene_desc_destroy(scene_);                                    \
     } while (0)
 
 #endif

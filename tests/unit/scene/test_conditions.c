@@ -13,10 +13,10 @@
 
 #define VALUE MURK_BAD_VALUE
 
-static murk_scene *must_read(const char *text, const murk_override *overrides,
-                             size_t n)
+static murk_scene_desc *must_read(const char *text,
+                                  const murk_override *overrides, size_t n)
 {
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_error err;
     if (scene_of(&scene, text, overrides, n, &err)) {
         printf("%s: %s\n", err.where, err.text);
@@ -36,7 +36,7 @@ static const char THREE[] =
 
 static void test_each_is_the_scene_with_its_overrides(void)
 {
-    murk_scene *scene = must_read(THREE, NULL, 0);
+    murk_scene_desc *scene = must_read(THREE, NULL, 0);
     CHECK(scene->n_conditions == 3);
     CHECK(scene->placement.over == MURK_SCENE_OVER_WORST);
     const murk_scene_condition *c = scene->conditions;
@@ -65,34 +65,35 @@ static void test_each_is_the_scene_with_its_overrides(void)
     /* light depends on what a condition changes, and on nothing else */
     CHECK_TEXT(c[0].scene->light_key, scene->light_key);
     CHECK(strcmp(c[2].scene->light_key, scene->light_key) != 0);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_resolved_reads_back(void)
 {
-    murk_scene *scene = must_read(THREE, NULL, 0);
+    murk_scene_desc *scene = must_read(THREE, NULL, 0);
     CHECK_MENTIONS(scene->resolved, "over: worst");
     CHECK_MENTIONS(scene->resolved, "condition_weights: {fog: 2.5}");
     CHECK_MENTIONS(scene->resolved, "media.fog.extinction_per_m: 0.1");
-    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    murk_scene_desc *again = must_read(scene->resolved, NULL, 0);
     CHECK_TEXT(again->resolved, scene->resolved);
     CHECK_TEXT(again->conditions[1].scene->resolved,
                scene->conditions[1].scene->resolved);
     /* a condition's own scene is a scene */
-    murk_scene *fog = must_read(scene->conditions[1].scene->resolved, NULL, 0);
+    murk_scene_desc *fog =
+        must_read(scene->conditions[1].scene->resolved, NULL, 0);
     CHECK(fog->media[0].extinction_per_m.band[0] == 0.1);
-    murk_scene_destroy(fog);
-    murk_scene_destroy(again);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(fog);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_files_lie_beside_the_scene(void)
 {
-    murk_scene *scene = must_read(
+    murk_scene_desc *scene = must_read(
         SCENE "conditions: {thick: {media.fog: {vdb: a/b.vdb,\n"
               "  extinction_per_m: 1, albedo: 1}, regions.0: {medium: fog}}}\n",
         NULL, 0);
-    const murk_scene *thick = scene->conditions[0].scene;
+    const murk_scene_desc *thick = scene->conditions[0].scene;
     CHECK_TEXT(thick->media[0].vdb, "a/b.vdb");
     char folder[300], full[400];
     CHECK(getcwd(folder, sizeof folder) != NULL);
@@ -103,7 +104,7 @@ static void test_files_lie_beside_the_scene(void)
     CHECK_MENTIONS(scene->resolved, full);
     CHECK_MENTIONS(thick->light_key, "b.vdb");
     CHECK(!strstr(thick->light_key, folder));
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_the_command_line(void)
@@ -111,12 +112,12 @@ static void test_the_command_line(void)
     /* it changes the scene, and conditions come on top */
     const murk_override base[] = {{"media.fog.extinction_per_m=.5", NULL},
                                   {"photons.emit=7", "--emit 7"}};
-    murk_scene *scene = must_read(THREE, base, 2);
+    murk_scene_desc *scene = must_read(THREE, base, 2);
     const murk_scene_condition *c = scene->conditions;
     CHECK(c[0].scene->media[0].extinction_per_m.band[0] == 0.5);
     CHECK(c[1].scene->media[0].extinction_per_m.band[0] == 0.1);
     CHECK(c[0].scene->photons.emit == 7 && c[1].scene->photons.store == 50);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 
     /* it may change what a condition sets, add to it, or add conditions */
     const murk_override more[] = {
@@ -130,7 +131,7 @@ static void test_the_command_line(void)
     CHECK(c[1].scene->media[0].extinction_per_m.band[0] == 0.7);
     CHECK(c[1].scene->media[0].albedo.band[0] == 0.25);
     CHECK(c[3].scene->lights[0].power_w.band[0] == 2);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 #define HEAD SCENE "conditions: {clear: {}, "

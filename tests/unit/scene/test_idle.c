@@ -84,16 +84,16 @@ static const idle_case CASES[] = {
 #define N_CASES (sizeof CASES / sizeof *CASES)
 
 /* The scene of ROOM with these set, NULL ends them; NULL after printing. */
-static murk_scene *scene_with(const char *const *set)
+static murk_scene_desc *scene_with(const char *const *set)
 {
     murk_override override[4];
     size_t n = 0;
     for (; set[n]; ++n) {
         override[n] = (murk_override){.text = set[n]};
     }
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    if (murk_scene_parse(&scene, ROOM, "room.yaml", override, n, &err)) {
+    if (murk_scene_desc_parse(&scene, ROOM, "room.yaml", override, n, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
     CHECK(scene != NULL);
@@ -103,15 +103,15 @@ static murk_scene *scene_with(const char *const *set)
 /* How many warnings there are with these set. */
 static size_t idle_with(const char *a, const char *b, const char *c)
 {
-    murk_scene *scene = scene_with((const char *const[]){a, b, c, NULL});
+    murk_scene_desc *scene = scene_with((const char *const[]){a, b, c, NULL});
     const size_t n = scene ? scene->idles : SIZE_MAX;
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return n;
 }
 
 static const char *text_of(const char *rule)
 {
-    const murk_idle_rule *r = murk_idle_rules;
+    const murk_idle_rule *r = murk_idle_constraints;
     while (r->key && strcmp(r->key, rule) != 0) {
         ++r;
     }
@@ -120,7 +120,7 @@ static const char *text_of(const char *rule)
 
 static void check_idle(const idle_case *c)
 {
-    murk_scene *scene =
+    murk_scene_desc *scene =
         scene_with((const char *const[]){c->idle, c->given, NULL});
     CHECK(scene && scene->idles == 1);
     if (scene && scene->idles == 1) {
@@ -130,16 +130,16 @@ static void check_idle(const idle_case *c)
     } else {
         printf("%s\n", c->rule);
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_each_rule(void)
 {
-    size_t rules = 0;
-    for (const murk_idle_rule *r = murk_idle_rules; r->key; ++r) {
-        ++rules;
+    size_t constraints = 0;
+    for (const murk_idle_rule *r = murk_idle_constraints; r->key; ++r) {
+        ++constraints;
     }
-    CHECK(rules == N_CASES);
+    CHECK(constraints == N_CASES);
     for (size_t i = 0; i < N_CASES; ++i) {
         const idle_case *c = &CASES[i];
         check_idle(c);
@@ -171,17 +171,18 @@ static void test_a_condition_may_make_it_act(void)
 /* All defaults are written out there, which are nobody's wishes. */
 static void test_the_scene_as_resolved_says_the_same(void)
 {
-    const char *const wishes[] = {"placement.threshold=0.2",
-                                  "placement.start_m=[1, 1, 1]", NULL};
+    const char *const settings_list[] = {"placement.threshold=0.2",
+                                         "placement.start_m=[1, 1, 1]", NULL};
     for (size_t first = 0; first < 3; ++first) {
-        murk_scene *scene = scene_with(wishes + first), *again = NULL;
+        murk_scene_desc *scene = scene_with(settings_list + first),
+                        *again = NULL;
         murk_error err = {0};
-        CHECK(scene && !murk_scene_parse(&again, scene->resolved, "scene.yaml",
-                                         NULL, 0, &err));
+        CHECK(scene && !murk_scene_desc_parse(&again, scene->resolved,
+                                              "scene.yaml", NULL, 0, &err));
         CHECK(scene && again && scene->idles == 2 - first &&
               again->idles == scene->idles);
-        murk_scene_destroy(scene);
-        murk_scene_destroy(again);
+        murk_scene_desc_destroy(scene);
+        murk_scene_desc_destroy(again);
     }
 }
 
@@ -189,14 +190,14 @@ static void test_the_place_is_that_of_the_key(void)
 {
     char text[1000];
     snprintf(text, sizeof text, "%splacement:\n  threshold: 0.3\n", ROOM);
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    CHECK(!murk_scene_parse(&scene, text, "room.yaml", NULL, 0, &err));
+    CHECK(!murk_scene_desc_parse(&scene, text, "room.yaml", NULL, 0, &err));
     CHECK(scene && scene->idles == 1);
     if (scene && scene->idles == 1) {
         CHECK_TEXT(scene->idle[0].where, "room.yaml:9:3: placement.threshold");
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_the_readme_lists_them(void)
@@ -205,7 +206,8 @@ static void test_the_readme_lists_them(void)
     size_t size;
     murk_error err = {0};
     CHECK(!murk_file_read(&readme, &size, "scenes/README.md", 1000000, &err));
-    for (const murk_idle_rule *r = murk_idle_rules; readme && r->key; ++r) {
+    for (const murk_idle_rule *r = murk_idle_constraints; readme && r->key;
+         ++r) {
         char row[300];
         snprintf(row, sizeof row, "| `%s` | %s |\n", r->key, r->text);
         CHECK(strstr(readme, row));

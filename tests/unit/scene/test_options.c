@@ -46,19 +46,19 @@ static void test_option_refusals(void)
 {
     for (size_t i = 0; i < sizeof OPTIONS / sizeof *OPTIONS; ++i) {
         const murk_override option = {.text = OPTIONS[i].option};
-        murk_scene *scene;
+        murk_scene_desc *scene;
         murk_error err;
         CHECK(scene_of(&scene, FULL_SCENE, &option, 1, &err) != MURK_OK);
         CHECK_TEXT(err.where, OPTIONS[i].where);
         CHECK_TEXT(err.text, OPTIONS[i].text);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
 }
 
 static void test_options_of_other_names(void)
 {
     const murk_override option = {.text = "seed=-3", .option = "--seed -3"};
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_error err;
     CHECK(scene_of(&scene, FULL_SCENE, &option, 1, &err) == MURK_BAD_VALUE);
     CHECK_TEXT(err.where, "--seed -3");
@@ -82,7 +82,7 @@ static void test_options_apply(void)
         {.text = "materials.default.diffuse=0.25"},
         {.text = "sensors.candidates.grid.spacing_m=2"},
     };
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_error err;
     const murk_status status = scene_of(&scene, FULL_SCENE, options,
                                         sizeof options / sizeof *options, &err);
@@ -106,14 +106,14 @@ static void test_options_apply(void)
     CHECK(scene->n_media == 6 && scene->regions[0].medium == 5);
     CHECK(scene->materials[0].diffuse.band[0] == 0.25);
     CHECK(scene->sensors.candidates.grid_size[0] == 15);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_emit_and_store_exclude_each_other(void)
 {
     const murk_override both[] = {{.text = "photons.store=5"},
                                   {.text = "photons.emit=5"}};
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_error err;
     CHECK(scene_of(&scene, FULL_SCENE, both, 2, &err) == MURK_BAD_VALUE);
     CHECK_TEXT(err.where, "--set photons.emit=5");

@@ -66,13 +66,13 @@ static void test_all_that_are_built_in(void)
 
 static murk_spectrum extinction_of(const char *text, murk_error *err)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_spectrum out = {{0}};
     if (scene_of(&scene, text, NULL, 0, err) == MURK_OK) {
         out = scene->media[0].extinction_per_m;
     }
     CHECK_TEXT(err->text, "");
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     return out;
 }
 
@@ -103,7 +103,7 @@ static void test_a_band_with_edges_is_its_mean(void)
 
 static void test_what_the_scene_says_wins(void)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err;
     CHECK(scene_of(&scene,
                    SCENE(LINES, "preset: smoke/flaming, albedo: .5, "
@@ -117,13 +117,13 @@ static void test_what_the_scene_says_wins(void)
         CHECK(strstr(scene->resolved, "soot_g_per_m3: 0.1") != NULL);
         CHECK(strstr(scene->light_key, "preset smoke/flaming:") != NULL);
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* Haze is a mixture: a lobe and the molecules, by their scattering. */
 static void test_mixtures(void)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err;
     CHECK(scene_of(&scene, SCENE(LINES, "preset: air/haze"), NULL, 0, &err) ==
           MURK_OK);
@@ -138,7 +138,7 @@ static void test_mixtures(void)
             CHECK_NEAR(mixture->part[0].share, air, 1e-6);
         }
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* Options and conditions turn the words, and what is resolved reads the same.
@@ -149,12 +149,12 @@ static void test_options_and_conditions(void)
         SCENE(LINES,
               "preset: fog/kim") "conditions: {thick: {media.fog.mor_m: 50}}\n";
     const murk_override set = {.text = "media.fog.visibility_m=100"};
-    murk_scene *scene = NULL, *again = NULL;
+    murk_scene_desc *scene = NULL, *again = NULL;
     murk_error err;
     CHECK(scene_of(&scene, text, &set, 1, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     if (scene) {
-        const murk_scene *thick = scene->conditions[0].scene;
+        const murk_scene_desc *thick = scene->conditions[0].scene;
         CHECK_NEAR(scene->media[0].extinction_per_m.band[1], .03912023, 1e-8);
         CHECK_NEAR(thick->media[0].extinction_per_m.band[1], .05991465, 1e-8);
         CHECK(strcmp(thick->light_key, scene->light_key) != 0);
@@ -162,8 +162,8 @@ static void test_options_and_conditions(void)
         CHECK(again && strcmp(again->resolved, scene->resolved) == 0);
         CHECK(again && strcmp(again->light_key, scene->light_key) == 0);
     }
-    murk_scene_destroy(again);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
 }
 
 /* Whether a scene and its resolved form give the same light with an option,
@@ -172,7 +172,7 @@ static bool turns_alike(const char *text, const char *resolved,
                         const char *option)
 {
     const murk_override set = {.text = option};
-    murk_scene *one = NULL, *other = NULL;
+    murk_scene_desc *one = NULL, *other = NULL;
     murk_error err;
     scene_of(&one, text, &set, option != NULL, &err);
     scene_of(&other, resolved, &set, option != NULL, &err);
@@ -184,8 +184,8 @@ static bool turns_alike(const char *text, const char *resolved,
         printf("%s\n-> %s (%s %s)\n", text, option ? option : "", err.where,
                err.text);
     }
-    murk_scene_destroy(other);
-    murk_scene_destroy(one);
+    murk_scene_desc_destroy(other);
+    murk_scene_desc_destroy(one);
     return is_alike;
 }
 
@@ -199,8 +199,8 @@ static void word_option(char *out, size_t size, const murk_preset *preset,
         (size_t)snprintf(out, size, "media.fog.%s=[", murk_word_name(word));
     for (int i = 0; i < numbers; ++i) {
         const double value = w->has_preset
-                                 ? .75 * w->preset[i] + .25 * w->least[i]
-                                 : fmin(w->most[i], fmax(w->least[i], 1));
+                                 ? .75 * w->preset[i] + .25 * w->min[i]
+                                 : fmin(w->max[i], fmax(w->min[i], 1));
         used += (size_t)snprintf(out + used, size - used, "%s%.9g",
                                  i ? ", " : "", value);
     }
@@ -224,7 +224,7 @@ static unsigned words_of(const murk_preset *preset)
 static void check_turning(const murk_preset *preset)
 {
     char text[400], option[200];
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err;
     snprintf(text, sizeof text, SCENE("bands_nm: [550]", "preset: %s"),
              preset->name);
@@ -240,7 +240,7 @@ static void check_turning(const murk_preset *preset)
             CHECK(turns_alike(text, scene->resolved, option));
         }
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* The scene.yaml of a result folder can be turned like the scene it is of: by

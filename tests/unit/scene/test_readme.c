@@ -50,12 +50,12 @@ static void test_the_example_is_a_scene(void)
     if (!end) {
         return;
     }
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
     put_file("fog.yaml", fence + 8, (size_t)(end - fence - 8));
-    CHECK(murk_scene_read(&scene, "fog.yaml", NULL, 0, &err) == MURK_OK);
+    CHECK(murk_scene_desc_read(&scene, "fog.yaml", NULL, 0, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 int main(void)

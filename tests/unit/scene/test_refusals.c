@@ -324,13 +324,14 @@ static void test_the_file_itself(void)
                   "misses murk, must be a whole number, 1");
     CHECK_REFUSED("murk: 2\n" LAMP, VALUE, "fog.yaml:1:7: murk",
                   "2, must be 1");
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    CHECK(murk_scene_read(&scene, "none.yaml", NULL, 0, &err) == MURK_BAD_FILE);
+    CHECK(murk_scene_desc_read(&scene, "none.yaml", NULL, 0, &err) ==
+          MURK_BAD_FILE);
     CHECK_TEXT(err.where, "none.yaml");
     CHECK_TEXT(err.text, "cannot read: No such file or directory");
     err = (murk_error){0};
-    CHECK(murk_scene_read(&scene, ".", NULL, 0, &err) == MURK_BAD_FILE);
+    CHECK(murk_scene_desc_read(&scene, ".", NULL, 0, &err) == MURK_BAD_FILE);
     CHECK_MENTIONS(err.text, "a folder, must be a regular file");
 }
 int main(void)

@@ -6,10 +6,10 @@
 #include "full_scene.h"
 #include "scene_files.h"
 
-static murk_scene *must_read(const char *text, const murk_override *overrides,
-                             size_t n)
+static murk_scene_desc *must_read(const char *text,
+                                  const murk_override *overrides, size_t n)
 {
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_error err;
     if (scene_of(&scene, text, overrides, n, &err)) {
         printf("%s: %s\n", err.where, err.text);
@@ -19,7 +19,7 @@ static murk_scene *must_read(const char *text, const murk_override *overrides,
     return scene;
 }
 
-static void test_surfaces_and_materials(const murk_scene *scene)
+static void test_surfaces_and_materials(const murk_scene_desc *scene)
 {
     CHECK(scene->n_materials == 3);
     CHECK_TEXT(scene->materials[0].name, "default");
@@ -47,7 +47,7 @@ static void test_surfaces_and_materials(const murk_scene *scene)
     CHECK(scene->geometry[3].material == 2);
 }
 
-static void test_media_and_regions(const murk_scene *scene)
+static void test_media_and_regions(const murk_scene_desc *scene)
 {
     CHECK(scene->n_media == 5);
     CHECK_TEXT(scene->media[0].name, "haze");
@@ -96,7 +96,7 @@ static void test_media_and_regions(const murk_scene *scene)
     CHECK(scene->regions[4].mesh == NULL);
 }
 
-static void test_lights(const murk_scene *scene)
+static void test_lights(const murk_scene_desc *scene)
 {
     CHECK(scene->n_lights == 5);
     const murk_scene_light *light = scene->lights;
@@ -111,7 +111,7 @@ static void test_lights(const murk_scene *scene)
     CHECK(light[4].direction.z == -1 && light[4].power_w.band[1] == 500);
 }
 
-static void test_tallies(const murk_scene *scene)
+static void test_tallies(const murk_scene_desc *scene)
 {
     CHECK(scene->n_tallies == 3);
     const murk_scene_tally *tally = scene->tallies;
@@ -126,7 +126,7 @@ static void test_tallies(const murk_scene *scene)
     CHECK(tally[2].center.x == 5 && tally[2].radius_m == 0.2);
 }
 
-static void test_the_rest(const murk_scene *scene)
+static void test_the_rest(const murk_scene_desc *scene)
 {
     CHECK_TEXT(scene->path, "fog.yaml");
     CHECK(strlen(scene->sha256) == 64);
@@ -152,22 +152,23 @@ static void test_the_rest(const murk_scene *scene)
     CHECK(sensors->spacing_m == 0.5);
     CHECK_TEXT(sensors->candidates.grid_where,
                "fog.yaml:60:5: sensors.candidates.grid");
-    const murk_scene_candidates *wish = &sensors->candidates;
-    CHECK(wish->points.given && wish->points.positions == 1 &&
-          wish->points.position[0].z == 3);
-    CHECK(wish->points.files == 1);
-    CHECK_TEXT(wish->points.file[0], "points.csv");
-    CHECK(wish->mounts == 1 && wish->mount[0].materials.n == 1 &&
-          wish->mount[0].materials.index[0] == 0 &&
-          wish->mount[0].offset_m == .1 && wish->mount[0].spacing_m == 1 &&
-          wish->mount[0].has_band && wish->mount[0].band_m[1] == 2 &&
-          wish->mount[0].facing == MURK_SCENE_FACING_UP);
-    CHECK(wish->avoids == 2 && wish->withins == 0);
-    CHECK(wish->avoid[0].shape == MURK_SCENE_ZONE_MESH &&
-          wish->avoid[0].up == 'y' && wish->avoid[0].scale == 1);
-    CHECK_TEXT(wish->avoid[0].mesh, "crate.obj");
-    CHECK(wish->avoid[1].shape == MURK_SCENE_ZONE_SPHERE &&
-          wish->avoid[1].radius_m == 2);
+    const murk_scene_candidates *settings = &sensors->candidates;
+    CHECK(settings->points.given && settings->points.positions == 1 &&
+          settings->points.position[0].z == 3);
+    CHECK(settings->points.files == 1);
+    CHECK_TEXT(settings->points.file[0], "points.csv");
+    CHECK(settings->mounts == 1 && settings->mount[0].materials.n == 1 &&
+          settings->mount[0].materials.index[0] == 0 &&
+          settings->mount[0].offset_m == .1 &&
+          settings->mount[0].spacing_m == 1 && settings->mount[0].has_band &&
+          settings->mount[0].band_m[1] == 2 &&
+          settings->mount[0].facing == MURK_SCENE_FACING_UP);
+    CHECK(settings->avoids == 2 && settings->withins == 0);
+    CHECK(settings->avoid[0].shape == MURK_SCENE_ZONE_MESH &&
+          settings->avoid[0].up == 'y' && settings->avoid[0].scale == 1);
+    CHECK_TEXT(settings->avoid[0].mesh, "crate.obj");
+    CHECK(settings->avoid[1].shape == MURK_SCENE_ZONE_SPHERE &&
+          settings->avoid[1].radius_m == 2);
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
@@ -182,7 +183,7 @@ static void test_the_rest(const murk_scene *scene)
 
 static void test_defaults(void)
 {
-    murk_scene *scene =
+    murk_scene_desc *scene =
         must_read("{murk: 1, lights: [{type: point, position_m: [0, 0, 0], "
                   "power_w: 3}]}",
                   NULL, 0);
@@ -201,19 +202,19 @@ static void test_defaults(void)
     CHECK(scene->placement.restarts == 200);
     CHECK(scene->placement.through == MURK_SCENE_THIN);
     CHECK(scene->sensors.count == 0 && !scene->sensors.candidates.has_grid);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_band_edges(void)
 {
-    murk_scene *scene = must_read(
+    murk_scene_desc *scene = must_read(
         "{murk: 1, band_edges_nm: [400, 500, 700], lights: [{type: point, "
         "position_m: [0, 0, 0], power_w: 3}]}",
         NULL, 0);
     CHECK(scene->bands == 2 && scene->has_edges);
     CHECK(scene->band_nm[0] == 450 && scene->band_nm[1] == 600);
     CHECK(scene->band_edge_nm[2] == 700);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* One band of what is one value for all: of bands as lines and by edges; not of
@@ -227,7 +228,7 @@ static void test_one_band_by_override(void)
                                        {.text = "lights.0.power_w.1=3"}};
     for (size_t i = 0; i < 2; ++i) {
         char text[300];
-        murk_scene *scene = NULL;
+        murk_scene_desc *scene = NULL;
         murk_error err = {0};
         snprintf(text, sizeof text,
                  "{murk: 1, %s, media: {fog: {extinction_per_m: 1, albedo: "
@@ -237,7 +238,7 @@ static void test_one_band_by_override(void)
         scene = must_read(text, overrides, 1);
         CHECK(scene->media[0].albedo.band[0] == .5);
         CHECK(scene->media[0].albedo.band[1] == .25);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
         CHECK(scene_of(&scene, text, overrides + 1, 1, &err) != MURK_OK);
         CHECK_TEXT(err.text, "item 2 of a list of 2, must be 0..1");
         err = (murk_error){0};
@@ -256,7 +257,7 @@ static void test_fillings_by_override(void)
         {.text = "media.layer.albedo=[0.5, 0.25]"},
         {.text = "media.thin.albedo.grid=w"},
         {.text = "media.thin.albedo.vdb=z.vdb"}};
-    murk_scene *scene = must_read(FULL_SCENE, overrides, 6);
+    murk_scene_desc *scene = must_read(FULL_SCENE, overrides, 6);
     CHECK_TEXT(scene->media[3].vdb, "plume.0013.vdb");
     CHECK_TEXT(scene->media[3].albedo_vdb, "plume.0013.vdb");
     CHECK(scene->media[4].profile_z_m.value[0] == -1);
@@ -266,11 +267,11 @@ static void test_fillings_by_override(void)
     CHECK_TEXT(scene->media[2].albedo_grid, "w");
     CHECK_TEXT(scene->media[2].albedo_vdb, "z.vdb");
     CHECK_MENTIONS(scene->light_key, "frame: 13");
-    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    murk_scene_desc *again = must_read(scene->resolved, NULL, 0);
     CHECK_TEXT(again->resolved, scene->resolved);
     CHECK_MENTIONS(again->media[3].vdb, "/plume.0013.vdb");
-    murk_scene_destroy(again);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
 }
 
 /* Each kind of phase function, for all bands and by band; a table's file lies
@@ -281,7 +282,7 @@ static void test_phases(void)
         {.text = "media.haze.phase={fournier_forand: [1.1, 3.5835]}"},
         {.text = "media.smoke.phase={two_hg: [0.9, -0.4, 0.8]}"},
         {.text = "media.thin.phase=[rayleigh, {table: t/water.csv}]"}};
-    murk_scene *scene = must_read(FULL_SCENE, phases, 3);
+    murk_scene_desc *scene = must_read(FULL_SCENE, phases, 3);
     const murk_scene_medium *m = scene->media;
     CHECK(m[0].n_phases == 1);
     CHECK(m[0].phase[0].kind == MURK_SCENE_PHASE_FOURNIER_FORAND);
@@ -296,13 +297,13 @@ static void test_phases(void)
     CHECK(m[2].phase[1].kind == MURK_SCENE_PHASE_TABLE);
     CHECK_TEXT(m[2].phase[1].table, "t/water.csv");
     CHECK_MENTIONS(scene->light_key, "[rayleigh, {table: water.csv}]");
-    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    murk_scene_desc *again = must_read(scene->resolved, NULL, 0);
     CHECK_TEXT(again->resolved, scene->resolved);
     CHECK_TEXT(again->light_key, scene->light_key);
     CHECK_MENTIONS(again->media[2].phase[1].table, "/t/water.csv");
     CHECK(again->media[2].phase[1].table[0] == '/');
-    murk_scene_destroy(again);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
 }
 
 /* 1.2 m in steps of 0.4: four points, though 1.2 / 0.4 rounds below 3. */
@@ -311,19 +312,19 @@ static void test_spacing_fills_the_grid(void)
     const murk_override spacing = {
         .text = "sensors.candidates.grid={min_m: [0, 0, 1], max_m: "
                 "[1.2, 1.5, 1], spacing_m: 0.4}"};
-    murk_scene *scene = must_read(FULL_SCENE, &spacing, 1);
+    murk_scene_desc *scene = must_read(FULL_SCENE, &spacing, 1);
     CHECK(scene->sensors.candidates.grid_size[0] == 4);
     CHECK(scene->sensors.candidates.grid_size[1] == 4);
     CHECK(scene->sensors.candidates.grid_size[2] == 1);
     CHECK_NEAR(scene->sensors.candidates.grid_max.y, 1.2, 1e-12);
     CHECK(scene->sensors.candidates.grid_max.z == 1);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_resolved_reads_back(const char *text)
 {
-    murk_scene *scene = must_read(text, NULL, 0);
-    murk_scene *again = must_read(scene->resolved, NULL, 0);
+    murk_scene_desc *scene = must_read(text, NULL, 0);
+    murk_scene_desc *again = must_read(scene->resolved, NULL, 0);
     CHECK_TEXT(again->resolved, scene->resolved);
     CHECK_TEXT(again->light_key, scene->light_key);
     CHECK(again->n_lights == scene->n_lights);
@@ -331,37 +332,37 @@ static void test_resolved_reads_back(const char *text)
         CHECK(memcmp(&again->lights[i].power_w, &scene->lights[i].power_w,
                      sizeof(murk_spectrum)) == 0);
     }
-    murk_scene_destroy(again);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_resolved_names_files_fully(void)
 {
     char want[600];
-    murk_scene *scene = must_read(FULL_SCENE, NULL, 0);
+    murk_scene_desc *scene = must_read(FULL_SCENE, NULL, 0);
     char here[400];
     CHECK(getcwd(here, sizeof here) != NULL);
     snprintf(want, sizeof want, "vdb: %s/smoke.vdb", here);
     CHECK_MENTIONS(scene->resolved, want);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* A file of --set lies in the working folder, one of the scene beside it. */
 static void test_paths(void)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
     const murk_override option = {.text = "media.smoke.vdb=other.vdb"};
     char path[400];
     snprintf(path, sizeof path, "%s/fog.yaml", folder_path);
     put_file("fog.yaml", FULL_SCENE, strlen(FULL_SCENE));
-    CHECK(murk_scene_read(&scene, path, &option, 1, &err) == MURK_OK);
+    CHECK(murk_scene_desc_read(&scene, path, &option, 1, &err) == MURK_OK);
     if (scene) {
         CHECK_TEXT(scene->media[1].vdb, "other.vdb");
         CHECK_MENTIONS(scene->geometry[0].file, "/m/yard.dae");
         CHECK(scene->geometry[0].file[0] == '/');
     }
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* ---- what the light depends on ---- */
@@ -369,11 +370,11 @@ static void test_paths(void)
 static bool has_same_light(const char *option)
 {
     const murk_override override = {.text = option};
-    murk_scene *plain = must_read(FULL_SCENE, NULL, 0);
-    murk_scene *changed = must_read(FULL_SCENE, &override, 1);
+    murk_scene_desc *plain = must_read(FULL_SCENE, NULL, 0);
+    murk_scene_desc *changed = must_read(FULL_SCENE, &override, 1);
     const bool is_same = strcmp(plain->light_key, changed->light_key) == 0;
-    murk_scene_destroy(plain);
-    murk_scene_destroy(changed);
+    murk_scene_desc_destroy(plain);
+    murk_scene_desc_destroy(changed);
     return is_same;
 }
 
@@ -410,11 +411,11 @@ static void test_light_key(void)
 static void test_light_key_knows_no_folders(void)
 {
     CHECK(has_same_light("media.smoke.vdb=elsewhere/smoke.vdb"));
-    murk_scene *scene = must_read(FULL_SCENE, NULL, 0);
+    murk_scene_desc *scene = must_read(FULL_SCENE, NULL, 0);
     CHECK_MENTIONS(scene->light_key, "{vdb: smoke.vdb, ");
     CHECK_MENTIONS(scene->light_key, "{file: yard.dae, ");
     CHECK_MENTIONS(scene->light_key, "mesh: tank.obj, ");
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* ---- hostile bytes ---- */
@@ -422,15 +423,15 @@ static void test_light_key_knows_no_folders(void)
 /* Neither a cut nor a changed byte may crash or leave a message out. */
 static void read_any(const char *bytes, size_t size)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
     put_file("fog.yaml", bytes, size);
     const murk_status status =
-        murk_scene_read(&scene, "fog.yaml", NULL, 0, &err);
+        murk_scene_desc_read(&scene, "fog.yaml", NULL, 0, &err);
     CHECK((status == MURK_OK) == (scene != NULL));
     CHECK((status == MURK_OK) == (err.text[0] == '\0'));
     CHECK(strchr(err.text, '\n') == NULL && strchr(err.where, '\n') == NULL);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void test_broken_bytes(void)
@@ -457,13 +458,13 @@ int main(void)
     if (!folder_enter()) {
         check_skip("no folder for temporary files");
     }
-    murk_scene *scene = must_read(FULL_SCENE, NULL, 0);
+    murk_scene_desc *scene = must_read(FULL_SCENE, NULL, 0);
     test_surfaces_and_materials(scene);
     test_media_and_regions(scene);
     test_lights(scene);
     test_tallies(scene);
     test_the_rest(scene);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     test_defaults();
     test_band_edges();
     test_fillings_by_override();

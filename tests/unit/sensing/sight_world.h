@@ -73,7 +73,7 @@ static inline murk_sight_desc plain(const murk_domain *domain)
 static inline int seen_from(const world *w, murk_vec3 sensor, uint32_t emitted)
 {
     murk_look look;
-    murk_sight_look(w->sight, 0, standing_at(&sensor, 1), &look);
+    murk_sight_look(w->sight, 0, partial_at(&sensor, 1), &look);
     for (size_t k = 1; k < look.seen; ++k) {
         CHECK(look.photon[k - 1] < look.photon[k]);
     }

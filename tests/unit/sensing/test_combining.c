@@ -90,11 +90,11 @@ static void tear_down(world *w)
     free(w);
 }
 
-static murk_coverage measure(world *w, const murk_pose *pose, size_t n)
+static murk_coverage_result measure(world *w, const murk_pose *pose, size_t n)
 {
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w->sight, pose, n, &err) == MURK_OK);
+    CHECK(murk_coverage_result_measure(&c, w->sight, pose, n, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return c;
 }
@@ -152,7 +152,8 @@ static void test_against_the_twin(void)
     for (size_t k = 0; k < MODES; ++k) {
         const struct mode *mode = &modes[k];
         world *w = build(mode, PER_M, true);
-        murk_coverage c = measure(w, standing_at(sensor, SENSORS), SENSORS);
+        murk_coverage_result c =
+            measure(w, partial_at(sensor, SENSORS), SENSORS);
         double x[2][EMITTED] = {{0}}, y[2][EMITTED] = {{0}}, power[2] = {0, 0};
         double seen_by[SENSORS + 1] = {0};
         for (size_t i = 0; i < SURFACE + VOLUME; ++i) {
@@ -205,7 +206,7 @@ static void test_against_the_twin(void)
                    seen_of(mode, &w->photon[i], PER_M * 1.001);
         }
         CHECK(mode->threshold > 0 || fabs(off - total) > 2 * error);
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         tear_down(w);
     }
 }
@@ -217,7 +218,8 @@ static void test_clear_air_is_a_count(void)
         const struct mode *mode = &modes[k];
         const unsigned views = mode->redundancy > 1 ? mode->redundancy : 1;
         world *w = build(mode, 0, false);
-        murk_coverage c = measure(w, standing_at(sensor, SENSORS), SENSORS);
+        murk_coverage_result c =
+            measure(w, partial_at(sensor, SENSORS), SENSORS);
         unsigned count = 0;
         for (size_t i = 0; i < SURFACE + VOLUME; ++i) {
             unsigned by = 0;
@@ -229,7 +231,7 @@ static void test_clear_air_is_a_count(void)
         /* whole numbers below 2^63, told as a double */
         CHECK_NEAR(c.total.value, (double)count / (views * (SURFACE + VOLUME)),
                    0x1p-52);
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         tear_down(w);
     }
 }
@@ -241,7 +243,7 @@ static void test_a_plans_value_is_its_coverage(void)
 {
     for (size_t k = 0; k < MODES; ++k) {
         world *w = build(&modes[k], PER_M, true);
-        const murk_pose *pose = standing_at(sensor, SENSORS);
+        const murk_pose *pose = partial_at(sensor, SENSORS);
         murk_sight_problem seen;
         murk_sight_problem_init(&seen, w->sight, pose, SENSORS);
         murk_place_desc desc = murk_place_defaults();
@@ -253,21 +255,21 @@ static void test_a_plans_value_is_its_coverage(void)
         for (size_t i = 0; i < 3; ++i) {
             chosen[i] = pose[plan.sensor[i]];
         }
-        murk_coverage c = measure(w, chosen, 3);
+        murk_coverage_result c = measure(w, chosen, 3);
         CHECK(c.total.value == (double)plan.value / (double)plan.whole);
         for (size_t i = 0; i < 3; ++i) {
             others[0] = chosen[(i + 1) % 3];
             others[1] = chosen[(i + 2) % 3];
-            murk_coverage alone = measure(w, &chosen[i], 1);
-            murk_coverage rest = measure(w, others, 2);
+            murk_coverage_result alone = measure(w, &chosen[i], 1);
+            murk_coverage_result rest = measure(w, others, 2);
             CHECK(c.covers[i] == alone.total.value);
             CHECK_NEAR(c.only_it_covers[i], c.total.value - rest.total.value,
                        1e-15);
             CHECK(c.only_it_covers[i] > 0);
-            murk_coverage_release(&alone);
-            murk_coverage_release(&rest);
+            murk_coverage_result_release(&alone);
+            murk_coverage_result_release(&rest);
         }
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         murk_place_release(&plan);
         tear_down(w);
     }

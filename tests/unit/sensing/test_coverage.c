@@ -63,12 +63,12 @@ static void tear_down(world *w)
     murk_surfaces_destroy(w->surfaces);
 }
 
-static murk_coverage measure(world *w, const murk_vec3 *sensor, size_t n)
+static murk_coverage_result measure(world *w, const murk_vec3 *sensor, size_t n)
 {
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w->sight, standing_at(sensor, n), n,
-                                &err) == MURK_OK);
+    CHECK(murk_coverage_result_measure(&c, w->sight, partial_at(sensor, n), n,
+                                       &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return c;
 }
@@ -87,7 +87,7 @@ static void test_counts_by_hand(void)
     const murk_vec3 sensor[3] = {{1, 1, 3}, {3, 7, 3}, {9, 4, 3}};
     const double e = 1e-9; /* the two halves are equal to 2^-32 or so */
     world w = build(s, 8, v, 4, 100, balanced, 0, 1);
-    murk_coverage c = measure(&w, sensor, 2);
+    murk_coverage_result c = measure(&w, sensor, 2);
     CHECK_NEAR(c.surface.value, 6.0 / 8, 1e-15);
     CHECK_NEAR(c.volume.value, 1.0 / 4, 1e-15);
     CHECK_NEAR(c.total.value, 0.5, e);
@@ -96,7 +96,7 @@ static void test_counts_by_hand(void)
     CHECK_NEAR(c.sum_of_views, 1, e);
     CHECK_NEAR(c.seen_by_at_least[0], 0.5, e);
     CHECK_NEAR(c.seen_by_at_least[1], 0.5, e);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     c = measure(&w, sensor, 3);
     CHECK_NEAR(c.total.value, 1, 0);
     CHECK_NEAR(c.total.standard_error, 0, 0);
@@ -106,13 +106,13 @@ static void test_counts_by_hand(void)
     CHECK_NEAR(c.seen_by_at_least[0], 1, 0);
     CHECK_NEAR(c.seen_by_at_least[1], 0.5, e);
     CHECK_NEAR(c.seen_by_at_least[2], 0, 0);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 
     w = build(s, 8, v, 4, 100, plain_count, 0, 1);
     c = measure(&w, sensor, 1);
     CHECK_NEAR(c.total.value, 7.0 / 12, 1e-15);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 
     w = build(NULL, 0, v, 4, 100, balanced, 0, 1);
@@ -120,7 +120,7 @@ static void test_counts_by_hand(void)
     CHECK(isnan(c.surface.value) && isnan(c.surface.standard_error));
     CHECK_NEAR(c.total.value, 1.0 / 4, 1e-15);
     CHECK_NEAR(c.total.standard_error, c.volume.standard_error, 1e-15);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 }
 
@@ -150,7 +150,7 @@ static void test_a_maps_own_fraction_knows_no_weights(void)
     const murk_vec3 sensor = {1, 1, 3};
     for (int k = 0; k < 5; ++k) {
         world w = build(s, 8, v, 4, 100, weights[k], 0, 1);
-        murk_coverage got = measure(&w, &sensor, 1);
+        murk_coverage_result got = measure(&w, &sensor, 1);
         CHECK_NEAR(got.surface.value, c, 1e-15);
         CHECK_NEAR(got.volume.value, 1.0 / 4, 1e-15);
         CHECK_NEAR(got.surface.standard_error, sqrt(100.0 / 99 * squares[0]),
@@ -160,7 +160,7 @@ static void test_a_maps_own_fraction_knows_no_weights(void)
         /* Teeth: a map of no weight is not in the total. */
         CHECK(k != 0 || got.total.value == 1.0 / 4);
         CHECK(k != 1 || got.total.value == c);
-        murk_coverage_release(&got);
+        murk_coverage_result_release(&got);
         tear_down(&w);
     }
 }
@@ -234,7 +234,7 @@ static spread repeat(void)
         draw(&s, EMITTED, k);
         world w = build(s.surface, s.n_surface, s.volume, s.n_volume, EMITTED,
                         balanced, 0, 1);
-        murk_coverage c = measure(&w, &sensor, 1);
+        murk_coverage_result c = measure(&w, &sensor, 1);
         const double total = (SURFACE + VOLUME) / 2;
         const murk_estimate a = c.surface, b = c.volume;
         out.total += pull2(c.total.value, total, c.total.standard_error);
@@ -245,7 +245,7 @@ static spread repeat(void)
                   sqrt(b.value * (1 - b.value) / (double)s.n_volume));
         out.apart += pull2(c.total.value, total,
                            hypot(a.standard_error, b.standard_error) / 2);
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         tear_down(&w);
 
         w = build(s.surface, s.n_surface, s.volume, s.n_volume, EMITTED,
@@ -254,7 +254,7 @@ static spread repeat(void)
         out.count +=
             pull2(c.total.value, WEST * 2.5 / (WEST * 2.5 + (1 - WEST) * 4.5),
                   c.total.standard_error);
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         tear_down(&w);
     }
     return out;
@@ -294,7 +294,7 @@ static void test_the_error_is_the_formula(void)
     const murk_vec3 sensor[2] = {{1, 4, 3}, {9, 1, 3}};
     world w = build(s.surface, s.n_surface, s.volume, s.n_volume, 300, balanced,
                     0.3, 2);
-    murk_coverage c = measure(&w, sensor, 2);
+    murk_coverage_result c = measure(&w, sensor, 2);
     double x[2][300] = {{0}}, y[2][300] = {{0}}, r[300] = {0};
     for (int m = 0; m < 2; ++m) {
         const size_t n = m ? s.n_volume : s.n_surface;
@@ -330,7 +330,7 @@ static void test_the_error_is_the_formula(void)
     CHECK_NEAR(c.total.standard_error, sqrt(300.0 / 299 * squares), small);
     /* Teeth: the factor N / (N - 1) would be missed. */
     CHECK(c.total.standard_error / 600 > 2 * small);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 }
 
@@ -343,7 +343,7 @@ static void test_total_is_the_plans_value(void)
     world w = build(s.surface, s.n_surface, s.volume, s.n_volume, 500, balanced,
                     0.2, 1);
     murk_sight_problem problem;
-    murk_sight_problem_init(&problem, w.sight, standing_at(sensor, 3), 3);
+    murk_sight_problem_init(&problem, w.sight, partial_at(sensor, 3), 3);
     const murk_problem *p = &problem.problem;
     CHECK(p->candidates == 3 && p->photons == s.n_surface + s.n_volume);
     int best[2 * RECORDS] = {0};
@@ -360,15 +360,15 @@ static void test_total_is_the_plans_value(void)
         value += (uint64_t)p->weight[i] * (uint64_t)best[i];
         whole += (uint64_t)p->weight[i] * MURK_CLEAR;
     }
-    murk_coverage c = measure(&w, sensor, 3);
+    murk_coverage_result c = measure(&w, sensor, 3);
     CHECK(c.total.value == (double)value / (double)whole);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 }
 
 static void check_only(world *w, const murk_vec3 *sensor, size_t n)
 {
-    murk_coverage all = measure(w, sensor, n);
+    murk_coverage_result all = measure(w, sensor, n);
     for (size_t j = 0; j < n; ++j) {
         murk_vec3 others[4];
         for (size_t k = 0, m = 0; k < n; ++k) {
@@ -376,18 +376,18 @@ static void check_only(world *w, const murk_vec3 *sensor, size_t n)
                 others[m++] = sensor[k];
             }
         }
-        murk_coverage without = measure(w, others, n - 1);
-        murk_coverage alone = measure(w, &sensor[j], 1);
+        murk_coverage_result without = measure(w, others, n - 1);
+        murk_coverage_result alone = measure(w, &sensor[j], 1);
         CHECK_NEAR(all.only_it_covers[j], all.total.value - without.total.value,
                    1e-12);
         CHECK_NEAR(all.covers[j], alone.total.value, 1e-12);
-        murk_coverage_release(&without);
-        murk_coverage_release(&alone);
+        murk_coverage_result_release(&without);
+        murk_coverage_result_release(&alone);
     }
     /* Of two in one place neither is needed. */
     CHECK(all.only_it_covers[0] > 0);
     CHECK((all.only_it_covers[2] == 0) == (n == 4));
-    murk_coverage_release(&all);
+    murk_coverage_result_release(&all);
 }
 
 static void test_only_it_covers_is_total_less_total_without(void)
@@ -410,7 +410,7 @@ static void test_threads_change_nothing(void)
     for (int j = 0; j < 40; ++j) {
         sensor[j] = murk_vec(0.1 + 0.24 * j, 4, 3);
     }
-    murk_coverage c[3];
+    murk_coverage_result c[3];
     const unsigned threads[3] = {1, 2, 5};
     for (int k = 0; k < 3; ++k) {
         world w = build(s.surface, s.n_surface, s.volume, s.n_volume, 500,
@@ -424,7 +424,7 @@ static void test_threads_change_nothing(void)
                      40 * sizeof(double)) == 0);
     }
     for (int k = 0; k < 3; ++k) {
-        murk_coverage_release(&c[k]);
+        murk_coverage_result_release(&c[k]);
     }
 }
 
@@ -435,10 +435,10 @@ static void test_a_sensor_outside_is_refused(void)
     const murk_vec3 sensor[2] = {{1, 4, 3}, {10.5, 1, 3}};
     world w =
         build(s.surface, s.n_surface, s.volume, s.n_volume, 10, balanced, 0, 1);
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w.sight, standing_at(sensor, 2), 2, &err) ==
-          MURK_BAD_VALUE);
+    CHECK(murk_coverage_result_measure(&c, w.sight, partial_at(sensor, 2), 2,
+                                       &err) == MURK_BAD_VALUE);
     CHECK_MENTIONS(err.text, "sensor 2 at [10.5, 1, 3] m is outside");
     tear_down(&w);
 }

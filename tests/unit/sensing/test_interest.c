@@ -20,9 +20,10 @@ static const murk_vec3 none = {0, 0, 0}, up = {0, 0, 1}, east = {1, 0, 0};
 #define SLACK 1e-5
 
 static uint64_t regions_of(const murk_interest_region *region, size_t n,
-                           const murk_hulls *hulls, murk_photon photon)
+                           const murk_boundary_meshes *boundary_meshes,
+                           murk_photon photon)
 {
-    const murk_interest interest = {region, n, hulls, 1};
+    const murk_interest interest = {region, n, boundary_meshes, 1};
     return murk_interest_at(&interest, &photon, SLACK);
 }
 
@@ -62,15 +63,16 @@ static void test_a_mesh_holds_its_own_faces(void)
     const double square[4][2] = {{1, 1}, {2, 1}, {2, 2}, {1, 2}};
     const uint32_t cut[6] = {0, 1, 2, 0, 2, 3};
     murk_mesh *mesh = closed_prism(square, 4, cut, 0, 1);
-    const murk_hull_desc desc = {.region = 1,
-                                 .mesh = mesh,
-                                 .to_world = murk_affine_identity(),
-                                 .where = "mesh"};
-    murk_hulls *hulls = NULL;
+    const murk_boundary_mesh_desc desc = {.region = 1,
+                                          .mesh = mesh,
+                                          .to_world = murk_affine_identity(),
+                                          .where = "mesh"};
+    murk_boundary_meshes *boundary_meshes = NULL;
     murk_error err = {0};
-    CHECK(murk_hulls_create(&hulls, &desc, 1, &err) == MURK_OK);
+    CHECK(murk_boundary_meshes_create(&boundary_meshes, &desc, 1, &err) ==
+          MURK_OK);
     CHECK_TEXT(err.text, "");
-    if (!hulls) {
+    if (!boundary_meshes) {
         return;
     }
     const murk_interest_region r[2] = {a_region(MURK_INTEREST_ANYWHERE),
@@ -79,14 +81,14 @@ static void test_a_mesh_holds_its_own_faces(void)
                     floor = {1.3, 1.6, 0}, beside = {2.1, 1.3, 0},
                     down = {0, 0, -1}, middle = {1.4, 1.6, 0.5},
                     above = {1.4, 1.6, 1.01};
-    CHECK(regions_of(r, 2, hulls, a_photon(top, up, 0)) == 3);
-    CHECK(regions_of(r, 2, hulls, a_photon(top, down, 0)) == 3);
-    CHECK(regions_of(r, 2, hulls, a_photon(side, east, 0)) == 3);
-    CHECK(regions_of(r, 2, hulls, a_photon(floor, up, 0)) == 3);
-    CHECK(regions_of(r, 2, hulls, a_photon(beside, up, 0)) == 1);
-    CHECK(regions_of(r, 2, hulls, a_photon(middle, none, 0)) == 3);
-    CHECK(regions_of(r, 2, hulls, a_photon(above, none, 0)) == 1);
-    murk_hulls_destroy(hulls);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(top, up, 0)) == 3);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(top, down, 0)) == 3);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(side, east, 0)) == 3);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(floor, up, 0)) == 3);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(beside, up, 0)) == 1);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(middle, none, 0)) == 3);
+    CHECK(regions_of(r, 2, boundary_meshes, a_photon(above, none, 0)) == 1);
+    murk_boundary_meshes_destroy(boundary_meshes);
     murk_mesh_destroy(mesh);
 }
 
@@ -170,13 +172,13 @@ static world build(const murk_photon *surface, size_t n_surface,
 }
 
 /* By one sensor west of the wall. */
-static murk_coverage measure(world *w)
+static murk_coverage_result measure(world *w)
 {
     const murk_vec3 sensor = {1, 4, 3};
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&c, w->sight, standing_at(&sensor, 1), 1,
-                                &err) == MURK_OK);
+    CHECK(murk_coverage_result_measure(&c, w->sight, partial_at(&sensor, 1), 1,
+                                       &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     murk_sight_destroy(w->sight);
     murk_photon_map_destroy(w->surface_map);
@@ -205,7 +207,7 @@ static void test_by_hand(void)
     murk_interest interest = {r, 2, NULL, 1};
     world w = build(s, 8, v, 4, 100, plain_count, &interest, 1);
     CHECK(murk_sight_regions(w.sight, 0) != 0);
-    murk_coverage c = measure(&w);
+    murk_coverage_result c = measure(&w);
     CHECK(c.region[0].photons == 7 && c.region[1].photons == 5);
     CHECK_NEAR(c.region[0].coverage.value, 2.0 / 7, 1e-15);
     CHECK_NEAR(c.region[1].coverage.value, 1, 1e-15);
@@ -213,20 +215,20 @@ static void test_by_hand(void)
     CHECK_NEAR(c.total.value, (5 + 5 * 2) / (5 + 5 * 7.0), 1e-9);
     CHECK_NEAR(c.surface.value, (5 + 5 * 1) / (5 + 5 * 3.0), 1e-15);
     CHECK_NEAR(c.volume.value, 1.0 / 4, 1e-15);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
 
     w = build(s, 8, v, 4, 100, balanced, &interest, 1);
     c = measure(&w);
     CHECK_NEAR(c.region[0].coverage.value, (1.0 / 3 + 1.0 / 4) / 2, 1e-15);
     CHECK_NEAR(c.region[1].coverage.value, 1, 1e-15);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
 
     interest.elsewhere = 0;
     interest.n = 1;
     w = build(s, 8, v, 4, 100, balanced, &interest, 1);
     c = measure(&w);
     CHECK_NEAR(c.total.value, (1.0 / 3 + 1.0 / 4) / 2, 1e-9);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
 
     r[0].weight = 0; /* in view all the same */
     interest.elsewhere = 1;
@@ -235,7 +237,7 @@ static void test_by_hand(void)
     CHECK_NEAR(c.total.value, 1, 1e-9);
     CHECK(isnan(c.volume.value));
     CHECK_NEAR(c.region[0].coverage.value, (1.0 / 3 + 1.0 / 4) / 2, 1e-15);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
 }
 
 /* ---- many photons ---- */
@@ -280,8 +282,9 @@ static void draw(sample *out, uint32_t repetition)
     }
 }
 
-static murk_coverage of_sample(const sample *s, murk_map_weights weights,
-                               const murk_interest *interest, unsigned threads)
+static murk_coverage_result of_sample(const sample *s, murk_map_weights weights,
+                                      const murk_interest *interest,
+                                      unsigned threads)
 {
     world w = build(s->surface, s->n_surface, s->volume, s->n_volume, EMITTED,
                     weights, interest, threads);
@@ -303,8 +306,8 @@ static void test_the_region_of_all_is_the_total(void)
     const murk_map_weights weights[4] = {
         balanced, plain_count, {false, 2, 0.25}, {false, 0, 1}};
     for (int k = 0; k < 4; ++k) {
-        murk_coverage with = of_sample(&s, weights[k], &interest, 2);
-        murk_coverage plain = of_sample(&s, weights[k], NULL, 1);
+        murk_coverage_result with = of_sample(&s, weights[k], &interest, 2);
+        murk_coverage_result plain = of_sample(&s, weights[k], NULL, 1);
         const murk_estimate all = with.region[0].coverage;
         /* Whole-number weights round by less than 2^-20 of the mean. */
         CHECK_NEAR(all.value, plain.total.value, 0x1p-20);
@@ -315,8 +318,8 @@ static void test_the_region_of_all_is_the_total(void)
         CHECK(plain.region == NULL);
         CHECK(with.region[1].photons == 0);
         CHECK(isnan(with.region[1].coverage.value));
-        murk_coverage_release(&with);
-        murk_coverage_release(&plain);
+        murk_coverage_result_release(&with);
+        murk_coverage_result_release(&plain);
     }
 }
 
@@ -335,7 +338,7 @@ static void test_the_error_is_the_spread(void)
     double balance = 0, count = 0, binomial = 0, shifted = 0;
     for (uint32_t k = 0; k < REPETITIONS; ++k) {
         draw(&s, k);
-        murk_coverage c = of_sample(&s, balanced, &interest, 1);
+        murk_coverage_result c = of_sample(&s, balanced, &interest, 1);
         murk_estimate got = c.region[0].coverage;
         const double want = (SURFACE + VOLUME) / 2;
         const double pull = (got.value - want) / got.standard_error;
@@ -345,12 +348,12 @@ static void test_the_error_is_the_spread(void)
             pow((got.value - 0.9 * want) / got.standard_error, 2) / REPETITIONS;
         binomial += (got.value - want) * (got.value - want) /
                     (got.value * (1 - got.value) / n) / REPETITIONS;
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         c = of_sample(&s, plain_count, &interest, 1);
         got = c.region[0].coverage;
         const double all = WEST * 2 / (WEST * 2 + (1 - WEST) * 8);
         count += pow((got.value - all) / got.standard_error, 2) / REPETITIONS;
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
     }
     CHECK_WITHIN(limit, balance, 1, sigma);
     CHECK_WITHIN(limit, count, 1, sigma);
@@ -371,12 +374,12 @@ static void test_threads_change_nothing(void)
     r[1].radius_m = 2;
     r[1].weight = 4;
     const murk_interest interest = {r, 2, NULL, 1};
-    murk_coverage one = of_sample(&s, balanced, &interest, 1);
-    murk_coverage five = of_sample(&s, balanced, &interest, 5);
+    murk_coverage_result one = of_sample(&s, balanced, &interest, 1);
+    murk_coverage_result five = of_sample(&s, balanced, &interest, 5);
     CHECK(memcmp(one.region, five.region, 2 * sizeof *one.region) == 0);
     CHECK(memcmp(&one.total, &five.total, sizeof one.total) == 0);
-    murk_coverage_release(&one);
-    murk_coverage_release(&five);
+    murk_coverage_result_release(&one);
+    murk_coverage_result_release(&five);
 }
 
 int main(int argc, char **argv)

@@ -12,7 +12,7 @@ static murk_links find(const murk_vec3 *place, size_t n,
 {
     murk_links links = {0};
     murk_error err = {0};
-    CHECK(murk_links_find(&links, standing_at(place, n), n, surfaces, domain,
+    CHECK(murk_links_find(&links, partial_at(place, n), n, surfaces, domain,
                           through_sheets, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return links;
@@ -107,7 +107,7 @@ static bool joined(double length_m[PLACES][PLACES], double range_m)
 }
 
 /* The least of all pairs' lengths that joins; NaN: none does. */
-static double least(double length_m[PLACES][PLACES])
+static double min(double length_m[PLACES][PLACES])
 {
     double best = NAN;
     for (int i = 0; i < PLACES * PLACES; ++i) {
@@ -148,9 +148,9 @@ static void test_against_all_pairs(void)
             }
         }
         murk_links l = find(place, PLACES, surfaces, &hall, true);
-        const double want = least(open);
+        const double want = min(open);
         CHECK(l.range_m == want || (isnan(l.range_m) && isnan(want)));
-        CHECK(l.plain_range_m == least(plain));
+        CHECK(l.plain_range_m == min(plain));
         CHECK(l.n == PLACES - l.groups);
         CHECK((l.groups == 1) == isfinite(l.range_m));
         for (size_t k = 0; k < l.n; ++k) {

@@ -18,7 +18,7 @@ typedef struct asking {
     size_t surfaces;
     murk_domain domain;
     murk_candidate_desc desc;
-    double spacing_m, offset_m, least_up, most_up;
+    double spacing_m, offset_m, min_up, max_up;
 } asking;
 
 static asking asking_of(bool has_crate)
@@ -31,8 +31,8 @@ static asking asking_of(bool has_crate)
                                   .max = {3.75, 2.75, 2.25},
                                   .size = {8, 6, 5}}},
                 .offset_m = .1,
-                .least_up = -1,
-                .most_up = 1};
+                .min_up = -1,
+                .max_up = 1};
     return a;
 }
 
@@ -45,15 +45,14 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
     const murk_reach reach = {
         .lamps = &LAMP, .n_lamps = 1, .domain = a->domain};
     murk_candidate_desc desc = a->desc;
-    murk_candidate_mount mount = {.offset_m = a->offset_m,
-                                  .least_up = a->least_up,
-                                  .most_up = a->most_up};
+    murk_candidate_mount mount = {
+        .offset_m = a->offset_m, .min_up = a->min_up, .max_up = a->max_up};
     murk_foot *foot = NULL;
     if (a->spacing_m > 0) {
         const murk_lay lay = {.spacing_m = a->spacing_m,
                               .within = a->domain.box,
-                              .most_rise = 1,
-                              .most = 1000000};
+                              .max_rise = 1,
+                              .max = 1000000};
         CHECK(murk_surfaces_lay(&foot, &mount.feet, surfaces, &lay, "here",
                                 NULL) == MURK_OK);
         mount.foot = foot;
@@ -206,7 +205,7 @@ static void test_mounts_face_as_asked(void)
     asking a = asking_of(true);
     a.desc.is_laid = true;
     a.spacing_m = .5;
-    a.least_up = .7;
+    a.min_up = .7;
     murk_candidates *c = candidates_of(&a, 1, NULL);
     /* floor, ceiling, lid; the crate's floor lies in the room's. Free are the
      * floor, but under the crate, and the lid. */
@@ -217,13 +216,13 @@ static void test_mounts_face_as_asked(void)
         CHECK(c->normal[i].z == 1 && (fabs(z - .1) < 1e-9 || z == 1.1));
     }
     murk_candidates_destroy(c);
-    a.least_up = -1;
-    a.most_up = -.7;
+    a.min_up = -1;
+    a.max_up = -.7;
     c = candidates_of(&a, 1, NULL);
     CHECK(c->usable == 48);
     murk_candidates_destroy(c);
-    a.most_up = .7;
-    a.least_up = -.7;
+    a.max_up = .7;
+    a.min_up = -.7;
     c = candidates_of(&a, 1, NULL);
     CHECK(c->usable == 2 * (40 + 30) + 4 * 4);
     murk_candidates_destroy(c);

@@ -59,18 +59,19 @@ static bool tells(const murk_photon *of, const murk_photon *p)
                     murk_direction_unpack(p->normal)) > 0;
 }
 
-static void check_against_all(const murk_domain *domain, double most_m)
+static void check_against_all(const murk_domain *domain, double max_m)
 {
     enum { N = 600 };
     murk_photon_map *map = crowd_of(N, 0);
     const murk_photon *photon = murk_photon_map_photons(map);
-    const murk_neighbours neighbours = {map, domain, K, most_m};
-    murk_neighbours_desk *desk = murk_neighbours_desk_create(K);
+    const murk_neighbours neighbours = {map, domain, K, max_m};
+    murk_neighbours_workspace *workspace = murk_neighbours_workspace_create(K);
     for (size_t i = 0; i < N; ++i) {
         uint32_t found[K];
         double radius_m;
-        const size_t n = murk_neighbours_find(
-            &neighbours, desk, &photon[i], photon[i].emitted, found, &radius_m);
+        const size_t n =
+            murk_neighbours_find(&neighbours, workspace, &photon[i],
+                                 photon[i].emitted, found, &radius_m);
         size_t nearer = 0;
         for (size_t k = 0; k < N; ++k) {
             nearer += tells(&photon[i], &photon[k]) &&
@@ -78,14 +79,14 @@ static void check_against_all(const murk_domain *domain, double most_m)
                           radius_m * (1 - 1e-5);
         }
         CHECK(n == nearer);
-        CHECK(n < K && (n == K - 1 || radius_m == most_m));
+        CHECK(n < K && (n == K - 1 || radius_m == max_m));
         for (size_t k = 0; k < n; ++k) {
             CHECK(tells(&photon[i], &photon[found[k]]));
             CHECK(distance(domain, &photon[i], &photon[found[k]]) <=
                   radius_m * (1 + 1e-5));
         }
     }
-    murk_neighbours_desk_destroy(desk);
+    murk_neighbours_workspace_destroy(workspace);
     murk_photon_map_destroy(map);
 }
 
@@ -99,21 +100,21 @@ static void test_those_of_a_search_through_all(void)
 
 /* Each map is asked once, so that estimates are independent. The k-th is at a
  * gamma law's volume: relative variance 1 / (k - 2). */
-static void check_density(double most_m)
+static void check_density(double max_m)
 {
     enum { MAPS = 1200, N = 500 };
-    murk_neighbours_desk *desk = murk_neighbours_desk_create(K);
+    murk_neighbours_workspace *workspace = murk_neighbours_workspace_create(K);
     const murk_photon middle = {.position_m = {.5F, .5F, .5F},
                                 .normal =
                                     murk_direction_pack(murk_vec(0, 0, 1))};
     double sum = 0, with_all = 0;
     for (uint32_t i = 0; i < MAPS; ++i) {
         murk_photon_map *map = crowd_of(N, i + 1);
-        const murk_neighbours neighbours = {map, &room, K, most_m};
+        const murk_neighbours neighbours = {map, &room, K, max_m};
         uint32_t found[K];
         double radius_m;
         const double n = (double)murk_neighbours_find(
-            &neighbours, desk, &middle, UINT64_MAX, found, &radius_m);
+            &neighbours, workspace, &middle, UINT64_MAX, found, &radius_m);
         const double volume = 4 / 3. * MURK_PI * pow(radius_m, 3);
         sum += n / volume;
         with_all += (n + (n == K - 1)) / volume;
@@ -122,9 +123,9 @@ static void check_density(double most_m)
     const double want = N / 4., error = want / sqrt((K - 2.) * MAPS);
     CHECK_WITHIN(murk_sidak_limit(1e-6, CHECKS), sum / MAPS, want, error);
     /* Teeth: k in place of k - 1, where the k-th is within the limit. */
-    CHECK(most_m < .5 || sigmas_off(with_all / MAPS, want, error) >
-                             murk_sidak_limit(1e-6, CHECKS));
-    murk_neighbours_desk_destroy(desk);
+    CHECK(max_m < .5 || sigmas_off(with_all / MAPS, want, error) >
+                            murk_sidak_limit(1e-6, CHECKS));
+    murk_neighbours_workspace_destroy(workspace);
 }
 
 static void test_densities_are_without_bias(void)

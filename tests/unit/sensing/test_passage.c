@@ -18,7 +18,7 @@ static const murk_domain tiled = {.box = {{-1, -1, -1}, {1, 1, 1}},
 
 typedef struct place {
     murk_media *media;
-    murk_hulls *hulls;
+    murk_boundary_meshes *boundary_meshes;
 } place;
 
 /* One region of extinction 2 per m: a mesh, or (NULL) the box. */
@@ -30,13 +30,15 @@ static place place_of(murk_mesh *mesh, murk_box box, double ior,
                           .box = box,
                           .to_world = murk_affine_identity(),
                           .ior = ior};
-    const murk_hull_desc hull = {.mesh = mesh,
-                                 .to_world = murk_affine_identity()};
+    const murk_boundary_mesh_desc boundary_mesh = {
+        .mesh = mesh, .to_world = murk_affine_identity()};
     place p = {0};
     murk_error err = {0};
     if (mesh) {
-        CHECK(murk_hulls_create(&p.hulls, &hull, 1, &err) == MURK_OK);
-        region.box = murk_hulls_describe(p.hulls, 0).bounds_m;
+        CHECK(murk_boundary_meshes_create(&p.boundary_meshes, &boundary_mesh, 1,
+                                          &err) == MURK_OK);
+        region.box =
+            murk_boundary_meshes_describe(p.boundary_meshes, 0).bounds_m;
     }
     CHECK(murk_media_create(&p.media, &fog, 1, &region, 1, &domain->box,
                             &err) == MURK_OK);
@@ -47,7 +49,7 @@ static place place_of(murk_mesh *mesh, murk_box box, double ior,
 static void leave(place *p)
 {
     murk_media_destroy(p->media);
-    murk_hulls_destroy(p->hulls);
+    murk_boundary_meshes_destroy(p->boundary_meshes);
 }
 
 static murk_mesh *letter_u(void)
@@ -89,20 +91,20 @@ static void test_transmittance_through_a_concave_mesh_is_exact(void)
 {
     murk_mesh *u = letter_u();
     place p = place_of(u, (murk_box){0}, 0, &cube);
-    double most = 0, teeth = 0;
+    double maximum = 0, teeth = 0;
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 sensor = random_point(SEED, i / 8);
         const murk_vec3 photon = random_point(SEED + 1, i);
         const murk_passages way =
-            murk_passages_from(p.media, p.hulls, &cube, sensor);
+            murk_passages_from(p.media, p.boundary_meshes, &cube, sensor);
         const double got = murk_passage_transmittance(&way, 0, photon);
         const double inside = length_inside(u, sensor, photon);
-        most = fmax(most, fabs(got - exp(-2 * inside)));
+        maximum = fmax(maximum, fabs(got - exp(-2 * inside)));
         teeth = fmax(teeth, fabs(got - exp(-2.001 * inside)));
         CHECK(!murk_passage_bends(&way, photon));
     }
     /* Two crossings at most 16 float steps of 0.8 apart may cancel. */
-    CHECK(most < 2 * 2 * 16 * 0x1p-23);
+    CHECK(maximum < 2 * 2 * 16 * 0x1p-23);
     CHECK(teeth > 10 * 2 * 2 * 16 * 0x1p-23);
     leave(&p);
     murk_mesh_destroy(u);
@@ -116,7 +118,7 @@ static void test_a_box_is_the_same_as_its_mesh(void)
     const murk_domain *domains[2] = {&cube, &tiled};
     murk_mesh *mesh = closed_box(box.min, box.max);
     size_t wrong = 0, bent = 0;
-    double most = 0;
+    double maximum = 0;
     for (int kind = 0; kind < 4; ++kind) {
         const murk_domain *domain = domains[kind / 2];
         const double ior = kind % 2 ? 1.33 : 0;
@@ -127,9 +129,10 @@ static void test_a_box_is_the_same_as_its_mesh(void)
             const murk_vec3 photon = random_point(SEED + 3, i);
             const murk_passages a =
                 murk_passages_from(plain.media, NULL, domain, sensor);
-            const murk_passages b =
-                murk_passages_from(meshed.media, meshed.hulls, domain, sensor);
-            most = fmax(most, fabs(murk_passage_transmittance(&a, 0, photon) -
+            const murk_passages b = murk_passages_from(
+                meshed.media, meshed.boundary_meshes, domain, sensor);
+            maximum =
+                fmax(maximum, fabs(murk_passage_transmittance(&a, 0, photon) -
                                    murk_passage_transmittance(&b, 0, photon)));
             /* The box goes on beyond the side that its face lies in; in the
              * periodic domain the mesh ends there, and another begins. */
@@ -144,7 +147,7 @@ static void test_a_box_is_the_same_as_its_mesh(void)
     }
     CHECK(wrong == 0);
     CHECK(bent > PAIRS / 4 && bent < PAIRS);
-    CHECK(most < 2 * 2 * 16 * 0x1p-23);
+    CHECK(maximum < 2 * 2 * 16 * 0x1p-23);
     murk_mesh_destroy(mesh);
 }
 
@@ -156,23 +159,24 @@ static void test_a_slab_across_a_periodic_domain(void)
     place plain = place_of(NULL, slab, 1.33, &tiled);
     place meshed = place_of(mesh, slab, 1.33, &tiled);
     size_t wrong = 0, bent = 0;
-    double most = 0;
+    double maximum = 0;
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 sensor = random_point(SEED + 4, i / 8);
         const murk_vec3 photon = random_point(SEED + 5, i);
         const murk_passages a =
             murk_passages_from(plain.media, NULL, &tiled, sensor);
-        const murk_passages b =
-            murk_passages_from(meshed.media, meshed.hulls, &tiled, sensor);
+        const murk_passages b = murk_passages_from(
+            meshed.media, meshed.boundary_meshes, &tiled, sensor);
         const bool bends = murk_passage_bends(&a, photon);
         wrong += bends != murk_passage_bends(&b, photon);
         bent += bends;
-        most = fmax(most, fabs(murk_passage_transmittance(&a, 0, photon) -
+        maximum =
+            fmax(maximum, fabs(murk_passage_transmittance(&a, 0, photon) -
                                murk_passage_transmittance(&b, 0, photon)));
     }
     CHECK(wrong == 0);
     CHECK(bent > PAIRS / 4 && bent < PAIRS);
-    CHECK(most < 2 * 2 * 16 * 0x1p-23);
+    CHECK(maximum < 2 * 2 * 16 * 0x1p-23);
     leave(&plain);
     leave(&meshed);
     murk_mesh_destroy(mesh);
@@ -186,9 +190,9 @@ static void test_the_floor_under_water_is_seen(void)
     place p = place_of(mesh, (murk_box){0}, 1.33, &cube);
     const murk_vec3 wet = {0.3, 0.1, 0}, dry = {0.3, 0.1, 0.5};
     const murk_passages from_wet =
-        murk_passages_from(p.media, p.hulls, &cube, wet);
+        murk_passages_from(p.media, p.boundary_meshes, &cube, wet);
     const murk_passages from_dry =
-        murk_passages_from(p.media, p.hulls, &cube, dry);
+        murk_passages_from(p.media, p.boundary_meshes, &cube, dry);
     for (int i = -1; i <= 1; ++i) {
         const murk_vec3 floor = {-0.2, 0.3, -0.7 + i * 1e-7};
         CHECK(!murk_passage_bends(&from_wet, floor));

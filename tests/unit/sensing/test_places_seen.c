@@ -145,13 +145,13 @@ static void looks_at(uint16_t *clarity, const scene *s)
 /* The k clearest of three, summed. */
 static unsigned best(const uint16_t c[3], unsigned k)
 {
-    unsigned all = 0, least = UINT16_MAX, most = 0;
+    unsigned all = 0, min = UINT16_MAX, max = 0;
     for (int i = 0; i < 3; ++i) {
         all += c[i];
-        least = c[i] < least ? c[i] : least;
-        most = c[i] > most ? c[i] : most;
+        min = c[i] < min ? c[i] : min;
+        max = c[i] > max ? c[i] : max;
     }
-    return k == 1 ? most : k == 2 ? all - least : all;
+    return k == 1 ? max : k == 2 ? all - min : all;
 }
 
 static void check_like_photons(murk_sight_desc desc)
@@ -220,25 +220,24 @@ static void test_depth_is_that_of_the_shortest_open_way(void)
         const murk_vec3 at =
             murk_vec((double)p.position_m[0], (double)p.position_m[1],
                      (double)p.position_m[2] + (p.normal ? 1e-5 : 0));
-        double least = INFINITY;
+        double min = INFINITY;
         for (size_t k = 0; k < 3; k += 2) { /* those that see all round */
             if (length_to(i, &POSES[k]) <= TYPES[0].range_m &&
                 !murk_surfaces_blocked(s.surfaces, at, POSES[k].position,
                                        true)) {
-                least =
-                    fmin(least, (p.band + 1) * MIST * length_to(i, &POSES[k]));
+                min = fmin(min, (p.band + 1) * MIST * length_to(i, &POSES[k]));
             }
         }
         if (p.band == 1) { /* which the third does not see */
-            CHECK(isfinite(least) == isfinite((double)seen[i].depth));
-            if (isfinite(least)) {
-                CHECK(fabs((double)seen[i].depth - least) < 1e-5);
+            CHECK(isfinite(min) == isfinite((double)seen[i].depth));
+            if (isfinite(min)) {
+                CHECK(fabs((double)seen[i].depth - min) < 1e-5);
                 ++open;
             } else {
                 ++hidden;
             }
         } else {
-            CHECK((double)seen[i].depth < least + 1e-5 ||
+            CHECK((double)seen[i].depth < min + 1e-5 ||
                   isinf((double)seen[i].depth));
         }
     }

@@ -104,7 +104,7 @@ static void check_plate(uint32_t n, double radius_m)
         }
     }
     const double q = n * MURK_PI * radius_m * radius_m / 100;
-    const double seen = fmin(q, MURK_POWER_SURFACE_MOST / 2.);
+    const double seen = fmin(q, MURK_POWER_SURFACE_MAX / 2.);
     const double error = relative_error(places * seen / q, seen);
     CHECK_WITHIN(limit(), sum / places, 3 / MURK_PI, 3 / MURK_PI * error);
     /* Teeth: a disc too wide by 3 % where all are looked at. */
@@ -144,8 +144,8 @@ static void test_a_cloud_of_known_source(void)
         double sum = 0, places = 0;
         for (size_t i = 0; i < N; ++i) {
             const float *x = stored[i].position_m;
-            const double most = fmax(fabs((double)x[0]), fabs((double)x[1]));
-            if (fmax(most, fabs((double)x[2])) < 5 - radius_m) {
+            const double max = fmax(fabs((double)x[0]), fabs((double)x[1]));
+            if (fmax(max, fabs((double)x[2])) < 5 - radius_m) {
                 sum += murk_power_source(p.power, i, toward[k]);
                 ++places;
             }
@@ -388,11 +388,11 @@ static void test_nothing_takes_more_than_there_is(void)
                                  .way = murk_vec(0, 0, -1e-9),
                                  .leaving = up,
                                  .gain = 1};
-    const double most = MURK_PI * murk_power_radiance(p.power, 0) * 0.05;
+    const double max = MURK_PI * murk_power_radiance(p.power, 0) * 0.05;
     CHECK_NEAR(murk_power_signal_w(p.power, &type, &all,
                                    murk_photon_map_photons(p.surface), 0,
                                    &line),
-               most, 1e-12 * most);
+               max, 1e-12 * max);
     leave(&p);
 }
 

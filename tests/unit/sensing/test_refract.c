@@ -58,13 +58,16 @@ typedef struct answer {
     murk_way way[MURK_WAYS_MAX];
 } answer;
 
-static answer ask(const murk_media *media, const murk_hulls *hulls,
+static answer ask(const murk_media *media,
+                  const murk_boundary_meshes *boundary_meshes,
                   const murk_domain *domain, murk_vec3 sensor, murk_vec3 photon)
 {
     murk_interfaces at;
-    murk_interfaces_find(&at, media, hulls, domain);
-    const murk_passages p = murk_passages_from(media, hulls, domain, sensor);
-    const murk_passages q = murk_passages_from(media, hulls, domain, photon);
+    murk_interfaces_find(&at, media, boundary_meshes, domain);
+    const murk_passages p =
+        murk_passages_from(media, boundary_meshes, domain, sensor);
+    const murk_passages q =
+        murk_passages_from(media, boundary_meshes, domain, photon);
     answer a = {0};
     a.n = murk_ways_across(&at, &p, photon, q.index, a.way, &a.is_reflected);
     return a;
@@ -102,10 +105,10 @@ static murk_vec3 on_face(const murk_box *box, int face, double u, double v)
 
 /* The least optical length over a face; false when it lies on the rim. In the
  * box's own frame, which a rotation has moved. */
-static bool least_on_face(const murk_box *box, int face, murk_vec3 outside,
-                          murk_vec3 inside, double n_inside, murk_vec3 *at)
+static bool min_on_face(const murk_box *box, int face, murk_vec3 outside,
+                        murk_vec3 inside, double n_inside, murk_vec3 *at)
 {
-    double best[2] = {0.5, 0.5}, least = INFINITY;
+    double best[2] = {0.5, 0.5}, minimum = INFINITY;
     for (double step = 0.25; step > 1e-12;) {
         bool moved = false;
         for (int k = -1; k < 4; ++k) {
@@ -117,8 +120,8 @@ static bool least_on_face(const murk_box *box, int face, murk_vec3 outside,
             const murk_vec3 x = on_face(box, face, to[0], to[1]);
             const double length = murk_length(murk_sub(x, outside)) +
                                   n_inside * murk_length(murk_sub(inside, x));
-            if (length < least) {
-                least = length;
+            if (length < minimum) {
+                minimum = length;
                 best[0] = to[0];
                 best[1] = to[1];
                 moved = true;
@@ -180,7 +183,7 @@ static void check_ways_into_a_box(double n_around, double n_inside)
                          : part(tank.min, face / 2) - part(out, face / 2);
             murk_vec3 x;
             if (!(beyond > 0) ||
-                !least_on_face(&tank, face, out, in, n_inside / n_around, &x)) {
+                !min_on_face(&tank, face, out, in, n_inside / n_around, &x)) {
                 continue;
             }
             ++want;
@@ -265,11 +268,12 @@ static void test_a_box_of_triangles_is_a_box(void)
     const double at[4][2] = {{-1, -1.5}, {1, -1.5}, {1, 1.5}, {-1, 1.5}};
     const uint32_t cut[6] = {0, 1, 2, 0, 2, 3};
     murk_mesh *mesh = closed_prism(at, 4, cut, -1, 0.5);
-    const murk_hull_desc hull = {.mesh = mesh,
-                                 .to_world = murk_affine_identity()};
-    murk_hulls *hulls = NULL;
+    const murk_boundary_mesh_desc boundary_mesh = {
+        .mesh = mesh, .to_world = murk_affine_identity()};
+    murk_boundary_meshes *boundary_meshes = NULL;
     murk_error err = {0};
-    CHECK(murk_hulls_create(&hulls, &hull, 1, &err) == MURK_OK);
+    CHECK(murk_boundary_meshes_create(&boundary_meshes, &boundary_mesh, 1,
+                                      &err) == MURK_OK);
     murk_region region[2] = {region_of(MURK_REGION_MESH, GLASS_INDEX),
                              region_of(MURK_REGION_BOX, GLASS_INDEX)};
     region[0].box = region[1].box = tank;
@@ -283,7 +287,7 @@ static void test_a_box_of_triangles_is_a_box(void)
             continue;
         }
         const answer want = ask(boxed, NULL, &cube, sensor, photon);
-        const answer got = ask(meshed, hulls, &cube, sensor, photon);
+        const answer got = ask(meshed, boundary_meshes, &cube, sensor, photon);
         CHECK(got.n <= want.n);
         of += want.n > 0;
         found += got.n;
@@ -295,7 +299,7 @@ static void test_a_box_of_triangles_is_a_box(void)
     CHECK(found > of * 9 / 10);
     murk_media_destroy(meshed);
     murk_media_destroy(boxed);
-    murk_hulls_destroy(hulls);
+    murk_boundary_meshes_destroy(boundary_meshes);
     murk_mesh_destroy(mesh);
 }
 

@@ -18,7 +18,7 @@ static void test_a_wall_hides_what_is_behind(void)
     const murk_vec3 sensors[2] = {{2.1, 4.1, 1.9}, {9.9, 0.1, 3.9}};
     for (int s = 0; s < 2; ++s) {
         murk_look look;
-        murk_sight_look(w.sight, 0, standing_at(&sensors[s], 1), &look);
+        murk_sight_look(w.sight, 0, partial_at(&sensors[s], 1), &look);
         CHECK(look.seen == 500 && look.clarity == NULL);
         for (size_t k = 0; k < look.seen; ++k) {
             const murk_photon *p =
@@ -74,14 +74,14 @@ static void test_grazing_is_not_seen(void)
         }
         world w = build(NULL, 0, clear_air(&hall), photon, 64, plain(&hall));
         murk_look look;
-        murk_sight_look(w.sight, 0, standing_at(&center, 1), &look);
+        murk_sight_look(w.sight, 0, partial_at(&center, 1), &look);
         CHECK(look.seen == 0);
         /* Storing moves a position by 2^-20 of 10 m at most, a normal by its
          * error times the 1.7 m between; twice, and some room. */
         const double height =
             k == 0 ? 2 * 10 * 0x1p-20 : 3 * 1.7 * MURK_DIRECTION_ERROR_RAD;
         const murk_vec3 above = murk_along(center, height, n);
-        murk_sight_look(w.sight, 0, standing_at(&above, 1), &look);
+        murk_sight_look(w.sight, 0, partial_at(&above, 1), &look);
         CHECK(look.seen == 64);
         tear_down(&w);
     }
@@ -321,14 +321,14 @@ static void test_ends_of_ranges(void)
         bool is_allowed;
     } cases[] = {
         {0, 0, 0, MURK_COMBINE_CLEAREST, 1, true},
-        {1, MURK_PI, 1.98, MURK_COMBINE_CLEAREST, MURK_REDUNDANCY_MOST, true},
+        {1, MURK_PI, 1.98, MURK_COMBINE_CLEAREST, MURK_REDUNDANCY_MAX, true},
         {-0.01, 0, 0, MURK_COMBINE_CLEAREST, 1, false},
         {1.01, 0, 0, MURK_COMBINE_CLEAREST, 1, false},
         {0, -0.01, 0, MURK_COMBINE_CLEAREST, 1, false},
         {0, 1.01 * MURK_PI, 0, MURK_COMBINE_CLEAREST, 1, false},
         {0, 0, -0.01, MURK_COMBINE_CLEAREST, 1, false},
         {0, 0, 2.02, MURK_COMBINE_CLEAREST, 1, false},
-        {0, 0, 0, MURK_COMBINE_CLEAREST, MURK_REDUNDANCY_MOST + 1, false},
+        {0, 0, 0, MURK_COMBINE_CLEAREST, MURK_REDUNDANCY_MAX + 1, false},
         {0, 0, 0, MURK_COMBINE_INDEPENDENT, 1, true},
         {0, 0, 0, MURK_COMBINE_INDEPENDENT, 2, false},
     };

@@ -68,7 +68,7 @@ static void test_agrees_with_the_plain_twin(void)
             const murk_vec3 sensor = {0.1 + 9.8 * r.u[0], 0.1 + 7.8 * r.u[1],
                                       0.1 + 3.8 * r.u[2]};
             murk_look look;
-            murk_sight_look(w.sight, 1, standing_at(&sensor, 1), &look);
+            murk_sight_look(w.sight, 1, partial_at(&sensor, 1), &look);
             int got[MANY] = {0};
             for (size_t k = 0; k < look.seen; ++k) {
                 const size_t i = look.photon[k];
@@ -116,8 +116,8 @@ static void test_no_extinction_is_clear_air(void)
     world b = build(&d, 1, mist(&hall, 0, 0), photon, MANY, plain(&hall));
     murk_look x, y;
     const murk_vec3 sensor = {3, 3, 3};
-    murk_sight_look(a.sight, 0, standing_at(&sensor, 1), &x);
-    murk_sight_look(b.sight, 1, standing_at(&sensor, 1), &y);
+    murk_sight_look(a.sight, 0, partial_at(&sensor, 1), &x);
+    murk_sight_look(b.sight, 1, partial_at(&sensor, 1), &y);
     CHECK(x.seen == y.seen && x.seen == MANY);
     CHECK(memcmp(x.photon, y.photon, x.seen * sizeof *x.photon) == 0);
     CHECK(!x.clarity && !y.clarity);
@@ -179,7 +179,7 @@ static void test_periodic_photons_are_found_once(void)
         const murk_random4 r = murk_random(8, MURK_TEST, 0, 1, (uint32_t)s);
         const murk_vec3 o = {10 * r.u[0], 8 * r.u[1], 4 * r.u[2]};
         murk_look look;
-        murk_sight_look(w.sight, 0, standing_at(&o, 1), &look);
+        murk_sight_look(w.sight, 0, partial_at(&o, 1), &look);
         size_t want = 0;
         for (size_t i = 0; i < MANY; ++i) {
             const float *x = photon[i].position_m;

@@ -62,19 +62,19 @@ static double optical_length(const setting *s, const double n[2], murk_vec3 x)
 
 /* The least optical length by looking around in the plane, in ever smaller
  * steps: knows nothing of angles. */
-static double least_length(const setting *s, murk_vec3 *at)
+static double min_length(const setting *s, murk_vec3 *at)
 {
     murk_vec3 axis[2], best = s->plane.point;
     murk_frame(s->plane.normal, &axis[0], &axis[1]);
-    double least = optical_length(s, s->n, best);
+    double min = optical_length(s, s->n, best);
     for (double step = 4; step > 1e-13;) {
         bool moved = false;
         for (int k = 0; k < 4; ++k) {
             const murk_vec3 x =
                 murk_along(best, k % 2 ? step : -step, axis[k / 2]);
             const double length = optical_length(s, s->n, x);
-            if (length < least) {
-                least = length;
+            if (length < min) {
+                min = length;
                 best = x;
                 moved = true;
             }
@@ -82,7 +82,7 @@ static double least_length(const setting *s, murk_vec3 *at)
         step = moved ? step : step / 2;
     }
     *at = best;
-    return least;
+    return min;
 }
 
 static void test_the_way_is_the_shortest_in_time(void)
@@ -93,15 +93,15 @@ static void test_the_way_is_the_shortest_in_time(void)
         murk_snell path;
         murk_vec3 at;
         CHECK(murk_snell_path(s.sensor, s.photon, &s.plane, s.n, &path));
-        const double least = least_length(&s, &at);
+        const double min = min_length(&s, &at);
         const double length = optical_length(&s, s.n, path.crossing);
-        CHECK(length <= least + PLACE_M);
+        CHECK(length <= min + PLACE_M);
         CHECK_NEAR(s.n[0] * path.leg_m[0] + s.n[1] * path.leg_m[1], length,
                    PLACE_M);
         /* Teeth: an index off by a hundredth is a longer way. */
         const double off[2] = {s.n[0], 1.01 * s.n[1]};
         CHECK(murk_snell_path(s.sensor, s.photon, &s.plane, off, &path));
-        noticed += optical_length(&s, s.n, path.crossing) > least + PLACE_M;
+        noticed += optical_length(&s, s.n, path.crossing) > min + PLACE_M;
         ++pairs;
     }
     CHECK(noticed > pairs * 9 / 10);
@@ -237,7 +237,7 @@ static void test_apparent_distance_is_the_bundles(void)
  * into the denser side the bound is not the least there is. */
 static void test_reach_holds_all(void)
 {
-    double most[2] = {0, 0};
+    double max[2] = {0, 0};
     for (uint64_t i = 0; i < 20 * PAIRS; ++i) {
         setting s = setting_of(i);
         if (i % 5 == 0) {
@@ -250,10 +250,10 @@ static void test_reach_holds_all(void)
         const double reach = murk_snell_reach(path.apparent_m, height, s.n);
         CHECK(chord <= reach * (1 + 1e-12));
         const int dense = s.n[0] > s.n[1];
-        most[dense] = fmax(most[dense], chord / reach);
+        max[dense] = fmax(max[dense], chord / reach);
     }
-    CHECK(most[0] > 0.75);
-    CHECK(most[1] > 0.95);
+    CHECK(max[0] > 0.75);
+    CHECK(max[1] > 0.95);
 }
 
 /* The closed forms that the two bounds stand for, worked out by hand, as the

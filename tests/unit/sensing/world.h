@@ -17,7 +17,7 @@ static inline murk_sensor_type all_round(double range_m)
 }
 
 /* Sensors of the first type; valid until the next call. */
-static inline const murk_pose *standing_at(const murk_vec3 *place, size_t n)
+static inline const murk_pose *partial_at(const murk_vec3 *place, size_t n)
 {
     static murk_pose pose[64];
     CHECK(n <= 64);

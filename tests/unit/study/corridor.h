@@ -38,7 +38,7 @@
 
 typedef struct made {
     murk_stage *stage;
-    murk_plan plan;
+    murk_plan_result plan;
     murk_status status;
     murk_error err;
 } made;
@@ -55,10 +55,11 @@ static inline made explore_with(const char *text, const char *const *overrides,
     }
     m.status = murk_plan_prepare(&m.plan, m.stage, threads, &m.err);
     if (!m.status) {
-        m.status = murk_light_trace(&traced, m.stage, 0, threads, &m.err);
+        m.status = murk_lightmap_trace(&traced, m.stage, 0, threads, &m.err);
     }
     if (!m.status) {
-        m.status = murk_plan_make(&m.plan, m.stage, traced, threads, &m.err);
+        m.status =
+            murk_plan_result_make(&m.plan, m.stage, traced, threads, &m.err);
     }
     murk_traced_destroy(traced);
     return m;
@@ -72,7 +73,7 @@ static inline made explore(const char *override)
 
 static inline void unmake(made *m)
 {
-    murk_plan_release(&m->plan);
+    murk_plan_result_release(&m->plan);
     stage_text_destroy(m->stage);
 }
 

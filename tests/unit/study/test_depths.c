@@ -36,7 +36,7 @@ static void check_looks(const char *override, bool has_sheets)
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
     murk_look look;
-    CHECK(stage && !murk_light_trace(&traced, stage, 0, 1, NULL) &&
+    CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 1, NULL) &&
           !murk_plan_sight(&sight, stage, traced, 1, NULL));
     murk_sight_look(sight, 0, &pose, &look);
     CHECK(look.seen > 50 && look.clarity);

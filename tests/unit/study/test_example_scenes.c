@@ -105,11 +105,11 @@ static void test_smoke_hall_is_open_at_the_gate_only(void)
     murk_mesh_destroy(mesh);
 }
 
-static murk_scene *read_scene(const char *path)
+static murk_scene_desc *read_scene(const char *path)
 {
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    CHECK(murk_scene_read(&scene, path, NULL, 0, &err) == MURK_OK);
+    CHECK(murk_scene_desc_read(&scene, path, NULL, 0, &err) == MURK_OK);
     if (!scene) {
         printf("%s: %s\n", err.where, err.text);
     }
@@ -118,7 +118,7 @@ static murk_scene *read_scene(const char *path)
 
 /* A name that the mesh does not know would be an optical property that nobody
  * gets; a name that the scene does not know, a black surface. */
-static void check_materials(const murk_scene *scene)
+static void check_materials(const murk_scene_desc *scene)
 {
     for (size_t g = 0; g < scene->geometries; ++g) {
         if (!scene->geometry[g].file) {
@@ -148,7 +148,7 @@ static void test_scenes_read_and_name_their_materials(void)
         "scenes/fog-yard.yaml",   "scenes/rain-street.yaml",
         "scenes/harbour.yaml",    "scenes/day-night.yaml"};
     for (size_t i = 0; i < sizeof paths / sizeof paths[0]; ++i) {
-        murk_scene *scene = read_scene(paths[i]);
+        murk_scene_desc *scene = read_scene(paths[i]);
         if (!scene) {
             continue;
         }
@@ -158,20 +158,20 @@ static void test_scenes_read_and_name_their_materials(void)
                                 scene->sensors.candidates.grid_min));
         CHECK(murk_box_contains(&scene->domain.box,
                                 scene->sensors.candidates.grid_max));
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
 }
 
 static void test_paper_room_is_of_the_papers_size(void)
 {
-    murk_scene *scene = read_scene("scenes/paper-room.yaml");
+    murk_scene_desc *scene = read_scene("scenes/paper-room.yaml");
     if (scene) {
         const size_t *size = scene->sensors.candidates.grid_size;
         CHECK(size[0] * size[1] * size[2] == 1188);
         CHECK(scene->photons.store == 10000);
         CHECK(scene->sensors.count == 5);
         CHECK(scene->n_media == 0);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
 }
 

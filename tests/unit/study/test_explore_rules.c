@@ -40,14 +40,14 @@ static void test_budgets_go_by_cost(void)
     made m = explore_with(CORRIDOR, list, 2);
     CHECK_TEXT(m.err.text, "");
     CHECK(m.plan.explore.steps == 3 && m.plan.place.cost == 3000000);
-    CHECK(m.plan.explore.end == MURK_EXPLORE_RULES);
+    CHECK(m.plan.explore.end == MURK_EXPLORE_CONSTRAINTS);
     for (size_t k = 0; k < m.plan.explore.steps; ++k) {
         CHECK(m.plan.sensor[k].type == 1);
     }
     unmake(&m);
 }
 
-static void test_rules_are_kept(void)
+static void test_constraints_are_kept(void)
 {
     const char *const list[] = {NEAR, "sensors.one_per_site=true",
                                 "sensors.candidates.spacing_m=2",
@@ -67,7 +67,7 @@ static void test_rules_are_kept(void)
     m = explore_with(CORRIDOR, apart, 2);
     CHECK_TEXT(m.err.text, "");
     CHECK(m.plan.explore.steps == 3 &&
-          m.plan.explore.end == MURK_EXPLORE_RULES);
+          m.plan.explore.end == MURK_EXPLORE_CONSTRAINTS);
     unmake(&m);
     const char *const short_of[] = {"geometry=[" WALLS PANE "]",
                                     "sensors.types.0.least_count=8", NULL};
@@ -111,7 +111,7 @@ static void test_fixed_sensors_see_but_do_not_walk(void)
 
 /* Nodes see more than the cameras that are asked for: a path that begins with
  * one covers more than any plan of so few that must have two cameras. */
-static void test_bounds_hold_before_least_counts_are_met(void)
+static void test_bounds_hold_before_min_counts_are_met(void)
 {
     const char *const list[] = {
         "sensors={types: [{name: node, range_m: 6}, {name: camera, range_m: 3, "
@@ -137,8 +137,8 @@ int main(void)
 {
     test_targets_end_it();
     test_budgets_go_by_cost();
-    test_rules_are_kept();
+    test_constraints_are_kept();
     test_fixed_sensors_see_but_do_not_walk();
-    test_bounds_hold_before_least_counts_are_met();
+    test_bounds_hold_before_min_counts_are_met();
     return check_done();
 }

@@ -12,7 +12,7 @@
 #define CRATES 5
 #define CASES  16
 #define STEPS  7
-#define MOST   200 /* places */
+#define MAX    200 /* places */
 
 typedef struct room {
     murk_box crate[CRATES];
@@ -90,11 +90,11 @@ static room make_room(uint32_t seed)
 
 typedef struct twin {
     const room *room;
-    const murk_plan *plan;
+    const murk_plan_result *plan;
     murk_sight *sight;
     size_t places, sites;
-    murk_vec3 place[MOST];
-    bool is_seen[MOST], is_linked[MOST][MOST], is_joined[MOST];
+    murk_vec3 place[MAX];
+    bool is_seen[MAX], is_linked[MAX][MAX], is_joined[MAX];
     uint16_t *best; /* [photons] */
     bool *stands;   /* [poses] */
 } twin;
@@ -202,8 +202,8 @@ static void stand(twin *t, size_t j)
 static bool next_of(const twin *t, bool is_first, size_t *next)
 {
     const murk_poses *poses = t->plan->poses;
-    uint64_t most_gain = 0;
-    size_t most_opened = 0;
+    uint64_t max_gain = 0;
+    size_t max_opened = 0;
     bool has_any = false;
     for (int by_gain = 1; by_gain >= 0 && !has_any; --by_gain) {
         for (size_t j = 0; j < poses->count - poses->fixed; ++j) {
@@ -215,9 +215,9 @@ static bool next_of(const twin *t, bool is_first, size_t *next)
             }
             const uint64_t gain = by_gain ? gain_of(t, j) : 0;
             const size_t opened = by_gain ? 0 : opens_of(t, j);
-            if (gain > most_gain || opened > most_opened) {
-                most_gain = gain;
-                most_opened = opened;
+            if (gain > max_gain || opened > max_opened) {
+                max_gain = gain;
+                max_opened = opened;
                 *next = j;
                 has_any = true;
             }
@@ -229,8 +229,8 @@ static bool next_of(const twin *t, bool is_first, size_t *next)
 /* Bellman and Ford: the shortest way over seen places. */
 static double way_of(const twin *t, size_t from, size_t to)
 {
-    static double gone[MOST];
-    static bool open[MOST][MOST];
+    static double gone[MAX];
+    static bool open[MAX][MAX];
     for (size_t a = 0; a < t->places; ++a) {
         gone[a] = a == from ? 0 : INFINITY;
         for (size_t b = 0; b < a; ++b) {
@@ -291,20 +291,21 @@ static void check_room(uint32_t seed, size_t *steps, size_t *opened)
     const room m = make_room(seed);
     murk_stage *stage = stage_text_create(m.text, NULL);
     murk_traced *traced = NULL;
-    murk_plan plan = {0};
+    murk_plan_result plan = {0};
     murk_error err = {0};
     static twin t;
     t = (twin){.room = &m, .plan = &plan};
-    const bool is_made = stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
-                         !murk_light_trace(&traced, stage, 0, 2, &err) &&
-                         !murk_plan_make(&plan, stage, traced, 2, &err) &&
-                         !murk_plan_sight(&t.sight, stage, traced, 1, &err);
+    const bool is_made =
+        stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
+        !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
+        !murk_plan_result_make(&plan, stage, traced, 2, &err) &&
+        !murk_plan_sight(&t.sight, stage, traced, 1, &err);
     /* the lit crate may stand within another */
     CHECK(is_made || strstr(err.text, "nothing to see"));
     if (t.sight) {
         t.sites = plan.candidates->usable;
         t.places = t.sites + plan.poses->fixed;
-        CHECK(t.places < MOST);
+        CHECK(t.places < MAX);
         memcpy(t.place, plan.candidates->position, t.sites * sizeof *t.place);
         t.place[t.sites] = m.fixed;
         t.best = calloc(murk_sight_photons(t.sight), sizeof *t.best);
@@ -315,7 +316,7 @@ static void check_room(uint32_t seed, size_t *steps, size_t *opened)
     free(t.best);
     free(t.stands);
     murk_sight_destroy(t.sight);
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
 }

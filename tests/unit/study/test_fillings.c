@@ -93,16 +93,16 @@ static void refuses(const char *media, const char *override, const char *part)
             media);
     fclose(file);
     const murk_override option = {.text = override};
-    murk_scene *scene = NULL;
+    murk_scene_desc *scene = NULL;
     murk_stage *stage = NULL;
     murk_error err = {0};
-    CHECK(murk_scene_read(&scene, path, &option, override ? 1 : 0, &err) ==
+    CHECK(murk_scene_desc_read(&scene, path, &option, override ? 1 : 0, &err) ==
           MURK_OK);
     CHECK(scene && murk_stage_create(&stage, scene, &err) != MURK_OK);
     CHECK(stage == NULL);
     CHECK_MENTIONS(err.text, part);
     CHECK_MENTIONS(err.where, "media.m");
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
     remove(path);
 }
 

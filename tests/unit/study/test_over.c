@@ -26,7 +26,7 @@
 
 typedef struct made {
     murk_stage *stage; /* of the scene as it stands; holds the scene */
-    murk_plan plan;
+    murk_plan_result plan;
     murk_over over;
     murk_error err;
     murk_status status;
@@ -52,7 +52,7 @@ static void make(made *out, const char *text, const char *over,
 static void unmake(made *m)
 {
     murk_over_release(&m->over);
-    murk_plan_release(&m->plan);
+    murk_plan_result_release(&m->plan);
     stage_text_destroy(m->stage);
 }
 
@@ -71,13 +71,13 @@ static void must_make(made *out, const char *text, const char *over,
 static double see(const made *m, size_t c, size_t i, size_t j)
 {
     const murk_pose pair[] = {m->plan.poses->pose[i], m->plan.poses->pose[j]};
-    murk_coverage coverage = {0};
+    murk_coverage_result coverage = {0};
     murk_error err = {0};
-    CHECK(murk_coverage_measure(&coverage,
-                                m->over.conditions->condition[c].sight, pair, 2,
-                                &err) == MURK_OK);
+    CHECK(murk_coverage_result_measure(&coverage,
+                                       m->over.conditions->condition[c].sight,
+                                       pair, 2, &err) == MURK_OK);
     const double total = coverage.total.value;
-    murk_coverage_release(&coverage);
+    murk_coverage_result_release(&coverage);
     return total;
 }
 
@@ -91,16 +91,16 @@ static optima try_all(const made *m, const double *weight)
     optima best = {0};
     for (size_t i = 0; i < m->plan.poses->count; ++i) {
         for (size_t j = 0; j < i; ++j) {
-            double mean = 0, least = 1, all = 0;
+            double mean = 0, min = 1, all = 0;
             for (size_t c = 0; c < 3; ++c) {
                 const double share = see(m, c, i, j);
                 best.own[c] = fmax(best.own[c], share);
                 mean += weight[c] * share;
                 all += weight[c];
-                least = weight[c] > 0 ? fmin(least, share) : least;
+                min = weight[c] > 0 ? fmin(min, share) : min;
             }
             best.mean = fmax(best.mean, mean / all);
-            best.worst = fmax(best.worst, least);
+            best.worst = fmax(best.worst, min);
         }
     }
     return best;
@@ -154,7 +154,7 @@ static void test_mean_and_worst_are_the_best_of_all(void)
 
 /* The plan of the least largest regret, against all pairs: regret to each
  * condition's own best pair, which the search proves. */
-static void test_regret_is_the_least_of_all(bool is_relative)
+static void test_regret_is_the_min_of_all(bool is_relative)
 {
     made m;
     must_make(&m, SCENE THREE "placement: {over: regret}\n",
@@ -163,7 +163,7 @@ static void test_regret_is_the_least_of_all(bool is_relative)
               2);
     const double equal[] = {1, 1, 1};
     const optima best = try_all(&m, equal);
-    double least = 2, of_worst = 0, own = 0;
+    double min = 2, of_worst = 0, own = 0;
     const size_t n = m.plan.poses->count;
     for (size_t i = 0; i < n; ++i) {
         for (size_t j = 0; j < i; ++j) {
@@ -173,7 +173,7 @@ static void test_regret_is_the_least_of_all(bool is_relative)
                 largest =
                     fmax(largest, is_relative ? lack / best.own[c] : lack);
             }
-            least = fmin(least, largest);
+            min = fmin(min, largest);
         }
     }
     const murk_over_plan *chosen = &m.over.plan[m.over.chosen];
@@ -189,14 +189,14 @@ static void test_regret_is_the_least_of_all(bool is_relative)
         of_worst =
             fmax(of_worst, (best.own[c] - worst->in_sample[c].value) / unit);
     }
-    CHECK_NEAR(own, least, ROUNDING);
-    CHECK_NEAR(m.over.regret, least, ROUNDING);
+    CHECK_NEAR(own, min, ROUNDING);
+    CHECK_NEAR(m.over.regret, min, ROUNDING);
     CHECK(m.plan.place.proven_optimal);
-    CHECK_NEAR(m.over.regret_lower, least, ROUNDING);
+    CHECK_NEAR(m.over.regret_lower, min, ROUNDING);
     CHECK(m.over.regret_upper >= m.over.regret);
-    CHECK_NEAR(m.over.regret_upper, least, ROUNDING); /* all are proven */
-    CHECK(least <= of_worst);
-    printf("largest regret %.4f, of the plan for the worst %.4f\n", least,
+    CHECK_NEAR(m.over.regret_upper, min, ROUNDING); /* all are proven */
+    CHECK(min <= of_worst);
+    printf("largest regret %.4f, of the plan for the worst %.4f\n", min,
            of_worst);
     /* coverage is that of the condition where the regret is largest */
     size_t at;
@@ -205,7 +205,7 @@ static void test_regret_is_the_least_of_all(bool is_relative)
                            MURK_SCENE_OVER_REGRET, false, &at);
     CHECK(m.plan.in_sample.total.value == seen.value);
     CHECK_NEAR((best.own[at] - seen.value) / (is_relative ? best.own[at] : 1),
-               least, ROUNDING);
+               min, ROUNDING);
     CHECK(m.plan.place.ceiling >= m.plan.place.upper);
     /* and held out it is of the same condition */
     CHECK(m.plan.held_out.value == chosen->held_out[at].value);
@@ -220,14 +220,14 @@ static void test_one_condition_is_the_plain_plan(void)
                                         "placement.over=worst"};
     for (int k = 0; k < 2; ++k) {
         made one;
-        murk_plan plain = {0};
+        murk_plan_result plain = {0};
         murk_traced *traced = NULL;
         murk_error err = {0};
         must_make(&one, SCENE "conditions: {as_is: {}}\n", overs[k], 2);
         const murk_stage *stage = one.over.conditions->condition[0].stage;
         CHECK(!murk_plan_prepare(&plain, stage, 2, &err) &&
-              !murk_light_trace(&traced, stage, 0, 2, &err) &&
-              !murk_plan_make(&plain, stage, traced, 2, &err));
+              !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
+              !murk_plan_result_make(&plain, stage, traced, 2, &err));
         CHECK_TEXT(err.text, "");
         CHECK(plain.place.count == one.plan.place.count);
         for (size_t i = 0; i < plain.place.count; ++i) {
@@ -240,7 +240,7 @@ static void test_one_condition_is_the_plain_plan(void)
         CHECK(plain.held_out.value == one.plan.held_out.value);
         CHECK(plain.held_out.standard_error ==
               one.plan.held_out.standard_error);
-        murk_plan_release(&plain);
+        murk_plan_result_release(&plain);
         murk_traced_destroy(traced);
         unmake(&one);
     }
@@ -349,8 +349,8 @@ static void test_refusals(void)
 int main(void)
 {
     test_mean_and_worst_are_the_best_of_all();
-    test_regret_is_the_least_of_all(false);
-    test_regret_is_the_least_of_all(true);
+    test_regret_is_the_min_of_all(false);
+    test_regret_is_the_min_of_all(true);
     test_one_condition_is_the_plain_plan();
     test_light_alike_is_shared();
     test_candidates_are_usable_in_all();

@@ -22,9 +22,9 @@ static void test_means_by_sensor(bool are_independent)
         {{11, {.6, .02}}, {3, {.2, .03}}},
         {{5, {.9, .1}}, {7, {.8, .1}}},
         {{2, {.4, .06}}, {0, {NAN, NAN}}}}; /* the last is empty there */
-    murk_coverage of[3] = {{.total = {.7, .01}, .sum_of_views = .75},
-                           {.total = {.9, .5}, .sum_of_views = 1.8},
-                           {.total = {.2, .04}, .sum_of_views = .15}};
+    murk_coverage_result of[3] = {{.total = {.7, .01}, .sum_of_views = .75},
+                                  {.total = {.9, .5}, .sum_of_views = 1.8},
+                                  {.total = {.2, .04}, .sum_of_views = .15}};
     for (size_t c = 0; c < 3; ++c) {
         of[c].covers = covers[c];
         of[c].only_it_covers = only[c];
@@ -39,7 +39,7 @@ static void test_means_by_sensor(bool are_independent)
     of[0].map[1] = (murk_map_share){9, .25, .08};
     of[1].map[1] = (murk_map_share){7, 1, .5};
     of[2].map[1] = (murk_map_share){4, .75, .32};
-    murk_coverage mean = {0};
+    murk_coverage_result mean = {0};
     murk_error err = {0};
     CHECK(murk_over_mean_coverage(&mean, of, weight, 3, SENSORS, REGIONS,
                                   are_independent, &err) == MURK_OK);
@@ -74,7 +74,7 @@ static void test_means_by_sensor(bool are_independent)
     CHECK_NEAR(mean.only_it_covers[1], (3 * .2 + .08) / 4, 1e-15);
     CHECK_NEAR(mean.seen_by_at_least[0], (3 * .7 + .2) / 4, 1e-15);
     CHECK_NEAR(mean.seen_by_at_least[1], (3 * .3 + .1) / 4, 1e-15);
-    murk_coverage_release(&mean);
+    murk_coverage_result_release(&mean);
 }
 
 int main(void)

@@ -14,7 +14,7 @@
 
 #define GOOD "# made up\nangle_deg,extra,phase_per_sr\n0,x,3\n90,y,1\n180,z,2\n"
 
-static murk_status stage_of(murk_scene **scene, murk_stage **stage,
+static murk_status stage_of(murk_scene_desc **scene, murk_stage **stage,
                             const char *text, murk_error *err)
 {
     *stage = NULL;
@@ -28,7 +28,7 @@ static murk_status stage_of(murk_scene **scene, murk_stage **stage,
 /* Equal tables are made once, however many bands and media have them. */
 static void test_tables_are_shared(void)
 {
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
     put_file("p.csv", GOOD, strlen(GOOD));
@@ -38,7 +38,7 @@ static void test_tables_are_shared(void)
     CHECK(stage && stage->phases->medium[0][0].table ==
                        stage->phases->medium[0][1].table);
     murk_stage_destroy(stage);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 /* What differs in one number alone is another table. */
@@ -58,13 +58,13 @@ static void test_other_tables_are_not_shared(void)
                "3.6]}]"),
          2}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        murk_scene *scene;
+        murk_scene_desc *scene;
         murk_stage *stage;
         murk_error err;
         CHECK(stage_of(&scene, &stage, cases[i].text, &err) == MURK_OK);
         CHECK(stage && stage->phases->n == cases[i].n);
         murk_stage_destroy(stage);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
 }
 
@@ -89,7 +89,7 @@ static void test_kinds_and_bands(void)
          {{.kind = MURK_PHASE_TWO_HG, .g = .9, .g2 = -.4, .weight = .8}, {0}},
          {"two_hg", "isotropic"}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        murk_scene *scene;
+        murk_scene_desc *scene;
         murk_stage *stage;
         murk_error err;
         CHECK(stage_of(&scene, &stage, cases[i].text, &err) == MURK_OK);
@@ -106,13 +106,13 @@ static void test_kinds_and_bands(void)
                        cases[i].kind[band]);
         }
         murk_stage_destroy(stage);
-        murk_scene_destroy(scene);
+        murk_scene_desc_destroy(scene);
     }
 }
 
 static void test_tables(void)
 {
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
     put_file("p.csv", GOOD, strlen(GOOD));
@@ -140,12 +140,12 @@ static void test_tables(void)
     CHECK(scene && murk_stage_create(&stage, scene, &err) == MURK_OK);
     CHECK(stage && strcmp(stage->light_key, before) != 0);
     murk_stage_destroy(stage);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 static void refused(const char *csv, const char *where, const char *text)
 {
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
     put_file("p.csv", csv, strlen(csv));
@@ -153,7 +153,7 @@ static void refused(const char *csv, const char *where, const char *text)
     CHECK(stage == NULL);
     CHECK_TEXT(err.where, where);
     CHECK_TEXT(err.text, text);
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 #define HEAD "angle_deg,phase_per_sr\n"
@@ -183,14 +183,14 @@ static void test_bad_tables(void)
     refused(HEAD "0,0\n20,0\n180,0\n", "p.csv",
             "no light anywhere, the integral over the sphere must be more "
             "than 0");
-    murk_scene *scene;
+    murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
     CHECK(stage_of(&scene, &stage, SCENE("[rayleigh, {table: none.csv}]"),
                    &err) != MURK_OK);
     CHECK_TEXT(err.where, "fog.yaml:4:65: media.sea.phase.1");
     CHECK_MENTIONS(err.text, "none.csv: ");
-    murk_scene_destroy(scene);
+    murk_scene_desc_destroy(scene);
 }
 
 int main(void)

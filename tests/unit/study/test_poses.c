@@ -56,7 +56,7 @@ static void test_every_type_heading_and_tilt_at_every_site(void)
                   "vfov_deg: 20}, headings_deg: [15]}\n");
     CHECK_TEXT(m.err.text, "");
     CHECK(m.poses && m.poses->count == 3 * (1 + 4 * 2 + 1));
-    CHECK(m.poses && murk_poses_rules(m.poses) == NULL);
+    CHECK(m.poses && murk_poses_constraints(m.poses) == NULL);
     for (size_t s = 0; m.poses && s < 3; ++s) {
         const murk_pose *pose = m.poses->pose + 10 * s;
         for (size_t k = 0; k < 10; ++k) {
@@ -73,7 +73,7 @@ static void test_every_type_heading_and_tilt_at_every_site(void)
     unmake(&m);
 }
 
-static void test_rules_are_the_scenes(void)
+static void test_constraints_are_the_scenes(void)
 {
     made m = make("  types:\n"
                   "    - {name: node, range_m: 2, cost: 0.1, least_count: 1}\n"
@@ -85,11 +85,12 @@ static void test_rules_are_the_scenes(void)
                   "  one_per_site: true\n"
                   "  budget: 6.3\n");
     CHECK_TEXT(m.err.text, "");
-    const murk_rules *r = m.poses ? murk_poses_rules(m.poses) : NULL;
+    const murk_constraints *r =
+        m.poses ? murk_poses_constraints(m.poses) : NULL;
     CHECK(r && m.poses->count == 3 * 3 + 2);
     if (r) {
-        CHECK(r->classes == 2 && r->least[0] == 1 && r->least[1] == 0);
-        CHECK(r->most[0] == 11 && r->most[1] == 2);
+        CHECK(r->classes == 2 && r->min[0] == 1 && r->min[1] == 0);
+        CHECK(r->max[0] == 11 && r->max[1] == 2);
         CHECK(r->cost[0] == 100000 && r->cost[1] == 3000000);
         CHECK(r->budget == 6300000 && r->spacing_m == 0.5);
         CHECK(r->fixed_count == 2 && r->fixed[0] == 9 && r->fixed[1] == 10);
@@ -136,7 +137,7 @@ static void test_what_cannot_be_is_refused(void)
 int main(void)
 {
     test_every_type_heading_and_tilt_at_every_site();
-    test_rules_are_the_scenes();
+    test_constraints_are_the_scenes();
     test_what_cannot_be_is_refused();
     return check_done();
 }

@@ -35,7 +35,8 @@ static const char *const other[] = {
 static const char *const none[] = {"lights.0.power_w=0", "lights.1.power_w=0",
                                    "lights.2.irradiance_w_per_m2=0", NULL};
 
-static double *powers_of(const murk_scene *scene, const murk_domain *domain)
+static double *powers_of(const murk_scene_desc *scene,
+                         const murk_domain *domain)
 {
     double *power_w = NULL;
     murk_error err = {0};
@@ -51,8 +52,8 @@ static void test_every_channel_has_its_largest_share(void)
                         second[] = {0, 10, 0, 5, 0, 15},
                         share[] = {.15, 1. / 3, 0, 1. / 6, 0, .75};
     murk_stage *stage = stage_text_create(text, NULL);
-    murk_scene *b = scene_text_create(text, other),
-               *dark = scene_text_create(text, none);
+    murk_scene_desc *b = scene_text_create(text, other),
+                    *dark = scene_text_create(text, none);
     if (!stage || !b || !dark) {
         CHECK(false);
         return;
@@ -60,39 +61,39 @@ static void test_every_channel_has_its_largest_share(void)
     const murk_domain *domain = &stage->world.domain;
     double *power_w[3] = {powers_of(stage->scene, domain), powers_of(b, domain),
                           powers_of(dark, domain)};
-    const murk_scene *const scene[] = {stage->scene, b, dark};
+    const murk_scene_desc *const scene[] = {stage->scene, b, dark};
     for (size_t c = 0; c < CHANNELS; ++c) {
         CHECK_NEAR(power_w[0][c], first[c], 1e-12);
         CHECK_NEAR(power_w[1][c], second[c], 1e-12);
         CHECK(power_w[2][c] == 0);
     }
-    murk_lights *lights = NULL;
+    murk_sources *lights = NULL;
     double grow = 0;
     murk_error err = {0};
     CHECK(murk_relight_lights(&lights, &grow, scene, power_w, 3, domain,
                               &err) == MURK_OK);
     CHECK_NEAR(grow, 1.4, 1e-12);
     for (size_t c = 0; lights && c < CHANNELS; ++c) {
-        CHECK_NEAR(murk_lights_channel_power_w(lights, c), share[c], 1e-12);
+        CHECK_NEAR(murk_sources_channel_power_w(lights, c), share[c], 1e-12);
     }
-    CHECK(lights && murk_lights_get(lights, 1)->position.x == 2);
-    murk_lights_destroy(lights);
+    CHECK(lights && murk_sources_get(lights, 1)->position.x == 2);
+    murk_sources_destroy(lights);
     /* one scene alone, and no other behind it */
-    const murk_scene *const alone[] = {b, NULL};
+    const murk_scene_desc *const alone[] = {b, NULL};
     lights = NULL;
     CHECK(murk_relight_lights(&lights, &grow, alone, &power_w[1], 1, domain,
                               &err) == MURK_OK);
     CHECK_NEAR(grow, 1, 1e-12);
     for (size_t c = 0; lights && c < CHANNELS; ++c) {
-        CHECK_NEAR(murk_lights_channel_power_w(lights, c), second[c] / 30,
+        CHECK_NEAR(murk_sources_channel_power_w(lights, c), second[c] / 30,
                    1e-12);
     }
-    murk_lights_destroy(lights);
+    murk_sources_destroy(lights);
     for (int k = 0; k < 3; ++k) {
         free(power_w[k]);
     }
-    murk_scene_destroy(dark);
-    murk_scene_destroy(b);
+    murk_scene_desc_destroy(dark);
+    murk_scene_desc_destroy(b);
     stage_text_destroy(stage);
 }
 
@@ -106,17 +107,17 @@ static void test_a_lamp_without_power_stays(void)
         return;
     }
     double *power_w = powers_of(stage->scene, &stage->world.domain), grow;
-    const murk_scene *const alone[] = {stage->scene, NULL};
-    murk_lights *lights = NULL;
+    const murk_scene_desc *const alone[] = {stage->scene, NULL};
+    murk_sources *lights = NULL;
     murk_error err = {0};
     CHECK(murk_relight_lights(&lights, &grow, alone, &power_w, 1,
                               &stage->world.domain, &err) == MURK_OK);
     if (lights) {
-        CHECK(murk_lights_get(lights, 1)->position.x == 2);
-        CHECK(murk_lights_channel_power_w(lights, 3) == 0);
-        CHECK_NEAR(murk_lights_channel_power_w(lights, 0), 6. / 38, 1e-12);
+        CHECK(murk_sources_get(lights, 1)->position.x == 2);
+        CHECK(murk_sources_channel_power_w(lights, 3) == 0);
+        CHECK_NEAR(murk_sources_channel_power_w(lights, 0), 6. / 38, 1e-12);
     }
-    murk_lights_destroy(lights);
+    murk_sources_destroy(lights);
     free(power_w);
     stage_text_destroy(stage);
 }
@@ -156,11 +157,11 @@ static void test_records_follow_their_channels(void)
 {
     static const double factor[] = {0, 5, 0, 2.5, 0, .5};
     murk_stage *stage = stage_text_create(text, NULL);
-    murk_scene *b = scene_text_create(text, other);
+    murk_scene_desc *b = scene_text_create(text, other);
     murk_traced *traced = NULL, *made = NULL;
     murk_error err = {0};
     if (!stage || !b ||
-        murk_light_trace(&traced, stage, 0, 2, &err) != MURK_OK) {
+        murk_lightmap_trace(&traced, stage, 0, 2, &err) != MURK_OK) {
         CHECK(false);
         return;
     }
@@ -188,7 +189,7 @@ static void test_records_follow_their_channels(void)
     murk_traced_destroy(made);
     murk_traced_destroy(traced);
     free(power_w);
-    murk_scene_destroy(b);
+    murk_scene_desc_destroy(b);
     stage_text_destroy(stage);
 }
 

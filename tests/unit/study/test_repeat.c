@@ -212,10 +212,10 @@ static void test_by_hand(void)
     murk_repeat_summary s = {0};
     CHECK(!murk_repeat_sum_up(&s, &r, NULL));
     CHECK_NEAR(s.in_sample.median, .8, 1e-15);
-    CHECK(s.in_sample.least == .7 && s.in_sample.most == .9);
+    CHECK(s.in_sample.min == .7 && s.in_sample.max == .9);
     CHECK_NEAR(s.held_out.median, .675, 1e-15);
     CHECK_NEAR(s.upper.median, .9, 1e-15);
-    CHECK(s.sensors.median == 2 && s.sensors.most == 3);
+    CHECK(s.sensors.median == 2 && s.sensors.max == 3);
     CHECK(s.best == 1);
     CHECK_NEAR(s.plan.value, .75, 1e-15);
     CHECK_NEAR(s.upper_mean.value, .9, 1e-15);

@@ -16,7 +16,7 @@ static const murk_domain hall = {.box = {{0, 0, 0}, {20, 20, 20}}};
 static const murk_vec3 none = {0, 0, 0};
 
 typedef struct world {
-    murk_scene scene;
+    murk_scene_desc scene;
     murk_stage stage;
     murk_photon_map *surface_map, *volume_map;
     murk_sight *sight;
@@ -62,11 +62,11 @@ static void tear_down(world *w)
 }
 
 static murk_robust measure(world *w, const murk_pose *pose, size_t n,
-                           murk_coverage *coverage)
+                           murk_coverage_result *coverage)
 {
     murk_robust robust = {0};
     murk_error err = {0};
-    CHECK(!murk_coverage_measure(coverage, w->sight, pose, n, &err));
+    CHECK(!murk_coverage_result_measure(coverage, w->sight, pose, n, &err));
     CHECK(!murk_robust_begin(&robust, &w->stage, pose, n, coverage, &err));
     CHECK(!murk_robust_jitter(&robust, &w->stage, w->sight, pose, coverage,
                               false, &err));
@@ -96,7 +96,7 @@ static void test_a_lens(void)
     const murk_photon photon = a_photon(murk_vec(10, 11.6, 10), none, 0);
     const murk_pose pose = {.position = {10, 10, 10}};
     world w;
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     build(&w, &type, &photon, 1, 0.8, 0, 2);
     murk_robust r = measure(&w, &pose, 1, &c);
     CHECK(r.jittered.draws == DRAWS && !r.jittered.on_held_out);
@@ -104,10 +104,11 @@ static void test_a_lens(void)
     CHECK_WITHIN(limit, r.jittered.mean.value, share, sigma);
     CHECK(r.jittered.quantile == 0);
     /* Teeth: a shell in place of a ball. */
-    const double shell = (2 * 2 - (1.6 - 0.8) * (1.6 - 0.8)) / (4 * 0.8 * 1.6);
-    CHECK(sigmas_off(r.jittered.mean.value, shell, sigma) > 2 * limit);
+    const double boundary =
+        (2 * 2 - (1.6 - 0.8) * (1.6 - 0.8)) / (4 * 0.8 * 1.6);
+    CHECK(sigmas_off(r.jittered.mean.value, boundary, sigma) > 2 * limit);
     murk_robust_release(&r);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 }
 
@@ -127,7 +128,7 @@ static void test_a_cap(void)
     const murk_photon photon = a_photon(
         murk_vec(10, 10 + 2 * cos(50 * deg), 10 + 2 * sin(50 * deg)), none, 0);
     world w;
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     build(&w, &type, &photon, 1, 0, 40 * deg, 1);
     murk_robust r = measure(&w, &pose, 1, &c);
     CHECK(r.jittered.as_planned == 1);
@@ -135,7 +136,7 @@ static void test_a_cap(void)
     /* Teeth: evenly by angle in place of area. */
     CHECK(sigmas_off(r.jittered.mean.value, 30.0 / 40, sigma) > 2 * limit);
     murk_robust_release(&r);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 }
 
@@ -162,12 +163,12 @@ static void test_small_and_same(void)
     const murk_sensor_type type = all_round(1.5);
     scatter(photon, pose);
     world w;
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     build(&w, &type, photon, 400, 0, 0, 2);
     murk_robust r = measure(&w, pose, 4, &c);
     CHECK(r.jittered.draws == 0);
     murk_robust_release(&r);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 
     build(&w, &type, photon, 400, 1e-12, 0, 2);
@@ -180,7 +181,7 @@ static void test_small_and_same(void)
     CHECK_NEAR(r.jittered.mean.value, c.total.value, 1e-15);
     CHECK_NEAR(r.jittered.mean.standard_error, c.total.standard_error, 1e-12);
     murk_robust_release(&r);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 
     murk_jittered jittered[2];
@@ -193,7 +194,7 @@ static void test_small_and_same(void)
         CHECK(r.jittered.quantile_lower <= r.jittered.quantile &&
               r.jittered.quantile <= r.jittered.quantile_upper);
         murk_robust_release(&r);
-        murk_coverage_release(&c);
+        murk_coverage_result_release(&c);
         tear_down(&w);
     }
     CHECK(jittered[0].mean.value == jittered[1].mean.value);
@@ -210,24 +211,24 @@ static void test_drop_one(void)
     scatter(photon, pose);
     pose[3].position.x = 9.5; /* less useful than the others */
     world w;
-    murk_coverage c = {0};
+    murk_coverage_result c = {0};
     build(&w, &type, photon, 400, 0, 0, 2);
     murk_robust r = measure(&w, pose, 4, &c);
     double worst = 0, sum = 0;
     for (size_t k = 0; k < 4; ++k) {
         murk_pose left[3];
-        murk_coverage without = {0};
+        murk_coverage_result without = {0};
         for (size_t i = 0, at = 0; i < 4; ++i) {
             if (i != k) {
                 left[at++] = pose[i];
             }
         }
-        CHECK(!murk_coverage_measure(&without, w.sight, left, 3, NULL));
+        CHECK(!murk_coverage_result_measure(&without, w.sight, left, 3, NULL));
         CHECK_NEAR(r.without[k], without.total.value, 1e-15);
         const double loss = c.total.value - without.total.value;
         worst = fmax(worst, loss);
         sum += loss;
-        murk_coverage_release(&without);
+        murk_coverage_result_release(&without);
     }
     murk_drop_one drop = murk_robust_drop_one(&r);
     CHECK_NEAR(drop.worst_loss, worst, 1e-15);
@@ -236,7 +237,7 @@ static void test_drop_one(void)
     CHECK(r.links.groups == 1 && r.links.n == 3);
 
     /* The second map, where there is one, has the say. */
-    murk_coverage other = c;
+    murk_coverage_result other = c;
     double only[4] = {0.01, 0.02, 0.03, 0.2};
     other.only_it_covers = only;
     CHECK(!murk_robust_hold_out(&r, &other, NULL));
@@ -245,7 +246,7 @@ static void test_drop_one(void)
     CHECK_NEAR(drop.worst_loss, 0.2, 1e-15);
     CHECK_NEAR(drop.mean_loss, 0.065, 1e-15);
     murk_robust_release(&r);
-    murk_coverage_release(&c);
+    murk_coverage_result_release(&c);
     tear_down(&w);
 }
 

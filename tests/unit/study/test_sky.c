@@ -25,7 +25,7 @@ static double power_w(const murk_stage *stage, size_t light)
 {
     double all = 0;
     for (size_t b = 0; b < 3; ++b) {
-        all += murk_lights_channel_power_w(stage->lights, 3 * light + b);
+        all += murk_sources_channel_power_w(stage->lights, 3 * light + b);
     }
     return all;
 }
@@ -43,7 +43,7 @@ static void test_noon(void)
     const murk_sky_facts *sun = &stage->sky[0], *sky = &stage->sky[1];
     CHECK_NEAR(sun->elevation_deg, 73.44, .03);
     CHECK_NEAR(sun->azimuth_deg, 180, 2);
-    const murk_vec3 d = murk_lights_get(stage->lights, 0)->direction;
+    const murk_vec3 d = murk_sources_get(stage->lights, 0)->direction;
     CHECK(d.z < 0 && d.y > 0 && fabs(d.x) < .02); /* light goes north */
     /* PAR is some .43 of a clear day's direct light, more of its sky */
     CHECK(sun->irradiance_w_per_m2 > 350 && sun->irradiance_w_per_m2 < 450);
@@ -58,14 +58,14 @@ static void test_north(void)
     murk_stage *stage = stage_at("12:00", "  - {type: sun}\n", turned);
     CHECK(stage != NULL);
     if (stage) {
-        const murk_vec3 d = murk_lights_get(stage->lights, 0)->direction;
+        const murk_vec3 d = murk_sources_get(stage->lights, 0)->direction;
         CHECK(d.x > 0 && fabs(d.y) < .02);
     }
     stage_text_destroy(stage);
     stage = stage_at("08:00", "  - {type: sun}\n", turned);
     CHECK(stage != NULL);
     if (stage) { /* in the morning light goes west, which is y then */
-        CHECK(murk_lights_get(stage->lights, 0)->direction.y > 0);
+        CHECK(murk_sources_get(stage->lights, 0)->direction.y > 0);
     }
     stage_text_destroy(stage);
 }
@@ -97,7 +97,7 @@ static void test_cover(void)
         CHECK(!stage->sky[0].is_on);
         CHECK(stage->sky[1].irradiance_w_per_m2 >
               stage->sky[2].irradiance_w_per_m2);
-        const murk_dome *dome = &murk_lights_get(stage->lights, 1)->dome;
+        const murk_dome *dome = &murk_sources_get(stage->lights, 1)->dome;
         CHECK(dome->a == 4 && dome->b == -.7); /* CIE type 1 */
     }
     stage_text_destroy(stage);
@@ -115,7 +115,7 @@ static void test_given_irradiance(void)
     if (stage) {
         CHECK_NEAR(stage->sky[0].irradiance_w_per_m2, 300, 1e-9);
         CHECK_NEAR(stage->sky[1].irradiance_w_per_m2, 6, 1e-12);
-        const murk_spectrum *s = &murk_lights_get(stage->lights, 0)->power_w;
+        const murk_spectrum *s = &murk_sources_get(stage->lights, 0)->power_w;
         CHECK(s->band[1] != s->band[0]); /* not evenly */
     }
     stage_text_destroy(stage);

@@ -22,24 +22,24 @@ static double closest(const char *spacing, murk_error *err)
     const char *const overrides[] = {spacing, NULL};
     murk_stage *stage = stage_text_create(scene_text, overrides);
     murk_traced *traced = NULL;
-    murk_plan plan = {0};
-    double least = INFINITY;
+    murk_plan_result plan = {0};
+    double min = INFINITY;
     CHECK(stage && !murk_plan_prepare(&plan, stage, 2, err) &&
-          !murk_light_trace(&traced, stage, 0, 2, err));
-    if (!traced || murk_plan_make(&plan, stage, traced, 2, err)) {
-        least = 0;
+          !murk_lightmap_trace(&traced, stage, 0, 2, err));
+    if (!traced || murk_plan_result_make(&plan, stage, traced, 2, err)) {
+        min = 0;
     }
-    for (size_t i = 0; least > 0 && i < plan.place.count; ++i) {
+    for (size_t i = 0; min > 0 && i < plan.place.count; ++i) {
         for (size_t j = 0; j < i; ++j) {
             const murk_vec3 way =
                 murk_sub(plan.sensor[i].position, plan.sensor[j].position);
-            least = fmin(least, murk_length(way));
+            min = fmin(min, murk_length(way));
         }
     }
-    murk_plan_release(&plan);
+    murk_plan_result_release(&plan);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
-    return least;
+    return min;
 }
 
 int main(void)

@@ -223,15 +223,15 @@ static char list_path[] = "/tmp/murk_test_targets_XXXXXX";
 
 static murk_status read_list(murk_targets *t, const char *text, murk_error *err)
 {
-    char wish[128];
+    char settings[128];
     FILE *file = fopen(list_path, "w");
     CHECK(file != NULL);
     if (file) {
         fputs(text, file);
         fclose(file);
     }
-    snprintf(wish, sizeof wish, "{points: %s}", list_path);
-    murk_stage *stage = stage_with(wish);
+    snprintf(settings, sizeof settings, "{points: %s}", list_path);
+    murk_stage *stage = stage_with(settings);
     const murk_status status = murk_targets_create(t, stage, 0, 2, err);
     stage_text_destroy(stage);
     return status;

@@ -74,7 +74,7 @@ static double lux_of(const murk_stage *stage, size_t light, double *w)
     *w = 0;
     for (int b = 0; b < stage->scene->bands; ++b) {
         const double here =
-            murk_lights_get(stage->lights, light)->power_w.band[b];
+            murk_sources_get(stage->lights, light)->power_w.band[b];
         *w += here;
         lux += here * murk_units_per_watt(MURK_PHOTOMETRIC, stage, light, b);
     }
@@ -142,10 +142,10 @@ static void test_errors_add_up(void)
 
 static void test_dark_bands_are_noted(void)
 {
-    murk_scene scene = {.path = "a.yaml",
-                        .bands = 3,
-                        .band_nm = {555, 650, 850},
-                        .units = MURK_PHOTOMETRIC};
+    murk_scene_desc scene = {.path = "a.yaml",
+                             .bands = 3,
+                             .band_nm = {555, 650, 850},
+                             .units = MURK_PHOTOMETRIC};
     murk_warn_to(note);
     murk_units_note(&scene);
     CHECK_TEXT(noted, "units: light of 850 nm counts 0 lux");

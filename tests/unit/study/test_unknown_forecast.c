@@ -39,7 +39,7 @@ static made planned(const char *override)
 }
 
 /* A start of `best` looks from each place for each sensor, some sweeps long. */
-static void test_best_is_foretold(void)
+static void test_best_is_forecast(void)
 {
     made m = planned("placement.method=best");
     CHECK(notes == 1);
@@ -64,7 +64,7 @@ static void test_best_is_foretold(void)
 }
 
 /* What takes little is not spoken of. */
-static void test_what_is_quick_is_not_foretold(void)
+static void test_what_is_quick_is_not_forecast(void)
 {
     static const char *const quick[] = {
         "placement.method=greedy", "placement.method=spoq", "sensors.count=1",
@@ -78,7 +78,7 @@ static void test_what_is_quick_is_not_foretold(void)
 
 int main(void)
 {
-    test_best_is_foretold();
-    test_what_is_quick_is_not_foretold();
+    test_best_is_forecast();
+    test_what_is_quick_is_not_forecast();
     return check_done();
 }

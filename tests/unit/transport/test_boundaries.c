@@ -91,7 +91,7 @@ static void test_refraction_is_fresnels_roulette(void)
  * the floor, which single precision puts elsewhere. */
 static void test_floor_under_water_is_wet(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.3, 0.5, 0.9), murk_vec(0.2, 0, -1));
     const murk_vec3 x = {1, 0, 0}, y = {0, 1, 0};
     const double bottoms[] = {0.1, 0.1 + 1e-7, 0.1 - 1e-7};
@@ -140,7 +140,7 @@ static void test_sheet_on_the_water(void)
     const murk_region sea = below(0, 0.3, 3);
     const murk_vec3 from[] = {{0.3, 0.5, 0.8}, {0.3, 0.5, 0.1}};
     for (int i = 0; i < 2; ++i) {
-        const murk_light beam =
+        const murk_source beam =
             test_beam(from[i], murk_vec(0.1, 0, i == 0 ? -1 : 1));
         tell(&(test_setup){.domain = cell,
                            .lights = &beam,
@@ -181,7 +181,7 @@ static void test_glass_half_in_water(void)
     const murk_region sea = below(0, 0.5, WATER);
     const double from[] = {0.4, 0.6}, way[] = {1, -1}, n_out[] = {1, WATER};
     for (int i = 0; i < 2; ++i) {
-        const murk_light beam =
+        const murk_source beam =
             test_beam(murk_vec(.5, .5, from[i]), murk_vec(.2, .1, way[i]));
         tell(&(test_setup){.domain = cell,
                            .lights = &beam,
@@ -219,11 +219,11 @@ static void test_walls_that_cross_the_level(void)
         test_box(murk_vec(.2, .2, .25), murk_vec(.8, .8, .75), 0);
     const murk_region sea = below(0, 0.5, WATER);
     /* one in water all the way, one from the air through both at once */
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(.1, .5, .5 - 2e-7 + .02), murk_vec(1, 0, -.2));
-    const murk_light level =
+    const murk_source level =
         test_beam(murk_vec(.1, .5, .5 - 2e-7), murk_vec(1, .1, 1e-7));
-    const murk_light *lights[] = {&level, &beam};
+    const murk_source *lights[] = {&level, &beam};
     for (int i = 0; i < 2; ++i) {
         tell(&(test_setup){.domain = cell,
                            .lights = lights[i],
@@ -259,7 +259,7 @@ static void test_walls_that_cross_the_level(void)
 /* The same index inside and out is no event, and nothing is reflected. */
 static void test_equal_indices_are_silent(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.1, 0.2, 0.9), murk_vec(0.5, 0.4, -0.8));
     const murk_region regions[] = {
         below(0, 0.8, WATER),
@@ -288,7 +288,7 @@ static void test_where_light_starts(void)
 {
     const murk_medium ink = test_medium(1e4, 0, 0);
     const murk_region sea = below(0, 0.5, WATER);
-    murk_light light = test_point(murk_vec(0.5, 0.5, 0.4999));
+    murk_source light = test_point(murk_vec(0.5, 0.5, 0.4999));
     test_setup setup = {.domain = cell,
                         .lights = &light,
                         .n_lights = 1,
@@ -311,7 +311,7 @@ static void test_where_light_starts(void)
     }
     CHECK(first > 0 && first < PHOTONS);
 
-    light.type = MURK_LIGHT_DIRECTIONAL;
+    light.type = MURK_SOURCE_DIRECTIONAL;
     light.direction = murk_vec(1, 0, -0.1);
     tell(&setup);
     int beneath = 0;
@@ -339,7 +339,7 @@ static void test_lamp_in_a_boundary(void)
         below(0, 0.5, WATER),
         block(murk_vec(-1, -1, -1), murk_vec(2, 2, 0.5), WATER),
         block(murk_vec(-1, -1, 0.5), murk_vec(2, 2, 2), WATER)};
-    const murk_light light = test_point(murk_vec(0.5, 0.5, 0.5));
+    const murk_source light = test_point(murk_vec(0.5, 0.5, 0.5));
     for (int i = 0; i < 3; ++i) {
         tell(&(test_setup){.domain = cell,
                            .lights = &light,
@@ -362,7 +362,7 @@ static void test_lamp_in_a_boundary(void)
  * and never leaves it but at the bottom of the domain. */
 static void test_layers_go_on_at_periodic_sides(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.5, 0.5, 0.01), murk_vec(1, 0.3, 0.2));
     const murk_region layers[] = {
         below(0, 0.7, WATER),

@@ -44,7 +44,7 @@ static void note(void *context, uint64_t batch, const murk_event *e)
  * m of a third up to a black lid of the second material. */
 static void test_each_absorber_is_booked(bool by_delta, double least_weight)
 {
-    const murk_light beam = test_beam(murk_vec(.5, .5, .5), murk_vec(0, 0, 1));
+    const murk_source beam = test_beam(murk_vec(.5, .5, .5), murk_vec(0, 0, 1));
     const murk_material materials[2] = {test_material(0, 0, 0, 0),
                                         test_material(0, 0, 0, 0)};
     const murk_surface_desc lid = test_rect(

@@ -67,10 +67,10 @@ static void measured(const test_setup *setup, const murk_tally_desc *desc,
 /* A beam from a side to the other, planes in both sides and beyond the lamp. */
 static void test_planes_in_the_sides(void)
 {
-    murk_light light = {.type = MURK_LIGHT_DIRECTIONAL,
-                        .direction = {0, 0, -1},
-                        .power_w = {{1}},
-                        .where = "light"};
+    murk_source light = {.type = MURK_SOURCE_DIRECTIONAL,
+                         .direction = {0, 0, -1},
+                         .power_w = {{1}},
+                         .where = "light"};
     const test_setup setup = {.domain = cube, .lights = &light, .n_lights = 1};
     const double z[] = {0, 1, 2};
     for (int i = 0; i < 3; ++i) {
@@ -93,7 +93,7 @@ static void test_planes_in_the_sides(void)
  * never twice for the step over the side. */
 static void test_planes_and_wraps(void)
 {
-    murk_light beam = test_beam(murk_vec(0.5, 1, 1.75), murk_vec(2, 0, -0.25));
+    murk_source beam = test_beam(murk_vec(0.5, 1, 1.75), murk_vec(2, 0, -0.25));
     const test_setup setup = {.domain = tile, .lights = &beam, .n_lights = 1};
     /* down by 1/4 a turn: 7 times through each side, then out at the bottom */
     for (int side = 0; side < 2; ++side) {
@@ -119,7 +119,7 @@ static void test_planes_in_a_floor(void)
 {
     const double floors[] = {0, 0.3, 0.7};
     for (int i = 0; i < 3; ++i) {
-        const murk_light beam =
+        const murk_source beam =
             test_beam(murk_vec(0.9, 0.7, 1.9), murk_vec(0.1, 0.3, -1));
         const murk_material mirror = test_material(0, 1, 0, 0);
         const murk_surface_desc floor = test_rect(
@@ -152,7 +152,7 @@ static void test_planes_in_an_interface(void)
     const uint64_t n = 4000;
     for (int i = 0; i < 3; ++i) {
         const double level = levels[i];
-        const murk_light lamps[2] = {
+        const murk_source lamps[2] = {
             test_beam(murk_vec(0.3, 1, level + 0.2), murk_vec(0.2, 0.1, -1)),
             test_beam(murk_vec(0.6, 1, level - 0.2), murk_vec(0.2, 0.1, 1))};
         const murk_medium clear = test_medium(0, 1, 0);
@@ -189,12 +189,12 @@ static void test_planes_in_an_interface(void)
 /* A lamp that lies in a plane sends out by its two sides as it shines. */
 static void test_a_lamp_in_a_plane(void)
 {
-    const murk_light lamp = {.type = MURK_LIGHT_RECT,
-                             .position = {0.5, 0.5, 1.7},
-                             .edge1 = {0, 1, 0},
-                             .edge2 = {1, 0, 0},
-                             .power_w = {{1}},
-                             .where = "lamp"};
+    const murk_source lamp = {.type = MURK_SOURCE_RECT,
+                              .position = {0.5, 0.5, 1.7},
+                              .edge1 = {0, 1, 0},
+                              .edge2 = {1, 0, 0},
+                              .power_w = {{1}},
+                              .where = "lamp"};
     const test_setup setup = {.domain = cube, .lights = &lamp, .n_lights = 1};
     double ways[2];
     murk_tally_desc d = plane(1.7, 1);
@@ -227,7 +227,7 @@ static void add_ends_below(void *context, uint64_t batch, const murk_event *e)
 
 static void test_nothing_is_lost_at_a_plane(double least_weight)
 {
-    const murk_light light = test_point(murk_vec(0.7, 1.1, 1.6));
+    const murk_source light = test_point(murk_vec(0.7, 1.1, 1.6));
     const murk_material materials[2] = {test_material(0.6, 0.1, 0.1, 0),
                                         test_material(0, 0, 0.95, 1.5)};
     const murk_surface_desc surfaces[3] = {
@@ -305,7 +305,7 @@ static void test_nothing_is_lost_at_a_plane(double least_weight)
  * to the same: all cells are those of one thread. */
 static void test_shared_sums(void)
 {
-    const murk_light light = test_point(murk_vec(0.7, 1.1, 1.6));
+    const murk_source light = test_point(murk_vec(0.7, 1.1, 1.6));
     const murk_medium fog = test_medium(3, 0.95, 0.5);
     const murk_region region = test_everywhere(0);
     const test_setup setup = {.domain = cube,

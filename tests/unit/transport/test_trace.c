@@ -34,7 +34,7 @@ static const murk_domain tile = {{{0, 0, 0}, {1, 1, 1}}, true};
 /* A mirror, then a sheet, then a black wall. */
 static void test_events_and_classes_in_order(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.1, 0.5, 0.5), murk_vec(1, 0, 0));
     const murk_material materials[3] = {test_material(0, 0, 0, 0),
                                         test_material(0, 1, 0, 0),
@@ -74,7 +74,8 @@ static void test_events_and_classes_in_order(void)
 
 static void test_scattering_makes_later(void)
 {
-    const murk_light beam = test_beam(murk_vec(0.5, 0.5, 0), murk_vec(0, 0, 1));
+    const murk_source beam =
+        test_beam(murk_vec(0.5, 0.5, 0), murk_vec(0, 0, 1));
     const murk_medium media[2] = {test_medium(1e-9, 0, 0),
                                   test_medium(1e4, 1, 0.9)};
     const murk_region regions[2] = {test_everywhere(0), test_everywhere(1)};
@@ -99,7 +100,8 @@ static void test_scattering_makes_later(void)
  * the sides and keeps its line. */
 static void test_wraps(void)
 {
-    const murk_light beam = test_beam(murk_vec(0.5, 0.3, 0), murk_vec(4, 2, 1));
+    const murk_source beam =
+        test_beam(murk_vec(0.5, 0.3, 0), murk_vec(4, 2, 1));
     const story s =
         told(&(test_setup){.domain = tile, .lights = &beam, .n_lights = 1}, 1);
     int across_x = 0, across_y = 0;
@@ -119,7 +121,7 @@ static void test_wraps(void)
 
 static void test_level_light_wraps_until_the_cap(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.5, 0.25, 0.5), murk_vec(1, 0, 0));
     test_world w = test_world_made(
         &(test_setup){.domain = tile, .lights = &beam, .n_lights = 1});
@@ -143,7 +145,7 @@ static void test_level_light_wraps_until_the_cap(void)
 /* Between mirrors for ever. */
 static void test_events_cap(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.5, 0.5, 0.5), murk_vec(1, 0, 0));
     const murk_material mirror = test_material(0, 1, 0, 0);
     const murk_surface_desc box =
@@ -176,7 +178,7 @@ static void test_events_cap(void)
  * it meets n = 1.5 to 1.33 to 1 on its way out. */
 static void test_lamp_in_nested_solids(void)
 {
-    const murk_light beam =
+    const murk_source beam =
         test_beam(murk_vec(0.5, 0.5, 0.5), murk_vec(0.3, 0, 1));
     const murk_material materials[2] = {test_material(0, 0, 1, 1.33),
                                         test_material(0, 0, 1, 1.5)};
@@ -202,7 +204,8 @@ static void test_lamp_in_nested_solids(void)
 /* No fog inside glass: the beam meets only the box's two faces. */
 static void test_no_medium_inside_solids(void)
 {
-    const murk_light beam = test_beam(murk_vec(0.5, 0.5, 0), murk_vec(0, 0, 1));
+    const murk_source beam =
+        test_beam(murk_vec(0.5, 0.5, 0), murk_vec(0, 0, 1));
     const murk_material air = test_material(0, 0, 1, 1);
     const murk_surface_desc box =
         test_box(murk_vec(0, 0, 0.001), murk_vec(1, 1, 0.999), 0);
@@ -228,8 +231,8 @@ static void test_no_medium_inside_solids(void)
  * by it; a wall in a periodic side is met from both sides. */
 static void test_surfaces_in_the_sides_count(void)
 {
-    murk_light sun = test_beam(murk_vec(0, 0, 0), murk_vec(0.2, 0.1, -1));
-    sun.type = MURK_LIGHT_DIRECTIONAL;
+    murk_source sun = test_beam(murk_vec(0, 0, 0), murk_vec(0.2, 0.1, -1));
+    sun.type = MURK_SOURCE_DIRECTIONAL;
     const murk_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
     const murk_surface_desc roof = test_rect(murk_vec(0, 0, 1), x, y, 0);
     test_world w = test_world_made(&(test_setup){.domain = tile,
@@ -243,7 +246,7 @@ static void test_surfaces_in_the_sides_count(void)
 
     const murk_surface_desc wall = test_rect(murk_vec(0, 0, 0), y, z, 0);
     for (int way = -1; way <= 1; way += 2) {
-        const murk_light beam =
+        const murk_source beam =
             test_beam(murk_vec(0.5, 0.5, 0.5), murk_vec(way, 0.1, 0.1));
         const story s = told(&(test_setup){.domain = tile,
                                            .lights = &beam,
@@ -259,7 +262,8 @@ static void test_surfaces_in_the_sides_count(void)
 /* A beam that starts in the domain's side and points out of it. */
 static void test_light_that_leaves_at_once(void)
 {
-    const murk_light beam = test_beam(murk_vec(0.5, 0.5, 1), murk_vec(0, 0, 1));
+    const murk_source beam =
+        test_beam(murk_vec(0.5, 0.5, 1), murk_vec(0, 0, 1));
     const story s =
         told(&(test_setup){.domain = cell, .lights = &beam, .n_lights = 1}, 1);
     CHECK(s.n == 2);
@@ -278,7 +282,7 @@ static bool same_event(const murk_event *a, const murk_event *b)
 /* Fog of extinction 0 changes no bit of any path. */
 static void test_no_extinction_is_clear_air(void)
 {
-    const murk_light lamp = test_point(murk_vec(0.4, 0.5, 0.6));
+    const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     const murk_material white = test_material(0.6, 0.2, 0.1, 0);
     const murk_surface_desc room =
         test_box(murk_vec(0.1, 0.1, 0.1), murk_vec(0.9, 0.9, 0.9), 0);
@@ -307,7 +311,7 @@ static void test_no_extinction_is_clear_air(void)
 /* Any photon alone does what it does among others; other streams do not. */
 static void test_photons_are_addressed(void)
 {
-    const murk_light lamp = test_point(murk_vec(0.4, 0.5, 0.6));
+    const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     test_world w = test_world_made(
         &(test_setup){.domain = cell, .lights = &lamp, .n_lights = 1});
     murk_trace trace = murk_trace_defaults();
@@ -337,7 +341,7 @@ static void test_photons_are_addressed(void)
 
 static void test_nothing_to_trace(void)
 {
-    const murk_light lamp = test_point(murk_vec(0.4, 0.5, 0.6));
+    const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     test_world w = test_world_made(
         &(test_setup){.domain = cell, .lights = &lamp, .n_lights = 1});
     test_world_trace(&w, 0, 1, NULL, NULL);

@@ -1,0 +1,189 @@
+#include "base/pool.h"
+
+#include "base/interrupt.h"
+
+#include <pthread.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#define THREADS_MAX 256
+
+/* Of every thread at least. Tracing and placing take between 128 and 256 kB
+ * (largest frame: 139 kB, transport), and `ulimit -s` may allow less. */
+#define STACK_BYTES ((size_t)1 << 20)
+
+static unsigned threads_allowed = THREADS_MAX;
+
+typedef struct pool {
+    murk_job job;
+    murk_worker_job worker_job;
+    void *context;
+    uint64_t batches;
+    atomic_uint_fast64_t next;
+} pool;
+
+typedef struct worker {
+    pool *pool;
+    unsigned number;
+} worker;
+
+static void *work(void *argument)
+{
+    const worker *me = argument;
+    pool *c = me->pool;
+    while (!murk_interrupted()) {
+        const uint64_t batch = atomic_fetch_add(&c->next, 1);
+        if (batch >= c->batches) {
+            break;
+        }
+        if (c->job) {
+            c->job(c->context, batch);
+        } else {
+            c->worker_job(c->context, me->number, batch);
+        }
+    }
+    return NULL;
+}
+
+/* Starts a thread with a stack of STACK_BYTES at least; 0 or an error number,
+ * as pthread_create(). */
+static int start(pthread_t *thread, void *(*begin)(void *), void *argument)
+{
+    pthread_attr_t attributes;
+    size_t usual = 0;
+    int refusal = pthread_attr_init(&attributes);
+    if (refusal) {
+        return refusal;
+    }
+    pthread_attr_getstacksize(&attributes, &usual);
+    if (usual < STACK_BYTES) {
+        refusal = pthread_attr_setstacksize(&attributes, STACK_BYTES);
+    }
+    if (!refusal) {
+        refusal = pthread_create(thread, &attributes, begin, argument);
+    }
+    pthread_attr_destroy(&attributes);
+    return refusal;
+}
+
+/* ---- a stack of one's own ---- */
+
+struct errand {
+    void (*run)(void *);
+    void *context;
+    sigset_t signals; /* that the caller took */
+};
+
+static void *do_errand(void *argument)
+{
+    const struct errand *e = argument;
+    pthread_sigmask(SIG_SETMASK, &e->signals, NULL);
+    e->run(e->context);
+    return NULL;
+}
+
+void murk_pool_run_with_stack(void (*errand)(void *), void *context)
+{
+    struct errand e = {.run = errand, .context = context};
+    struct rlimit limit;
+    const bool is_small = getrlimit(RLIMIT_STACK, &limit) == 0 &&
+                          limit.rlim_cur != RLIM_INFINITY &&
+                          limit.rlim_cur < STACK_BYTES;
+    pthread_t thread;
+    sigset_t all;
+    /* Signals go to the thread that works: its system calls are to end. */
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &e.signals);
+    const bool is_apart = is_small && start(&thread, do_errand, &e) == 0;
+    if (is_apart) {
+        pthread_join(thread, NULL);
+    }
+    pthread_sigmask(SIG_SETMASK, &e.signals, NULL);
+    if (!is_apart) {
+        errand(context);
+    }
+}
+
+/* ---- many workers ---- */
+
+static void run(unsigned threads, pool *c)
+{
+    worker workers[THREADS_MAX];
+    pthread_t thread[THREADS_MAX];
+    unsigned started = 0;
+    if (threads > threads_allowed) {
+        threads = threads_allowed;
+    }
+    if (threads > c->batches) {
+        threads = c->batches > 0 ? (unsigned)c->batches : 1;
+    }
+    for (unsigned i = 0; i < threads; ++i) {
+        workers[i] = (worker){c, i};
+    }
+    while (started + 1 < threads &&
+           start(&thread[started], work, &workers[started + 1]) == 0) {
+        ++started;
+    }
+    work(&workers[0]);
+    for (unsigned i = 0; i < started; ++i) {
+        pthread_join(thread[i], NULL);
+    }
+}
+
+/* Waits until all threads of a trial have been started. */
+static void *wait_for_release(void *argument)
+{
+    pthread_mutex_t *held = argument;
+    pthread_mutex_lock(held);
+    pthread_mutex_unlock(held);
+    return NULL;
+}
+
+murk_status murk_pool_allow(unsigned threads, murk_error *err)
+{
+    pthread_t thread[THREADS_MAX];
+    pthread_mutex_t held = PTHREAD_MUTEX_INITIALIZER;
+    unsigned started = 0;
+    int refusal = 0;
+    threads_allowed = threads < THREADS_MAX ? threads : THREADS_MAX;
+    /* the calling thread works, too, so one less is started */
+    pthread_mutex_lock(&held);
+    while (!refusal && started + 1 < threads_allowed) {
+        refusal = start(&thread[started], wait_for_release, &held);
+        started += !refusal;
+    }
+    pthread_mutex_unlock(&held);
+    for (unsigned i = 0; i < started; ++i) {
+        pthread_join(thread[i], NULL);
+    }
+    return refusal ? murk_fail(err, MURK_RUN_FAILED, "",
+                               "cannot start %u threads, only %u: %s; "
+                               "--threads N asks for fewer",
+                               threads_allowed, started + 1, strerror(refusal))
+                   : MURK_OK;
+}
+
+void murk_pool_run(unsigned threads, uint64_t batches, murk_job job,
+                   void *context)
+{
+    pool c = {.job = job, .context = context, .batches = batches};
+    run(threads, &c);
+}
+
+void murk_pool_run_workers(unsigned threads, uint64_t batches,
+                           murk_worker_job job, void *context)
+{
+    pool c = {.worker_job = job, .context = context, .batches = batches};
+    run(threads, &c);
+}
+
+unsigned murk_pool_processors(void)
+{
+    const long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > THREADS_MAX ? THREADS_MAX : (unsigned)n;
+}

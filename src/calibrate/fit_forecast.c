@@ -1,0 +1,144 @@
+#include "calibrate/fit_forecast.h"
+
+#include "base/log.h"
+#include "calibrate/recorder.h"
+#include "study/lightmap.h"
+
+#include <math.h>
+
+/* What traced light takes, of one condition. */
+typedef struct light_size {
+    double contributions;
+    double followed; /* bytes: contributions and maps, */
+    double growing;  /* and beside them while they are traced */
+    double seen;     /* coverage; as much again while sightlines are joined */
+    double weights;  /* ratios and slopes of one reading */
+} light_size;
+
+/* Of so many photons as those of the pilot, `grow` times. */
+static light_size size_of(const murk_lit *pilot, double grow, size_t keys)
+{
+    const murk_followed *f = pilot->followed;
+    const double n = grow * (double)f->n, turns = grow * (double)f->turns;
+    double records = 0;
+    for (size_t i = 0; i < f->n; ++i) {
+        records += murk_contribution_is_record(&f->contribution[i]) ? grow : 0;
+    }
+    const double plain = murk_recorded_bytes(f->media, n, turns);
+    const double maps =
+        pilot->covered ? murk_photon_map_memory_for(records) : 0;
+    const double piles =
+        pilot->covered ? records * (double)sizeof(murk_photon) : 0;
+    return (light_size){
+        .contributions = n,
+        .followed = plain + maps,
+        .growing = (MURK_WHILE_GROWING - 1) * (plain + piles),
+        .seen = pilot->covered ? grow * murk_covered_bytes(pilot->covered) : 0,
+        .weights = n * (double)(keys + 1) * sizeof(double)};
+}
+
+/* How many times the pilot's photons all are. */
+static murk_status find_growth(double *grow, const murk_lit *pilot,
+                               murk_error *err)
+{
+    const murk_scene_photons *settings = &pilot->scene->photons;
+    murk_forecast forecast = {.emitted = (double)settings->emit};
+    murk_status status = MURK_OK;
+    if (!settings->emit) { /* until so many are stored */
+        status = murk_lightmap_forecast(&forecast, pilot->stage, 0,
+                                        pilot->desc->threads, err);
+    }
+    *grow = forecast.emitted / (double)pilot->followed->emitted;
+    return status;
+}
+
+static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
+                             murk_error *err)
+{
+    murk_lit pilot = {.desc = lit->desc,
+                      .scene = lit->scene,
+                      .stage = lit->stage,
+                      .optics = lit->optics};
+    const murk_scene_photons *settings = &lit->scene->photons;
+    const uint64_t photons =
+        settings->emit && settings->emit < MURK_FIT_FORECAST_FROM
+            ? settings->emit
+            : MURK_FIT_FORECAST_FROM;
+    murk_error own = {0};
+    *out = (light_size){0};
+    const murk_warn_sink sink = murk_warn_to(NULL);
+    murk_status status = murk_lit_light(&pilot, photons, &own);
+    double grow = 1;
+    if (!status) {
+        status = find_growth(&grow, &pilot, &own);
+    }
+    (void)murk_warn_to(sink);
+    if (!status) {
+        *out = size_of(&pilot, grow, keys);
+    }
+    murk_lit_darken(&pilot);
+    return status == MURK_INTERRUPTED
+               ? murk_fail(err, status, own.where, "%s", own.text)
+               : MURK_OK;
+}
+
+/* Sums by batch and run that a reading of so many rows keeps; it makes them
+ * beside, before they are put into their place. */
+static double sums_bytes(const murk_model *m, double rows)
+{
+    return rows * sizeof(double) *
+           ((double)m->batches + (double)m->runs * ((double)m->n + 1));
+}
+
+/* The covariance of all rows of light, of those fitted, its factor, and the
+ * batches that it is of. */
+static double noise_bytes(const murk_model *m)
+{
+    const double lits = (double)m->lits;
+    return 3 * lits * lits * sizeof(double) + sums_bytes(m, lits);
+}
+
+/* What all conditions keep, and the most that any needs beside. */
+typedef struct need {
+    double light, weights, sums;
+    double tracing, reading;
+} need;
+
+static void add_condition(need *all, const light_size *size, double sums,
+                          bool has_world_keys)
+{
+    const double tracing = fmax(size->growing, size->seen);
+    /* slopes of the world: another light, and sums at two places */
+    const double another = size->followed + size->seen +
+                           size->contributions * (double)sizeof(double) +
+                           3 * sums;
+    all->light += size->followed + size->seen;
+    all->weights += size->weights;
+    all->sums += sums;
+    all->tracing = fmax(all->tracing, tracing + (has_world_keys ? another : 0));
+    all->reading = fmax(all->reading, sums);
+}
+
+murk_status murk_model_forecast(murk_fit_forecast *out, const murk_model *m,
+                                murk_error *err)
+{
+    need all = {.reading = noise_bytes(m)};
+    double contributions = 0;
+    murk_status status = MURK_OK;
+    for (size_t c = 0; c < m->worlds && !status; ++c) {
+        const murk_model_world *w = &m->world[c];
+        light_size size;
+        if (w->instruments.lit) {
+            status = try_light(&size, &w->lit, m->n, err);
+            add_condition(&all, &size,
+                          sums_bytes(m, (double)w->instruments.lit),
+                          w->has_world_keys);
+            contributions += size.contributions;
+        }
+    }
+    /* weights are given back before light is traced anew */
+    const double max = fmax(all.tracing, all.weights + all.reading);
+    *out = (murk_fit_forecast){contributions, all.light + all.weights,
+                               all.light + all.sums + max};
+    return status;
+}

@@ -1,0 +1,122 @@
+#include "calibrate/instruments.h"
+
+#include "base/log.h"
+#include "base/position.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void add_receiver(murk_instruments *p, const murk_reading *reading,
+                         size_t row)
+{
+    const bool has_side = reading->kind == MURK_READ_IRRADIANCE;
+    const double acceptance = reading->acceptance_rad;
+    p->lit_row[p->receivers] = row;
+    p->quantity[p->receivers] = murk_reading_quantity(reading->unit);
+    p->receiver[p->receivers++] = (murk_receiver){
+        .center = reading->position,
+        .radius_m = reading->radius_m,
+        .normal = has_side ? reading->direction : murk_vec(0, 0, 0),
+        .min_cosine = isnan(acceptance) ? 0 : fmax(0, cos(acceptance)),
+        .band = reading->band};
+}
+
+static void add_group(murk_instruments *p, const murk_measurements *measured,
+                      size_t row)
+{
+    const murk_measured_row *r = &measured->row[row];
+    for (size_t i = 0; i < r->n; ++i) {
+        p->pose[p->poses] = measured->reading[r->first + i].pose;
+        p->group[p->poses++] = p->groups;
+    }
+    p->lit_row[p->receivers + p->groups++] = row;
+}
+
+static const murk_reading *first_of(const murk_measurements *measured,
+                                    size_t row, size_t condition)
+{
+    const murk_reading *reading = &measured->reading[measured->row[row].first];
+    return reading->condition == condition ? reading : NULL;
+}
+
+murk_status murk_instruments_create(murk_instruments *out,
+                                    const murk_measurements *measured,
+                                    size_t condition, murk_error *err)
+{
+    const size_t rows = measured->rows + 1, readings = measured->readings + 1;
+    *out = (murk_instruments){.receiver = calloc(rows, sizeof *out->receiver),
+                              .quantity = calloc(rows, sizeof *out->quantity),
+                              .pose = calloc(readings, sizeof *out->pose),
+                              .group = calloc(readings, sizeof *out->group),
+                              .lit_row = calloc(rows, sizeof *out->lit_row),
+                              .beam_row = calloc(rows, sizeof *out->beam_row)};
+    if (!out->receiver || !out->quantity || !out->pose || !out->group ||
+        !out->lit_row || !out->beam_row) {
+        return murk_fail(err, MURK_NO_MEMORY, measured->path,
+                         "no memory for %zu readings", measured->readings);
+    }
+    for (size_t i = 0; i < measured->rows; ++i) {
+        const murk_reading *reading = first_of(measured, i, condition);
+        if (reading && reading->kind == MURK_READ_TRANSMITTANCE) {
+            out->beam_row[out->beams++] = i;
+        } else if (reading && reading->kind != MURK_READ_COVERAGE) {
+            add_receiver(out, reading, i);
+        }
+    }
+    for (size_t i = 0; i < measured->rows; ++i) {
+        const murk_reading *reading = first_of(measured, i, condition);
+        if (reading && reading->kind == MURK_READ_COVERAGE) {
+            add_group(out, measured, i);
+        }
+    }
+    out->lit = out->receivers + out->groups;
+    return MURK_OK;
+}
+
+void murk_instruments_release(murk_instruments *instruments)
+{
+    free(instruments->receiver);
+    free(instruments->quantity);
+    free(instruments->pose);
+    free(instruments->group);
+    free(instruments->lit_row);
+    free(instruments->beam_row);
+    *instruments = (murk_instruments){0};
+}
+
+/* Of the radius; a cap less high than this holds less than 7.5e-5 of the ball
+ * (3/4 of its square), and touching is not crossing. */
+#define CUT_DEPTH .01
+
+/* Receivers that are named one by one. */
+#define CUT_NAMED 5
+
+void murk_instruments_warn_of_cut(const murk_instruments *instruments,
+                                  const murk_measurements *measured,
+                                  const murk_surfaces *surfaces)
+{
+    size_t cut = 0;
+    for (size_t i = 0; i < instruments->receivers; ++i) {
+        const murk_receiver *r = &instruments->receiver[i];
+        if (!murk_surfaces_near(surfaces, r->center,
+                                (1 - CUT_DEPTH) * r->radius_m) ||
+            ++cut > CUT_NAMED) {
+            continue;
+        }
+        const size_t row = instruments->lit_row[i];
+        char where[320];
+        snprintf(where, sizeof where, "%s:%zu", measured->path,
+                 measured->reading[measured->row[row].first].line);
+        murk_warn(where,
+                  "a surface cuts the receiver of %g m around %s m, behind "
+                  "which it is dark: it reads low; take a smaller "
+                  "radius_m, or a place farther from the surface",
+                  r->radius_m, murk_position_show(r->center).text);
+    }
+    if (cut > CUT_NAMED) {
+        murk_warn(measured->path,
+                  "%zu more receivers are cut by surfaces and read low",
+                  cut - CUT_NAMED);
+    }
+}

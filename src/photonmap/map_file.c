@@ -1,0 +1,372 @@
+#include "photonmap/map_file.h"
+
+#include "base/file.h"
+#include "base/inputs.h"
+#include "photonmap/photon.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* The structs below are the file's layout on the machines murk runs on. */
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+               "light.murk is little-endian");
+
+#define BYTE_ORDER_MARK    0x01020304u
+#define BYTE_ORDER_SWAPPED 0x04030201u
+
+/* A byte beyond 7 bits and line ends of both kinds, so that a transfer as text
+ * shows; then the end-of-file character of old terminals. */
+static const unsigned char magic[8] = {0x8d, 'm',  'u',  'r',
+                                       'k',  '\r', '\n', 0x1a};
+
+typedef struct header {
+    unsigned char magic[8];
+    uint32_t version, byte_order, record_size, n_sections;
+    uint64_t file_size;
+    uint64_t table_checksum[2];
+    uint64_t header_checksum[2]; /* of all before it */
+} header;
+
+typedef struct entry {
+    char name[16];
+    uint64_t size, zero;
+    uint64_t checksum[2];
+} entry;
+
+_Static_assert(sizeof(header) == 64 && sizeof(entry) == 48,
+               "the layout of light.murk");
+
+static bool is_name(const char name[16])
+{
+    size_t length = 0;
+    while (length < 16 && name[length] > ' ' && name[length] <= '~') {
+        ++length;
+    }
+    if (length == 0) {
+        return false;
+    }
+    while (length < 16 && name[length] == '\0') {
+        ++length;
+    }
+    return length == 16 && name[15] == '\0';
+}
+
+static bool is_checked(const void *bytes, size_t size,
+                       const uint64_t checksum[2])
+{
+    uint64_t now[2];
+    murk_checksum(bytes, size, now);
+    return now[0] == checksum[0] && now[1] == checksum[1];
+}
+
+/* ---- writing ---- */
+
+murk_status murk_map_file_write(const char *path, const murk_section *sections,
+                                size_t n, murk_error *err)
+{
+    assert(path && (sections || n == 0) && n <= MURK_MAP_FILE_SECTIONS);
+    entry table[MURK_MAP_FILE_SECTIONS] = {0};
+    header head = {.version = MURK_MAP_FILE_VERSION,
+                   .byte_order = BYTE_ORDER_MARK,
+                   .record_size = sizeof(murk_photon),
+                   .n_sections = (uint32_t)n,
+                   .file_size = sizeof head + n * sizeof *table};
+    memcpy(head.magic, magic, sizeof magic);
+    for (size_t i = 0; i < n; ++i) {
+        const size_t length = strnlen(sections[i].name, 15);
+        memcpy(table[i].name, sections[i].name, length);
+        assert(is_name(table[i].name) &&
+               !murk_map_file_find(sections, i, table[i].name));
+        table[i].size = sections[i].size;
+        murk_checksum(sections[i].bytes, sections[i].size, table[i].checksum);
+        head.file_size += sections[i].size;
+    }
+    murk_checksum(table, n * sizeof *table, head.table_checksum);
+    murk_checksum(&head, offsetof(header, header_checksum),
+                  head.header_checksum);
+
+    murk_file *file = NULL;
+    murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    FILE *stream = murk_file_stream(file); /* commit asks ferror */
+    (void)fwrite(&head, sizeof head, 1, stream);
+    (void)fwrite(table, sizeof *table, n, stream);
+    for (size_t i = 0; i < n && !ferror(stream); ++i) {
+        if (sections[i].size > 0) {
+            (void)fwrite(sections[i].bytes, 1, sections[i].size, stream);
+        }
+    }
+    return murk_file_commit(&file, err);
+}
+
+/* ---- reading ---- */
+
+static murk_status read_bytes(int fd, void *out, size_t size, const char *path,
+                              murk_error *err)
+{
+    size_t got = 0;
+    while (got < size) {
+        const ssize_t n = read(fd, (char *)out + got, size - got);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                             n < 0 ? strerror(errno) : "it grew shorter");
+        }
+        got += (size_t)n;
+    }
+    return MURK_OK;
+}
+
+static murk_status open_regular(int *fd, uint64_t *size, const char *path,
+                                murk_error *err)
+{
+    struct stat info;
+    /* not blocking, so that a pipe without a writer cannot hang us */
+    *fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (*fd < 0 || fstat(*fd, &info) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                         strerror(errno));
+    }
+    if (!S_ISREG(info.st_mode)) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "cannot read: %s, must be a regular file",
+                         S_ISDIR(info.st_mode) ? "a folder" : "not a file");
+    }
+    murk_inputs_add(&info);
+    *size = (uint64_t)info.st_size;
+    return MURK_OK;
+}
+
+static murk_status cut_short(const char *path, uint64_t size, uint64_t wanted,
+                             murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_FILE, path,
+                     "cut short: %llu bytes, must be %llu",
+                     (unsigned long long)size, (unsigned long long)wanted);
+}
+
+static murk_status read_header(header *head, int fd, uint64_t size,
+                               const char *path, murk_error *err)
+{
+    *head = (header){0};
+    const size_t there = size < sizeof *head ? (size_t)size : sizeof *head;
+    murk_status status = read_bytes(fd, head, there, path, err);
+    if (status) {
+        return status;
+    }
+    if (there < sizeof magic || memcmp(head->magic, magic, sizeof magic) != 0) {
+        return murk_fail(err, MURK_BAD_FILE, path, "not a light.murk file%s",
+                         size == 0 ? ": it is empty" : "");
+    }
+    if (there < sizeof *head) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "cut short: %zu bytes, must be at least %zu", there,
+                         sizeof *head);
+    }
+    if (head->byte_order == BYTE_ORDER_SWAPPED) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "written in the other byte order, must be "
+                         "little-endian");
+    }
+    if (head->version != MURK_MAP_FILE_VERSION) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "version %lu, this murk reads %d",
+                         (unsigned long)head->version, MURK_MAP_FILE_VERSION);
+    }
+    if (!is_checked(head, offsetof(header, header_checksum),
+                    head->header_checksum) ||
+        head->byte_order != BYTE_ORDER_MARK) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "changed bytes in the header");
+    }
+    if (head->record_size != sizeof(murk_photon)) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "records of %lu bytes, this murk reads %zu",
+                         (unsigned long)head->record_size, sizeof(murk_photon));
+    }
+    if (head->n_sections > MURK_MAP_FILE_SECTIONS) {
+        return murk_fail(
+            err, MURK_BAD_FILE, path, "%lu sections, must be at most %d",
+            (unsigned long)head->n_sections, MURK_MAP_FILE_SECTIONS);
+    }
+    if (size < head->file_size) {
+        return cut_short(path, size, head->file_size, err);
+    }
+    if (size > head->file_size) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "%llu bytes, must be %llu: something stands behind "
+                         "its end",
+                         (unsigned long long)size,
+                         (unsigned long long)head->file_size);
+    }
+    return MURK_OK;
+}
+
+/* Only when the sizes add up to exactly the file. */
+static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
+                              const header *head, const char *path,
+                              murk_error *err)
+{
+    const size_t n = head->n_sections;
+    const uint64_t start = sizeof *head + n * sizeof *table;
+    if (head->file_size < start) {
+        return cut_short(path, head->file_size, start, err);
+    }
+    murk_status status = read_bytes(fd, table, n * sizeof *table, path, err);
+    if (status) {
+        return status;
+    }
+    bool is_good = is_checked(table, n * sizeof *table, head->table_checksum);
+    uint64_t left = head->file_size - start;
+    for (size_t i = 0; is_good && i < n; ++i) {
+        is_good = is_name(table[i].name) && table[i].size <= left &&
+                  table[i].zero == 0;
+        for (size_t j = 0; is_good && j < i; ++j) {
+            is_good = memcmp(table[i].name, table[j].name, 16) != 0;
+        }
+        left -= table[i].size;
+    }
+    if (!is_good || left != 0) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "changed bytes in the table of sections");
+    }
+    return MURK_OK;
+}
+
+/* Memory is promised freely but handed out only when written to, so asking for
+ * too much would not fail here: it would kill the program later. */
+static murk_status check_memory(uint64_t size, const char *path,
+                                murk_error *err)
+{
+    const double have =
+        (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    if (!((double)size <= have)) {
+        return murk_fail(err, MURK_NO_MEMORY, path,
+                         "needs %.4g GB of memory, this machine has %.4g GB",
+                         (double)size / 1e9, have / 1e9);
+    }
+    return MURK_OK;
+}
+
+static murk_status read_section(murk_section *section, const entry *from,
+                                int fd, const char *path, murk_error *err)
+{
+    const size_t size = (size_t)from->size;
+    memcpy(section->name, from->name, sizeof section->name);
+    section->size = size;
+    section->bytes = aligned_alloc(64, (size / 64 + 1) * 64);
+    if (!section->bytes) {
+        return murk_fail(err, MURK_NO_MEMORY, path,
+                         "no memory for section %s, %.4g MB", from->name,
+                         (double)size / 1e6);
+    }
+    murk_status status = read_bytes(fd, section->bytes, size, path, err);
+    if (!status && !is_checked(section->bytes, size, from->checksum)) {
+        status = murk_fail(err, MURK_BAD_FILE, path,
+                           "changed bytes in section %s", from->name);
+    }
+    return status;
+}
+
+/* Reads all sections, or only that named `only`; *n: how many were read. */
+static murk_status read_sections(murk_section **out, size_t *n,
+                                 const char *path, const char *only,
+                                 murk_error *err)
+{
+    assert(out && n && path);
+    size_t taken = 0;
+    int fd = -1;
+    uint64_t size = 0;
+    header head = {0};
+    entry table[MURK_MAP_FILE_SECTIONS];
+    murk_section *sections = NULL;
+    murk_status status = open_regular(&fd, &size, path, err);
+    if (status || (status = read_header(&head, fd, size, path, err)) ||
+        (status = read_table(table, fd, &head, path, err)) ||
+        (status = check_memory(size, path, err))) {
+        goto done;
+    }
+    sections = calloc(head.n_sections + 1, sizeof *sections);
+    if (!sections) {
+        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        goto done;
+    }
+    for (size_t i = 0; i < head.n_sections; ++i) {
+        if (only && strncmp(table[i].name, only, sizeof table[i].name) != 0) {
+            if (lseek(fd, (off_t)table[i].size, SEEK_CUR) < 0) {
+                status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                                   strerror(errno));
+                goto done;
+            }
+            continue;
+        }
+        status = read_section(&sections[taken++], &table[i], fd, path, err);
+        if (status) {
+            goto done;
+        }
+    }
+    *out = sections;
+    *n = taken;
+    sections = NULL;
+done:
+    if (fd >= 0) {
+        close(fd);
+    }
+    murk_map_file_release(sections, head.n_sections);
+    return status;
+}
+
+murk_status murk_map_file_read(murk_section **out, size_t *n, const char *path,
+                               murk_error *err)
+{
+    return read_sections(out, n, path, NULL, err);
+}
+
+murk_status murk_map_file_read_one(murk_section **out, const char *path,
+                                   const char *name, murk_error *err)
+{
+    size_t n = 0;
+    murk_section *sections = NULL;
+    const murk_status status = read_sections(&sections, &n, path, name, err);
+    if (status) {
+        return status;
+    }
+    if (n == 0) {
+        murk_map_file_release(sections, n);
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "section %s is missing or of the wrong size", name);
+    }
+    *out = sections;
+    return MURK_OK;
+}
+
+void murk_map_file_release(murk_section *sections, size_t n)
+{
+    if (sections) {
+        for (size_t i = 0; i < n; ++i) {
+            free(sections[i].bytes);
+        }
+        free(sections);
+    }
+}
+
+const murk_section *murk_map_file_find(const murk_section *sections, size_t n,
+                                       const char *name)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (strncmp(sections[i].name, name, sizeof sections[i].name) == 0) {
+            return &sections[i];
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,392 @@
+#include "placement/evaluator.h"
+
+#include "base/interrupt.h"
+#include "base/pool.h"
+#include "base/progress.h"
+#include "placement/presolve.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Starting threads costs some 50 us: a scan is spread only where it goes
+ * through so many bytes, some 200 us and more. */
+#define BYTES_WORTH_THREADS 2097152
+
+/* Candidates that a thread takes at once: their rows are worth more than the
+ * taking. A look is always worth it. */
+#define ROWS_AT_ONCE 16
+
+typedef struct weighing {
+    const murk_evaluator *evaluator;
+    const murk_cover *cover;
+    const uint32_t *candidate; /* NULL: candidate k is k */
+    uint64_t *gain;
+    murk_cover *seen; /* [threads] joined with every row, or NULL */
+    uint64_t *slack;  /* with it, or NULL */
+    size_t n, at_once;
+    bool is_max; /* murk_evaluator_mosts() */
+} weighing;
+
+murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
+                            uint32_t candidate)
+{
+    if (evaluator->matrix) {
+        return evaluator->matrix->row[candidate];
+    }
+    murk_look look;
+    evaluator->problem->look(evaluator->problem->context, worker, candidate,
+                             &look);
+    return murk_row_borrow(&look);
+}
+
+static uint32_t candidate_of(const weighing *w, size_t k)
+{
+    return w->candidate ? w->candidate[k] : (uint32_t)k;
+}
+
+static void weigh(const weighing *w, unsigned worker, size_t batch)
+{
+    const murk_layout *layout = w->evaluator->layout;
+    const uint32_t candidate = candidate_of(w, batch);
+    const murk_row row = murk_evaluator_row(w->evaluator, worker, candidate);
+    if (w->is_max) {
+        w->gain[batch] =
+            murk_row_rest(layout, &row, w->cover) +
+            MURK_REST_SLACK / MURK_WORTH_SLACK * w->evaluator->slack[candidate];
+        return;
+    }
+    w->gain[batch] = murk_row_gain(layout, &row, w->cover);
+    if (w->seen) {
+        murk_cover_add(&w->seen[worker], layout, &row);
+        if (w->slack) {
+            w->slack[batch] = MURK_WORTH_SLACK * murk_row_weight(layout, &row);
+        }
+        murk_progress_add(1);
+    }
+}
+
+/* Rows lie where they were stored: the next one comes while one is weighed. */
+static void fetch(const weighing *w, size_t k, size_t end)
+{
+    if (w->evaluator->matrix && k + 1 < end) {
+        const murk_row *row = w->evaluator->matrix->row;
+        const char *next = row[candidate_of(w, k + 1)].memory;
+        __builtin_prefetch(next);
+        __builtin_prefetch(next + 64);
+        __builtin_prefetch(&row[candidate_of(w, k + 2 < end ? k + 2 : k + 1)]);
+    }
+}
+
+static void weigh_some(const weighing *w, unsigned worker, size_t begin,
+                       size_t end)
+{
+    for (size_t k = begin; k < end; ++k) {
+        fetch(w, k, end);
+        weigh(w, worker, k);
+    }
+}
+
+static void weigh_batch(void *context, unsigned worker, uint64_t batch)
+{
+    const weighing *w = context;
+    const size_t past = ((size_t)batch + 1) * w->at_once;
+    weigh_some(w, worker, (size_t)batch * w->at_once,
+               past < w->n ? past : w->n);
+}
+
+static void weigh_all(weighing *w, unsigned threads)
+{
+    w->at_once = w->evaluator->matrix ? ROWS_AT_ONCE : 1;
+    murk_pool_run_workers(threads, (w->n + w->at_once - 1) / w->at_once,
+                          weigh_batch, w);
+}
+
+/* Time to weigh a row of visibility factors, or of detection probabilities,
+ * relative to a row of bits. */
+#define WORK_OF_CLARITIES 4
+#define WORK_OF_CHANCES   64
+
+uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
+                             uint64_t candidates)
+{
+    const uint64_t row = evaluator->problem->photons *
+                         (evaluator->all_clear       ? 1
+                          : evaluator->layout->doses ? WORK_OF_CHANCES
+                                                     : WORK_OF_CLARITIES);
+    return candidates * (row > MURK_ROW_WORK_MIN ? row : MURK_ROW_WORK_MIN);
+}
+
+unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n)
+{
+    const bool is_worth = !evaluator->matrix ||
+                          n > BYTES_WORTH_THREADS / (evaluator->row_bytes + 1);
+    return is_worth ? evaluator->problem->threads : 1;
+}
+
+static void weigh_over(weighing *w, unsigned threads, unsigned worker)
+{
+    if (threads > 1 && murk_evaluator_threads(w->evaluator, w->n) > 1) {
+        weigh_all(w, threads);
+        return;
+    }
+    weigh_some(w, worker, 0, w->n);
+}
+
+void murk_evaluator_gains(const murk_evaluator *evaluator,
+                          const murk_cover *cover, const uint32_t *candidate,
+                          size_t n, unsigned threads, unsigned worker,
+                          uint64_t *gain)
+{
+    weighing w = {.evaluator = evaluator,
+                  .cover = cover,
+                  .candidate = candidate,
+                  .gain = gain,
+                  .n = n};
+    weigh_over(&w, threads, worker);
+}
+
+void murk_evaluator_mosts(const murk_evaluator *evaluator,
+                          const murk_cover *cover, const uint32_t *candidate,
+                          size_t n, unsigned threads, unsigned worker,
+                          uint64_t *max)
+{
+    weighing w = {.evaluator = evaluator,
+                  .cover = cover,
+                  .candidate = candidate,
+                  .gain = max,
+                  .n = n,
+                  .is_max = true};
+    weigh_over(&w, threads, worker);
+}
+
+static int by_rank(const void *a, const void *b)
+{
+    const murk_ranked *x = a, *y = b;
+    if (x->bound != y->bound) {
+        return x->bound > y->bound ? -1 : 1;
+    }
+    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+}
+
+void murk_ranked_sort(murk_ranked *ranked, size_t n)
+{
+    qsort(ranked, n, sizeof *ranked, by_rank);
+}
+
+/* Each candidate's value alone, and the ceiling: all of them together. */
+static murk_status weigh_alone(murk_evaluator *o, murk_error *err)
+{
+    const unsigned threads = o->problem->threads;
+    murk_cover empty = {0};
+    murk_cover *seen = calloc(threads, sizeof *seen);
+    bool has_memory = seen && murk_cover_init(&empty, o->layout, o->all_clear);
+    for (unsigned k = 0; has_memory && k < threads; ++k) {
+        has_memory = murk_cover_init(&seen[k], o->layout, o->all_clear);
+    }
+    murk_status status = MURK_OK;
+    if (!has_memory) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for the coverage of %zu photons",
+                           o->layout->photons);
+        goto done;
+    }
+    weighing w = {.evaluator = o,
+                  .cover = &empty,
+                  .gain = o->alone,
+                  .seen = seen,
+                  .slack = o->slack,
+                  .n = o->candidates};
+    murk_progress_begin(o->matrix ? "weigh" : "look", o->candidates,
+                        "candidates");
+    weigh_all(&w, threads);
+    murk_progress_end();
+    for (unsigned k = 1; k < threads; ++k) {
+        murk_cover_join(&seen[0], o->layout, &seen[k]);
+    }
+    o->ceiling = murk_cover_value(&seen[0], o->layout);
+    o->looks = o->matrix ? 0 : o->candidates;
+done:
+    for (unsigned k = 0; seen && k < threads; ++k) {
+        murk_cover_release(&seen[k]);
+    }
+    free(seen);
+    murk_cover_release(&empty);
+    return status;
+}
+
+/* By cost, then by rank, in which order[] has them. */
+typedef struct costed {
+    uint64_t cost;
+    size_t rank;
+    uint32_t candidate;
+} costed;
+
+static int by_cost(const void *a, const void *b)
+{
+    const costed *x = a, *y = b;
+    if (x->cost != y->cost) {
+        return x->cost < y->cost ? -1 : 1;
+    }
+    return (x->rank > y->rank) - (x->rank < y->rank);
+}
+
+/* Among those worth the same, so that the cheaper dominates. False when out of
+ * memory. */
+static bool put_cheaper_first(const murk_evaluator *o, uint32_t *order)
+{
+    costed *same = malloc((o->candidates + 1) * sizeof *same);
+    for (size_t first = 0; same && first < o->candidates;) {
+        size_t n = 0;
+        while (first + n < o->candidates &&
+               o->alone[order[first + n]] == o->alone[order[first]]) {
+            const uint32_t j = order[first + n];
+            same[n] = (costed){murk_rulebook_cost(o->book, j), n, j};
+            ++n;
+        }
+        qsort(same, n, sizeof *same, by_cost);
+        for (size_t k = 0; k < n; ++k) {
+            order[first + k] = same[k].candidate;
+        }
+        first += n;
+    }
+    const bool is_done = same != NULL;
+    free(same);
+    return is_done;
+}
+
+/* How many must dominate a candidate that no plan needs. It may take the place
+ * of one that does not stand; where all stand, so many see each photon as
+ * clearly: of the clearest views its own is none, but chances add up. */
+static size_t dominators_needed(const murk_evaluator *o, size_t max)
+{
+    return o->layout->doses ? max : o->layout->layers;
+}
+
+/* Puts those that are dropped behind the others. Returns how many these are. */
+static size_t drop(const murk_evaluator *o, murk_ranked *ranked,
+                   const uint32_t *order, const bool *is_dropped)
+{
+    size_t at = 0, kept = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+        for (size_t k = 0; k < o->candidates; ++k) {
+            const uint32_t j = order[k];
+            if (is_dropped[j] == (pass == 1)) {
+                ranked[at++] = (murk_ranked){murk_evaluator_most(o, j), j};
+            }
+        }
+        kept = pass == 0 ? at : kept;
+    }
+    return kept;
+}
+
+/* Ranks the candidates and moves the dominated ones behind the others. */
+static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
+                        murk_error *err)
+{
+    const size_t n = o->candidates;
+    for (uint32_t j = 0; j < n; ++j) {
+        o->ranked[j] = (murk_ranked){murk_evaluator_most(o, j), j};
+        o->dominator[j] = j;
+    }
+    murk_ranked_sort(o->ranked, n);
+    memcpy(o->needed, o->ranked, n * sizeof *o->needed);
+    o->undominated = o->needed_count = n;
+    if (!o->matrix || keep_dominated) {
+        return MURK_OK;
+    }
+    uint32_t *order = malloc((n + 1) * sizeof *order);
+    bool *is_dropped = calloc(n + 1, sizeof *is_dropped);
+    murk_status status = MURK_OK;
+    if (!order || !is_dropped) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to rank %zu candidates", n);
+        goto done;
+    }
+    for (size_t k = 0; k < n; ++k) {
+        order[k] = o->ranked[k].candidate;
+    }
+    if (o->book && !put_cheaper_first(o, order)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to rank %zu candidates", n);
+        goto done;
+    }
+    const size_t needed = dominators_needed(o, max);
+    if (needed > 1) {
+        status = murk_presolve_many(is_dropped, o->matrix, o->book, order,
+                                    needed, err);
+        o->needed_count = drop(o, o->needed, order, is_dropped);
+        goto done;
+    }
+    status = murk_presolve(o->dominator, o->matrix, o->book, order,
+                           o->problem->threads, err);
+    for (uint32_t j = 0; j < n; ++j) {
+        is_dropped[j] = o->dominator[j] != j;
+    }
+    o->undominated = drop(o, o->ranked, order, is_dropped);
+    o->needed_count = drop(o, o->needed, order, is_dropped);
+done:
+    free(order);
+    free(is_dropped);
+    return status;
+}
+
+murk_status murk_evaluator_init(murk_evaluator *out,
+                                const murk_problem *problem,
+                                const murk_matrix *matrix,
+                                const murk_rulebook *book, size_t max,
+                                bool keep_dominated, murk_error *err)
+{
+    const size_t n = problem->candidates;
+    *out = (murk_evaluator){.problem = problem,
+                            .matrix = matrix,
+                            .book = book,
+                            .candidates = n,
+                            .all_clear = matrix && matrix->all_clear};
+    if (matrix) {
+        out->layout = &matrix->layout;
+        out->row_bytes = n ? matrix->memory_bytes / n : 0;
+    } else {
+        const murk_status status =
+            murk_layout_init(&out->own_layout, problem, false, err);
+        if (status) {
+            return status;
+        }
+        out->layout = &out->own_layout;
+    }
+    out->grain =
+        (uint64_t)out->layout->common * (out->all_clear ? MURK_CLEAR : 1);
+    out->alone = calloc(n + 1, sizeof *out->alone);
+    out->dominator = calloc(n + 1, sizeof *out->dominator);
+    out->ranked = calloc(n + 1, sizeof *out->ranked);
+    out->needed = calloc(n + 1, sizeof *out->needed);
+    if (out->layout->doses) {
+        out->slack = calloc(n + 1, sizeof *out->slack);
+    }
+    murk_status status = out->alone && out->dominator && out->ranked &&
+                                 out->needed &&
+                                 (out->slack || !out->layout->doses)
+                             ? weigh_alone(out, err)
+                             : murk_fail(err, MURK_NO_MEMORY, "",
+                                         "no memory for %zu candidates", n);
+    if (!status && murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    if (!status) {
+        status = rank(out, max, keep_dominated, err);
+    }
+    if (status) {
+        murk_evaluator_release(out);
+    }
+    return status;
+}
+
+void murk_evaluator_release(murk_evaluator *evaluator)
+{
+    murk_layout_release(&evaluator->own_layout);
+    free(evaluator->alone);
+    free(evaluator->dominator);
+    free(evaluator->ranked);
+    free(evaluator->needed);
+    free(evaluator->slack);
+    *evaluator = (murk_evaluator){0};
+}

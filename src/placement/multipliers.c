@@ -1,0 +1,225 @@
+#include "placement/multipliers.h"
+
+#include "base/pool.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* weight * clarity * dose: 47, 16 and 25 bits together at most. */
+__extension__ typedef unsigned __int128 wide;
+
+static uint64_t in_whole(wide sum)
+{
+    return (uint64_t)((sum + MURK_DOSE_ONE - 1) / MURK_DOSE_ONE);
+}
+
+murk_status murk_multipliers_init(murk_multipliers *out,
+                                  const murk_evaluator *evaluator,
+                                  murk_error *err)
+{
+    const size_t slots = evaluator->layout->slots + 1;
+    *out = (murk_multipliers){.evaluator = evaluator,
+                              .floor = calloc(slots, sizeof *out->floor),
+                              .count = calloc(slots, sizeof *out->count)};
+    bool has_memory =
+        murk_cover_init_single(&out->rounded, evaluator->layout, false) &&
+        out->floor && out->count;
+    if (evaluator->layout->doses) {
+        out->factor = calloc(slots, sizeof *out->factor);
+        out->max = calloc(slots, sizeof *out->max);
+        out->drawn = calloc(slots, sizeof *out->drawn);
+        has_memory = has_memory && out->factor && out->max && out->drawn;
+    }
+    if (!has_memory) {
+        murk_multipliers_release(out);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to bound plans for %zu photons",
+                         evaluator->layout->photons);
+    }
+    return MURK_OK;
+}
+
+void murk_multipliers_release(murk_multipliers *t)
+{
+    murk_cover_release(&t->rounded);
+    free(t->floor);
+    free(t->count);
+    free(t->factor);
+    free(t->max);
+    free(t->drawn);
+    *t = (murk_multipliers){0};
+}
+
+/* The least clarity whose y is not below the dose. */
+static uint16_t clarity_above(const murk_doses *doses, uint32_t dose)
+{
+    uint16_t t = murk_dose_worth(doses, dose);
+    while (doses->below[t] < dose) {
+        ++t;
+    }
+    return t;
+}
+
+void murk_multipliers_stand(murk_multipliers *t, const murk_cover *stand)
+{
+    const murk_layout *layout = t->evaluator->layout;
+    t->stand = stand;
+    for (size_t i = 0; i < layout->slots; ++i) {
+        t->floor[i] = !stand ? 0
+                      : stand->dose
+                          ? clarity_above(layout->doses, stand->dose[i])
+                          : stand->best[i];
+    }
+}
+
+/* sum w (max(L_1, t) + ..). The lowest layer is not above t. */
+static uint64_t weigh_clearest(const murk_multipliers *t)
+{
+    const murk_layout *layout = t->evaluator->layout;
+    const uint16_t *at = t->rounded.best;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < layout->slots; ++i) {
+        sum += (uint64_t)at[i] * layout->weight[i];
+    }
+    for (size_t k = 1; k < layout->layers; ++k) {
+        const uint16_t *layer =
+            t->stand ? t->stand->best + k * layout->slots : NULL;
+        for (size_t i = 0; i < layout->slots; ++i) {
+            const uint16_t view = layer && layer[i] > at[i] ? layer[i] : at[i];
+            sum += (uint64_t)view * layout->weight[i];
+        }
+    }
+    return sum;
+}
+
+/* sum w (1 - (1 - t) (1 + y - Y0)), and what rows need of it. */
+static uint64_t weigh_chances(murk_multipliers *t)
+{
+    const murk_layout *layout = t->evaluator->layout;
+    wide sum = 0;
+    for (size_t i = 0; i < layout->slots; ++i) {
+        const uint16_t clarity = t->rounded.best[i];
+        const uint64_t rest = (uint64_t)(MURK_CLEAR - clarity);
+        const uint32_t stands = t->stand ? t->stand->dose[i] : 0;
+        const uint64_t room =
+            MURK_DOSE_ONE + layout->doses->below[clarity] - stands;
+        const uint64_t base =
+            (uint64_t)MURK_CLEAR * MURK_DOSE_ONE - rest * room;
+        sum += (wide)base * layout->weight[i];
+        t->factor[i] = rest * layout->weight[i];
+        t->max[i] = (uint32_t)room + 1;
+    }
+    return in_whole(sum);
+}
+
+uint64_t murk_multipliers_take(murk_multipliers *t, const float *threshold)
+{
+    for (size_t i = 0; i < t->evaluator->layout->slots; ++i) {
+        t->rounded.best[i] = (uint16_t)(threshold[i] + 0.5F);
+    }
+    return t->factor ? weigh_chances(t) : weigh_clearest(t);
+}
+
+typedef struct weighing {
+    const murk_multipliers *multipliers;
+    const uint32_t *candidate;
+    uint64_t *gain;
+} weighing;
+
+/* sum w (1 - t) min(d, 1 + y - Y0). */
+static void weigh_row(void *context, unsigned worker, uint64_t batch)
+{
+    const weighing *w = context;
+    const murk_multipliers *t = w->multipliers;
+    const murk_layout *layout = t->evaluator->layout;
+    const murk_row row =
+        murk_evaluator_row(t->evaluator, worker, w->candidate[batch]);
+    wide sum = 0;
+    size_t i;
+    uint16_t p;
+    for (murk_row_walk walk = murk_row_begin(layout, &row);
+         murk_row_next(&walk, &i, &p);) {
+        const uint32_t dose = layout->doses->of[p];
+        sum += (wide)t->factor[i] * (dose < t->max[i] ? dose : t->max[i]);
+    }
+    w->gain[batch] = in_whole(sum);
+}
+
+void murk_multipliers_gains(const murk_multipliers *t,
+                            const uint32_t *candidate, size_t n, uint64_t *gain)
+{
+    if (!t->factor) {
+        murk_evaluator_gains(t->evaluator, &t->rounded, candidate, n,
+                             t->evaluator->problem->threads, 0, gain);
+        return;
+    }
+    const unsigned threads = murk_evaluator_threads(t->evaluator, n);
+    weighing w = {t, candidate, gain};
+    if (threads > 1) {
+        murk_pool_run_workers(threads, n, weigh_row, &w);
+        return;
+    }
+    for (size_t k = 0; k < n; ++k) {
+        weigh_row(&w, 0, k);
+    }
+}
+
+static size_t views_below(const murk_multipliers *t, size_t slot)
+{
+    const murk_layout *layout = t->evaluator->layout;
+    size_t n = layout->layers;
+    for (size_t k = 1; t->stand && k < layout->layers; ++k) {
+        n -= t->stand->best[k * layout->slots + slot] > t->rounded.best[slot];
+    }
+    return n;
+}
+
+static void slopes_of_clearest(murk_multipliers *t, const murk_ranked *chosen,
+                               size_t n, float *down)
+{
+    const murk_layout *layout = t->evaluator->layout;
+    memset(t->count, 0, layout->slots * sizeof *t->count);
+    for (size_t k = 0; k < n; ++k) {
+        const murk_row row =
+            murk_evaluator_row(t->evaluator, 0, chosen[k].candidate);
+        murk_row_count_above(layout, &row, t->rounded.best, t->count);
+    }
+    for (size_t i = 0; i < layout->slots; ++i) {
+        down[i] = (float)views_below(t, i) - (float)t->count[i];
+    }
+}
+
+/* Where a row meets its most, its part falls with t, too: by y - Y0. */
+static void slopes_of_chances(murk_multipliers *t, const murk_ranked *chosen,
+                              size_t n, float *down)
+{
+    const murk_layout *layout = t->evaluator->layout;
+    memset(t->drawn, 0, layout->slots * sizeof *t->drawn);
+    for (size_t k = 0; k < n; ++k) {
+        const murk_row row =
+            murk_evaluator_row(t->evaluator, 0, chosen[k].candidate);
+        size_t i;
+        uint16_t p;
+        for (murk_row_walk walk = murk_row_begin(layout, &row);
+             murk_row_next(&walk, &i, &p);) {
+            const uint32_t dose = layout->doses->of[p];
+            t->drawn[i] +=
+                (float)(dose < t->max[i] ? dose
+                                         : t->max[i] - 1 - MURK_DOSE_ONE);
+        }
+    }
+    for (size_t i = 0; i < layout->slots; ++i) {
+        const float above = (float)(t->max[i] - 1 - MURK_DOSE_ONE);
+        down[i] = (above - t->drawn[i]) / (float)MURK_DOSE_ONE;
+    }
+}
+
+void murk_multipliers_slopes(murk_multipliers *t, const murk_ranked *chosen,
+                             size_t n, float *down)
+{
+    if (t->factor) {
+        slopes_of_chances(t, chosen, n, down);
+    } else {
+        slopes_of_clearest(t, chosen, n, down);
+    }
+}

@@ -1,0 +1,78 @@
+#include "source/disc.h"
+
+/* Halvings of a bracket: the digits of a double. */
+#define HALVINGS 53
+
+/* With the disc's radius as unit and x along the tilt of the opening's plane
+ * against the light, the cosine is in proportion to (edge + x), which is cut
+ * off at 0; -1 < edge < 1. Its integral over the disc, from where it begins up
+ * to x, over 2: the antiderivative of (edge + x) sqrt(1 - x^2). */
+static double cut_integral(double edge, double x)
+{
+    const double rest = sqrt(fmax(0, (1 - x) * (1 + x)));
+    return edge / 2 * (x * rest + asin(x)) - rest * rest * rest / 3;
+}
+
+double murk_disc_cosine(murk_vec3 direction, double radius, murk_vec3 inward)
+{
+    const double middle = murk_dot(direction, inward);
+    const double tilt = radius * murk_length(murk_cross(direction, inward));
+    if (middle >= tilt) {
+        return middle;
+    }
+    if (!(middle > -tilt)) {
+        return 0;
+    }
+    const double edge = middle / tilt;
+    return tilt * 2 / MURK_PI *
+           (cut_integral(edge, 1) - cut_integral(edge, -edge));
+}
+
+/* Where x is drawn from a disc that is cut off. */
+static double cut_draw(double edge, double u)
+{
+    const double min = cut_integral(edge, -edge);
+    const double wanted = min + u * (cut_integral(edge, 1) - min);
+    double low = -edge, high = 1;
+    for (int i = 0; i < HALVINGS; ++i) {
+        const double x = (low + high) / 2;
+        if (cut_integral(edge, x) < wanted) {
+            low = x;
+        } else {
+            high = x;
+        }
+    }
+    return (low + high) / 2;
+}
+
+murk_vec3 murk_disc_draw(murk_vec3 direction, double radius, murk_vec3 inward,
+                         const double u[3])
+{
+    if (!(radius > 0)) {
+        return direction;
+    }
+    const double middle = murk_dot(direction, inward);
+    const murk_vec3 aside = murk_along(inward, -middle, direction);
+    const double sine = murk_length(aside), tilt = radius * sine;
+    murk_vec3 t, b;
+    murk_frame(direction, &t, &b);
+    if (tilt > 0) {
+        t = murk_scale(1 / sine, aside);
+        b = murk_cross(direction, t);
+    }
+    double x, y;
+    if (middle >= tilt) {
+        const double rho = sqrt(u[0]), phi = 2 * MURK_PI * u[1];
+        x = rho * cos(phi);
+        y = rho * sin(phi);
+        /* The cosine leans to one side: so many change over to it. */
+        if (u[2] > (1 + x * tilt / middle) / 2) {
+            x = -x;
+        }
+    } else {
+        x = cut_draw(middle / tilt, u[0]);
+        y = sqrt(fmax(0, (1 - x) * (1 + x))) * (2 * u[1] - 1);
+    }
+    const murk_vec3 d = murk_along(direction, radius * x, t);
+    return murk_unit(murk_along(d, radius * y, b));
+}

@@ -1,0 +1,53 @@
+#include "source/dome.h"
+
+#include <assert.h>
+
+/* a, b, c, d, e */
+static const double TYPE[MURK_DOME_TYPES][5] = {
+    {4.0, -0.70, 0, -1.0, 0},      {4.0, -0.70, 2, -1.5, 0.15},
+    {1.1, -0.80, 0, -1.0, 0},      {1.1, -0.80, 2, -1.5, 0.15},
+    {0, -1.00, 0, -1.0, 0},        {0, -1.00, 2, -1.5, 0.15},
+    {0, -1.00, 5, -2.5, 0.30},     {0, -1.00, 10, -3.0, 0.45},
+    {-1.0, -0.55, 2, -1.5, 0.15},  {-1.0, -0.55, 5, -2.5, 0.30},
+    {-1.0, -0.55, 10, -3.0, 0.45}, {-1.0, -0.32, 10, -3.0, 0.45},
+    {-1.0, -0.32, 16, -3.0, 0.30}, {-1.0, -0.15, 16, -3.0, 0.30},
+    {-1.0, -0.15, 24, -2.8, 0.15},
+};
+
+murk_dome murk_dome_cie(int type, murk_vec3 towards)
+{
+    assert(type >= 1 && type <= MURK_DOME_TYPES);
+    const double *k = TYPE[type - 1];
+    return (murk_dome){.a = k[0],
+                       .b = k[1],
+                       .c = k[2],
+                       .d = k[3],
+                       .e = k[4],
+                       .towards = towards};
+}
+
+/* Not by acos of the cosine alone, which near the sun loses half its digits. */
+static double angle_between(murk_vec3 a, murk_vec3 b)
+{
+    return 2 * atan2(murk_length(murk_sub(a, b)), murk_length(murk_add(a, b)));
+}
+
+double murk_dome_radiance(const murk_dome *dome, murk_vec3 direction)
+{
+    if (!(direction.z >= 0)) {
+        return 0;
+    }
+    double radiance = 1;
+    if (dome->a != 0) {
+        /* At the horizon the standard has exp(b / cos Z) = 0, its limit. */
+        radiance += direction.z > 0 ? dome->a * exp(dome->b / direction.z) : 0;
+    }
+    if (dome->c != 0 || dome->e != 0) {
+        const double chi = angle_between(direction, dome->towards);
+        const double cosine = murk_dot(direction, dome->towards);
+        radiance *=
+            1 + dome->c * (exp(dome->d * chi) - exp(dome->d * MURK_PI / 2)) +
+            dome->e * cosine * cosine;
+    }
+    return radiance;
+}

@@ -1,0 +1,191 @@
+#include "source/dome_table.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+#define CELLS MURK_DOME_CELLS
+#define NODES (CELLS + 1)
+#define ALL   ((size_t)CELLS * CELLS)
+
+/* A cell keeps what falls on it with a chance, in 2^-18, else hands it on to
+ * another: both in one word, since a table that fits a core's own cache is what
+ * makes drawing fast. Uniform numbers are no finer, of so many cells. */
+#define OTHER_BITS 14
+#define KEEPS_BITS (32 - OTHER_BITS)
+_Static_assert(CELLS *CELLS <= 1 << OTHER_BITS, "cells are numbered in a word");
+
+struct murk_dome_table {
+    murk_vec3 along, up, outward; /* the opening's frame; along is level */
+    double x[NODES], a[NODES];
+    float density[NODES][NODES];  /* [x][a] */
+    uint32_t cell[CELLS * CELLS]; /* [x * CELLS + a] keeps, other */
+    double irradiance;
+};
+
+static void lay_nodes(murk_dome_table *t)
+{
+    const murk_vec3 m = t->outward;
+    const double level = sqrt(m.x * m.x + m.y * m.y);
+    t->along =
+        level > 0 ? murk_vec(-m.y / level, m.x / level, 0) : murk_vec(1, 0, 0);
+    t->up = murk_cross(m, t->along);
+    const double horizon = -atan2(m.z, level);
+    for (int i = 0; i < NODES; ++i) {
+        const double part = (double)i / CELLS;
+        t->x[i] = sin(MURK_PI * (part - 0.5));
+        t->a[i] = sin(horizon + part * (MURK_PI / 2 - horizon));
+    }
+    t->x[CELLS / 2] = 0;
+}
+
+static inline double cosine_of(double sine)
+{
+    const double square = (1 - sine) * (1 + sine);
+    return square > 0 ? sqrt(square) : 0;
+}
+
+/* Towards the sky from a place in the table's rectangle; unit. */
+static inline murk_vec3 direction_at(const murk_dome_table *t, double x,
+                                     double a)
+{
+    const double rest = cosine_of(x), cosine = rest * cosine_of(a);
+    murk_vec3 d = murk_scale(x, t->along);
+    d = murk_along(d, a * rest, t->up);
+    return murk_along(d, cosine, t->outward);
+}
+
+static murk_status fill(murk_dome_table *t, const murk_dome *dome,
+                        const char *where, murk_error *err)
+{
+    for (int i = 0; i < NODES; ++i) {
+        const double width = cosine_of(t->x[i]);
+        for (int j = 0; j < NODES; ++j) {
+            murk_vec3 d = direction_at(t, t->x[i], t->a[j]);
+            d.z = fmax(0, d.z); /* the horizon's nodes, which may be rounded */
+            const double radiance = murk_dome_radiance(dome, d);
+            if (!(radiance >= 0 && isfinite(radiance))) {
+                return murk_fail(err, MURK_BAD_VALUE, where,
+                                 "relative radiance of the sky is %g towards "
+                                 "[%g, %g, %g], must be 0 or more",
+                                 radiance, d.x, d.y, d.z);
+            }
+            t->density[i][j] = (float)(radiance * width);
+        }
+    }
+    return MURK_OK;
+}
+
+/* Fills share[ALL], in cells' mean; returns the mean in all. */
+static double weigh(const murk_dome_table *t, double *share)
+{
+    double sum = 0;
+    for (size_t i = 0; i < CELLS; ++i) {
+        for (size_t j = 0; j < CELLS; ++j) {
+            const double area =
+                (t->x[i + 1] - t->x[i]) * (t->a[j + 1] - t->a[j]);
+            const float *low = &t->density[i][j], *high = &t->density[i + 1][j];
+            const double corners = (double)low[0] + (double)low[1] +
+                                   (double)high[0] + (double)high[1];
+            sum += share[i * CELLS + j] = area * corners / 4;
+        }
+    }
+    for (size_t c = 0; sum > 0 && c < ALL; ++c) {
+        share[c] *= (double)ALL / sum;
+    }
+    return sum;
+}
+
+/* Vose: each cell that has too little is filled up from one that has too much;
+ * what is left at the end is 1 but for rounding. stack[ALL] has the small ones
+ * from its front and the large ones from its end. */
+static uint32_t packed(double keeps, uint32_t other)
+{
+    const double max = (1 << KEEPS_BITS) - 1;
+    return (uint32_t)fmin(max, nearbyint(keeps * (max + 1))) << OTHER_BITS |
+           other;
+}
+
+static void pair_up(murk_dome_table *t, double *share, uint32_t *stack)
+{
+    size_t small = 0, large = ALL;
+    for (uint32_t c = 0; c < ALL; ++c) {
+        t->cell[c] = packed(1, c);
+        if (share[c] < 1) {
+            stack[small++] = c;
+        } else {
+            stack[--large] = c;
+        }
+    }
+    while (small > 0 && large < ALL) {
+        const uint32_t poor = stack[--small], rich = stack[large];
+        t->cell[poor] = packed(share[poor], rich);
+        share[rich] -= 1 - share[poor];
+        if (share[rich] < 1) {
+            ++large;
+            stack[small++] = rich;
+        }
+    }
+}
+
+murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
+                                   murk_vec3 outward, const char *where,
+                                   murk_error *err)
+{
+    murk_dome_table *table = malloc(sizeof *table);
+    double *share = malloc(ALL * sizeof *share);
+    uint32_t *stack = malloc(ALL * sizeof *stack);
+    murk_status status = MURK_OK;
+    if (!table || !share || !stack) {
+        status = murk_fail(err, MURK_NO_MEMORY, where, "no memory for a sky");
+        goto done;
+    }
+    table->outward = outward;
+    lay_nodes(table);
+    status = fill(table, dome, where, err);
+    if (!status) {
+        table->irradiance = weigh(table, share);
+        pair_up(table, share, stack);
+        *out = table;
+        table = NULL;
+    }
+done:
+    free(table);
+    free(share);
+    free(stack);
+    return status;
+}
+
+void murk_dome_table_destroy(murk_dome_table *table)
+{
+    free(table);
+}
+
+double murk_dome_table_irradiance(const murk_dome_table *table)
+{
+    return table->irradiance;
+}
+
+/* A number in (0, 1) whose density goes straight from one value to another. */
+static double slanted(double from, double to, double u)
+{
+    return u * (from + to) /
+           (from + sqrt(from * from + u * (to - from) * (to + from)));
+}
+
+murk_vec3 murk_dome_table_draw(const murk_dome_table *t, const double u[4])
+{
+    const size_t first = (size_t)(u[0] * (double)ALL);
+    const uint32_t cell = t->cell[first];
+    const bool keeps =
+        (uint32_t)(u[1] * (1 << KEEPS_BITS)) < cell >> OTHER_BITS;
+    const size_t c = keeps ? first : cell & ((1 << OTHER_BITS) - 1);
+    const size_t i = c / CELLS, j = c % CELLS;
+    const float *low = &t->density[i][j], *high = &t->density[i + 1][j];
+    const double a0 = (double)low[0], a1 = (double)low[1];
+    const double b0 = (double)high[0], b1 = (double)high[1];
+    const double p = slanted(a0 + a1, b0 + b1, u[2]);
+    const double q = slanted(a0 + p * (b0 - a0), a1 + p * (b1 - a1), u[3]);
+    const double x = t->x[i] + p * (t->x[i + 1] - t->x[i]);
+    const double a = t->a[j] + q * (t->a[j + 1] - t->a[j]);
+    return direction_at(t, x, a);
+}
