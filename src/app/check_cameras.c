@@ -2,8 +2,8 @@
 
 #include "app/summary.h"
 #include "base/log.h"
+#include "base/machine.h"
 #include "render/render.h"
-#include "study/machine.h"
 
 /* A render holds the maps that were traced, and what it makes of them. */
 static double bytes_of(const murk_scene_desc *scene,

@@ -4,7 +4,7 @@
 #define MURK_APP_CHECK_CAMERAS_H
 
 #include "app/results.h"
-#include "study/lightmap.h"
+#include "lightmap/lightmap.h"
 
 /* "cameras": [{name, pixels, samples, memory_bytes}]: of one picture by maps,
  * the maps and their copies included. */

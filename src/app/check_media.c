@@ -6,7 +6,7 @@
 
 #include "app/results.h"
 #include "app/summary.h"
-#include "study/extent.h"
+#include "world/extent.h"
 
 /* What the region fills; of an unbounded one the part in the domain. */
 /* A table whose rows leave out less than this is not worth a word. */

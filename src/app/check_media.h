@@ -5,7 +5,7 @@
 
 #include <cjson/cJSON.h>
 
-#include "study/stage.h"
+#include "world/stage.h"
 
 void murk_print_media(const murk_stage *stage);
 

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "study/taken_again.h"
-#include "study/units.h"
+#include "world/taken_again.h"
+#include "world/units.h"
 
 static const char *name_of(murk_scene_light_type type)
 {

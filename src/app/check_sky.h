@@ -6,7 +6,7 @@
 
 #include <cjson/cJSON.h>
 
-#include "study/stage.h"
+#include "world/stage.h"
 
 void murk_print_lights(const murk_stage *stage);
 

@@ -8,9 +8,9 @@
 #include "app/session.h"
 #include "app/summary.h"
 #include "app/tallies_out.h"
-#include "study/few_photons.h"
-#include "study/machine.h"
-#include "study/mesh_materials.h"
+#include "base/machine.h"
+#include "plan/few_photons.h"
+#include "world/mesh_materials.h"
 
 #include <stdlib.h>
 

@@ -7,6 +7,7 @@
 
 #include "base/log.h"
 #include "base/progress.h"
+#include "world/stage_build.h"
 
 #include <stdlib.h>
 #include <string.h>

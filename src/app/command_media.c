@@ -8,7 +8,7 @@
 #include "medium/phase.h"
 #include "preset/check_words.h"
 #include "scene/presets.h"
-#include "study/phases.h"
+#include "world/phases.h"
 
 #include <stdlib.h>
 #include <string.h>

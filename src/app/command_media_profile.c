@@ -3,8 +3,8 @@
 #include "app/media_profile.h"
 #include "app/results.h"
 #include "app/summary.h"
+#include "base/number.h"
 #include "medium/grid_write.h"
-#include "scene/number.h"
 
 #include <stdio.h>
 

@@ -8,9 +8,9 @@
 #include "app/viewpoint.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/machine.h"
 #include "render/gather.h"
 #include "render/render.h"
-#include "study/machine.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,9 +6,9 @@
 #include "app/session.h"
 #include "app/summary.h"
 #include "app/tallies_out.h"
-#include "study/dark.h"
-#include "study/few_photons.h"
-#include "study/placement_in.h"
+#include "plan/dark.h"
+#include "plan/few_photons.h"
+#include "plan/placement_in.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -188,7 +188,8 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_exports_begin(&session, err);
     }
-    const bool is_dark = !status && murk_plan_is_dark(session.stage);
+    const bool is_dark =
+        !status && murk_stage_has_nothing_to_see(session.stage);
     if (!status) { /* a plan made in the dark may have no sensor */
         status = murk_placement_read(&sensor, &n, options->sensors,
                                      is_dark ? 0 : 1, session.scene,

@@ -8,7 +8,7 @@
 #include "app/version.h"
 
 #include "base/log.h"
-#include "study/sweep_kept.h"
+#include "cases/sweep_kept.h"
 
 #include <math.h>
 #include <stdlib.h>

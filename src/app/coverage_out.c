@@ -1,7 +1,7 @@
 #include "app/coverage_out.h"
 
 #include "app/summary.h"
-#include "study/few_photons.h"
+#include "plan/few_photons.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -46,7 +46,7 @@ void murk_print_sensors(const murk_scene_desc *scene, const murk_pose *sensor,
 void murk_print_maps(const murk_coverage_result *coverage);
 
 /* Adds "weights_used", what each map has in the total, and "thin_map": null, or
- * the map whose share rests on few photons (study/few_photons.h). */
+ * the map whose share rests on few photons (plan/few_photons.h). */
 void murk_json_weights(cJSON *root, const murk_scene_desc *scene,
                        const murk_coverage_result *coverage);
 

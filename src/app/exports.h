@@ -5,7 +5,7 @@
 #define MURK_APP_EXPORTS_H
 
 #include "app/session.h"
-#include "study/sparse_matrix.h"
+#include "placement/sparse_matrix.h"
 
 /* Adds what `exports` (murk_export bits) asks for. A file that cannot be had
  * (too large, or no 0/1 matrix for OR-Library) is told in *late, and the others

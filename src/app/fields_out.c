@@ -1,8 +1,8 @@
 #include "app/fields_out.h"
 
-#include "scene/number.h"
+#include "base/number.h"
+#include "plan/target_buffer.h"
 #include "sensing/places_seen.h"
-#include "study/target_buffer.h"
 
 #include <math.h>
 #include <stdlib.h>

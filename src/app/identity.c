@@ -4,7 +4,7 @@
 #include "app/run_files.h"
 #include "app/version.h"
 #include "base/file.h"
-#include "study/file_sums.h"
+#include "world/file_sums.h"
 
 #include <stdio.h>
 #include <stdlib.h>

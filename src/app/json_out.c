@@ -4,8 +4,8 @@
 
 #include "app/version.h"
 #include "base/file.h"
+#include "base/machine.h"
 #include "base/utf8.h"
-#include "study/machine.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include "app/ledger_out.h"
 
 #include "app/json_out.h"
-#include "study/units.h"
+#include "world/units.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 #ifndef MURK_APP_LEDGER_OUT_H
 #define MURK_APP_LEDGER_OUT_H
 
-#include "study/lightmap.h"
+#include "lightmap/lightmap.h"
 
 #include <cjson/cJSON.h>
 

@@ -4,8 +4,8 @@
 #define MURK_APP_LIT_PIECES_H
 
 #include "app/pieces.h"
+#include "lightmap/lightmap.h"
 #include "sensing/sight.h"
-#include "study/lightmap.h"
 
 /* Values of pieces, each [pieces->n]. */
 typedef struct murk_lit_pieces {

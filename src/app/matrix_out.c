@@ -2,7 +2,7 @@
 #include "app/plan_out.h"
 #include "app/summary.h"
 
-#include "study/poses.h"
+#include "plan/poses.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #define MURK_APP_MATRIX_PLAN_H
 
 #include "app/session.h"
-#include "study/sparse_matrix.h"
+#include "placement/sparse_matrix.h"
 
 /* What the chosen columns cover, in weight * clarity. */
 typedef struct murk_covering {

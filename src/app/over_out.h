@@ -3,7 +3,7 @@
 #define MURK_APP_OVER_OUT_H
 
 #include "app/session.h"
-#include "study/over.h"
+#include "cases/over.h"
 
 /* Of each condition light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and
  * plan-NAME.ply; and scene.resolved.yaml and regret.csv. */

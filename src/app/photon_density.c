@@ -2,8 +2,8 @@
 #include "app/fields_out.h"
 
 #include "base/log.h"
-#include "study/tallies.h"
-#include "study/units.h"
+#include "world/scene_tallies.h"
+#include "world/units.h"
 
 #include <stdlib.h>
 

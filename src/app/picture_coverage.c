@@ -3,9 +3,9 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "plan/plan.h"
+#include "plan/targets.h"
 #include "render/points.h"
-#include "study/plan.h"
-#include "study/targets.h"
 
 #include <math.h>
 #include <stdatomic.h>

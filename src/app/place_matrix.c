@@ -6,10 +6,10 @@
 #include "app/plan_out.h"
 
 #include "base/log.h"
-#include "scene/number.h"
+#include "base/machine.h"
+#include "base/number.h"
+#include "plan/poses.h"
 #include "sensing/views.h"
-#include "study/machine.h"
-#include "study/poses.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 
 #include "app/mark.h"
 #include "app/places.h"
-#include "study/sparse_matrix.h"
+#include "placement/sparse_matrix.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #define MURK_APP_REPEAT_OUT_H
 
 #include "app/results.h"
-#include "study/repeat.h"
+#include "cases/repeat.h"
 
 murk_status murk_json_repeat(cJSON *root, const murk_repeat *repeat,
                              murk_error *err);

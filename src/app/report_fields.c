@@ -6,7 +6,7 @@
 #include "app/summary.h"
 #include "base/log.h"
 #include "medium/grid.h"
-#include "study/units.h"
+#include "world/units.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report.h"
-#include "scene/number.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdlib.h>

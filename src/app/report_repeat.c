@@ -2,7 +2,7 @@
 #include "app/chart.h"
 #include "app/page.h"
 #include "app/report_plan.h"
-#include "scene/number.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 #include "app/report_scene.h"
 
 #include "base/log.h"
+#include "world/stage_build.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 
 #include "app/plan_points.h"
 #include "app/results_in.h"
-#include "study/stage.h"
+#include "world/stage.h"
 
 #include <stdio.h>
 

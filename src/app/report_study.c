@@ -5,7 +5,7 @@
 #include "app/page.h"
 #include "app/report.h"
 #include "base/calendar.h"
-#include "scene/number.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #include "app/report_study.h"
 
 #include "app/page.h"
-#include "scene/number.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdlib.h>

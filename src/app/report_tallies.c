@@ -3,7 +3,7 @@
 #include "app/chart_heat.h"
 #include "app/page.h"
 #include "app/report.h"
-#include "scene/number.h"
+#include "base/number.h"
 #include "transport/tallies.h"
 
 #include <math.h>

@@ -1,7 +1,8 @@
 /* The world that the view shows: surfaces and media of the scene, and the
  * media of each condition in it. */
 #include "app/report_scene.h"
-#include "study/stage_media.h"
+#include "world/stage_build.h"
+#include "world/stage_media.h"
 
 #include <string.h>
 

@@ -16,7 +16,7 @@
 #include "app/ownership.h"
 #include "base/file.h"
 #include "base/staging.h"
-#include "study/plan.h"
+#include "plan/plan.h"
 
 #define MURK_MAP_FILE_NAME "light.murk"
 #define MURK_SCENE_NAME    "scene.resolved.yaml"

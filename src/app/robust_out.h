@@ -2,8 +2,8 @@
 #ifndef MURK_APP_ROBUST_OUT_H
 #define MURK_APP_ROBUST_OUT_H
 
+#include "plan/robust.h"
 #include "scene/scene.h"
-#include "study/robust.h"
 
 #include <cjson/cJSON.h>
 

@@ -7,7 +7,8 @@
 
 #include "base/log.h"
 #include "base/progress.h"
-#include "study/units.h"
+#include "world/stage_build.h"
+#include "world/units.h"
 
 #include <stdlib.h>
 #include <string.h>

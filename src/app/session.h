@@ -5,7 +5,7 @@
 
 #include "app/options.h"
 #include "app/results.h"
-#include "study/plan.h"
+#include "plan/plan.h"
 
 typedef struct murk_session {
     const murk_options *options;

@@ -3,7 +3,7 @@
 #ifndef MURK_APP_STUDY_PRINT_H
 #define MURK_APP_STUDY_PRINT_H
 
-#include "study/sweep.h"
+#include "cases/sweep.h"
 
 /* folder NULL: nothing is written. Without memory it prints nothing. */
 void murk_print_study_rows(const murk_sweep *sweep, const char *folder);

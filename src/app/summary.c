@@ -1,7 +1,7 @@
 #include "app/summary.h"
 
+#include "base/machine.h"
 #include "base/utf8.h"
-#include "study/machine.h"
 
 #include <stdarg.h>
 #include <stdbool.h>

@@ -3,7 +3,7 @@
 #include "app/lit_pieces.h"
 #include "app/places.h"
 #include "app/vtk.h"
-#include "scene/number.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define MURK_APP_TABLE_OUT_H
 
 #include "app/results.h"
-#include "study/sweep.h"
+#include "cases/sweep.h"
 
 /* Adds table.csv: rows that are done, in the study's order; a column an axis,
  * then each value and its standard error, last `failed`. Empty cells: there is

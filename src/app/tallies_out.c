@@ -4,8 +4,8 @@
 #include "app/summary.h"
 #include "base/log.h"
 #include "medium/grid_write.h"
-#include "study/tallies.h"
-#include "study/units.h"
+#include "world/scene_tallies.h"
+#include "world/units.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,11 +2,10 @@
 
 #include "base/log.h"
 #include "base/position.h"
+#include "plan/free_space.h"
+#include "plan/placement_in.h"
 #include "render/render.h"
 #include "scene/words.h"
-#include "study/dark.h"
-#include "study/free_space.h"
-#include "study/placement_in.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 
 #include "app/options.h"
 #include "render/camera.h"
-#include "study/stage.h"
+#include "world/stage.h"
 
 #include "sensing/sensor.h"
 

@@ -3,7 +3,7 @@
 #include "base/position.h"
 #include "medium/acceptance.h"
 #include "sensing/passage.h"
-#include "study/stage_media.h"
+#include "world/stage_media.h"
 
 #include <assert.h>
 #include <math.h>

@@ -7,7 +7,7 @@
 
 #include "calibrate/measurements.h"
 #include "calibrate/optics.h"
-#include "study/stage.h"
+#include "world/stage.h"
 
 /* Refuses a segment that a surface stands across (a thin sheet too), that ends
  * in a solid, or on which the index of refraction changes, at the reading's

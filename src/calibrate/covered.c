@@ -2,7 +2,7 @@
 
 #include "base/interrupt.h"
 #include "calibrate/coverage_ratio.h"
-#include "study/plan.h"
+#include "plan/plan.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "calibrate/recorder.h"
-#include "study/lightmap.h"
+#include "lightmap/lightmap.h"
 
 #include <math.h>
 

@@ -1,10 +1,10 @@
 #include "calibrate/followed.h"
 
+#include "base/machine.h"
 #include "base/progress.h"
 #include "calibrate/recorder.h"
-#include "study/emission.h"
-#include "study/ending.h"
-#include "study/machine.h"
+#include "lightmap/emission.h"
+#include "lightmap/ending.h"
 
 #include <assert.h>
 #include <stdlib.h>

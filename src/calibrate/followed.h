@@ -19,7 +19,7 @@
 #define MURK_CALIBRATE_FOLLOWED_H
 
 #include "photonmap/map.h"
-#include "study/stage.h"
+#include "world/stage.h"
 
 /* Fluence rate, or irradiance on a side, averaged over a sphere, which must lie
  * in the domain and clear of surfaces: what sticks out of it is dark. */

@@ -1,7 +1,7 @@
 #include "calibrate/free_parts.h"
 
 #include "base/log.h"
-#include "scene/number.h"
+#include "base/number.h"
 #include "scene/variant.h"
 
 #include <stdio.h>

@@ -1,4 +1,5 @@
 #include "calibrate/imported_stages.h"
+#include "world/stage_build.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #ifndef MURK_CALIBRATE_IMPORTED_STAGES_H
 #define MURK_CALIBRATE_IMPORTED_STAGES_H
 
-#include "study/stage.h"
+#include "world/stage.h"
 
 typedef struct murk_imported_stages {
     size_t n;

@@ -1,7 +1,7 @@
 #include "calibrate/key_bounds.h"
 
+#include "base/number.h"
 #include "calibrate/free_parts.h"
-#include "scene/number.h"
 #include "scene/words.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 #include "calibrate/key_place.h"
 
+#include "base/number.h"
 #include "preset/check_words.h"
-#include "scene/number.h"
 #include "scene/presets.h"
 #include "scene/words.h"
 

@@ -1,7 +1,8 @@
 #include "calibrate/lit.h"
 
 #include "base/interrupt.h"
-#include "study/units.h"
+#include "world/stage_build.h"
+#include "world/units.h"
 
 #include <stdlib.h>
 

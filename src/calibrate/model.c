@@ -1,11 +1,11 @@
 #include "calibrate/model_parts.h"
 
 #include "base/log.h"
+#include "base/machine.h"
 #include "base/progress.h"
 #include "calibrate/beams.h"
 #include "calibrate/fit_forecast.h"
 #include "calibrate/world_slopes.h"
-#include "study/machine.h"
 
 #include <math.h>
 #include <stdlib.h>

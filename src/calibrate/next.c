@@ -1,7 +1,7 @@
 #include "calibrate/next.h"
 
-#include "study/poses.h"
-#include "study/sites.h"
+#include "plan/poses.h"
+#include "plan/sites.h"
 
 #include <math.h>
 #include <stdlib.h>

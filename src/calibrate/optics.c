@@ -1,7 +1,7 @@
 #include "calibrate/optics.h"
 
 #include "base/log.h"
-#include "study/relight.h"
+#include "lightmap/relight.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 #include "base/bands.h"
 #include "base/status.h"
 #include "scene/scene.h"
-#include "study/phases.h"
+#include "world/phases.h"
 
 typedef struct murk_optics {
     size_t media, channels; /* channel: light * bands + band */

@@ -1,13 +1,13 @@
 /* From a tracer's legs and events to contributions. Private to this room.
  *
  * Each batch of a wave has its own record buffer, written by one thread; record
- * buffers are emptied in batch order (as study/record_buffers.h does, which
+ * buffers are emptied in batch order (as lightmap/record_buffers.h does, which
  * decides what is a record and keeps it). */
 #ifndef MURK_CALIBRATE_RECORDER_H
 #define MURK_CALIBRATE_RECORDER_H
 
 #include "calibrate/chords.h"
-#include "study/record_buffers.h"
+#include "lightmap/record_buffers.h"
 
 /* Contributions, and what goes with them; as murk_followed names them. */
 typedef struct murk_recorded {

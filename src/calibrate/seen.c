@@ -1,14 +1,14 @@
 #include "calibrate/seen.h"
 
 #include "base/interrupt.h"
+#include "base/machine.h"
 #include "base/pool.h"
 #include "base/position.h"
 #include "base/tally.h"
 #include "medium/acceptance.h"
 #include "medium/alone.h"
 #include "medium/rescaled.h"
-#include "study/machine.h"
-#include "study/plan.h"
+#include "plan/plan.h"
 
 #include <assert.h>
 #include <stdlib.h>

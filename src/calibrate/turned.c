@@ -3,7 +3,7 @@
 #include "preset/words.h"
 #include "scene/keys.h"
 #include "scene/print.h"
-#include "study/light_shapes.h"
+#include "world/source_shapes.h"
 
 #include <stdio.h>
 #include <stdlib.h>

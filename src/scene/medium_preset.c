@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/file.h"
+#include "base/number.h"
 #include "preset/check_words.h"
-#include "scene/number.h"
 #include "scene/presets.h"
 
 /* ---- words ---- */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/number.h"
 #include "scene/keys.h"
-#include "scene/number.h"
 #include "scene/words.h"
 
 /* Where in the tree an option has come to: the node, and what the table says

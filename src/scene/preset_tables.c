@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/number.h"
 #include "preset/files.h"
-#include "scene/number.h"
 #include "scene/table.h"
 
 #define KNOWN_MAX (COLUMNS + 1) /* and the end of the list */

@@ -1,6 +1,6 @@
 #include "scene/study_range.h"
 
-#include "scene/number.h"
+#include "base/number.h"
 #include "scene/study_axes.h"
 #include "scene/value.h"
 #include "scene/words.h"

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/file.h"
-#include "scene/number.h"
+#include "base/number.h"
 #include "scene/words.h"
 
 #define MAX_BYTES   256000000

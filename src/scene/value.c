@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/file.h"
-#include "scene/number.h"
+#include "base/number.h"
 #include "scene/words.h"
 
 murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/number.h"
+#include "base/number.h"
 #include "scene/words.h"
 
 #define PART_SIZE (MURK_ALLOWED_SIZE / 2)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/number.h"
+#include "base/number.h"
 #include "scene/words.h"
 
 #define SHOWN_SIZE (MAX_SOURCE + 32)

@@ -1,7 +1,7 @@
 /* How given sensors see places that no light chose: the voxels of a field, the
  * middles of a mesh's faces.
  *
- * Places are records like photons (study/targets.h), and what is asked is a
+ * Places are records like photons (plan/targets.h), and what is asked is a
  * sight like the one that plans were made by: the same surfaces, media, ways
  * through, detection and types. Only what a place does not have differs: no
  * region of interest weighs it, and `arrival: toward` is not asked, as nothing

@@ -3,10 +3,10 @@
 #include "base/rng.h"
 #include "base/tally.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "photonmap/map_file.h"
 #include "photonmap/photon.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -24,7 +24,7 @@ static const char scene_text[] =
     "  - {type: point, position_m: [3, 3, 2.5], power_w: 1}\n"
     "photons: {emit: 500}\n";
 
-/* Where the numbers lie in the section "facts" (study/light_store.c). */
+/* Where the numbers lie in the section "facts" (lightmap/store.c). */
 enum { EMITTED, CHANNELS, PHOTONS, COLLISIONS, LOST };
 
 typedef struct forgery {

@@ -4,7 +4,7 @@
 #define _DEFAULT_SOURCE /* P_tmpdir */
 #include "../unit/scene/scene_files.h"
 #include "base/rng.h"
-#include "study/phases.h"
+#include "world/phases.h"
 
 #include <time.h>
 

@@ -6,10 +6,10 @@
  * five parameters, 20,000 photons (40 places look at each of their records).
  * Two threads, time by the clock; figures for people on standard error. */
 #include "base/log.h"
+#include "base/machine.h"
 #include "base/progress.h"
 #include "calibrate/followed.h"
 #include "planted.h"
-#include "study/machine.h"
 
 #include <stdio.h>
 #include <stdlib.h>

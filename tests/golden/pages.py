@@ -120,7 +120,7 @@ def check_results():
     page = said["murk-results.5"]
     everywhere = "\n".join(said.values())
     n_files = n_keys = n_columns = 0
-    for path in sorted(glob.glob("src/app/*.c") + glob.glob("src/study/sweep*.c")):
+    for path in sorted(glob.glob("src/app/*.c") + glob.glob("src/cases/sweep*.c")):
         source = strings_of(path)
         for name in re.findall(
                 r'"([a-z_]+\.(?:json|csv|ply|vdb|vti|vtp|txt|lp|murk|html))"', source):

@@ -9,9 +9,9 @@
 #include "base/rng.h"
 #include "base/stats.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #include <stdlib.h>
 

@@ -7,9 +7,9 @@
  * The z-tests share a 1e-6 chance of a false alarm (Sidak). */
 #include "base/stats.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #include <stdlib.h>
 

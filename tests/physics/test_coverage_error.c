@@ -11,8 +11,8 @@
  * seen to fail. */
 #include "base/stats.h"
 #include "check.h"
+#include "plan/plan.h"
 #include "stage_text.h"
-#include "study/plan.h"
 
 #include <stdlib.h>
 

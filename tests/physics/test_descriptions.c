@@ -11,9 +11,9 @@
 #include "base/log.h"
 #include "base/stats.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "medium/grid_write.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -24,9 +24,10 @@
  * The z-tests share a 1e-6 chance of a false alarm (Sidak). */
 #include "base/stats.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "render/render.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
+#include "world/stage_build.h"
 
 #include <stdlib.h>
 #include <string.h>

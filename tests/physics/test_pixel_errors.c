@@ -18,6 +18,7 @@
 #include "pictures.h"
 #include "render/render.h"
 #include "stage_text.h"
+#include "world/stage_build.h"
 
 #include <stdlib.h>
 #include <string.h>

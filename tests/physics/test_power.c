@@ -6,9 +6,9 @@
 #include "base/log.h"
 #include "base/stats.h"
 #include "check.h"
+#include "plan/plan.h"
 #include "sensing/power.h"
 #include "stage_text.h"
-#include "study/plan.h"
 
 #include <stdlib.h>
 

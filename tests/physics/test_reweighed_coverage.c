@@ -11,7 +11,7 @@
  * within one of the re-traced light's coverage as of a normal distribution. */
 #include "base/stats.h"
 #include "covered_case.h"
-#include "study/plan.h"
+#include "plan/plan.h"
 
 #define TURNED 3 /* FOG, SMOKE, FOG_G */
 #define CHECKS (TURNED * GROUPS * 4 + GROUPS)

@@ -9,8 +9,8 @@
  * where paths differ) in one of the two ways must fail. */
 #include "base/stats.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #include <stdlib.h>
 

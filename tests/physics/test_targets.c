@@ -8,8 +8,8 @@
  * per seed (Sidak); the seed is fixed, so the verdict repeats. */
 #include "base/stats.h"
 #include "check.h"
+#include "plan/plan.h"
 #include "stage_text.h"
-#include "study/plan.h"
 
 #include <stdlib.h>
 

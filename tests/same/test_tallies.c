@@ -2,8 +2,8 @@
  * those of a run that stores N are those of a run that emits as many as it
  * took. Every value and error of every cell is compared bit for bit. */
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 static const char scene_text[] =
     "murk: 1\n"

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "lightmap/lightmap.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #define PLANES  60
 #define TEXT    20000

@@ -4,7 +4,7 @@
 
 #include "calibrate/followed.h"
 #include "calibrate/optics.h"
-#include "study/stage.h"
+#include "world/stage.h"
 
 typedef struct followed_text {
     murk_stage *stage;

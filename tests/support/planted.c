@@ -2,6 +2,7 @@
 
 #include "base/rng.h"
 #include "calibrate/slope_noise.h"
+#include "world/stage_build.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 #include "stage_text.h"
 
 #include "base/file.h"
+#include "world/stage_build.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef MURK_TESTS_STAGE_TEXT_H
 #define MURK_TESTS_STAGE_TEXT_H
 
-#include "study/stage.h"
+#include "world/stage.h"
 
 /* Reads the text (by a temporary file) with overrides ("seed=3", NULL ends
  * them) and builds it. Prints the error and returns NULL on failure. The scene

@@ -1,9 +1,9 @@
 /* tools/make_media: media as grids, the same content on every run. */
 #include "kinds.h"
 
+#include "base/number.h"
 #include "medium/grid_write.h"
 #include "scene/frames.h"
-#include "scene/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -17,7 +17,8 @@
 
 #include "cases/groups.h"
 #include "cases/reference.h"
-#include "study/lightmap.h"
+#include "lightmap/lightmap.h"
+#include "world/stage_build.h"
 
 #define SCENE            "tests/physics/scenes/step-cloud.yaml"
 #define SOURCE           "I3RC consensus, Cahalan et al. 2005"

@@ -21,8 +21,8 @@
 #include "cases/groups.h"
 #include "cases/point_table.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 #include "worlds.h"
 
 #define SOURCE_ISOTROPIC  "Case, de Hoffmann and Placzek 1953"

@@ -21,9 +21,9 @@
 #include "base/vector.h"
 #include "cases/groups.h"
 #include "cases/reference.h"
+#include "lightmap/lightmap.h"
+#include "plan/plan.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
-#include "study/plan.h"
 
 #define BY_HAND "closed form"
 

@@ -2,7 +2,7 @@
  * and its slopes and errors are its own. */
 #include "calibrate/sightlines.h"
 #include "covered_case.h"
-#include "study/plan.h"
+#include "plan/plan.h"
 
 /* Rounding of a clarity, of a worth by chances (placement/dose.h, with each
  * view's own), and of weights, both of a part and of the whole. */

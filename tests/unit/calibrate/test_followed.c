@@ -2,8 +2,8 @@
  * same photons, event by event. */
 #include "calibrate/followed.h"
 #include "check.h"
+#include "lightmap/lightmap.h"
 #include "stage_text.h"
-#include "study/lightmap.h"
 
 #include <stdlib.h>
 

@@ -1,0 +1,242 @@
+#include "cases/conditions.h"
+
+#include "base/machine.h"
+#include "photonmap/map.h"
+#include "plan/plan.h"
+#include "world/stage_build.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void put_dark_last(murk_conditions *all)
+{
+    murk_condition dark[MURK_SCENE_CONDITIONS_MAX] = {{0}};
+    const size_t every = all->n;
+    bool has_say = false;
+    all->n = 0;
+    for (size_t c = 0; c < every; ++c) {
+        if (murk_stage_has_nothing_to_see(all->condition[c].stage)) {
+            dark[all->dark++] = all->condition[c];
+        } else {
+            has_say = has_say || all->condition[c].settings->weight > 0;
+            all->condition[all->n++] = all->condition[c];
+        }
+    }
+    memcpy(&all->condition[all->n], dark, all->dark * sizeof *dark);
+    if (!has_say) {
+        all->dark = every;
+        all->n = 0;
+    }
+}
+
+murk_status murk_conditions_create(murk_conditions **out,
+                                   const murk_scene_desc *scene,
+                                   murk_error *err)
+{
+    murk_conditions *all = calloc(1, sizeof *all);
+    if (!all) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for conditions");
+    }
+    all->scene = scene;
+    all->n = scene->n_conditions;
+    murk_status status = MURK_OK;
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        all->condition[c].settings = &scene->conditions[c];
+        status = murk_stage_import(&all->condition[c].stage,
+                                   scene->conditions[c].scene, err);
+    }
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        status = murk_stage_build(all->condition[c].stage, err);
+    }
+    if (status) {
+        murk_conditions_destroy(all);
+        return status;
+    }
+    put_dark_last(all);
+    *out = all;
+    return MURK_OK;
+}
+
+void murk_conditions_destroy(murk_conditions *all)
+{
+    if (!all) {
+        return;
+    }
+    for (size_t c = 0; c < all->n + all->dark; ++c) {
+        murk_condition *one = &all->condition[c];
+        murk_sight_destroy(one->sight);
+        if (!one->borrows_light) {
+            murk_traced_destroy(one->traced);
+        }
+        if (one->borrowed) {
+            free(one->stage);
+            free(one->borrowed);
+        } else {
+            murk_stage_destroy(one->stage);
+        }
+    }
+    free(all->again);
+    free(all);
+}
+
+/* A copy for free(); what it points to stays the other's. NULL when out of
+ * memory. */
+static murk_scene_desc *scene_again(const murk_scene_desc *scene,
+                                    uint32_t later)
+{
+    murk_scene_desc *out = malloc(sizeof *out);
+    if (out) {
+        *out = *scene;
+        out->seed += later;
+        out->placement.jitter_m = out->placement.jitter_rad = 0;
+    }
+    return out;
+}
+
+static murk_status condition_again(murk_condition *out,
+                                   const murk_condition *from, uint32_t later,
+                                   murk_error *err)
+{
+    out->settings = from->settings;
+    out->borrowed = scene_again(from->stage->scene, later);
+    out->stage = malloc(sizeof *out->stage);
+    if (!out->stage || !out->borrowed) {
+        free(out->borrowed);
+        free(out->stage);
+        *out = (murk_condition){0};
+        return murk_fail(err, MURK_NO_MEMORY, from->settings->where,
+                         "no memory for conditions");
+    }
+    *out->stage = *from->stage;
+    out->stage->scene = out->borrowed;
+    return MURK_OK;
+}
+
+murk_status murk_conditions_again(murk_conditions **out,
+                                  const murk_conditions *from, uint32_t later,
+                                  murk_error *err)
+{
+    murk_conditions *all = calloc(1, sizeof *all);
+    murk_status status = MURK_OK;
+    if (all) {
+        all->again = scene_again(from->scene, later);
+    }
+    if (!all || !all->again) {
+        free(all);
+        return murk_fail(err, MURK_NO_MEMORY, from->scene->path,
+                         "no memory for conditions");
+    }
+    all->scene = all->again;
+    for (size_t c = 0; !status && c < from->n + from->dark; ++c) {
+        status = condition_again(&all->condition[c], &from->condition[c], later,
+                                 err);
+        *(c < from->n ? &all->n : &all->dark) += !status;
+    }
+    if (status) {
+        murk_conditions_destroy(all);
+        return status;
+    }
+    *out = all;
+    return MURK_OK;
+}
+
+/* ---- candidates ---- */
+
+murk_status murk_conditions_sites(murk_candidates **out,
+                                  const murk_conditions *conditions,
+                                  unsigned threads, murk_error *err)
+{
+    const murk_stage *stage[MURK_SCENE_CONDITIONS_MAX];
+    const char *where[MURK_SCENE_CONDITIONS_MAX];
+    const size_t n = conditions->n + conditions->dark;
+    for (size_t c = 0; c < n; ++c) {
+        stage[c] = conditions->condition[c].stage;
+        where[c] = conditions->condition[c].settings->where;
+    }
+    return murk_sites_find_common(out, stage, where, n, threads, err);
+}
+
+/* ---- light ---- */
+
+/* An earlier condition with the same light, or NULL. */
+static const murk_condition *find_alike(const murk_conditions *all, size_t c)
+{
+    for (size_t k = 0; k < c; ++k) {
+        if (strcmp(all->condition[k].stage->light_key,
+                   all->condition[c].stage->light_key) == 0) {
+            return &all->condition[k];
+        }
+    }
+    return NULL;
+}
+
+/* Maps that stay, and the most that one of them takes while it is traced. */
+static murk_status check_memory(const murk_conditions *all, unsigned threads,
+                                murk_error *err)
+{
+    double stay = 0, more = 0;
+    size_t lights = 0;
+    for (size_t c = 0; c < all->n; ++c) {
+        if (find_alike(all, c)) {
+            continue;
+        }
+        murk_forecast f;
+        const murk_status status = murk_lightmap_forecast(
+            &f, all->condition[c].stage, 0, threads, err);
+        if (status) {
+            return status;
+        }
+        const double mine = murk_photon_map_memory_for(f.surface + f.volume);
+        stay += mine;
+        more = fmax(more, f.memory_bytes - mine);
+        ++lights;
+    }
+    const double have = murk_machine_memory_bytes();
+    return stay + more <= have
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, all->scene->placement.where,
+                           "over: the light of %zu conditions takes about "
+                           "%.3g GB; this machine has %.3g GB free",
+                           lights, (stay + more) / 1e9, have / 1e9);
+}
+
+static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
+                             murk_error *err)
+{
+    murk_condition *one = &all->condition[c];
+    const murk_condition *alike = find_alike(all, c);
+    murk_status status = MURK_OK;
+    if (alike) {
+        one->traced = alike->traced;
+        one->borrows_light = true;
+    } else {
+        status = murk_lightmap_trace(&one->traced, one->stage, 0, threads, err);
+        if (!status) {
+            all->trace_s += one->traced->trace_s;
+            all->map_s += one->traced->map_s;
+        }
+    }
+    return status || c >= all->n
+               ? status
+               : murk_plan_sight_told(&one->sight, &one->targets, one->stage,
+                                      one->traced, threads, err);
+}
+
+murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
+                                  murk_error *err)
+{
+    uint64_t seen = 0;
+    murk_status status = check_memory(all, threads, err);
+    for (size_t c = 0; !status && c < all->n + all->dark; ++c) {
+        status = light_one(all, c, threads, err);
+        if (!status && c < all->n) {
+            seen |= murk_goals_seen(all->condition[c].sight);
+        }
+    }
+    return status || all->n == 0
+               ? status
+               : murk_goals_check_seen(all->condition[0].stage->goals, seen,
+                                       err);
+}

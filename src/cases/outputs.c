@@ -1,0 +1,139 @@
+#include "cases/outputs.h"
+
+#include "scene/words.h"
+
+#include <string.h>
+
+static const char *const WORDS[] = {
+    [MURK_OUTPUT_DENSITY] = "density",
+    [MURK_OUTPUT_STORED] = "stored",
+    [MURK_OUTPUT_FIXED] = "coverage_fixed",
+    [MURK_OUTPUT_BEST] = "coverage_best",
+    [MURK_OUTPUT_ONE_MEAN] = "coverage_one_mean",
+    [MURK_OUTPUT_ONE_WORST] = "coverage_one_worst",
+    [MURK_OUTPUT_FLUENCE] = "fluence_vdb"};
+
+murk_output murk_output_of(const char *word)
+{
+    murk_output k = 0;
+    while (k < MURK_OUTPUT_TALLY && strcmp(WORDS[k], word) != 0) {
+        ++k;
+    }
+    return k;
+}
+
+static bool is_tally(const murk_scene_desc *scene, const char *name)
+{
+    for (size_t i = 0; i < scene->n_tallies; ++i) {
+        if (strcmp(scene->tallies[i].name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static murk_status unknown(const murk_study_file *study,
+                           const murk_scene_desc *scene, const char *word,
+                           murk_error *err)
+{
+    const char *names[MURK_OUTPUTS + 64];
+    char shown[MURK_SCENE_NAME_SIZE];
+    size_t n = 0;
+    for (murk_output k = 0; k < MURK_OUTPUT_TALLY; ++k) {
+        names[n++] = WORDS[k];
+    }
+    for (size_t i = 0; i < scene->n_tallies && i < 64; ++i) {
+        names[n++] = scene->tallies[i].name;
+    }
+    const char *meant = murk_words_meant(word, names, n);
+    murk_words_show(shown, sizeof shown, word);
+    return murk_fail(err, MURK_BAD_VALUE, study->outputs_where,
+                     "%s is no output%s%s%s, must be density, stored, "
+                     "coverage_fixed, coverage_best, coverage_one_mean, "
+                     "coverage_one_worst, fluence_vdb or the name of a tally",
+                     shown, meant ? ", did you mean " : "", meant ? meant : "",
+                     meant ? "?" : "");
+}
+
+static bool places(const murk_scene_desc *scene)
+{
+    const murk_scene_sensors *s = &scene->sensors;
+    return s->given && (s->count > 0 || s->target > 0 || s->budget > 0);
+}
+
+static murk_status check_needs(const murk_outputs *out,
+                               const murk_scene_desc *scene, murk_error *err)
+{
+    const murk_study_file *study = out->study;
+    const char *where = study->outputs > 0 ? study->outputs_where : study->path;
+    if (out->wants[MURK_OUTPUT_FIXED] && !study->plan) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "coverage_fixed needs a plan: FILE, sensors.csv or "
+                         "plan.json");
+    }
+    if (murk_outputs_look(out) && !scene->sensors.given) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "coverage needs sensors, and the scene %s has none",
+                         scene->path);
+    }
+    if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
+        !places(scene)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a best plan needs sensors.count, target or budget, "
+                         "and the scene %s has none",
+                         scene->path);
+    }
+    if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
+        scene->placement.at_least > 0 && scene->sensors.target > 0) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a best plan for placement.at_least, which %s has, is "
+                         "not supported in a study: run place for each row, or "
+                         "use placement.redundancy",
+                         scene->path);
+    }
+    const murk_scene_knowledge knows = scene->placement.knowledge;
+    if (murk_outputs_plan_for_all(out) && knows == MURK_SCENE_EXPLORE) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "one plan for all rows cannot be explored: "
+                         "placement.knowledge is explore, must be known or "
+                         "unknown");
+    }
+    if (out->wants[MURK_OUTPUT_ONE_WORST] && knows != MURK_SCENE_KNOWN) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "coverage_one_worst needs what every candidate sees, "
+                         "so placement.knowledge must be known");
+    }
+    return MURK_OK;
+}
+
+murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
+                                const murk_scene_desc *scene, murk_error *err)
+{
+    *out = (murk_outputs){.study = study};
+    for (size_t i = 0; i < study->outputs; ++i) {
+        const murk_output k = murk_output_of(study->output[i]);
+        if (k == MURK_OUTPUT_TALLY && !is_tally(scene, study->output[i])) {
+            return unknown(study, scene, study->output[i], err);
+        }
+        out->wants[k] = true;
+    }
+    if (study->outputs == 0) {
+        out->wants[MURK_OUTPUT_DENSITY] = true;
+        out->wants[MURK_OUTPUT_FIXED] = study->plan != NULL;
+        out->wants[MURK_OUTPUT_BEST] = places(scene);
+    }
+    return check_needs(out, scene, err);
+}
+
+bool murk_outputs_look(const murk_outputs *outputs)
+{
+    return outputs->wants[MURK_OUTPUT_FIXED] ||
+           outputs->wants[MURK_OUTPUT_BEST] ||
+           murk_outputs_plan_for_all(outputs);
+}
+
+bool murk_outputs_plan_for_all(const murk_outputs *outputs)
+{
+    return outputs->wants[MURK_OUTPUT_ONE_MEAN] ||
+           outputs->wants[MURK_OUTPUT_ONE_WORST];
+}

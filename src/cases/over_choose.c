@@ -1,0 +1,252 @@
+#include "cases/over_choose.h"
+
+#include "base/progress.h"
+#include "cases/joint.h"
+#include "placement/worst.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Plans to compare with get so much less branch and bound, where the method is
+ * not that alone. */
+#define NODES_TO_COMPARE 10
+
+_Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
+               "every condition has a block");
+
+typedef struct choosing {
+    murk_blocks regret; /* the joint problem's, with references */
+    murk_over *over;
+    murk_plan_result *plan;
+    const murk_scene_desc *scene;
+    murk_joint *joint;   /* of the conditions that have a say */
+    murk_matrix *matrix; /* of all these; NULL: unknown environment */
+    murk_place_desc desc;
+} choosing;
+
+static murk_status join(choosing *ch, murk_error *err)
+{
+    const murk_conditions *all = ch->over->conditions;
+    murk_sight *sight[MURK_SCENE_CONDITIONS_MAX];
+    double share[MURK_SCENE_CONDITIONS_MAX];
+    size_t n = 0;
+    for (size_t c = 0; c < all->n; ++c) {
+        if (all->condition[c].settings->weight > 0) {
+            sight[n] = all->condition[c].sight;
+            share[n++] = all->condition[c].settings->weight;
+        }
+    }
+    murk_status status =
+        murk_joint_create(&ch->joint, sight, share, n, ch->plan->poses->pose,
+                          ch->plan->poses->count, err);
+    if (!status && ch->scene->placement.knowledge == MURK_SCENE_KNOWN) {
+        const double begun_s = murk_clock_s();
+        status = murk_matrix_create(&ch->matrix, &ch->joint->problem,
+                                    murk_plan_matrix_bytes(), err);
+        ch->plan->sense_s = murk_clock_s() - begun_s;
+    }
+    return status;
+}
+
+/* For the mean, or for the worst. */
+static murk_status place_over(choosing *ch, murk_place_result *out,
+                              murk_scene_over over, const murk_place_desc *desc,
+                              murk_error *err)
+{
+    const murk_problem *problem = &ch->joint->problem;
+    if (over != MURK_SCENE_OVER_MEAN) {
+        const murk_blocks *blocks =
+            over == MURK_SCENE_OVER_REGRET ? &ch->regret : &ch->joint->blocks;
+        return murk_place_worst(out, problem, ch->matrix, blocks, desc, err);
+    }
+    return ch->matrix ? murk_place_known(out, problem, ch->matrix, desc, err)
+                      : murk_place_unknown(out, problem, desc, err);
+}
+
+/* For a condition that is block `block` of the joint problem. */
+static murk_status place_block(choosing *ch, murk_place_result *out,
+                               size_t block, const murk_place_desc *desc,
+                               murk_error *err)
+{
+    murk_matrix *matrix = NULL;
+    murk_problem problem = ch->joint->problem;
+    /* of a reference, as the plan over all blocks counts them */
+    const bool is_reference =
+        ch->scene->placement.over == MURK_SCENE_OVER_REGRET;
+    uint32_t *weight = murk_joint_weights_of(ch->joint, block, is_reference);
+    murk_status status =
+        weight ? murk_matrix_reweigh(&matrix, ch->matrix, weight, err)
+               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu photons",
+                           problem.photons);
+    if (!status) {
+        problem.weight = weight;
+        status = murk_place_known(out, &problem, matrix, desc, err);
+    }
+    murk_matrix_destroy(matrix);
+    free(weight);
+    return status;
+}
+
+/* For a condition by itself. */
+static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
+                               const murk_place_desc *desc, murk_error *err)
+{
+    murk_sight_problem seen;
+    murk_sight_problem_init(&seen, ch->over->conditions->condition[c].sight,
+                            ch->plan->poses->pose, ch->plan->poses->count);
+    if (ch->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
+        return murk_place_unknown(out, &seen.problem, desc, err);
+    }
+    murk_matrix *matrix = NULL;
+    murk_status status = murk_matrix_create(&matrix, &seen.problem,
+                                            murk_plan_matrix_bytes(), err);
+    if (!status) {
+        status = murk_place_known(out, &seen.problem, matrix, desc, err);
+    }
+    murk_matrix_destroy(matrix);
+    return status;
+}
+
+static murk_status keep(choosing *ch, const char *made_for,
+                        const murk_place_result *place, murk_error *err)
+{
+    murk_over_plan *plan = &ch->over->plan[ch->over->plans++];
+    snprintf(plan->made_for, sizeof plan->made_for, "%s", made_for);
+    plan->count = place->count;
+    plan->sensor = calloc(place->count + 1, sizeof *plan->sensor);
+    if (!plan->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for a plan of %zu sensors", place->count);
+    }
+    for (size_t k = 0; k < place->count; ++k) {
+        plan->sensor[k] = ch->plan->poses->pose[place->sensor[k]];
+    }
+    return MURK_OK;
+}
+
+static murk_status choose_main(choosing *ch, murk_error *err)
+{
+    const murk_scene_desc *scene = ch->scene;
+    murk_place_desc *desc = &ch->desc;
+    if (scene->sensors.target > 0) {
+        desc->count = ch->plan->poses->count;
+        desc->target =
+            murk_joint_target(ch->joint, scene->sensors.target,
+                              scene->placement.over == MURK_SCENE_OVER_WORST);
+    }
+    return place_over(ch, &ch->plan->place, scene->placement.over, desc, err);
+}
+
+/* The others are to compare. */
+static void choose_to_compare(choosing *ch)
+{
+    murk_place_desc *desc = &ch->desc;
+    if (ch->plan->place.count > 0 && !(ch->scene->sensors.budget > 0)) {
+        desc->count = ch->plan->place.count;
+    }
+    desc->target = 0;
+    desc->with_curve = false;
+    if (desc->method == MURK_PLACE_BEST) {
+        desc->nodes /= NODES_TO_COMPARE;
+    }
+}
+
+/* A condition's own plan is what its regret is measured from: the best found,
+ * though a better one may exist, and what none exceeds. */
+static void refer(choosing *ch, size_t c, size_t block,
+                  const murk_place_result *place)
+{
+    murk_condition *condition = &ch->over->conditions->condition[c];
+    const double whole = (double)place->whole;
+    condition->best_known = (double)place->value / whole;
+    condition->best_upper = (double)place->upper / whole;
+    ch->regret.reference[block] = place->value;
+    ch->over->ceiling_of[c] = murk_share_units(place->ceiling, place->whole);
+}
+
+/* Each condition's own plan, the mean's and the worst's, by one method and with
+ * as many sensors. */
+static murk_status choose_all(choosing *ch, murk_error *err)
+{
+    const murk_conditions *all = ch->over->conditions;
+    const murk_scene_over over = ch->scene->placement.over;
+    const bool is_regret = over == MURK_SCENE_OVER_REGRET;
+    murk_status status = MURK_OK;
+    size_t block = 0;
+    ch->desc = murk_plan_desc(ch->scene);
+    ch->desc.constraints = murk_poses_constraints(ch->plan->poses);
+    const murk_place_desc asked = ch->desc;
+    if (!is_regret) {
+        status = choose_main(ch, err);
+    }
+    choose_to_compare(ch);
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        const murk_scene_condition *settings = all->condition[c].settings;
+        const bool has_block = settings->weight > 0;
+        murk_place_result place = {0};
+        status = has_block && ch->matrix
+                     ? place_block(ch, &place, block, &ch->desc, err)
+                     : place_alone(ch, &place, c, &ch->desc, err);
+        if (!status && is_regret && has_block) {
+            refer(ch, c, block, &place);
+        }
+        block += has_block;
+        if (!status) {
+            status = keep(ch, settings->name, &place, err);
+        }
+        murk_place_release(&place);
+    }
+    const char *const name[] = {[MURK_SCENE_OVER_MEAN] = "mean",
+                                [MURK_SCENE_OVER_WORST] = "worst",
+                                [MURK_SCENE_OVER_REGRET] = "regret"};
+    const murk_scene_over last =
+        is_regret ? MURK_SCENE_OVER_REGRET : MURK_SCENE_OVER_WORST;
+    for (murk_scene_over k = MURK_SCENE_OVER_MEAN; !status && k <= last; ++k) {
+        murk_place_result place = {0};
+        if (k == over && is_regret) {
+            ch->desc = asked;
+            ch->desc.with_curve = false; /* references are of this count */
+            status = choose_main(ch, err);
+        }
+        if (status) {
+            break;
+        }
+        if (k == over) {
+            ch->over->chosen = ch->over->plans;
+            status = keep(ch, name[k], &ch->plan->place, err);
+        } else if (k == MURK_SCENE_OVER_MEAN || ch->matrix) {
+            status = place_over(ch, &place, k, &ch->desc, err);
+            if (!status) {
+                status = keep(ch, name[k], &place, err);
+            }
+        }
+        murk_place_release(&place);
+    }
+    return status;
+}
+
+murk_status murk_over_choose(murk_over *over, murk_plan_result *plan,
+                             murk_error *err)
+{
+    choosing ch = {
+        .over = over, .plan = plan, .scene = over->conditions->scene};
+    murk_status status = join(&ch, err);
+    if (!status) {
+        ch.regret = ch.joint->blocks;
+        ch.regret.measure = ch.scene->placement.relative_regret
+                                ? MURK_BLOCK_REGRET_RELATIVE
+                                : MURK_BLOCK_REGRET;
+    }
+    const double begun_s = murk_clock_s();
+    if (!status) {
+        status = choose_all(&ch, err);
+    }
+    plan->place_s = murk_clock_s() - begun_s;
+    murk_matrix_destroy(ch.matrix);
+    murk_joint_destroy(ch.joint);
+    if (status && err && !err->where[0]) {
+        snprintf(err->where, sizeof err->where, "%s",
+                 over->conditions->scene->sensors.where);
+    }
+    return status;
+}

@@ -1,0 +1,272 @@
+#include "cases/repeat.h"
+
+#include "base/progress.h"
+#include "base/quantile.h"
+
+#include <stdlib.h>
+
+#define MISS 0.025 /* beyond either end of the gap's interval */
+
+static murk_status no_memory(size_t runs, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu runs", runs);
+}
+
+/* ---- runs ---- */
+
+static const murk_estimate NO_ESTIMATE = {NAN, NAN};
+
+static murk_repeat_run run_of(const murk_plan_result *plan, uint32_t seed)
+{
+    const murk_place_result *place = &plan->place;
+    return (murk_repeat_run){
+        .seed = seed,
+        .sensors = place->count,
+        .in_sample = plan->in_sample.total.value,
+        .upper = (double)place->upper / (double)place->whole,
+        .proven_optimal = place->proven_optimal,
+        .held_out = plan->has_held_out ? plan->held_out : NO_ESTIMATE,
+        .plan = NO_ESTIMATE};
+}
+
+/* The plan's coverage in this light. */
+static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
+                           const murk_stage *stage, const murk_traced *traced,
+                           unsigned threads, murk_error *err)
+{
+    murk_sight *sight = NULL;
+    murk_coverage_result coverage = {0};
+    murk_status status = murk_plan_sight(&sight, stage, traced, threads, err);
+    if (!status) {
+        status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
+                                              plan->place.count, err);
+    }
+    if (!status) {
+        *out = coverage.total;
+    }
+    murk_coverage_result_release(&coverage);
+    murk_sight_destroy(sight);
+    return status;
+}
+
+/* Where sensors may stand does not depend on seeds, so candidates and poses are
+ * the first plan's. */
+static murk_plan_result plan_again(const murk_plan_result *first)
+{
+    return (murk_plan_result){.candidates = first->candidates,
+                              .poses = first->poses,
+                              .start = first->start};
+}
+
+static void release_again(murk_plan_result *plan)
+{
+    plan->candidates = NULL;
+    plan->poses = NULL;
+    murk_plan_result_release(plan);
+}
+
+/* The same world under another seed. */
+static murk_status run_again(murk_repeat_run *out,
+                             const murk_repeat_first *first, uint32_t later,
+                             unsigned threads, murk_error *err)
+{
+    murk_scene_desc scene = *first->stage->scene;
+    scene.seed += later;
+    scene.placement.jitter_m = scene.placement.jitter_rad = 0;
+    murk_stage again = *first->stage;
+    again.scene = &scene;
+    murk_traced *traced = NULL;
+    murk_plan_result plan = plan_again(first->plan);
+    murk_status status = murk_plan_see_anew(&traced, &again, 0, threads, err);
+    if (!status) {
+        status = murk_plan_result_make(&plan, &again, traced, threads, err);
+    }
+    if (!status) {
+        *out = run_of(&plan, scene.seed);
+    }
+    if (!status && murk_plan_can_see_anew(&scene)) {
+        status = measure(&out->plan, first->plan, &again, traced, threads, err);
+    }
+    release_again(&plan);
+    murk_traced_destroy(traced);
+    return status;
+}
+
+/* The plan's coverage over conditions as they are lit and seen. */
+static murk_status measure_over(murk_estimate *out,
+                                const murk_plan_result *plan,
+                                const murk_conditions *all, murk_error *err)
+{
+    murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
+    murk_status status = MURK_OK;
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        murk_coverage_result coverage = {0};
+        status =
+            murk_coverage_result_measure(&coverage, all->condition[c].sight,
+                                         plan->sensor, plan->place.count, err);
+        of[c] = coverage.total;
+        murk_coverage_result_release(&coverage);
+    }
+    if (!status) {
+        size_t worst;
+        *out = murk_over_estimate(all, of, all->scene->placement.over, false,
+                                  &worst);
+    }
+    return status;
+}
+
+static murk_status run_over_again(murk_repeat_run *out,
+                                  const murk_repeat_first *first,
+                                  uint32_t later, unsigned threads,
+                                  murk_error *err)
+{
+    murk_over *over = calloc(1, sizeof *over);
+    if (!over) {
+        return no_memory(1, err);
+    }
+    murk_plan_result plan = plan_again(first->plan);
+    murk_status status = murk_conditions_again(
+        &over->conditions, first->over->conditions, later, err);
+    if (!status) {
+        status = murk_over_make(over, &plan, threads, err);
+    }
+    if (!status) {
+        *out = run_of(&plan, over->conditions->scene->seed);
+    }
+    if (!status && murk_plan_can_see_anew(over->conditions->scene)) {
+        status = measure_over(&out->plan, first->plan, over->conditions, err);
+    }
+    murk_over_release(over);
+    free(over);
+    release_again(&plan);
+    return status;
+}
+
+murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
+                             size_t asked, unsigned threads, murk_error *err)
+{
+    const murk_scene_desc *scene =
+        first->stage ? first->stage->scene : first->over->conditions->scene;
+    *out = (murk_repeat){.run = calloc(asked, sizeof *out->run),
+                         .asked = asked,
+                         .target = scene->sensors.target,
+                         .has_gap =
+                             !(scene->sensors.target > 0) &&
+                             scene->placement.over != MURK_SCENE_OVER_WORST};
+    if (!out->run) {
+        return no_memory(asked, err);
+    }
+    out->run[0] = run_of(first->plan, scene->seed);
+    out->run[0].plan = out->run[0].held_out;
+    murk_status status = MURK_OK;
+    murk_progress_begin_over("repeat", asked, "seeds");
+    murk_progress_add_over(1);
+    for (out->runs = 1; out->runs < asked && !status;) {
+        const uint32_t later = (uint32_t)out->runs;
+        murk_repeat_run *run = &out->run[out->runs];
+        murk_error told = {0};
+        murk_progress_part(out->runs + 1, asked, out->runs);
+        status = first->stage
+                     ? run_again(run, first, later, threads, &told)
+                     : run_over_again(run, first, later, threads, &told);
+        if (status) {
+            status = murk_fail(err, status, told.where, "seed %lu: %s",
+                               (unsigned long)scene->seed + later, told.text);
+        } else {
+            ++out->runs;
+            murk_progress_add_over(1);
+        }
+    }
+    murk_progress_part(0, 0, 0);
+    murk_progress_end();
+    return status;
+}
+
+void murk_repeat_release(murk_repeat *repeat)
+{
+    free(repeat->run);
+    *repeat = (murk_repeat){0};
+}
+
+/* ---- the summary ---- */
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static murk_spread spread_of(double *x, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        if (isnan(x[i])) {
+            return (murk_spread){NAN, NAN, NAN};
+        }
+    }
+    qsort(x, n, sizeof *x, by_value);
+    return (murk_spread){.median = (x[(n - 1) / 2] + x[n / 2]) / 2,
+                         .min = x[0],
+                         .max = x[n - 1]};
+}
+
+static murk_gap gap_of(const double *difference, size_t n)
+{
+    const murk_estimate mean = murk_mean_estimate(difference, n);
+    murk_gap gap = {.runs = n, .value = mean.value, .lower = NAN, .upper = NAN};
+    if (n >= 2) {
+        const double half =
+            murk_student_upper(MISS, n - 1) * mean.standard_error;
+        gap.lower = mean.value - half;
+        gap.upper = mean.value + half;
+    }
+    return gap;
+}
+
+murk_status murk_repeat_sum_up(murk_repeat_summary *out,
+                               const murk_repeat *repeat, murk_error *err)
+{
+    const size_t n = repeat->runs;
+    double *x = malloc(n * sizeof *x);
+    if (!x) {
+        return no_memory(n, err);
+    }
+    murk_repeat_summary s = {.best = n};
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = (double)repeat->run[i].sensors;
+    }
+    s.sensors = spread_of(x, n);
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = repeat->run[i].in_sample;
+    }
+    s.in_sample = spread_of(x, n);
+    for (size_t i = 0; i < n; ++i) {
+        const double held_out = x[i] = repeat->run[i].held_out.value;
+        if (held_out > (s.best < n ? repeat->run[s.best].held_out.value : -1)) {
+            s.best = i;
+        }
+        s.met += repeat->target > 0 && held_out >= repeat->target;
+    }
+    s.held_out = spread_of(x, n);
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = repeat->run[i].upper;
+    }
+    s.upper_mean = murk_mean_estimate(x, n);
+    s.upper = spread_of(x, n);
+    size_t measured = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (isfinite(repeat->run[i].plan.value)) {
+            x[measured++] = repeat->run[i].plan.value;
+        }
+    }
+    s.plan = murk_mean_estimate(x, measured);
+    size_t pairs = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (isfinite(repeat->run[i].plan.value) && repeat->has_gap) {
+            x[pairs++] = repeat->run[i].upper - repeat->run[i].plan.value;
+        }
+    }
+    s.gap = gap_of(x, pairs);
+    *out = s;
+    free(x);
+    return MURK_OK;
+}

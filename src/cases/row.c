@@ -1,0 +1,299 @@
+#include "cases/row.h"
+
+#include "base/number.h"
+#include "scene/print.h"
+#include "scene/yaml.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEG (180 / MURK_PI)
+
+murk_status murk_study_row_add(murk_study_row *row, const char *name,
+                               const char *unit, murk_estimate of,
+                               murk_error *err)
+{
+    murk_study_value *grown =
+        realloc(row->value, (row->values + 1) * sizeof *grown);
+    if (!grown) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+    }
+    row->value = grown;
+    murk_study_value *v = &row->value[row->values++];
+    snprintf(v->name, sizeof v->name, "%s", name);
+    snprintf(v->unit, sizeof v->unit, "%s", unit);
+    v->of = of;
+    return MURK_OK;
+}
+
+murk_status murk_study_row_set_sensors(murk_study_row *row,
+                                       const murk_scene_desc *scene,
+                                       const murk_pose *sensor, size_t n,
+                                       murk_error *err)
+{
+    free(row->sensor);
+    row->sensors = 0;
+    row->sensor = calloc(n + 1, sizeof *row->sensor);
+    if (!row->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+    }
+    row->sensors = n;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_scene_sensor_type *type =
+            &scene->sensors.type[sensor[i].type];
+        const bool is_round = type->view == MURK_SCENE_VIEW_SPHERE;
+        murk_study_sensor *s = &row->sensor[i];
+        memcpy(s->type, type->name, sizeof s->type);
+        s->position = murk_scene_user(scene, sensor[i].position);
+        s->heading_deg = is_round ? NAN : DEG * sensor[i].heading_rad;
+        s->tilt_deg = is_round ? NAN : DEG * sensor[i].tilt_rad;
+    }
+    return MURK_OK;
+}
+
+static uint32_t type_of(const murk_scene_sensors *sensors, const char *name)
+{
+    uint32_t t = 0;
+    while (t < sensors->types && strcmp(sensors->type[t].name, name) != 0) {
+        ++t;
+    }
+    return t;
+}
+
+static double radians(double degrees)
+{
+    return isfinite(degrees) ? degrees / DEG : 0;
+}
+
+murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
+                                 const murk_scene_desc *scene, murk_error *err)
+{
+    murk_pose *pose = calloc(row->sensors + 1, sizeof *pose);
+    if (!pose) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for %zu sensors", row->sensors);
+    }
+    for (size_t i = 0; i < row->sensors; ++i) {
+        const murk_study_sensor *s = &row->sensor[i];
+        pose[i] = (murk_pose){.type = type_of(&scene->sensors, s->type),
+                              .position = murk_scene_local(scene, s->position),
+                              .heading_rad = radians(s->heading_deg),
+                              .tilt_rad = radians(s->tilt_deg)};
+        if (pose[i].type == scene->sensors.types) {
+            free(pose);
+            return murk_fail(err, MURK_BAD_VALUE, scene->sensors.where,
+                             "no sensor type %s", s->type);
+        }
+    }
+    *out = pose;
+    return MURK_OK;
+}
+
+void murk_study_row_add_note(murk_study_row *row, const char *text)
+{
+    static const char cut[] = " ...";
+    const size_t n = strlen(row->note), room = sizeof row->note - n;
+    if (text[0] && (size_t)snprintf(row->note + n, room, "%s%s", n ? "; " : "",
+                                    text) >= room) {
+        memcpy(row->note + sizeof row->note - sizeof cut, cut, sizeof cut);
+    }
+}
+
+void murk_study_row_fail(murk_study_row *row, const murk_error *why)
+{
+    snprintf(row->failed, sizeof row->failed, "%s%s%s", why->where,
+             why->where[0] ? ": " : "", why->text);
+}
+
+const murk_study_value *murk_study_row_get(const murk_study_row *row,
+                                           const char *name)
+{
+    for (size_t i = 0; i < row->values; ++i) {
+        if (strcmp(row->value[i].name, name) == 0) {
+            return &row->value[i];
+        }
+    }
+    return NULL;
+}
+
+void murk_study_row_release(murk_study_row *row)
+{
+    free(row->value);
+    free(row->sensor);
+    *row = (murk_study_row){0};
+}
+
+/* ---- text ---- */
+
+/* Everything below is false once memory is out. */
+static bool add(murk_yaml *to, const char *key, murk_yaml *child)
+{
+    char *name = key ? strdup(key) : NULL;
+    if (!child || (key && !name)) {
+        free(name);
+        murk_yaml_destroy(child);
+        return false;
+    }
+    return murk_yaml_append(to, name, child);
+}
+
+static bool add_text(murk_yaml *to, const char *key, const char *text,
+                     bool is_quoted)
+{
+    murk_yaml *node = murk_yaml_make(MURK_YAML_SCALAR, "");
+    if (node) {
+        node->is_quoted = is_quoted;
+        if (!murk_yaml_set_text(node, text)) {
+            murk_yaml_destroy(node);
+            node = NULL;
+        }
+    }
+    return add(to, key, node);
+}
+
+static bool add_number(murk_yaml *to, const char *key, double value)
+{
+    char text[MURK_NUMBER_SIZE] = "null";
+    if (isfinite(value)) {
+        murk_number_print(text, value);
+    }
+    return add_text(to, key, text, false);
+}
+
+static bool add_value(murk_yaml *list, const murk_study_value *v)
+{
+    murk_yaml *item = murk_yaml_make(MURK_YAML_LIST, "");
+    const bool is_whole = item && add_text(item, NULL, v->name, true) &&
+                          add_text(item, NULL, v->unit, true) &&
+                          add_number(item, NULL, v->of.value) &&
+                          add_number(item, NULL, v->of.standard_error);
+    return add(list, NULL, item) && is_whole;
+}
+
+static bool add_sensor(murk_yaml *list, const murk_study_sensor *s)
+{
+    murk_yaml *item = murk_yaml_make(MURK_YAML_LIST, "");
+    const bool is_whole = item && add_text(item, NULL, s->type, true) &&
+                          add_number(item, NULL, s->position.x) &&
+                          add_number(item, NULL, s->position.y) &&
+                          add_number(item, NULL, s->position.z) &&
+                          add_number(item, NULL, s->heading_deg) &&
+                          add_number(item, NULL, s->tilt_deg);
+    return add(list, NULL, item) && is_whole;
+}
+
+char *murk_study_row_print(const murk_study_row *row)
+{
+    char *text = NULL;
+    murk_yaml *root = murk_yaml_make(MURK_YAML_MAP, ""),
+              *values = murk_yaml_make(MURK_YAML_LIST, ""),
+              *sensors = murk_yaml_make(MURK_YAML_LIST, "");
+    bool is_whole = root && values && sensors &&
+                    add_text(root, "failed", row->failed, true) &&
+                    add_text(root, "note", row->note, true) &&
+                    add_number(root, "emitted", (double)row->emitted) &&
+                    add_text(root, "fluence", row->fluence, true);
+    for (size_t i = 0; is_whole && i < row->values; ++i) {
+        is_whole = add_value(values, &row->value[i]);
+    }
+    for (size_t i = 0; is_whole && i < row->sensors; ++i) {
+        is_whole = add_sensor(sensors, &row->sensor[i]);
+    }
+    if (is_whole) {
+        is_whole = add(root, "values", values);
+        values = NULL;
+    }
+    if (is_whole) {
+        is_whole = add(root, "sensors", sensors);
+        sensors = NULL;
+    }
+    if (is_whole) {
+        text = murk_print_file(root, NULL);
+    }
+    murk_yaml_destroy(root);
+    murk_yaml_destroy(values);
+    murk_yaml_destroy(sensors);
+    return text;
+}
+
+static bool take_text(const murk_yaml *node, char *out, size_t size)
+{
+    if (!node || node->kind != MURK_YAML_SCALAR || strlen(node->text) >= size) {
+        return false;
+    }
+    snprintf(out, size, "%s", node->text);
+    return true;
+}
+
+static bool take_number(const murk_yaml *node, double *out)
+{
+    *out = NAN;
+    return murk_yaml_is_null(node) || murk_yaml_number(node, out);
+}
+
+static bool take_value(const murk_yaml *item, murk_study_value *v)
+{
+    return item->kind == MURK_YAML_LIST && item->n == 4 &&
+           take_text(item->child[0], v->name, sizeof v->name) &&
+           take_text(item->child[1], v->unit, sizeof v->unit) &&
+           take_number(item->child[2], &v->of.value) &&
+           take_number(item->child[3], &v->of.standard_error);
+}
+
+static bool take_sensor(const murk_yaml *item, murk_study_sensor *s)
+{
+    return item->kind == MURK_YAML_LIST && item->n == 6 &&
+           take_text(item->child[0], s->type, sizeof s->type) &&
+           take_number(item->child[1], &s->position.x) &&
+           take_number(item->child[2], &s->position.y) &&
+           take_number(item->child[3], &s->position.z) &&
+           take_number(item->child[4], &s->heading_deg) &&
+           take_number(item->child[5], &s->tilt_deg);
+}
+
+static bool take_all(murk_study_row *row, const murk_yaml *root)
+{
+    const murk_yaml *values = murk_yaml_get(root, "values"),
+                    *sensors = murk_yaml_get(root, "sensors"),
+                    *emitted = murk_yaml_get(root, "emitted");
+    bool is_whole =
+        take_text(murk_yaml_get(root, "failed"), row->failed,
+                  sizeof row->failed) &&
+        take_text(murk_yaml_get(root, "note"), row->note, sizeof row->note) &&
+        take_text(murk_yaml_get(root, "fluence"), row->fluence,
+                  sizeof row->fluence) &&
+        emitted && murk_yaml_count(emitted, &row->emitted) && values &&
+        values->kind == MURK_YAML_LIST && sensors &&
+        sensors->kind == MURK_YAML_LIST;
+    if (is_whole) {
+        row->value = calloc(values->n + 1, sizeof *row->value);
+        row->sensor = calloc(sensors->n + 1, sizeof *row->sensor);
+        is_whole = row->value && row->sensor;
+    }
+    for (size_t i = 0; is_whole && i < values->n; ++i) {
+        is_whole = take_value(values->child[i], &row->value[i]);
+        row->values = i + 1;
+    }
+    for (size_t i = 0; is_whole && i < sensors->n; ++i) {
+        is_whole = take_sensor(sensors->child[i], &row->sensor[i]);
+        row->sensors = i + 1;
+    }
+    return is_whole;
+}
+
+murk_status murk_study_row_read(murk_study_row *out, const char *text,
+                                size_t size, const char *source,
+                                murk_error *err)
+{
+    murk_yaml *root = NULL;
+    *out = (murk_study_row){0};
+    murk_status status = murk_yaml_parse(&root, text, size, source, err);
+    if (!status && !(root->kind == MURK_YAML_MAP && take_all(out, root))) {
+        status = murk_fail(err, MURK_BAD_FILE, source,
+                           "not a row of a study as murk writes it");
+    }
+    murk_yaml_destroy(root);
+    return status;
+}

@@ -1,0 +1,376 @@
+#include "cases/row_tallies.h"
+
+#include "medium/grid_write.h"
+#include "world/plane_area.h"
+#include "world/units.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of the grid of fluence where the study says nothing. */
+#define FLUENCE_CELLS 32768
+
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                     "no memory for what is measured");
+}
+
+static void note(murk_row_tallies *g, const char *text, const char *name)
+{
+    const size_t n = strlen(g->note);
+    snprintf(g->note + n, sizeof g->note - n, "%s%s %s", n ? "; " : "", name,
+             text);
+}
+
+static void add(murk_row_tallies *g, const murk_tally_desc *desc,
+                const murk_row_tally *row_tally)
+{
+    murk_tally_desc *d = &g->desc[g->n];
+    *d = *desc;
+    snprintf(d->name, sizeof d->name, "study-%zu", g->n);
+    g->row_tally[g->n++] = *row_tally;
+}
+
+/* ---- densities ---- */
+
+static void add_box(murk_row_tallies *g, const murk_box *box, const char *name,
+                    const char *where)
+{
+    const murk_tally_desc desc = {.where = where,
+                                  .type = MURK_TALLY_GRID,
+                                  .box = *box,
+                                  .size = {1, 1, 1}};
+    murk_row_tally row_tally = {
+        .is_density = true,
+        .per_unit = 1,
+        .part = {.box = *box, .number = (uint32_t)g->n}};
+    snprintf(row_tally.name, sizeof row_tally.name, "%s", name);
+    add(g, &desc, &row_tally);
+}
+
+static void add_ball(murk_row_tallies *g, const murk_scene_interest *r,
+                     const char *name)
+{
+    const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
+    const murk_tally_desc desc = {.where = r->where,
+                                  .type = MURK_TALLY_SPHERE,
+                                  .center = r->center,
+                                  .radius_m = r->radius_m};
+    murk_row_tally row_tally = {
+        .is_density = true,
+        .per_unit = 1,
+        .part = {.is_ball = true,
+                 .box = {murk_sub(r->center, edge), murk_add(r->center, edge)},
+                 .center = r->center,
+                 .radius_m = r->radius_m,
+                 .number = (uint32_t)g->n}};
+    snprintf(row_tally.name, sizeof row_tally.name, "%s", name);
+    add(g, &desc, &row_tally);
+}
+
+/* What of a region lies in the domain; whole balls only. */
+static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
+                       const murk_box *domain)
+{
+    char name[MURK_ROW_NAME_SIZE];
+    const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
+    snprintf(name, sizeof name, "density_%s", r->name);
+    if (r->shape == MURK_SCENE_ZONE_BOX) {
+        const murk_box box = {murk_vec(fmax(r->box.min.x, domain->min.x),
+                                       fmax(r->box.min.y, domain->min.y),
+                                       fmax(r->box.min.z, domain->min.z)),
+                              murk_vec(fmin(r->box.max.x, domain->max.x),
+                                       fmin(r->box.max.y, domain->max.y),
+                                       fmin(r->box.max.z, domain->max.z))};
+        if (box.min.x < box.max.x && box.min.y < box.max.y &&
+            box.min.z < box.max.z) {
+            add_box(g, &box, name, r->where);
+        } else {
+            note(g, "lies outside the domain", name);
+        }
+    } else if (r->shape == MURK_SCENE_ZONE_SPHERE &&
+               murk_box_contains(domain, murk_sub(r->center, edge)) &&
+               murk_box_contains(domain, murk_add(r->center, edge))) {
+        add_ball(g, r, name);
+    } else {
+        note(g,
+             r->shape == MURK_SCENE_ZONE_SPHERE
+                 ? "reaches out of the domain and is not measured"
+                 : "is not measured: neither a box nor a sphere",
+             name);
+    }
+}
+
+/* ---- the scene's tallies, and the grid ---- */
+
+static void add_tally(murk_row_tallies *g, const murk_tally_desc *asked,
+                      const murk_box *domain)
+{
+    murk_tally_desc desc = *asked;
+    murk_row_tally row_tally = {.per_unit = 1};
+    desc.bins[0] = desc.bins[1] = desc.angle_bins = 1;
+    desc.size[0] = desc.size[1] = desc.size[2] = 1;
+    if (desc.type == MURK_TALLY_PLANE) {
+        const double area = murk_plane_area(domain, desc.point, desc.normal);
+        row_tally.per_unit = area > 0 ? 1 / area : NAN;
+    }
+    snprintf(row_tally.name, sizeof row_tally.name, "%s", asked->name);
+    add(g, &desc, &row_tally);
+}
+
+static void add_fluence(murk_row_tallies *g, const murk_study_file *study,
+                        const murk_box *domain)
+{
+    murk_tally_desc desc = {
+        .where = study->outputs_where, .type = MURK_TALLY_GRID, .box = *domain};
+    const murk_candidate_grid own =
+        murk_candidate_grid_over(domain, FLUENCE_CELLS);
+    for (int i = 0; i < 3; ++i) {
+        desc.size[i] =
+            study->fluence_size[i] ? study->fluence_size[i] : own.size[i];
+    }
+    g->fluence = g->n;
+    add(g, &desc, &(murk_row_tally){0});
+}
+
+murk_status murk_row_tallies_create(murk_row_tallies *out,
+                                    const murk_stage *stage,
+                                    const murk_outputs *outputs,
+                                    murk_error *err)
+{
+    const murk_scene_desc *scene = stage->scene;
+    const murk_box *domain = &stage->world.domain.box;
+    const size_t maximum = scene->n_tallies + scene->placement.n_interests + 2;
+    *out = (murk_row_tallies){.study = outputs->study,
+                              .desc = calloc(maximum, sizeof *out->desc),
+                              .row_tally =
+                                  calloc(maximum, sizeof *out->row_tally)};
+    if (!out->desc || !out->row_tally) {
+        return no_memory(scene, err);
+    }
+    if (outputs->wants[MURK_OUTPUT_DENSITY]) {
+        add_box(out, domain, "density", scene->path);
+        for (size_t i = 0; i < scene->placement.n_interests; ++i) {
+            add_region(out, &scene->placement.interest[i], domain);
+        }
+    }
+    for (size_t i = 0; i < outputs->study->outputs; ++i) {
+        const char *word = outputs->study->output[i];
+        for (size_t k = 0; k < scene->n_tallies; ++k) {
+            if (murk_output_of(word) == MURK_OUTPUT_TALLY &&
+                strcmp(stage->tally[k].name, word) == 0) {
+                add_tally(out, &stage->tally[k], domain);
+            }
+        }
+    }
+    out->fluence = SIZE_MAX;
+    if (outputs->wants[MURK_OUTPUT_FLUENCE]) {
+        add_fluence(out, outputs->study, domain);
+    }
+    return out->n > 0 ? murk_tallies_check(out->desc, out->n,
+                                           &stage->world.domain, err)
+                      : MURK_OK;
+}
+
+void murk_row_tallies_release(murk_row_tallies *row_tallies)
+{
+    free(row_tallies->desc);
+    free(row_tallies->row_tally);
+    *row_tallies = (murk_row_tallies){0};
+}
+
+/* ---- reading ---- */
+
+/* Where tallies of light are read from; tallies NULL: it is dark. */
+typedef struct source {
+    const murk_tallies *tallies;
+    const murk_tally *emitted;
+    const double *packet_w;
+} source;
+
+static murk_estimate read_cell(const source *s, size_t tally, int band,
+                               size_t cell)
+{
+    return s->tallies ? murk_tallies_read(s->tallies, tally, band, cell,
+                                          s->emitted, s->packet_w)
+                      : (murk_estimate){0, 0};
+}
+
+/* Densities are photons where nobody asks for anything else. */
+static murk_quantity quantity_of(const murk_row_tallies *row_tallies,
+                                 const murk_row_tally *row_tally,
+                                 const murk_scene_desc *scene)
+{
+    if (row_tallies->study->has_units) {
+        return row_tallies->study->units;
+    }
+    return row_tally->is_density && scene->units == MURK_RADIOMETRIC
+               ? MURK_PHOTONS
+               : scene->units;
+}
+
+/* Divided by a share that has an error of its own. */
+static murk_estimate divide(murk_estimate e, const murk_estimate *share)
+{
+    const double s = share->value;
+    return s > 0
+               ? (murk_estimate){e.value / s,
+                                 hypot(e.standard_error / s,
+                                       e.value * share->standard_error / s / s)}
+               : (murk_estimate){NAN, NAN};
+}
+
+/* One number in all bands together, and where they are several in each. */
+static murk_status add_values(murk_study_row *row,
+                              const murk_row_tallies *row_tallies,
+                              size_t number, size_t cell, const char *suffix,
+                              const murk_estimate *share,
+                              const murk_stage *stage, const source *watts,
+                              murk_error *err)
+{
+    const murk_row_tally *row_tally = &row_tallies->row_tally[number];
+    const murk_scene_desc *scene = stage->scene;
+    const murk_quantity quantity = quantity_of(row_tallies, row_tally, scene);
+    const murk_units units = murk_units_of(quantity);
+    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX];
+    const source s = {watts->tallies, watts->emitted, packet};
+    murk_estimate band[MURK_BANDS_MAX];
+    char name[MURK_ROW_NAME_SIZE];
+    if (watts->tallies) {
+        murk_units_packets(packet, quantity, stage, watts->packet_w);
+    }
+    for (int b = 0; b < scene->bands; ++b) {
+        band[b] = read_cell(&s, number, b, cell);
+        band[b].value *= row_tally->per_unit;
+        band[b].standard_error *= row_tally->per_unit;
+    }
+    snprintf(name, sizeof name, "%.120s%s", row_tally->name, suffix);
+    murk_status status = murk_study_row_add(
+        row, name, units.irradiance,
+        divide(murk_units_sum(band, scene->bands), share), err);
+    for (int b = 0; scene->bands > 1 && b < scene->bands && !status; ++b) {
+        snprintf(name, sizeof name, "%.120s%s_%.9gnm", row_tally->name, suffix,
+                 scene->band_nm[b]);
+        status = murk_study_row_add(row, name, units.irradiance,
+                                    divide(band[b], share), err);
+    }
+    return status;
+}
+
+static const char *suffix_of(const murk_tally_desc *d, size_t cell)
+{
+    return murk_tally_directions(d) == 1 ? ""
+           : d->type == MURK_TALLY_PLANE ? cell ? "_backward" : "_forward"
+           : cell                        ? "_down"
+                                         : "_up";
+}
+
+murk_status
+murk_row_tallies_read(murk_study_row *row, const murk_row_tallies *row_tallies,
+                      const murk_stage *stage, const murk_tallies *tallies,
+                      const murk_tally *emitted, const double *packet_w,
+                      unsigned threads, murk_error *err)
+{
+    const source s = {tallies, emitted, packet_w};
+    const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
+    murk_open_space *space = NULL;
+    murk_status status = MURK_OK;
+    if (tallies && facts.triangles + facts.spheres > 0) {
+        status = murk_stage_free_space(&space, stage, threads, err);
+    }
+    for (size_t i = 0; i < row_tallies->n && !status; ++i) {
+        const murk_row_tally *row_tally = &row_tallies->row_tally[i];
+        if (i == row_tallies->fluence) {
+            continue;
+        }
+        const murk_estimate share =
+            row_tally->is_density ? murk_free_share(&row_tally->part, space,
+                                                    stage->scene->seed, threads)
+                                  : (murk_estimate){1, 0};
+        const size_t cells = murk_tally_cells(&row_tallies->desc[i]);
+        for (size_t c = 0; c < cells && !status; ++c) {
+            status = add_values(row, row_tallies, i, c,
+                                suffix_of(&row_tallies->desc[i], c), &share,
+                                stage, &s, err);
+        }
+    }
+    murk_open_space_destroy(space);
+    return status;
+}
+
+murk_status murk_row_tallies_write_fluence(
+    const char *path, const murk_row_tallies *row_tallies,
+    const murk_scene_desc *scene, const murk_tallies *tallies,
+    const murk_tally *emitted, const double *packet_w, murk_error *err)
+{
+    const source s = {tallies, emitted, packet_w};
+    const murk_tally_desc *d = &row_tallies->desc[row_tallies->fluence];
+    const size_t cells = murk_tally_cells(d);
+    const murk_vec3 a = d->box.min, all = murk_sub(d->box.max, a);
+    const murk_vec3 e =
+        murk_vec(all.x / (double)d->size[0], all.y / (double)d->size[1],
+                 all.z / (double)d->size[2]);
+    const murk_affine to_world = {
+        .matrix = {{e.x, 0, 0}, {0, e.y, 0}, {0, 0, e.z}},
+        .shift = murk_scene_user(scene, murk_along(a, 0.5, e))};
+    const char *const notes[] = {"unit", "W/m2", "quantity", "fluence rate",
+                                 NULL};
+    murk_grid_field fields[MURK_BANDS_MAX];
+    char names[MURK_BANDS_MAX][48];
+    float *value = malloc((size_t)scene->bands * cells * sizeof *value);
+    if (!value) {
+        return no_memory(scene, err);
+    }
+    for (int b = 0; b < scene->bands; ++b) {
+        float *field = value + (size_t)b * cells;
+        for (size_t c = 0; c < cells; ++c) {
+            field[c] = (float)read_cell(&s, row_tallies->fluence, b, c).value;
+        }
+        snprintf(names[b], sizeof names[b], "fluence_%.9gnm",
+                 scene->band_nm[b]);
+        fields[b] = (murk_grid_field){names[b], field, notes};
+    }
+    const murk_status status = murk_grid_write(
+        path, fields, (size_t)scene->bands, d->size, &to_world, err);
+    free(value);
+    return status;
+}
+
+char *murk_row_tallies_sign(const murk_scene_desc *scene,
+                            const murk_outputs *outputs)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
+    }
+    for (size_t i = 0; i < outputs->study->outputs; ++i) {
+        fprintf(out, "%s\n", outputs->study->output[i]);
+    }
+    for (size_t i = 0; i < scene->n_tallies; ++i) {
+        const murk_scene_tally *t = &scene->tallies[i];
+        fprintf(
+            out, "%s %d %a %a %a %a %a %a %a %a %a %a %a %a %a %a %a %a %d\n",
+            t->name, (int)t->type, t->point.x, t->point.y, t->point.z,
+            t->normal.x, t->normal.y, t->normal.z, t->box.min.x, t->box.min.y,
+            t->box.min.z, t->box.max.x, t->box.max.y, t->box.max.z, t->center.x,
+            t->center.y, t->center.z, t->radius_m, t->hemispheres);
+    }
+    for (size_t i = 0; i < scene->placement.n_interests; ++i) {
+        const murk_scene_interest *r = &scene->placement.interest[i];
+        fprintf(out, "%s %d %a %a %a %a %a %a %a %a %a %a\n", r->name,
+                (int)r->shape, r->box.min.x, r->box.min.y, r->box.min.z,
+                r->box.max.x, r->box.max.y, r->box.max.z, r->center.x,
+                r->center.y, r->center.z, r->radius_m);
+    }
+    const bool failed = ferror(out) != 0;
+    if (fclose(out) != 0 || failed) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}

@@ -1,0 +1,301 @@
+#include "cases/sweep_choose.h"
+
+#include "base/log.h"
+#include "base/machine.h"
+#include "cases/joint.h"
+#include "cases/sweep_kept.h"
+#include "cases/sweep_looks.h"
+#include "placement/worst.h"
+#include "plan/plan.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Static_assert(MURK_SWEEP_CHOOSERS_MAX <= MURK_BLOCKS_MAX,
+               "every row has a block");
+
+/* A row that has a say. */
+typedef struct chooser {
+    const murk_stage *stage;
+    murk_traced *traced;
+    bool owns_light;
+    murk_sight *sight; /* NULL: there is nothing to see */
+} chooser;
+
+typedef struct choosing {
+    const murk_sweep *sweep;
+    murk_sweep_light *light; /* [groups]; n 0: none of its rows has a say */
+    chooser row[MURK_SWEEP_CHOOSERS_MAX]; /* as sweep->chooser */
+    murk_candidates *candidates;
+    murk_poses *poses;
+    murk_joint *joint;
+    murk_matrix *matrix; /* NULL: unknown environment */
+} choosing;
+
+/* The number among those that have a say; their count: it is none. */
+static size_t number_of(const murk_sweep *sweep, size_t row)
+{
+    size_t i = 0;
+    while (i < sweep->choosers && sweep->chooser[i] != row) {
+        ++i;
+    }
+    return i;
+}
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a plan of rows");
+}
+
+/* ---- worlds and light ---- */
+
+static murk_status import_group(choosing *ch, size_t g, murk_error *err)
+{
+    const murk_sweep *sweep = ch->sweep;
+    const murk_sweep_group *group = &sweep->group[g];
+    bool *is_wanted = calloc(group->n, sizeof *is_wanted);
+    bool any = false;
+    if (!is_wanted) {
+        return no_memory(err);
+    }
+    for (size_t k = 0; k < group->n; ++k) {
+        is_wanted[k] = number_of(sweep, group->row[k]) < sweep->choosers;
+        any |= is_wanted[k];
+    }
+    murk_status status = any ? murk_sweep_light_import(&ch->light[g], sweep,
+                                                       group, is_wanted, err)
+                             : MURK_OK;
+    for (size_t k = 0; any && k < group->n && !status; ++k) {
+        const murk_error *why = &ch->light[g].why[k];
+        if (why->status) {
+            status = murk_fail(err, why->status, why->where, "%s", why->text);
+        }
+    }
+    free(is_wanted);
+    return status;
+}
+
+/* Of light that is scaled, each row has a copy. */
+static murk_status check_memory(const murk_sweep_light *l, murk_error *err)
+{
+    const murk_traced *all = l->traced[0];
+    if (!all || !l->lights) {
+        return MURK_OK;
+    }
+    const double bytes = murk_photon_map_memory_for(
+                     (double)murk_photon_map_count(all->surface) +
+                     (double)murk_photon_map_count(all->volume)),
+                 have = murk_machine_memory_bytes();
+    return bytes <= have
+               ? MURK_OK
+               : murk_fail(err, MURK_RUN_FAILED, l->scene[0]->path,
+                           "the light of all rows takes %.3g GB more than this "
+                           "machine has; fewer photons or rows need less",
+                           (bytes - have) / 1e9);
+}
+
+static murk_status light_row(choosing *ch, murk_sweep_light *l, size_t k,
+                             murk_error *err)
+{
+    const unsigned threads = ch->sweep->desc.threads;
+    chooser *row = &ch->row[number_of(ch->sweep, l->group->row[k])];
+    murk_status status = murk_sweep_light_build(l, k, err);
+    row->stage = l->stage[k];
+    row->owns_light = true;
+    if (status || !murk_sweep_can_see(l, k)) {
+        return status;
+    }
+    status = check_memory(l, err);
+    if (!status) {
+        status =
+            murk_sweep_light_shines(l, k)
+                ? murk_sweep_light_of(l, k, 0, &row->traced, &row->owns_light,
+                                      err)
+                : murk_plan_see_anew(&row->traced, row->stage, 0, threads, err);
+    }
+    return !status && murk_sweep_has_seen(row->stage, row->traced)
+               ? murk_plan_sight(&row->sight, row->stage, row->traced, threads,
+                                 err)
+               : status;
+}
+
+/* All imports come before the first ray device. */
+static murk_status light_all(choosing *ch, murk_error *err)
+{
+    const murk_sweep *sweep = ch->sweep;
+    murk_status status = MURK_OK;
+    for (size_t g = 0; g < sweep->groups && !status; ++g) {
+        status = import_group(ch, g, err);
+    }
+    for (size_t g = 0; g < sweep->groups && !status; ++g) {
+        murk_sweep_light *l = &ch->light[g];
+        if (l->n == 0) {
+            continue;
+        }
+        status = murk_sweep_light_prepare(l, false, err);
+        for (size_t k = 0; k < l->n && !status; ++k) {
+            if (l->stage[k]) {
+                status = light_row(ch, l, k, err);
+            }
+        }
+        if (l->lights) { /* its rows have copies */
+            murk_traced_destroy(l->traced[0]);
+            l->traced[0] = NULL;
+        }
+    }
+    return status;
+}
+
+/* ---- choosing ---- */
+
+/* Rows with nothing to see have none of it. */
+static murk_status join(choosing *ch, murk_error *err)
+{
+    const murk_sweep *sweep = ch->sweep;
+    const murk_stage *stage[MURK_SWEEP_CHOOSERS_MAX];
+    const char *where[MURK_SWEEP_CHOOSERS_MAX];
+    murk_sight *sight[MURK_SWEEP_CHOOSERS_MAX];
+    double share[MURK_SWEEP_CHOOSERS_MAX];
+    size_t n = 0;
+    for (size_t i = 0; i < sweep->choosers; ++i) {
+        if (ch->row[i].sight) {
+            stage[n] = ch->row[i].stage;
+            where[n] = stage[n]->scene->sensors.where;
+            sight[n] = ch->row[i].sight;
+            share[n++] = 1;
+        }
+    }
+    if (n == 0) {
+        return MURK_OK;
+    }
+    const unsigned threads = sweep->desc.threads;
+    murk_status status =
+        murk_sites_find_common(&ch->candidates, stage, where, n, threads, err);
+    if (!status) {
+        status = murk_poses_create(
+            &ch->poses, stage[0]->scene, &stage[0]->world.domain,
+            ch->candidates->position, ch->candidates->usable, err);
+    }
+    if (!status) {
+        status = murk_joint_create(&ch->joint, sight, share, n, ch->poses->pose,
+                                   ch->poses->count, err);
+    }
+    if (!status && stage[0]->scene->placement.knowledge == MURK_SCENE_KNOWN) {
+        status = murk_matrix_create(&ch->matrix, &ch->joint->problem,
+                                    murk_plan_matrix_bytes(), err);
+    }
+    return status;
+}
+
+static murk_status place(choosing *ch, murk_place_result *out, bool is_worst,
+                         murk_error *err)
+{
+    const murk_scene_desc *scene = ch->row[0].stage->scene;
+    const murk_problem *problem = &ch->joint->problem;
+    murk_place_desc desc = murk_plan_desc(scene);
+    desc.constraints = murk_poses_constraints(ch->poses);
+    desc.with_curve = false;
+    if (scene->sensors.target > 0) {
+        desc.count = ch->poses->count;
+        desc.target =
+            murk_joint_target(ch->joint, scene->sensors.target, is_worst);
+    }
+    return is_worst     ? murk_place_worst(out, problem, ch->matrix,
+                                           &ch->joint->blocks, &desc, err)
+           : ch->matrix ? murk_place_known(out, problem, ch->matrix, &desc, err)
+                        : murk_place_unknown(out, problem, &desc, err);
+}
+
+static murk_status tell(const choosing *ch, const murk_place_result *found,
+                        murk_study_row *out, murk_error *err)
+{
+    murk_pose *sensor = calloc(found->count + 1, sizeof *sensor);
+    if (!sensor) {
+        return no_memory(err);
+    }
+    for (size_t i = 0; i < found->count; ++i) {
+        sensor[i] = ch->poses->pose[found->sensor[i]];
+    }
+    const double whole = (double)found->whole;
+    murk_status status = murk_study_row_set_sensors(
+        out, ch->row[0].stage->scene, sensor, found->count, err);
+    if (!status) {
+        status = murk_study_row_add(
+            out, "in_sample", "",
+            (murk_estimate){(double)found->value / whole, NAN}, err);
+    }
+    if (!status) {
+        status = murk_study_row_add(
+            out, "upper_bound", "",
+            (murk_estimate){(double)found->upper / whole, NAN}, err);
+    }
+    free(sensor);
+    return status;
+}
+
+/* One that cannot be found says why. */
+static murk_status choose(choosing *ch, murk_study_row *out, int plan,
+                          murk_error *err)
+{
+    murk_place_result found = {0};
+    murk_error why = {0};
+    murk_status status = place(ch, &found, plan == MURK_SWEEP_WORST, &why);
+    if (!status) {
+        status = tell(ch, &found, out, &why);
+    }
+    murk_place_release(&found);
+    if (status == MURK_INTERRUPTED) {
+        return murk_fail(err, status, why.where, "%s", why.text);
+    }
+    if (status) {
+        murk_study_row_fail(out, &why);
+    }
+    return MURK_OK;
+}
+
+static void release(choosing *ch)
+{
+    murk_matrix_destroy(ch->matrix);
+    murk_joint_destroy(ch->joint);
+    murk_poses_destroy(ch->poses);
+    murk_candidates_destroy(ch->candidates);
+    for (size_t i = 0; i < ch->sweep->choosers; ++i) {
+        murk_sight_destroy(ch->row[i].sight);
+        if (ch->row[i].owns_light) {
+            murk_traced_destroy(ch->row[i].traced);
+        }
+    }
+    for (size_t g = 0; ch->light && g < ch->sweep->groups; ++g) {
+        murk_sweep_light_release(&ch->light[g]);
+    }
+    free(ch->light);
+}
+
+murk_status murk_sweep_choose(murk_isolated *apart, void *context,
+                              murk_error *err)
+{
+    const murk_sweep *sweep = context;
+    choosing ch = {.sweep = sweep,
+                   .light = calloc(sweep->groups + 1, sizeof *ch.light)};
+    murk_warn_to(NULL); /* the rows have told them */
+    murk_status status = ch.light ? light_all(&ch, err) : no_memory(err);
+    if (!status) {
+        status = join(&ch, err);
+    }
+    for (int p = 0; p < MURK_SWEEP_PLANS && !status; ++p) {
+        murk_study_row plan = {0};
+        if (!sweep->plan[p].is_wanted || sweep->plan[p].is_kept) {
+            continue;
+        }
+        if (ch.joint) {
+            status = choose(&ch, &plan, p, err);
+        }
+        if (!status) {
+            status = murk_sweep_send(apart, (size_t)p, &plan, err);
+        }
+        murk_study_row_release(&plan);
+    }
+    release(&ch);
+    return status;
+}

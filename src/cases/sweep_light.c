@@ -1,0 +1,184 @@
+#include "cases/sweep_light.h"
+
+#include "lightmap/relight.h"
+#include "world/stage_build.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static murk_status make_room(murk_sweep_light *l, murk_error *err)
+{
+    l->scene = calloc(l->n, sizeof *l->scene);
+    l->stage = calloc(l->n, sizeof *l->stage);
+    l->why = calloc(l->n, sizeof *l->why);
+    l->power_w = calloc(l->n, sizeof *l->power_w);
+    return l->scene && l->stage && l->why && l->power_w
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for rows");
+}
+
+murk_status murk_sweep_light_import(murk_sweep_light *l,
+                                    const murk_sweep *sweep,
+                                    const murk_sweep_group *group,
+                                    const bool *is_wanted, murk_error *err)
+{
+    const murk_sweep_desc *desc = &sweep->desc;
+    const murk_stage *other = NULL;
+    *l = (murk_sweep_light){.sweep = sweep, .group = group, .n = group->n};
+    murk_status status = make_room(l, err);
+    for (size_t k = 0; k < l->n && !status; ++k) {
+        status = murk_study_row_scene(&l->scene[k], desc->study, group->row[k],
+                                      desc->overrides, desc->n_overrides, err);
+        if (status || !is_wanted[k]) {
+            continue;
+        }
+        if (other ? murk_stage_import_beside(&l->stage[k], l->scene[k], other,
+                                             &l->why[k])
+                  : murk_stage_import(&l->stage[k], l->scene[k], &l->why[k])) {
+            l->stage[k] = NULL;
+        } else if (!other) {
+            other = l->stage[k];
+        }
+    }
+    return status;
+}
+
+void murk_sweep_light_release(murk_sweep_light *l)
+{
+    for (int s = 0; s < MURK_SWEEP_STREAMS; ++s) {
+        murk_traced_destroy(l->traced[s]);
+    }
+    murk_row_tallies_release(&l->row_tallies);
+    murk_sources_destroy(l->lights);
+    for (size_t k = l->n; k-- > 0;) { /* those that borrow come later */
+        murk_stage_destroy(l->stage ? l->stage[k] : NULL);
+        murk_scene_desc_destroy(l->scene ? l->scene[k] : NULL);
+        free(l->power_w ? l->power_w[k] : NULL);
+    }
+    free(l->scene);
+    free(l->stage);
+    free(l->why);
+    free(l->power_w);
+    *l = (murk_sweep_light){0};
+}
+
+/* ---- what is traced ---- */
+
+static size_t channels_of(const murk_sweep_light *l)
+{
+    return l->scene[0]->n_lights * (size_t)l->scene[0]->bands;
+}
+
+static bool all_alike(const murk_sweep_light *l)
+{
+    for (size_t k = 1; k < l->n; ++k) {
+        if (memcmp(l->power_w[0], l->power_w[k],
+                   channels_of(l) * sizeof **l->power_w) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool murk_sweep_light_shines(const murk_sweep_light *l, size_t k)
+{
+    for (size_t c = 0; c < channels_of(l); ++c) {
+        if (l->power_w[k][c] > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static uint64_t grown(uint64_t photons, double grow)
+{
+    const double n = floor((double)photons * grow + .5);
+    return n < 4294967295. ? (uint64_t)n : 4294967295u;
+}
+
+static murk_status find_lights(murk_sweep_light *l, double *grow,
+                               murk_error *err)
+{
+    const murk_domain *domain = &l->first->world.domain;
+    bool any = false;
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < l->n && !status; ++k) {
+        status = murk_relight_powers(&l->power_w[k], l->scene[k], domain, err);
+        any |= !status && murk_sweep_light_shines(l, k);
+    }
+    return status || !any || all_alike(l)
+               ? status
+               : murk_relight_lights(
+                     &l->lights, grow, (const murk_scene_desc *const *)l->scene,
+                     (double *const *)l->power_w, l->n, domain, err);
+}
+
+murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
+                                     murk_error *err)
+{
+    size_t k = 0;
+    double grow = 1;
+    while (k < l->n && !l->stage[k]) {
+        ++k;
+    }
+    if (k == l->n) {
+        return MURK_OK;
+    }
+    murk_status status = murk_stage_build(l->stage[k], err);
+    l->first = l->stage[k];
+    if (!status) {
+        status = find_lights(l, &grow, err);
+    }
+    if (!status && with_row_tallies) {
+        status = murk_row_tallies_create(&l->row_tallies, l->first,
+                                         &l->sweep->outputs, err);
+    }
+    l->lit_scene = *l->first->scene;
+    l->lit_scene.n_tallies = l->row_tallies.n;
+    l->lit_scene.photons.emit = grown(l->lit_scene.photons.emit, grow);
+    l->lit_scene.photons.store = grown(l->lit_scene.photons.store, grow);
+    l->lit_stage = *l->first;
+    l->lit_stage.scene = &l->lit_scene;
+    l->lit_stage.tally = l->row_tallies.n > 0 ? l->row_tallies.desc : NULL;
+    if (l->lights) {
+        l->lit_stage.lights = l->lights;
+        l->lit_stage.world.lights = l->lights;
+    }
+    return status;
+}
+
+murk_status murk_sweep_light_build(murk_sweep_light *l, size_t k,
+                                   murk_error *err)
+{
+    return l->stage[k] == l->first ? MURK_OK
+                                   : murk_stage_build(l->stage[k], err);
+}
+
+void murk_sweep_light_drop(murk_sweep_light *l, size_t k)
+{
+    if (l->stage[k] != l->first) {
+        murk_stage_destroy(l->stage[k]);
+        l->stage[k] = NULL;
+    }
+}
+
+murk_status murk_sweep_light_of(murk_sweep_light *l, size_t k, uint32_t stream,
+                                murk_traced **out, bool *is_own,
+                                murk_error *err)
+{
+    const unsigned threads = l->sweep->desc.threads;
+    murk_status status = MURK_OK;
+    *is_own = l->lights != NULL;
+    if (!l->traced[stream]) {
+        status = murk_lightmap_trace(&l->traced[stream], &l->lit_stage, stream,
+                                     threads, err);
+    }
+    if (!status && !l->lights) {
+        *out = l->traced[stream];
+    } else if (!status) {
+        status = murk_relight(out, l->traced[stream], l->lights, l->power_w[k],
+                              l->scene[k]->bands, threads, err);
+    }
+    return status;
+}

@@ -1,0 +1,173 @@
+#include "cases/sweep_looks.h"
+
+#include "plan/placement_in.h"
+#include "plan/plan.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const murk_estimate NONE = {NAN, NAN};
+
+bool murk_sweep_needs_no_light(const murk_scene_desc *scene)
+{
+    return scene->placement.targets.given &&
+           scene->placement.detection != MURK_SCENE_POWER;
+}
+
+bool murk_sweep_can_see(const murk_sweep_light *l, size_t k)
+{
+    return murk_sweep_light_shines(l, k) ||
+           murk_sweep_needs_no_light(l->scene[k]);
+}
+
+bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced)
+{
+    return murk_sweep_needs_no_light(stage->scene) ||
+           murk_photon_map_count(traced->surface) +
+                   murk_photon_map_count(traced->volume) >
+               0;
+}
+
+/* Of a sight onto given light, or targets. */
+static murk_status measure_by(murk_sight *sight, const murk_pose *sensor,
+                              size_t n, murk_estimate *out, murk_error *err)
+{
+    murk_coverage_result coverage = {0};
+    const murk_status status =
+        murk_coverage_result_measure(&coverage, sight, sensor, n, err);
+    *out = coverage.total;
+    murk_coverage_result_release(&coverage);
+    return status;
+}
+
+/* In light of another stream; a list of targets has no other. */
+static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
+                                const murk_pose *sensor, size_t n,
+                                murk_estimate *out, murk_error *err)
+{
+    const murk_stage *stage = l->stage[k];
+    const unsigned threads = l->sweep->desc.threads;
+    murk_traced *traced = NULL;
+    murk_sight *sight = NULL;
+    bool is_own = true;
+    murk_status status =
+        murk_sweep_needs_no_light(stage->scene)
+            ? murk_plan_see_anew(&traced, stage, stream, threads, err)
+            : murk_sweep_light_of(l, k, stream, &traced, &is_own, err);
+    if (!status && murk_sweep_has_seen(stage, traced)) {
+        status = murk_plan_sight(&sight, stage, traced, threads, err);
+        if (!status) {
+            status = measure_by(sight, sensor, n, out, err);
+        }
+    } else if (!status) {
+        *out = NONE;
+    }
+    murk_sight_destroy(sight);
+    if (is_own) {
+        murk_traced_destroy(traced);
+    }
+    return status;
+}
+
+static bool holds_out(const murk_scene_desc *scene)
+{
+    return scene->placement.hold_out && murk_plan_can_see_anew(scene);
+}
+
+murk_status murk_sweep_measure(murk_sweep_light *l, size_t k,
+                               const murk_pose *sensor, size_t n,
+                               murk_estimate *out, murk_error *err)
+{
+    return measure_anew(l, k,
+                        holds_out(l->scene[k]) ? MURK_HELD_OUT_STREAM : 0u,
+                        sensor, n, out, err);
+}
+
+static murk_status measure_fixed(const murk_sweep_light *l, size_t k,
+                                 murk_study_row *row, murk_sight *sight,
+                                 murk_error *err)
+{
+    const murk_stage *stage = l->stage[k];
+    murk_pose *sensor = NULL;
+    murk_estimate value = NONE;
+    size_t n = 0;
+    murk_status status =
+        murk_placement_read(&sensor, &n, l->sweep->desc.study->plan, 1,
+                            stage->scene, &stage->world.domain, err);
+    if (!status) {
+        status = measure_by(sight, sensor, n, &value, err);
+    }
+    free(sensor);
+    return status ? status
+                  : murk_study_row_add(row, "coverage_fixed", "", value, err);
+}
+
+static murk_status measure_best(murk_sweep_light *l, size_t k,
+                                murk_study_row *row, murk_sight *sight,
+                                murk_error *err)
+{
+    const murk_stage *stage = l->stage[k];
+    murk_plan_result plan = {.without_curve = true};
+    murk_estimate value = NONE;
+    murk_status status =
+        murk_plan_prepare(&plan, stage, l->sweep->desc.threads, err);
+    if (!status) {
+        status = murk_plan_choose(&plan, stage, sight, err);
+    }
+    const size_t n = plan.place.count;
+    if (!status) {
+        status =
+            murk_study_row_set_sensors(row, stage->scene, plan.sensor, n, err);
+    }
+    if (!status && holds_out(stage->scene)) {
+        status = measure_anew(l, k, MURK_HELD_OUT_STREAM, plan.sensor, n,
+                              &value, err);
+    } else if (!status) {
+        status = measure_by(sight, plan.sensor, n, &value, err);
+    }
+    murk_plan_result_release(&plan);
+    return status ? status
+                  : murk_study_row_add(row, "coverage_best", "", value, err);
+}
+
+static murk_status add_nothing(const murk_outputs *outputs, murk_study_row *row,
+                               murk_error *err)
+{
+    murk_status status = MURK_OK;
+    if (outputs->wants[MURK_OUTPUT_FIXED]) {
+        status = murk_study_row_add(row, "coverage_fixed", "", NONE, err);
+    }
+    return !status && outputs->wants[MURK_OUTPUT_BEST]
+               ? murk_study_row_add(row, "coverage_best", "", NONE, err)
+               : status;
+}
+
+murk_status murk_sweep_look(murk_sweep_light *l, size_t k, murk_study_row *row,
+                            const murk_traced *traced, murk_error *err)
+{
+    const murk_stage *stage = l->stage[k];
+    const murk_outputs *outputs = &l->sweep->outputs;
+    const bool is_fixed = outputs->wants[MURK_OUTPUT_FIXED],
+               is_best = outputs->wants[MURK_OUTPUT_BEST];
+    murk_sight *sight = NULL;
+    if (!is_fixed && !is_best) {
+        return MURK_OK;
+    }
+    if (!traced || !murk_sweep_has_seen(stage, traced)) {
+        if (traced) {
+            murk_study_row_add_note(row,
+                                    "no photon is stored: nothing to cover");
+        }
+        return add_nothing(outputs, row, err);
+    }
+    murk_status status =
+        murk_plan_sight(&sight, stage, traced, l->sweep->desc.threads, err);
+    if (!status && is_fixed) {
+        status = measure_fixed(l, k, row, sight, err);
+    }
+    if (!status && is_best) {
+        status = measure_best(l, k, row, sight, err);
+    }
+    murk_sight_destroy(sight);
+    return status;
+}

@@ -1,0 +1,272 @@
+#include "cases/sweep_work.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+#include "cases/sweep_kept.h"
+#include "cases/sweep_looks.h"
+#include "cases/sweep_plans.h"
+#include "plan/plan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A group under way. */
+typedef struct group_work {
+    const murk_sweep_job *job;
+    murk_isolated *apart;
+    murk_sweep_light light;
+    /* Warnings of the imports, and of building the first world. */
+    char of_world[MURK_ROW_TEXT_SIZE], of_first[MURK_ROW_TEXT_SIZE];
+    size_t done; /* rows */
+} group_work;
+
+/* ---- warnings ---- */
+
+/* Warnings are the row's: the sink of base/log.h knows of nobody else. */
+static char heard[MURK_ROW_TEXT_SIZE];
+
+static void hear(const char *where, const char *text)
+{
+    static const char cut[] = " ...";
+    char line[MURK_ROW_TEXT_SIZE];
+    snprintf(line, sizeof line, "%s: %s", where, text);
+    const size_t n = strlen(heard), room = sizeof heard - n;
+    if (!strstr(heard, line) && (size_t)snprintf(heard + n, room, "%s%s",
+                                                 n ? "; " : "", line) >= room) {
+        memcpy(heard + sizeof heard - sizeof cut, cut, sizeof cut);
+    }
+}
+
+static void take_heard(char out[MURK_ROW_TEXT_SIZE])
+{
+    memcpy(out, heard, sizeof heard);
+    heard[0] = '\0';
+}
+
+/* ---- what a row measures ---- */
+
+static murk_status add_stored(murk_study_row *row, const murk_traced *traced,
+                              murk_error *err)
+{
+    const murk_estimate surface = {
+        traced ? (double)murk_photon_map_count(traced->surface) : 0, NAN};
+    const murk_estimate volume = {
+        traced ? (double)murk_photon_map_count(traced->volume) : 0, NAN};
+    murk_status status =
+        murk_study_row_add(row, "stored_surface", "", surface, err);
+    return status ? status
+                  : murk_study_row_add(row, "stored_volume", "", volume, err);
+}
+
+/* Its checksum goes with the row: another study may write a file of that
+ * name. */
+static murk_status write_fluence(const group_work *w, size_t k,
+                                 murk_study_row *row, const murk_traced *traced,
+                                 murk_error *err)
+{
+    const murk_sweep_light *l = &w->light;
+    char name[MURK_SWEEP_NAME_SIZE], path[4096];
+    murk_sweep_fluence_name(name, l->group->row[k]);
+    if (snprintf(path, sizeof path, "%s/%s", l->sweep->desc.folder, name) >=
+        (int)sizeof path) {
+        return murk_fail(err, MURK_BAD_VALUE, l->sweep->desc.folder,
+                         "too long a path");
+    }
+    murk_status status = murk_row_tallies_write_fluence(
+        path, &l->row_tallies, l->scene[k],
+        traced ? l->traced[0]->tallies : NULL,
+        traced ? l->traced[0]->ledger->emitted : NULL,
+        traced ? traced->packet_w : NULL, err);
+    return status ? status : murk_sweep_sum(row->fluence, path, err);
+}
+
+static murk_status measure_light(const group_work *w, size_t k,
+                                 murk_study_row *row, const murk_traced *traced,
+                                 murk_error *err)
+{
+    const murk_sweep_light *l = &w->light;
+    const murk_outputs *outputs = &l->sweep->outputs;
+    row->emitted = traced ? traced->emitted : 0;
+    murk_status status = murk_row_tallies_read(
+        row, &l->row_tallies, l->stage[k],
+        traced ? l->traced[0]->tallies : NULL,
+        traced ? l->traced[0]->ledger->emitted : NULL,
+        traced ? traced->packet_w : NULL, l->sweep->desc.threads, err);
+    if (!status && outputs->wants[MURK_OUTPUT_STORED]) {
+        status = add_stored(row, traced, err);
+    }
+    if (!status && outputs->wants[MURK_OUTPUT_FLUENCE]) {
+        status = write_fluence(w, k, row, traced, err);
+    }
+    return status;
+}
+
+static murk_status measure_row(group_work *w, size_t k, murk_study_row *row,
+                               murk_error *err)
+{
+    murk_sweep_light *l = &w->light;
+    murk_traced *traced = NULL;
+    bool is_own = false;
+    const bool shines = murk_sweep_light_shines(l, k);
+    murk_status status = MURK_OK;
+    murk_study_row_add_note(row, l->row_tallies.note);
+    if (shines) {
+        status = murk_sweep_light_of(l, k, 0, &traced, &is_own, err);
+    } else {
+        murk_study_row_add_note(row, "dark: no light shines");
+    }
+    if (!status) {
+        status = measure_light(w, k, row, traced, err);
+    }
+    if (!status && !shines && murk_sweep_can_see(l, k)) { /* targets */
+        is_own = true;
+        status = murk_plan_see_anew(&traced, l->stage[k], 0,
+                                    l->sweep->desc.threads, err);
+    }
+    if (!status) {
+        status = murk_sweep_look(l, k, row, traced, err);
+    }
+    if (is_own) {
+        murk_traced_destroy(traced);
+    }
+    return status;
+}
+
+/* What the plans for all rows are worth in this one. */
+static murk_status measure_plans(group_work *w, size_t k, murk_study_row *row,
+                                 murk_error *err)
+{
+    murk_sweep_light *l = &w->light;
+    murk_status status = MURK_OK;
+    for (int p = 0; p < MURK_SWEEP_PLANS && !status; ++p) {
+        const murk_sweep_plan *plan = &l->sweep->plan[p];
+        murk_estimate value = {NAN, NAN};
+        murk_pose *sensor = NULL;
+        if (!murk_sweep_plan_stands(plan)) {
+            continue;
+        }
+        status = murk_study_row_poses(&sensor, &plan->found, l->scene[k], err);
+        if (!status && murk_sweep_can_see(l, k)) {
+            status = murk_sweep_measure(l, k, sensor, plan->found.sensors,
+                                        &value, err);
+        }
+        if (!status) {
+            status = murk_study_row_add(row, murk_sweep_plan_name(p), "", value,
+                                        err);
+        }
+        free(sensor);
+    }
+    return status;
+}
+
+/* ---- rows ---- */
+
+static murk_status send_row(const group_work *w, size_t k,
+                            const murk_study_row *row, murk_error *err)
+{
+    return murk_sweep_send(w->apart, w->light.group->row[k], row, err);
+}
+
+static murk_status send_failure(const group_work *w, size_t k,
+                                const murk_error *why, murk_error *err)
+{
+    murk_study_row row = {0};
+    murk_study_row_fail(&row, why);
+    return send_row(w, k, &row, err);
+}
+
+/* Builds what is imported, measures and sends. */
+static murk_status do_row(group_work *w, size_t k, murk_error *err)
+{
+    murk_sweep_light *l = &w->light;
+    murk_study_row row = {0};
+    murk_error why = {0};
+    char own[MURK_ROW_TEXT_SIZE];
+    const size_t done_before = murk_sweep_done(l->sweep);
+    murk_progress_part(l->group->row[k] + 1, l->sweep->desc.study->rows,
+                       done_before + w->done++);
+    murk_status status = murk_sweep_light_build(l, k, &why);
+    if (!status) {
+        status = w->job->measures_plans ? measure_plans(w, k, &row, &why)
+                                        : measure_row(w, k, &row, &why);
+    }
+    if (status) {
+        murk_study_row_fail(&row, &why);
+    }
+    murk_study_row_add_note(&row, w->of_world);
+    murk_study_row_add_note(&row, l->stage[k] == l->first ? w->of_first : "");
+    take_heard(own);
+    murk_study_row_add_note(&row, own);
+    status = send_row(w, k, &row, err);
+    murk_progress_add_over(1);
+    murk_study_row_release(&row);
+    murk_sweep_light_drop(l, k);
+    return status;
+}
+
+/* ---- the group ---- */
+
+static murk_status import_wanted(group_work *w, murk_error *err)
+{
+    const murk_sweep *sweep = w->job->sweep;
+    const murk_sweep_group *group = w->job->group;
+    bool *is_wanted = calloc(group->n, sizeof *is_wanted);
+    if (!is_wanted) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for rows");
+    }
+    for (size_t k = 0; k < group->n; ++k) {
+        const murk_sweep_row *row = &sweep->row[group->row[k]];
+        is_wanted[k] = w->job->measures_plans ? murk_sweep_lacks_values(row)
+                                              : !row->is_done;
+    }
+    murk_status status =
+        murk_sweep_light_import(&w->light, sweep, group, is_wanted, err);
+    for (size_t k = 0; k < group->n && !status; ++k) {
+        if (w->light.why[k].status) {
+            status = send_failure(w, k, &w->light.why[k], err);
+        }
+    }
+    free(is_wanted);
+    return status;
+}
+
+/* Where the group's light cannot be, no row of it can. */
+static murk_status light_up(group_work *w, murk_error *err)
+{
+    murk_sweep_light *l = &w->light;
+    murk_error why = {0};
+    murk_status status = MURK_OK;
+    if (!murk_sweep_light_prepare(l, !w->job->measures_plans, &why)) {
+        return MURK_OK;
+    }
+    for (size_t k = 0; k < l->n && !status; ++k) {
+        if (l->stage[k]) {
+            status = send_failure(w, k, &why, err);
+        }
+    }
+    l->first = NULL;
+    return status;
+}
+
+murk_status murk_sweep_work(murk_isolated *apart, void *context,
+                            murk_error *err)
+{
+    group_work w = {.job = context, .apart = apart};
+    murk_sweep_light *l = &w.light;
+    murk_warn_to(hear);
+    murk_status status = import_wanted(&w, err);
+    take_heard(w.of_world);
+    if (!status) {
+        status = light_up(&w, err);
+    }
+    take_heard(w.of_first);
+    for (size_t k = 0; l->first && k < l->n && !status; ++k) {
+        if (l->stage[k]) {
+            status = do_row(&w, k, err);
+        }
+    }
+    murk_sweep_light_release(l);
+    return status;
+}

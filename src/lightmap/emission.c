@@ -1,0 +1,174 @@
+#include "lightmap/emission.h"
+
+#include "base/interrupt.h"
+
+#include <math.h>
+
+#define STORE_EMISSIONS                                  \
+    UINT64_C(1000) /* emissions a stored photon, at most \
+                    */
+
+static const murk_scene_photons *settings_of(const murk_emission *e)
+{
+    return &e->stage->scene->photons;
+}
+
+static uint64_t wanted(const murk_emission *e)
+{
+    return e->emit ? 0 : settings_of(e)->store;
+}
+
+static uint64_t stored(const murk_emission *e)
+{
+    return e->buffers->surface.n + e->buffers->volume.n;
+}
+
+static murk_trace trace_of(const murk_emission *e, uint64_t first,
+                           uint64_t last)
+{
+    murk_trace trace = murk_stage_trace(e->stage);
+    trace.stream = e->stream;
+    trace.first = first;
+    trace.last = last;
+    trace.threads = e->threads;
+    trace.tallies = e->tallies;
+    return trace;
+}
+
+/* Photons that may be emitted at most. */
+static uint64_t emissions_max(const murk_emission *e)
+{
+    return e->emit ? e->emit
+           : wanted(e) < UINT32_MAX / STORE_EMISSIONS
+               ? wanted(e) * STORE_EMISSIONS
+               : UINT32_MAX;
+}
+
+/* The next wave: all that is left, or as many as should bring what is left to
+ * store, in whole batches (but for the last). */
+static uint64_t wave_photons(const murk_emission *e)
+{
+    const uint64_t done = e->emitted;
+    const uint64_t left = emissions_max(e) - done;
+    double batches = MURK_WAVE_BATCHES;
+    if (done == 0 && (wanted(e) || e->is_first_small)) {
+        batches = 1;
+    } else if (wanted(e) && stored(e) > 0) {
+        const double more =
+            (double)(wanted(e) - stored(e)) * (double)done / (double)stored(e);
+        batches = fmin(batches, floor(1.02 * more / MURK_BATCH_PHOTONS) + 1);
+    }
+    const uint64_t photons = (uint64_t)batches * MURK_BATCH_PHOTONS;
+    return photons < left ? photons : left;
+}
+
+/* Takes photons [first, last) back from the ledger and the tallies. */
+static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
+{
+    murk_trace trace = trace_of(e, first, last);
+    trace.takes_back = true;
+    murk_trace_run(&trace, e->ledger);
+}
+
+static murk_trace heard_trace(const murk_emission *e, uint64_t first,
+                              uint64_t last)
+{
+    murk_trace trace = trace_of(e, first, last);
+    if (e->sink) {
+        trace.sink = e->sink;
+        trace.leg = e->leg;
+        trace.context = e->context;
+    } else if (e->buffers->keeps_surface || e->buffers->keeps_volume) {
+        trace.sink = murk_record_buffers_event;
+        trace.context = e->buffers;
+    }
+    return trace;
+}
+
+/* One wave. Sets *is_done when all are emitted, or `store` is reached. */
+static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
+{
+    const uint64_t first = e->emitted;
+    uint64_t end = first + wave_photons(e);
+    const murk_trace trace = heard_trace(e, first, end);
+    murk_trace_run(&trace, e->ledger);
+
+    uint64_t last = UINT64_MAX;
+    if (wanted(e) && !murk_interrupted()) {
+        last = murk_record_buffers_photon_of(e->buffers, wanted(e) - stored(e));
+    }
+    if (last != UINT64_MAX) {
+        take_back(e, last + 1, end);
+        end = last + 1;
+    }
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    e->emitted = end;
+    *is_done = last != UINT64_MAX || end == e->emit;
+    return e->gather ? e->gather(e->gather_context, last, err)
+                     : murk_record_buffers_gather(e->buffers, last, err);
+}
+
+murk_status murk_emission_check(const murk_emission *e, murk_error *err)
+{
+    const size_t channels = murk_sources_lit(e->stage->lights);
+    if (e->emit && e->emit < channels) {
+        return murk_fail(err, MURK_BAD_VALUE, settings_of(e)->where,
+                         "emit: %llu, must be at least %zu: one photon for "
+                         "each light and band",
+                         (unsigned long long)e->emit, channels);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_emission_run(murk_emission *e, murk_error *err)
+{
+    bool is_done = murk_sources_lit(e->stage->lights) == 0;
+    murk_status status = MURK_OK;
+    while (!is_done && !status) {
+        if (e->emitted >= emissions_max(e)) {
+            return murk_fail(err, MURK_RUN_FAILED, settings_of(e)->where,
+                             "store: of %.6g photons emitted only %.6g of "
+                             "%.6g are stored; more are not tried",
+                             (double)e->emitted, (double)stored(e),
+                             (double)wanted(e));
+        }
+        status = send_wave(e, &is_done, err);
+    }
+    return status;
+}
+
+murk_status murk_emission_check_losses(const murk_emission *e, murk_error *err)
+{
+    murk_tally *const lost_photons = e->ledger->lost_photons;
+    double lost = 0;
+    for (int i = 0; i < MURK_LOSSES; ++i) {
+        lost += (double)murk_tally_read(&lost_photons[i]);
+    }
+    const double share = lost > 0 ? lost / (double)e->emitted : 0;
+    if (share > MURK_LOST_SHARE_MAX) {
+        return murk_fail(
+            err, MURK_RUN_FAILED, e->stage->scene->path,
+            "%.3g %% of the photons were lost (too many events: %lld, wraps: "
+            "%lld, numerical: %lld), at most %g %% may be",
+            100 * share,
+            (long long)murk_tally_read(&lost_photons[MURK_LOSS_EVENTS]),
+            (long long)murk_tally_read(&lost_photons[MURK_LOSS_WRAPS]),
+            (long long)murk_tally_read(&lost_photons[MURK_LOSS_NUMERICAL]),
+            100 * MURK_LOST_SHARE_MAX);
+    }
+    return MURK_OK;
+}
+
+void murk_emission_price(const murk_emission *e, uint64_t *emitted_in,
+                         double *packet_w)
+{
+    const murk_sources *lights = e->stage->lights;
+    murk_sources_deal(lights, e->emitted, emitted_in);
+    for (size_t c = 0; c < murk_sources_channels(lights); ++c) {
+        packet_w[c] = emitted_in[c] ? murk_sources_channel_power_w(lights, c) /
+                                          (double)emitted_in[c]
+                                    : 0;
+    }
+}

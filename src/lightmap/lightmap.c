@@ -1,0 +1,279 @@
+#include "lightmap/lightmap.h"
+
+#include "base/log.h"
+
+#include "base/interrupt.h"
+#include "base/machine.h"
+#include "base/progress.h"
+#include "lightmap/emission.h"
+#include "lightmap/ending.h"
+#include "world/scene_tallies.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define PILOT_PHOTONS MURK_BATCH_PHOTONS
+
+/* Above this share of escaped power a closed room is doubted. */
+#define ESCAPE_SHARE_MAX 0.5
+
+/* Escaped of emitted power, by each channel's own power. */
+static double escaped_share(const murk_stage *stage, const murk_ledger *ledger)
+{
+    double escaped_w = 0, emitted_w = 0;
+    for (size_t c = 0; c < ledger->channels; ++c) {
+        const int64_t emitted = murk_tally_read(&ledger->emitted[c]);
+        const int64_t escaped = murk_tally_read(&ledger->escaped[c]);
+        const double power_w = murk_sources_channel_power_w(stage->lights, c);
+        if (emitted > 0) {
+            emitted_w += power_w;
+            escaped_w += power_w * ((double)escaped / (double)emitted);
+        }
+    }
+    return emitted_w > 0 ? escaped_w / emitted_w : 0;
+}
+
+void murk_warn_of_escape(const murk_stage *stage, double share)
+{
+    const murk_scene_desc *scene = stage->scene;
+    bool is_outdoors = !(murk_surfaces_describe(stage->surfaces).area_m2 > 0);
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        is_outdoors |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
+    }
+    if (!is_outdoors && share > ESCAPE_SHARE_MAX) {
+        murk_warn(scene->where[0] ? scene->where : scene->path,
+                  "%.0f %% of the lamps' light escapes through the domain's "
+                  "sides: where this is a room, look for walls that are "
+                  "missing, open or outside the domain",
+                  100 * share);
+    }
+}
+
+/* ---- forecast ---- */
+
+murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
+                                   uint32_t stream, unsigned threads,
+                                   murk_error *err)
+{
+    const murk_scene_photons *settings = &stage->scene->photons;
+    const bool is_dark = murk_sources_lit(stage->lights) == 0;
+    const uint64_t n = is_dark ? 0
+                       : settings->emit && settings->emit < PILOT_PHOTONS
+                           ? settings->emit
+                           : PILOT_PHOTONS;
+    murk_ledger *ledger = NULL;
+    murk_record_buffers *h = NULL;
+    murk_status status = murk_ending_check(stage, stream, err);
+    if (status) {
+        return status;
+    }
+    h = murk_record_buffers_create(settings);
+    if (!h) {
+        return murk_fail(err, MURK_NO_MEMORY, settings->where,
+                         "no memory to trace");
+    }
+    status = murk_ledger_create(&ledger, &stage->world, err);
+    if (status) {
+        goto done;
+    }
+    murk_trace trace = murk_stage_trace(stage);
+    trace.stream = stream;
+    trace.last = n;
+    trace.threads = threads;
+    trace.sink = murk_record_buffers_event;
+    trace.context = h;
+    murk_progress_begin("pilot", n, "photons");
+    murk_trace_run(&trace, ledger);
+    murk_progress_end();
+    if (murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        goto done;
+    }
+    double surface = 0, volume = 0;
+    for (size_t i = 0; i < h->buffer[0].n; ++i) {
+        if (murk_photon_is_volume(&h->buffer[0].photon[i])) {
+            ++volume;
+        } else {
+            ++surface;
+        }
+    }
+    const double all = surface + volume;
+    const double grow = is_dark          ? 0
+                        : settings->emit ? (double)settings->emit / (double)n
+                        : all > 0        ? (double)settings->store / all
+                                         : 0;
+    /* growing arrays hold up to 1.5 times what is in them, and twice that
+     * while they move; the trees are built from what is left of it */
+    const double records = all * grow;
+    *out = (murk_forecast){.pilot_photons = n,
+                           .escaped_share = escaped_share(stage, ledger),
+                           .surface = surface * grow,
+                           .volume = volume * grow,
+                           .emitted = settings->emit && !is_dark
+                                          ? (double)settings->emit
+                                          : (double)n * grow,
+                           .memory_bytes = 2.5 * sizeof(murk_photon) * records +
+                                           murk_photon_map_memory_for(records) -
+                                           sizeof(murk_photon) * records};
+done:
+    murk_record_buffers_destroy(h);
+    murk_ledger_destroy(ledger);
+    return status;
+}
+
+static murk_status check_forecast(const murk_forecast *forecast,
+                                  const murk_scene_photons *settings,
+                                  murk_error *err)
+{
+    const double records = forecast->surface + forecast->volume;
+    if (records > (double)settings->max_stored) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "about %.3g photons would be stored (from a pilot of "
+                         "%llu), max_stored allows %llu",
+                         records, (unsigned long long)forecast->pilot_photons,
+                         (unsigned long long)settings->max_stored);
+    }
+    const double have = murk_machine_memory_bytes();
+    if (forecast->memory_bytes > have) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "about %.3g photons would be stored, which takes "
+                         "%.3g GB; this machine has %.3g GB free",
+                         records, forecast->memory_bytes / 1e9, have / 1e9);
+    }
+    return MURK_OK;
+}
+
+/* ---- tracing ---- */
+
+static murk_status price_packets(murk_traced *traced,
+                                 const murk_emission *emission, murk_error *err)
+{
+    uint64_t *count = calloc(traced->channels, sizeof *count);
+    if (!count) {
+        return murk_fail(err, MURK_NO_MEMORY, emission->stage->scene->path,
+                         "no memory for the lights");
+    }
+    murk_emission_price(emission, count, traced->packet_w);
+    free(count);
+    return MURK_OK;
+}
+
+static murk_status finish(murk_traced *traced, const murk_emission *emission,
+                          murk_error *err)
+{
+    murk_record_buffers *buffers = emission->buffers;
+    murk_status status = murk_emission_check_losses(emission, err);
+    if (!status) {
+        status = price_packets(traced, emission, err);
+    }
+    if (status) {
+        return status;
+    }
+    const double begun_s = murk_clock_s();
+    murk_progress_begin_over("maps", 0, "");
+    murk_record_buffers_price(buffers, traced->packet_w,
+                              emission->stage->scene->bands);
+    status = murk_record_buffers_map(&traced->surface, &buffers->surface,
+                                     emission->threads, err);
+    if (!status) {
+        status = murk_record_buffers_map(&traced->volume, &buffers->volume,
+                                         emission->threads, err);
+    }
+    murk_progress_end();
+    traced->map_s = murk_clock_s() - begun_s;
+    return status;
+}
+
+murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
+                                uint32_t stream, unsigned threads,
+                                murk_error *err)
+{
+    const murk_scene_photons *settings = &stage->scene->photons;
+    murk_forecast forecast = {.emitted = (double)settings->emit};
+    murk_emission e = {.stage = stage,
+                       .stream = stream,
+                       .threads = threads,
+                       .emit = settings->emit};
+    murk_traced *traced = NULL;
+    murk_status status = murk_emission_check(&e, err);
+    if (!status && settings->maps == MURK_SCENE_MAPS_NONE) {
+        status = murk_ending_check(stage, stream, err);
+    } else if (!status) {
+        status = murk_lightmap_forecast(&forecast, stage, stream, threads, err);
+        if (!status) {
+            status = check_forecast(&forecast, settings, err);
+        }
+    }
+    if (status) {
+        return status;
+    }
+    traced = murk_traced_create(stage, stream, err);
+    e.buffers = murk_record_buffers_create(settings);
+    if (!traced || !e.buffers) {
+        status = murk_fail(err, MURK_NO_MEMORY, settings->where,
+                           "no memory to trace");
+        goto done;
+    }
+    e.ledger = traced->ledger;
+    if (stream == 0) {
+        status = murk_tallies_of_stage(
+            &traced->tallies, stage, threads,
+            murk_machine_memory_bytes() - forecast.memory_bytes, err);
+    }
+    if (status) {
+        goto done;
+    }
+    e.tallies = traced->tallies;
+    const double begun_s = murk_clock_s();
+    murk_progress_begin("trace", (uint64_t)forecast.emitted, "photons");
+    status = murk_emission_run(&e, err);
+    murk_progress_end();
+    traced->emitted = e.emitted;
+    traced->trace_s = murk_clock_s() - begun_s;
+    if (!status) {
+        status = finish(traced, &e, err);
+    }
+    if (!status) {
+        if (stream == 0) { /* the first map's: said once */
+            murk_warn_of_escape(stage, escaped_share(stage, traced->ledger));
+        }
+        *out = traced;
+        traced = NULL;
+    }
+done:
+    murk_record_buffers_destroy(e.buffers);
+    murk_traced_destroy(traced);
+    return status;
+}
+
+murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
+                                murk_error *err)
+{
+    murk_traced *traced = calloc(1, sizeof *traced);
+    if (traced) {
+        traced->seed = stage->scene->seed;
+        traced->stream = stream;
+        traced->channels = murk_sources_channels(stage->lights);
+        traced->packet_w = calloc(traced->channels, sizeof *traced->packet_w);
+    }
+    if (!traced || !traced->packet_w ||
+        murk_ledger_create(&traced->ledger, &stage->world, err)) {
+        murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
+                  "no memory to trace");
+        murk_traced_destroy(traced);
+        return NULL;
+    }
+    return traced;
+}
+
+void murk_traced_destroy(murk_traced *traced)
+{
+    if (traced) {
+        murk_photon_map_destroy(traced->surface);
+        murk_photon_map_destroy(traced->volume);
+        murk_ledger_destroy(traced->ledger);
+        murk_tallies_destroy(traced->tallies);
+        free(traced->packet_w);
+        free(traced);
+    }
+}

@@ -1,0 +1,167 @@
+#include "lightmap/record_buffers.h"
+
+#include <stdlib.h>
+
+#define FIRST_ROOM 256
+
+static murk_photon record_of(const murk_event *event, double share)
+{
+    const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
+    return (murk_photon){
+        .position_m = {(float)event->position.x, (float)event->position.y,
+                       (float)event->position.z},
+        .direction = murk_direction_pack(event->direction_in),
+        .normal = is_volume ? 0 : murk_direction_pack(event->normal),
+        .power_w = (float)share,
+        .emitted = (uint32_t)event->photon,
+        .band = event->band,
+        .light = (uint8_t)event->light,
+        .material = event->material_or_medium,
+        .kind = murk_photon_kind(is_volume, (int)event->event_class)};
+}
+
+static bool put(murk_record_list *buffer, const murk_photon *photon)
+{
+    if (buffer->n == buffer->room) {
+        const size_t room =
+            buffer->room ? buffer->room + buffer->room / 2 : FIRST_ROOM;
+        murk_photon *grown = realloc(buffer->photon, room * sizeof *grown);
+        if (!grown) {
+            return false;
+        }
+        buffer->photon = grown;
+        buffer->room = room;
+    }
+    buffer->photon[buffer->n++] = *photon;
+    return true;
+}
+
+murk_record_buffers *
+murk_record_buffers_create(const murk_scene_photons *settings)
+{
+    murk_record_buffers *h = calloc(1, sizeof *h);
+    if (h) {
+        h->settings = settings;
+        h->keeps_surface = settings->maps == MURK_SCENE_MAPS_BOTH ||
+                           settings->maps == MURK_SCENE_MAPS_SURFACE;
+        h->keeps_volume = settings->maps == MURK_SCENE_MAPS_BOTH ||
+                          settings->maps == MURK_SCENE_MAPS_VOLUME;
+    }
+    return h;
+}
+
+void murk_record_buffers_destroy(murk_record_buffers *h)
+{
+    if (h) {
+        for (size_t i = 0; i < MURK_WAVE_BATCHES; ++i) {
+            free(h->buffer[i].photon);
+        }
+        free(h->surface.photon);
+        free(h->volume.photon);
+        free(h);
+    }
+}
+
+double murk_record_buffers_share(const murk_record_buffers *h,
+                                 const murk_event *event)
+{
+    if (event->kind == MURK_EVENT_SURFACE && h->keeps_surface) {
+        return h->settings->store_hits ? event->weight * event->reflectance
+               : event->outcome == MURK_DIFFUSE ? event->leaving
+                                                : 0;
+    }
+    if (event->kind == MURK_EVENT_MEDIUM && h->keeps_volume) {
+        return h->settings->store_hits ? event->weight * event->reflectance
+               : event->outcome == MURK_SCATTERED ? event->leaving
+                                                  : 0;
+    }
+    return 0;
+}
+
+void murk_record_buffers_event(void *context, uint64_t batch,
+                               const murk_event *event)
+{
+    murk_record_buffers *h = context;
+    const double share = murk_record_buffers_share(h, event);
+    if (share > 0) {
+        const murk_photon photon = record_of(event, share);
+        murk_record_list *buffer = &h->buffer[batch];
+        buffer->is_short_of_memory |= !put(buffer, &photon);
+    }
+}
+
+uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
+                                       uint64_t wanted)
+{
+    uint64_t before = 0;
+    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+        const murk_record_list *buffer = &h->buffer[b];
+        if (before + buffer->n >= wanted) {
+            return buffer->photon[wanted - before - 1].emitted;
+        }
+        before += buffer->n;
+    }
+    return UINT64_MAX;
+}
+
+murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
+                                       murk_error *err)
+{
+    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+        murk_record_list *buffer = &h->buffer[b];
+        bool fits = !buffer->is_short_of_memory;
+        for (size_t i = 0;
+             fits && i < buffer->n && buffer->photon[i].emitted <= last; ++i) {
+            const murk_photon *photon = &buffer->photon[i];
+            fits = put(murk_photon_is_volume(photon) ? &h->volume : &h->surface,
+                       photon);
+        }
+        if (!fits) {
+            return murk_fail(err, MURK_NO_MEMORY, h->settings->where,
+                             "no memory for more than %.3g stored photons",
+                             (double)(h->surface.n + h->volume.n));
+        }
+        buffer->n = 0;
+    }
+    if (h->surface.n + h->volume.n > h->settings->max_stored) {
+        return murk_fail(err, MURK_RUN_FAILED, h->settings->where,
+                         "max_stored: more than %llu photons were stored",
+                         (unsigned long long)h->settings->max_stored);
+    }
+    return MURK_OK;
+}
+
+static void price(murk_record_list *buffer, const double *packet_w, int bands)
+{
+    for (size_t i = 0; i < buffer->n; ++i) {
+        murk_photon *p = &buffer->photon[i];
+        const size_t channel = (size_t)p->light * (size_t)bands + p->band;
+        p->power_w = (float)((double)p->power_w * packet_w[channel]);
+    }
+}
+
+void murk_record_buffers_price(murk_record_buffers *h, const double *packet_w,
+                               int bands)
+{
+    price(&h->surface, packet_w, bands);
+    price(&h->volume, packet_w, bands);
+}
+
+murk_status murk_record_buffers_map(murk_photon_map **out,
+                                    murk_record_list *buffer, unsigned threads,
+                                    murk_error *err)
+{
+    murk_photon *photons = buffer->photon;
+    const size_t n = buffer->n;
+    if (n == 0) {
+        free(photons);
+        photons = NULL;
+    } else if (n < buffer->room) {
+        murk_photon *fitted = realloc(photons, n * sizeof *fitted);
+        if (fitted) {
+            photons = fitted;
+        }
+    }
+    *buffer = (murk_record_list){0};
+    return murk_photon_map_create(out, photons, n, threads, err);
+}

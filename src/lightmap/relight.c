@@ -1,0 +1,217 @@
+#include "lightmap/relight.h"
+
+#include "world/sky.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                     "no memory for the lights");
+}
+
+/* The scene's lights for free(), and whether any shines. */
+static murk_status lights_of(murk_source **out, bool *shines,
+                             const murk_scene_desc *scene, murk_error *err)
+{
+    murk_source *light = calloc(scene->n_lights + 1, sizeof *light);
+    murk_status status = light ? MURK_OK : no_memory(scene, err);
+    *shines = false;
+    for (size_t i = 0; i < scene->n_lights && !status; ++i) {
+        murk_sky_facts facts;
+        status = murk_sky_light(&light[i], &facts, scene, i, err);
+        for (int b = 0; b < scene->bands; ++b) {
+            *shines |= light[i].power_w.band[b] > 0;
+        }
+    }
+    if (status) {
+        free(light);
+        return status;
+    }
+    *out = light;
+    return MURK_OK;
+}
+
+murk_status murk_relight_powers(double **out, const murk_scene_desc *scene,
+                                const murk_domain *domain, murk_error *err)
+{
+    const size_t channels = scene->n_lights * (size_t)scene->bands;
+    murk_source *light = NULL;
+    murk_sources *lights = NULL;
+    bool shines = false;
+    double *power_w = calloc(channels + 1, sizeof *power_w);
+    murk_status status = power_w ? lights_of(&light, &shines, scene, err)
+                                 : no_memory(scene, err);
+    if (!status && shines) {
+        status = murk_sources_create(&lights, light, scene->n_lights,
+                                     scene->bands, domain, err);
+    }
+    for (size_t c = 0; !status && shines && c < channels; ++c) {
+        power_w[c] = murk_sources_channel_power_w(lights, c);
+    }
+    if (!status) {
+        *out = power_w;
+        power_w = NULL;
+    }
+    murk_sources_destroy(lights);
+    free(light);
+    free(power_w);
+    return status;
+}
+
+static double sum_of(const double *power_w, size_t channels)
+{
+    double sum = 0;
+    for (size_t c = 0; c < channels; ++c) {
+        sum += power_w[c];
+    }
+    return sum;
+}
+
+/* Of each channel the largest share, and the scene that has it; n: none. */
+static void find_largest(double *share, size_t *who, double *const *power_w,
+                         size_t n, size_t channels)
+{
+    for (size_t c = 0; c < channels; ++c) {
+        share[c] = 0;
+        who[c] = n;
+    }
+    for (size_t k = 0; k < n; ++k) {
+        const double all = sum_of(power_w[k], channels);
+        for (size_t c = 0; all > 0 && c < channels; ++c) {
+            if (power_w[k][c] / all > share[c]) {
+                share[c] = power_w[k][c] / all;
+                who[c] = k;
+            }
+        }
+    }
+}
+
+/* Puts the shares into the lights: power goes by power_w of a light, whatever
+ * that is the power of. */
+static murk_status share_out(murk_source *light, const double *share,
+                             const size_t *who,
+                             const murk_scene_desc *const *scene,
+                             double *const *power_w, size_t n, murk_error *err)
+{
+    const size_t bands = (size_t)scene[0]->bands;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene[0]->n_lights && !status; ++i) {
+        murk_source own = {0};
+        murk_sky_facts facts;
+        murk_spectrum power = {{0}};
+        for (size_t b = 0; b < bands && !status; ++b) {
+            const size_t c = i * bands + b, k = who[c];
+            if (k < n) {
+                status = murk_sky_light(&own, &facts, scene[k], i, err);
+                power.band[b] =
+                    own.power_w.band[b] * (share[c] / power_w[k][c]);
+            }
+        }
+        if (!status && !own.where) { /* it shines in none of them */
+            status = murk_sky_light(&own, &facts, scene[0], i, err);
+        }
+        own.power_w = power;
+        light[i] = own;
+    }
+    return status;
+}
+
+murk_status murk_relight_lights(murk_sources **out, double *grow,
+                                const murk_scene_desc *const *scene,
+                                double *const *power_w, size_t n,
+                                const murk_domain *domain, murk_error *err)
+{
+    const size_t channels = scene[0]->n_lights * (size_t)scene[0]->bands;
+    murk_source *light = calloc(scene[0]->n_lights + 1, sizeof *light);
+    double *share = calloc(channels + 1, sizeof *share);
+    size_t *who = calloc(channels + 1, sizeof *who);
+    murk_status status = MURK_OK;
+    if (!light || !share || !who) {
+        status = no_memory(scene[0], err);
+        goto done;
+    }
+    find_largest(share, who, power_w, n, channels);
+    *grow = sum_of(share, channels);
+    status = share_out(light, share, who, scene, power_w, n, err);
+    if (!status) {
+        status = murk_sources_create(out, light, scene[0]->n_lights,
+                                     scene[0]->bands, domain, err);
+    }
+done:
+    free(light);
+    free(share);
+    free(who);
+    return status;
+}
+
+/* The map's records that still have power, with what they have. */
+static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
+                             const double *factor, int bands, unsigned threads,
+                             murk_error *err)
+{
+    const murk_photon *from = murk_photon_map_photons(map);
+    const size_t n = murk_photon_map_count(map);
+    murk_photon *photon = n ? malloc(n * sizeof *photon) : NULL;
+    size_t kept = 0;
+    if (n && !photon) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory for %zu stored photons", n);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const size_t channel =
+            (size_t)from[i].light * (size_t)bands + from[i].band;
+        const float power_w =
+            (float)((double)from[i].power_w * factor[channel]);
+        if (power_w > 0) {
+            photon[kept] = from[i];
+            photon[kept++].power_w = power_w;
+        }
+    }
+    if (kept == 0) {
+        free(photon);
+        photon = NULL;
+    }
+    return murk_photon_map_create(out, photon, kept, threads, err);
+}
+
+murk_status murk_relight(murk_traced **out, const murk_traced *traced,
+                         const murk_sources *lights, const double *power_w,
+                         int bands, unsigned threads, murk_error *err)
+{
+    const size_t channels = traced->channels;
+    double *factor = calloc(channels + 1, sizeof *factor);
+    murk_traced *made = calloc(1, sizeof *made);
+    murk_status status = MURK_OK;
+    if (made) {
+        made->emitted = traced->emitted;
+        made->seed = traced->seed;
+        made->stream = traced->stream;
+        made->channels = channels;
+        made->packet_w = calloc(channels + 1, sizeof *made->packet_w);
+    }
+    if (!factor || !made || !made->packet_w) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for light");
+        goto done;
+    }
+    for (size_t c = 0; c < channels; ++c) {
+        const double traced_w = murk_sources_channel_power_w(lights, c);
+        factor[c] = traced_w > 0 ? power_w[c] / traced_w : 0;
+        made->packet_w[c] = traced->packet_w[c] * factor[c];
+    }
+    status =
+        scale_map(&made->surface, traced->surface, factor, bands, threads, err);
+    if (!status) {
+        status = scale_map(&made->volume, traced->volume, factor, bands,
+                           threads, err);
+    }
+    if (!status) {
+        *out = made;
+        made = NULL;
+    }
+done:
+    murk_traced_destroy(made);
+    free(factor);
+    return status;
+}

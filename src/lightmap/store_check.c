@@ -1,0 +1,168 @@
+/* Holds the numbers of a light.murk against what the scene fixes.
+ *
+ * The scene and the number of emitted photons fix how many photons each channel
+ * (light and band) emits, the power of a photon packet of each channel and the
+ * channel of each photon (source/sources.h). Energy is conserved to the quantum
+ * (base/tally.h), so absorbed, escaped and lost quanta are shares of the
+ * emitted ones that add up. What is left to the file is bounded: a record lies
+ * in the domain, its directions exist, its power is at most its packet's. */
+#include "lightmap/store_check.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+/* Rounding between machines: sums and quotients of a few doubles. */
+#define PACKET_TOLERANCE 1e-9
+/* A record's power is rounded to float. */
+#define POWER_TOLERANCE (2.0 * FLT_EPSILON)
+/* Records are rounded to float, and those on a side of the domain may lie
+ * beyond it by the step that rays take off a surface (8 float steps of the
+ * largest coordinate, geometry/surfaces.h): twice that. */
+#define PLACE_TOLERANCE (16.0 * FLT_EPSILON)
+
+static murk_status impossible(const char *path, const char *section,
+                              const char *what, murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_FILE, path,
+                     "section %s holds what no run can have written: %s",
+                     section, what);
+}
+
+/* True if every part is 0 or more and all parts add up to `whole`. Nothing can
+ * overflow: what is left never grows. */
+static bool adds_up(int64_t whole, const int64_t *part, size_t n)
+{
+    int64_t left = whole;
+    for (size_t i = 0; i < n; ++i) {
+        if (part[i] < 0 || part[i] > left) {
+            return false;
+        }
+        left -= part[i];
+    }
+    return left == 0;
+}
+
+static murk_status check_channel(const murk_lightmap_numbers *f, size_t c,
+                                 uint64_t count, const murk_stage *stage,
+                                 const char *path, murk_error *err)
+{
+    const size_t materials = stage->scene->n_materials;
+    const size_t media = stage->scene->n_media;
+    const double packet_w =
+        count ? murk_sources_channel_power_w(stage->lights, c) / (double)count
+              : 0;
+    if (!(fabs(f->packet_w[c] - packet_w) <= PACKET_TOLERANCE * packet_w)) {
+        return impossible(path, "packet_w",
+                          "a photon packet of another power than the scene's",
+                          err);
+    }
+    /* 2^32 photons of 2^30 quanta fit in 63 bits */
+    if (f->emitted_quanta[c] != (int64_t)count * MURK_PACKET) {
+        return impossible(path, "ledger",
+                          "other emitted energy than of its photons", err);
+    }
+    const int64_t ends[] = {f->absorbed_surfaces_quanta[c],
+                            f->absorbed_media_quanta[c], f->escaped_quanta[c],
+                            f->lost_quanta[c]};
+    if (!adds_up(f->emitted_quanta[c], ends, sizeof ends / sizeof *ends)) {
+        return impossible(path, "ledger", "energy that does not add up", err);
+    }
+    const int64_t *absorbed = f->absorbed + c * (materials + media);
+    if (!adds_up(ends[0], absorbed, materials) ||
+        !adds_up(ends[1], absorbed + materials, media)) {
+        return impossible(path, "absorbed",
+                          "energy that does not add up to the ledger's", err);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
+                                        const murk_stage *stage,
+                                        const char *path, murk_error *err)
+{
+    const size_t channels = murk_sources_channels(stage->lights);
+    uint64_t lost = 0;
+    bool is_possible = f->emitted <= UINT32_MAX && f->counted == f->emitted &&
+                       f->collisions <= INT64_MAX;
+    for (int i = 0; i < MURK_LOSSES && is_possible; ++i) {
+        is_possible = f->lost_photons[i] <= f->emitted - lost;
+        lost += f->lost_photons[i];
+    }
+    if (!is_possible) {
+        return impossible(path, "facts", "counts that are out of range", err);
+    }
+    uint64_t *count = calloc(channels + 1, sizeof *count);
+    if (!count) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to check it");
+    }
+    murk_sources_deal(stage->lights, f->emitted, count);
+    murk_status status = MURK_OK;
+    for (size_t c = 0; c < channels && !status; ++c) {
+        status = check_channel(f, c, count[c], stage, path, err);
+    }
+    free(count);
+    return status;
+}
+
+/* The first thing about a record that cannot be, or NULL. */
+static const char *flaw_of(const murk_photon *p, bool is_volume,
+                           uint64_t emitted, const double *packet_w,
+                           const murk_stage *stage, const murk_box *within)
+{
+    const murk_scene_desc *scene = stage->scene;
+    const size_t materials = is_volume ? scene->n_media : scene->n_materials;
+    const size_t channel =
+        (size_t)p->light * (size_t)scene->bands + (size_t)p->band;
+    if (p->band >= scene->bands || p->light >= scene->n_lights ||
+        p->material >= materials || p->emitted >= emitted) {
+        return "an index that is out of range";
+    }
+    if (murk_photon_class(p) > 2 || p->kind > 7 ||
+        (murk_photon_is_volume(p) != 0) != is_volume) {
+        return "a kind that its map has not";
+    }
+    if (murk_sources_channel_of(stage->lights, p->emitted) != channel) {
+        return "a photon of another light or band than its number's";
+    }
+    if (!(p->power_w >= 0 &&
+          (double)p->power_w <= packet_w[channel] * (1 + POWER_TOLERANCE))) {
+        return "a power that is not 0 to its photon packet's";
+    }
+    if (!murk_box_contains(within, murk_photon_place(p))) {
+        return "a position outside the domain";
+    }
+    if (p->direction == 0 || (p->normal == 0) != is_volume) {
+        return "a direction or normal that is missing";
+    }
+    return NULL;
+}
+
+static double largest_coordinate(murk_vec3 v)
+{
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
+murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
+                                        bool is_volume, uint64_t emitted,
+                                        const double *packet_w,
+                                        const murk_stage *stage,
+                                        const char *path, murk_error *err)
+{
+    /* the domain, wider by what rounding may do */
+    murk_box within = stage->world.domain.box;
+    const double maximum =
+        fmax(largest_coordinate(within.min), largest_coordinate(within.max));
+    const double slack = PLACE_TOLERANCE * maximum;
+    const murk_vec3 wider = murk_vec(slack, slack, slack);
+    within.min = murk_sub(within.min, wider);
+    within.max = murk_add(within.max, wider);
+    for (size_t i = 0; i < n; ++i) {
+        const char *flaw =
+            flaw_of(&photon[i], is_volume, emitted, packet_w, stage, &within);
+        if (flaw) {
+            return impossible(path, is_volume ? "volume" : "surface", flaw,
+                              err);
+        }
+    }
+    return MURK_OK;
+}

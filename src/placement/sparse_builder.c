@@ -1,0 +1,212 @@
+#include "placement/sparse_builder.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Room for the sum of weights below placement's 2^47. */
+#define WHOLE_SUM_MAX 0x1p46
+
+static murk_status no_memory(const murk_sparse_builder *b, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, b->path, "no memory for the matrix");
+}
+
+murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,
+                                    size_t column, size_t line, double clarity,
+                                    murk_error *err)
+{
+    const uint16_t whole = (uint16_t)lrint(clarity * MURK_CLEAR);
+    if (whole == 0) {
+        return MURK_OK;
+    }
+    if (b->entries == b->room) {
+        const size_t room = b->room ? 2 * b->room : 1024;
+        murk_sparse_entry *entry = realloc(b->entry, room * sizeof *entry);
+        if (!entry) {
+            return no_memory(b, err);
+        }
+        b->entry = entry;
+        b->room = room;
+    }
+    b->entry[b->entries++] = (murk_sparse_entry){
+        (uint32_t)row, (uint32_t)column, (uint32_t)line, whole};
+    return MURK_OK;
+}
+
+/* Stable counting sort by row, where they are not in order already. */
+static bool sort_by_row(murk_sparse_builder *b)
+{
+    bool is_sorted = true;
+    for (size_t k = 1; k < b->entries && is_sorted; ++k) {
+        is_sorted = b->entry[k - 1].row <= b->entry[k].row;
+    }
+    if (is_sorted) {
+        return true;
+    }
+    size_t *at = calloc(b->rows + 1, sizeof *at);
+    murk_sparse_entry *sorted = malloc(b->entries * sizeof *sorted);
+    if (!at || !sorted) {
+        free(at);
+        free(sorted);
+        return false;
+    }
+    for (size_t k = 0; k < b->entries; ++k) {
+        ++at[b->entry[k].row + 1];
+    }
+    for (size_t i = 0; i < b->rows; ++i) {
+        at[i + 1] += at[i];
+    }
+    for (size_t k = 0; k < b->entries; ++k) {
+        sorted[at[b->entry[k].row]++] = b->entry[k];
+    }
+    free(at);
+    free(b->entry);
+    b->entry = sorted;
+    b->room = b->entries;
+    return true;
+}
+
+/* Into columns. Rows come rising, so an entry that is given twice meets its
+ * like right before it. */
+static murk_status fill_columns(murk_sparse_matrix *m,
+                                const murk_sparse_builder *b, murk_error *err)
+{
+    m->is_clear = true;
+    for (size_t k = 0; k < b->entries; ++k) {
+        ++m->begin[b->entry[k].column + 1];
+    }
+    for (size_t j = 0; j < m->columns; ++j) {
+        m->begin[j + 1] += m->begin[j];
+    }
+    size_t *at = malloc(m->columns * sizeof *at);
+    if (!at) {
+        return no_memory(b, err);
+    }
+    memcpy(at, m->begin, m->columns * sizeof *at);
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < b->entries && !status; ++k) {
+        const murk_sparse_entry *e = &b->entry[k];
+        const size_t to = at[e->column]++;
+        if (to > m->begin[e->column] && m->row[to - 1] == e->row) {
+            char where[320];
+            snprintf(where, sizeof where, "%.290s:%lu", b->path,
+                     (unsigned long)e->line);
+            status = murk_fail(
+                err, MURK_BAD_FILE, where, "column %lu covers row %lu twice",
+                (unsigned long)e->column + 1, (unsigned long)e->row + 1);
+        }
+        m->row[to] = e->row;
+        m->clarity[to] = e->clarity;
+        m->is_clear = m->is_clear && e->clarity == MURK_CLEAR;
+    }
+    free(at);
+    return status;
+}
+
+static bool are_whole(const double *weight, size_t n, double unit)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const double x = weight[i] * unit;
+        /* a decimal such as 0.1 is off by its last bit, and so is x */
+        if (fabs(x - rint(x)) > 2 * 0x1p-53 * x) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Weights in whole numbers: by the least power of ten that makes all of them
+ * whole, else as finely as 32 bits and their sum allow. */
+static murk_status weigh(murk_sparse_matrix *m, const murk_sparse_builder *b,
+                         murk_error *err)
+{
+    m->unit = 1;
+    if (!b->weight) {
+        for (size_t i = 0; i < m->rows; ++i) {
+            m->weight[i] = 1;
+        }
+        return MURK_OK;
+    }
+    double sum = 0, max = 0;
+    for (size_t i = 0; i < m->rows; ++i) {
+        sum += b->weight[i];
+        max = fmax(max, b->weight[i]);
+    }
+    if (!(sum > 0 && isfinite(sum))) {
+        return murk_fail(err, MURK_BAD_FILE, b->path,
+                         "the weights add up to %g, must be more than 0", sum);
+    }
+    const double finest = fmin(UINT32_MAX / max, WHOLE_SUM_MAX / sum);
+    while (m->unit <= finest && !are_whole(b->weight, m->rows, m->unit)) {
+        m->unit *= 10;
+    }
+    if (!(m->unit <= finest)) {
+        m->unit = finest;
+    }
+    for (size_t i = 0; i < m->rows; ++i) {
+        m->weight[i] = (uint32_t)fmin(rint(b->weight[i] * m->unit), UINT32_MAX);
+    }
+    return MURK_OK;
+}
+
+static murk_status finish(murk_sparse_matrix **out, murk_sparse_builder *b,
+                          murk_error *err)
+{
+    if (b->rows < 1 || b->columns < 1 || b->entries < 1) {
+        return murk_fail(err, MURK_BAD_FILE, b->path,
+                         "%zu rows, %zu columns and %zu entries above 0, must "
+                         "be 1 or more of each",
+                         b->rows, b->columns, b->entries);
+    }
+    murk_sparse_matrix *m = calloc(1, sizeof *m);
+    if (!m || !sort_by_row(b)) {
+        free(m);
+        return no_memory(b, err);
+    }
+    *m = (murk_sparse_matrix){.format = b->format,
+                              .rows = b->rows,
+                              .columns = b->columns,
+                              .weight = malloc(b->rows * sizeof *m->weight),
+                              .begin = calloc(b->columns + 1, sizeof *m->begin),
+                              .row = malloc(b->entries * sizeof *m->row),
+                              .clarity =
+                                  malloc(b->entries * sizeof *m->clarity)};
+    murk_status status = m->weight && m->begin && m->row && m->clarity
+                             ? weigh(m, b, err)
+                             : no_memory(b, err);
+    if (!status) {
+        status = fill_columns(m, b, err);
+    }
+    if (status) {
+        murk_sparse_matrix_destroy(m);
+        return status;
+    }
+    m->cost = b->cost;
+    m->name = b->name;
+    b->cost = NULL;
+    b->name = NULL;
+    *out = m;
+    return MURK_OK;
+}
+
+murk_status murk_sparse_builder_finish(murk_sparse_matrix **out,
+                                       murk_sparse_builder *b, murk_error *err)
+{
+    const murk_status status = finish(out, b, err);
+    murk_sparse_builder_release(b);
+    return status;
+}
+
+void murk_sparse_builder_release(murk_sparse_builder *b)
+{
+    for (size_t j = 0; b->name && j < b->columns; ++j) {
+        free(b->name[j]);
+    }
+    free(b->name);
+    free(b->cost);
+    free(b->weight);
+    free(b->entry);
+    *b = (murk_sparse_builder){.path = b->path};
+}

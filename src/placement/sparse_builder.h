@@ -1,0 +1,37 @@
+/* A sparse matrix while it is being read: entries in any order, weights as
+ * given. */
+#ifndef MURK_PLACEMENT_SPARSE_BUILDER_H
+#define MURK_PLACEMENT_SPARSE_BUILDER_H
+
+#include "placement/sparse_matrix.h"
+
+typedef struct murk_sparse_entry {
+    uint32_t row, column; /* from 0 */
+    uint32_t line;        /* of the file, for messages */
+    uint16_t clarity;
+} murk_sparse_entry;
+
+typedef struct murk_sparse_builder {
+    const char *path;
+    murk_matrix_format format;
+    size_t rows, columns;
+    murk_sparse_entry *entry; /* [entries] */
+    size_t entries, room;
+    double *weight; /* [rows] >= 0; NULL: all 1 */
+    double *cost;   /* [columns]; NULL: none */
+    char **name;    /* [columns]; NULL: none */
+} murk_sparse_builder;
+
+/* One more entry; a clarity (0..1) that rounds to 0 is none. */
+murk_status murk_sparse_builder_put(murk_sparse_builder *builder, size_t row,
+                                    size_t column, size_t line, double clarity,
+                                    murk_error *err);
+
+/* Puts the entries in order. The builder is empty afterwards, also after a
+ * failure: an entry given twice, no entry at all, no weight. */
+murk_status murk_sparse_builder_finish(murk_sparse_matrix **out,
+                                       murk_sparse_builder *builder,
+                                       murk_error *err);
+void murk_sparse_builder_release(murk_sparse_builder *builder);
+
+#endif

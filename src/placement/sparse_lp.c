@@ -1,0 +1,454 @@
+/* The problem for solvers of integer programs.
+ *
+ * Rows covered by the same columns equally clearly need one variable, of their
+ * summed weight: they are found by a hash of 128 bits, built up column by
+ * column. */
+#include "placement/sparse_matrix.h"
+
+#include "base/file.h"
+
+#include <stdlib.h>
+
+#define ENTRIES_MAX  10000000
+#define TERMS_A_LINE 8 /* lines of LP files are kept below 255 bytes */
+
+/* The rows in groups of one cover; `is_first` of a group stands for it. */
+typedef struct kinds {
+    bool *is_first;   /* [rows] */
+    uint64_t *weight; /* [rows] of its whole group, at the first */
+    size_t *begin;    /* [rows + 1] of the first ones' entries, else empty */
+    uint32_t *column; /* [begin[rows]] */
+    uint16_t *clarity;
+} kinds;
+
+typedef struct row_hash {
+    uint64_t low, high;
+    size_t row;
+} row_hash;
+
+/* One more number into a hash: xor and multiply by a random odd number, high
+ * bits folded down (Steele, Lea, Flood, OOPSLA 2014,
+ * doi:10.1145/2660193.2660195). */
+static uint64_t mix(uint64_t hash, uint64_t number, uint64_t factor)
+{
+    hash = (hash ^ number) * factor;
+    return hash ^ (hash >> 29);
+}
+
+static int by_hash(const void *a, const void *b)
+{
+    const row_hash *x = a, *y = b;
+    if (x->low != y->low) {
+        return x->low < y->low ? -1 : 1;
+    }
+    if (x->high != y->high) {
+        return x->high < y->high ? -1 : 1;
+    }
+    return (x->row > y->row) - (x->row < y->row);
+}
+
+static row_hash *hash_rows(const murk_sparse_matrix *m)
+{
+    row_hash *hash = malloc(m->rows * sizeof *hash);
+    for (size_t i = 0; hash && i < m->rows; ++i) {
+        hash[i] = (row_hash){0, 0, i};
+    }
+    for (size_t j = 0; hash && j < m->columns; ++j) {
+        for (size_t k = m->begin[j]; k < m->begin[j + 1]; ++k) {
+            row_hash *h = &hash[m->row[k]];
+            const uint64_t entry = (j + 1) << 16 | m->clarity[k];
+            h->low = mix(h->low, entry, UINT64_C(0xbf58476d1ce4e5b9));
+            h->high = mix(h->high, entry, UINT64_C(0x94d049bb133111eb));
+        }
+    }
+    if (hash) {
+        qsort(hash, m->rows, sizeof *hash, by_hash);
+    }
+    return hash;
+}
+
+/* Entries of the first rows, by row. */
+static bool turn(kinds *k, const murk_sparse_matrix *m)
+{
+    k->begin = calloc(m->rows + 2, sizeof *k->begin);
+    if (!k->begin) {
+        return false;
+    }
+    const size_t entries = murk_sparse_matrix_entries(m);
+    for (size_t e = 0; e < entries; ++e) {
+        k->begin[m->row[e] + 2] += k->is_first[m->row[e]];
+    }
+    for (size_t i = 0; i < m->rows; ++i) {
+        k->begin[i + 2] += k->begin[i + 1];
+    }
+    const size_t kept = k->begin[m->rows + 1];
+    k->column = malloc((kept + 1) * sizeof *k->column);
+    k->clarity = malloc((kept + 1) * sizeof *k->clarity);
+    if (!k->column || !k->clarity) {
+        return false;
+    }
+    for (size_t j = 0; j < m->columns; ++j) {
+        for (size_t e = m->begin[j]; e < m->begin[j + 1]; ++e) {
+            if (k->is_first[m->row[e]]) {
+                const size_t to = k->begin[m->row[e] + 1]++;
+                k->column[to] = (uint32_t)j;
+                k->clarity[to] = m->clarity[e];
+            }
+        }
+    }
+    return true;
+}
+
+/* Rows that nothing covers, or that weigh nothing, are in no group. */
+static bool group(kinds *k, const murk_sparse_matrix *m)
+{
+    row_hash *hash = hash_rows(m);
+    k->is_first = calloc(m->rows, sizeof *k->is_first);
+    k->weight = calloc(m->rows, sizeof *k->weight);
+    const bool is_good = hash && k->is_first && k->weight;
+    size_t first = 0;
+    for (size_t n = 0; is_good && n < m->rows; ++n) {
+        const row_hash *h = &hash[n];
+        const bool is_like =
+            n > 0 && h->low == h[-1].low && h->high == h[-1].high;
+        first = is_like ? first : h->row;
+        k->weight[first] += m->weight[h->row];
+        k->is_first[first] = k->weight[first] > 0 && (h->low || h->high);
+    }
+    free(hash);
+    return is_good && turn(k, m);
+}
+
+static void release(kinds *k)
+{
+    free(k->is_first);
+    free(k->weight);
+    free(k->begin);
+    free(k->column);
+    free(k->clarity);
+}
+
+/* ---- terms ---- */
+
+typedef struct terms {
+    FILE *to;
+    size_t n;
+} terms;
+
+static void begin_term(terms *t)
+{
+    fputs(t->n && t->n % TERMS_A_LINE == 0 ? "\n  " : " ", t->to);
+    ++t->n;
+}
+
+static void print_columns(terms *t, const murk_sparse_matrix *m)
+{
+    for (size_t j = 0; j < m->columns; ++j) {
+        begin_term(t);
+        fprintf(t->to, "%sx%zu", t->n > 1 ? "+ " : "", j + 1);
+    }
+}
+
+/* What the rows covered are worth, in weights as given. */
+static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
+                        unsigned views)
+{
+    for (size_t i = 0; i < m->rows; ++i) {
+        const double weight = (double)k->weight[i] / m->unit / views;
+        if (m->is_clear && k->is_first[i]) {
+            begin_term(t);
+            fprintf(t->to, "%s%.15g y%zu", t->n > 1 ? "+ " : "", weight, i + 1);
+            continue;
+        }
+        for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
+            begin_term(t);
+            fprintf(t->to, "%s%.15g y%zu_%zu", t->n > 1 ? "+ " : "",
+                    weight * k->clarity[e] / MURK_CLEAR, i + 1,
+                    (size_t)k->column[e] + 1);
+        }
+    }
+}
+
+/* A row counts once, and only through chosen columns. */
+static void print_clear_row(FILE *to, const kinds *k, size_t i)
+{
+    terms t = {to, 0};
+    fprintf(to, " r%zu:", i + 1);
+    begin_term(&t);
+    fprintf(to, "y%zu", i + 1);
+    for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
+        begin_term(&t);
+        fprintf(to, "- x%zu", (size_t)k->column[e] + 1);
+    }
+    fputs(" <= 0\n", to);
+}
+
+static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned views)
+{
+    terms t = {to, 0};
+    fprintf(to, " r%zu:", i + 1);
+    for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
+        begin_term(&t);
+        fprintf(to, "%sy%zu_%zu", e > k->begin[i] ? "+ " : "", i + 1,
+                (size_t)k->column[e] + 1);
+    }
+    fprintf(to, " <= %u\n", views);
+    for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
+        const size_t j = (size_t)k->column[e] + 1;
+        fprintf(to, " r%zu_%zu: y%zu_%zu - x%zu <= 0\n", i + 1, j, i + 1, j, j);
+    }
+}
+
+static void print_rows(FILE *to, const murk_sparse_matrix *m, const kinds *k,
+                       unsigned views)
+{
+    for (size_t i = 0; i < m->rows; ++i) {
+        if (k->is_first[i] && m->is_clear) {
+            print_clear_row(to, k, i);
+        } else if (k->is_first[i]) {
+            print_dimmed_row(to, k, i, views);
+        }
+    }
+}
+
+static unsigned views_of(const murk_lp_goal *goal)
+{
+    return goal->redundancy > 1 ? goal->redundancy : 1;
+}
+
+static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
+                       const murk_lp_goal *goal)
+{
+    terms aim = {to, 0}, limit = {to, 0};
+    if (goal->count > 0 && goal->target == 0) {
+        fputs("Maximize\n covered:", to);
+        print_value(&aim, m, k, views_of(goal));
+        fputs("\nSubject To\n count:", to);
+        print_columns(&limit, m);
+        fprintf(to, " = %zu\n", goal->count);
+    } else if (goal->target == 0) {
+        fputs("Maximize\n covered:", to);
+        print_value(&aim, m, k, views_of(goal));
+        fputs("\nSubject To\n", to);
+    } else {
+        /* values are whole in weight * clarity: half a unit below asks the
+         * same, and leaves a solver its tolerance */
+        const double min = ((double)goal->target - 0.5) / views_of(goal) /
+                           MURK_CLEAR / m->unit;
+        fputs("Minimize\n columns:", to);
+        print_columns(&aim, m);
+        fputs("\nSubject To\n target:", to);
+        print_value(&limit, m, k, views_of(goal));
+        fprintf(to, " >= %.15g\n", min);
+    }
+}
+
+/* ---- rules ---- */
+
+/* "+ 3 x7", or "+ x7" where `times` is 1. */
+static void print_member(terms *t, int64_t times, size_t column)
+{
+    begin_term(t);
+    fputs(t->n > 1 ? "+ " : "", t->to);
+    if (times != 1) {
+        fprintf(t->to, "%lld ", (long long)times);
+    }
+    fprintf(t->to, "x%zu", column + 1);
+}
+
+static void print_budget(FILE *to, const murk_constraints *constraints,
+                         size_t columns)
+{
+    terms t = {to, 0};
+    fputs(" budget:", to);
+    for (size_t j = 0; j < columns; ++j) {
+        if (constraints->cost[j] > 0) {
+            print_member(&t, constraints->cost[j], j);
+        }
+    }
+    if (t.n == 0) { /* all for nothing */
+        print_member(&t, 0, 0);
+    }
+    fprintf(to, " <= %lld\n", (long long)constraints->budget);
+}
+
+static void print_class(FILE *to, const murk_rulebook *book, uint32_t number,
+                        bool is_min)
+{
+    terms t = {to, 0};
+    fprintf(to, " class%u_%s:", number + 1, is_min ? "least" : "most");
+    for (size_t j = 0; j < book->candidates; ++j) {
+        if (book->class_of[j] == number) {
+            print_member(&t, 1, j);
+        }
+    }
+    fprintf(to, " %s %zu\n", is_min ? ">=" : "<=",
+            is_min ? book->min[number] : book->max[number]);
+}
+
+/* Sites by the numbers of their columns: sorted by site, then column. */
+static int by_site(const void *a, const void *b)
+{
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+static bool print_sites(FILE *to, const murk_rulebook *book)
+{
+    const size_t n = book->candidates;
+    uint64_t *order = malloc((n + 1) * sizeof *order);
+    for (size_t j = 0; order && j < n; ++j) {
+        order[j] = (uint64_t)book->site[j] << 32 | j;
+    }
+    if (!order) {
+        return false;
+    }
+    qsort(order, n, sizeof *order, by_site);
+    for (size_t k = 0; k < n;) {
+        size_t end = k + 1;
+        while (end < n && order[end] >> 32 == order[k] >> 32) {
+            ++end;
+        }
+        if (end - k > 1) {
+            terms t = {to, 0};
+            fprintf(to, " site%zu:", (size_t)(order[k] >> 32) + 1);
+            for (size_t i = k; i < end; ++i) {
+                print_member(&t, 1, (size_t)(order[i] & UINT32_MAX));
+            }
+            fputs(" <= 1\n", to);
+        }
+        k = end;
+    }
+    free(order);
+    return true;
+}
+
+static bool is_of_one_site(const murk_rulebook *book, uint32_t a, uint32_t b)
+{
+    return book->site && book->site[a] == book->site[b];
+}
+
+/* Pairs apart from those of one site; false beyond the most. */
+static bool print_pairs(FILE *to, const murk_rulebook *book)
+{
+    size_t pairs = 0;
+    for (uint32_t a = 0; a < book->candidates; ++a) {
+        for (uint32_t b = a + 1; b < book->candidates; ++b) {
+            if (!murk_rulebook_excludes(book, a, b) ||
+                is_of_one_site(book, a, b)) {
+                continue;
+            }
+            if (++pairs > ENTRIES_MAX) {
+                return false;
+            }
+            fprintf(to, " apart%zu: x%zu + x%zu <= 1\n", pairs, (size_t)a + 1,
+                    (size_t)b + 1);
+        }
+    }
+    return true;
+}
+
+static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
+                                     const murk_lp_goal *goal, const char *path,
+                                     murk_error *err)
+{
+    const murk_constraints *constraints = goal->constraints;
+    if (!constraints) {
+        return MURK_OK;
+    }
+    murk_rulebook book;
+    const size_t count = goal->count ? goal->count : m->columns;
+    murk_status status =
+        murk_rulebook_init(&book, constraints, m->columns, count,
+                           goal->count == 0 || goal->target > 0, err);
+    if (status) {
+        return status;
+    }
+    if (book.has_budget) {
+        print_budget(to, constraints, m->columns);
+    }
+    for (uint32_t c = 0; c < constraints->classes; ++c) {
+        if (book.min[c] > 0) {
+            print_class(to, &book, c, true);
+        }
+        if (book.has_caps) {
+            print_class(to, &book, c, false);
+        }
+    }
+    for (size_t k = 0; k < constraints->fixed_count; ++k) {
+        fprintf(to, " fixed%zu: x%zu = 1\n", k + 1, constraints->fixed[k] + 1);
+    }
+    if (book.site && !print_sites(to, &book)) {
+        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    }
+    if (!status && book.has_conflicts && !print_pairs(to, &book)) {
+        status = murk_fail(err, MURK_RUN_FAILED, path,
+                           "more than %d pairs of candidates exclude each "
+                           "other, an LP file may have so many",
+                           ENTRIES_MAX);
+    }
+    murk_rulebook_release(&book);
+    return status;
+}
+
+static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k,
+                         unsigned views)
+{
+    if (m->is_clear) { /* else the rows bound them */
+        fputs("Bounds\n", to);
+        for (size_t i = 0; i < m->rows; ++i) {
+            if (k->is_first[i]) {
+                fprintf(to, " y%zu <= %u\n", i + 1, views);
+            }
+        }
+    }
+    fputs("Binaries\n", to);
+    terms t = {to, 0};
+    for (size_t j = 0; j < m->columns; ++j) {
+        begin_term(&t);
+        fprintf(to, "x%zu", j + 1);
+    }
+    fputs("\nEnd\n", to);
+}
+
+murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
+                                        const murk_lp_goal *goal,
+                                        const char *path, murk_error *err)
+{
+    murk_file *file = NULL;
+    kinds k = {0};
+    murk_status status = MURK_OK;
+    if (!group(&k, m)) {
+        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    } else if (k.begin[m->rows] > ENTRIES_MAX) {
+        status = murk_fail(err, MURK_RUN_FAILED, path,
+                           "%zu entries of rows that differ, an LP file may "
+                           "have %d",
+                           k.begin[m->rows], ENTRIES_MAX);
+    }
+    if (!status) {
+        status = murk_file_create(&file, path, err);
+    }
+    if (!status) {
+        FILE *to = murk_file_stream(file);
+        double whole = 0;
+        for (size_t i = 0; i < m->rows; ++i) {
+            whole += m->weight[i];
+        }
+        fprintf(to,
+                "\\ %zu rows of weight %.15g, %zu columns; x: column chosen, "
+                "y: row covered\n",
+                m->rows, whole / m->unit, m->columns);
+        print_goal(to, m, &k, goal);
+        status = print_constraints(to, m, goal, path, err);
+        print_rows(to, m, &k, views_of(goal));
+        print_bounds(to, m, &k, views_of(goal));
+        if (status) {
+            murk_file_discard(file);
+        } else {
+            status = murk_file_commit(&file, err);
+        }
+    }
+    release(&k);
+    return status;
+}

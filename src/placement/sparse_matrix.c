@@ -1,0 +1,210 @@
+#include "placement/sparse_matrix.h"
+
+#include "base/interrupt.h"
+#include "base/pool.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void look(void *context, unsigned worker, size_t candidate,
+                 murk_look *out)
+{
+    const murk_sparse_matrix *m = context;
+    (void)worker;
+    const size_t from = m->begin[candidate];
+    *out = (murk_look){.seen = m->begin[candidate + 1] - from,
+                       .photon = m->row + from,
+                       .clarity = m->is_clear ? NULL : m->clarity + from};
+}
+
+murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
+                                        unsigned threads)
+{
+    return (murk_problem){.photons = matrix->rows,
+                          .candidates = matrix->columns,
+                          .weight = matrix->weight,
+                          .look = look,
+                          .context = matrix,
+                          .threads = threads};
+}
+
+/* Looks are made by blocks: on any thread, each kept until all of its block are
+ * appended in order. */
+#define BLOCK_EACH 8
+
+typedef struct kept_look {
+    size_t seen;
+    uint32_t *photon;
+    uint16_t *clarity;
+    bool has_failed;
+} kept_look;
+
+typedef struct collection {
+    const murk_problem *problem;
+    murk_sparse_matrix *matrix;
+    size_t room, max;
+    size_t first; /* candidate of block[0] */
+    kept_look *block;
+} collection;
+
+static void look_once(void *context, unsigned worker, uint64_t batch)
+{
+    const collection *c = context;
+    kept_look *kept = &c->block[batch];
+    murk_look seen;
+    c->problem->look(c->problem->context, worker, c->first + batch, &seen);
+    *kept =
+        (kept_look){.seen = seen.seen,
+                    .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
+                    .clarity = malloc((seen.seen + 1) * sizeof *kept->clarity)};
+    kept->has_failed = !kept->photon || !kept->clarity;
+    for (size_t k = 0; k < seen.seen && !kept->has_failed; ++k) {
+        kept->photon[k] = seen.photon[k];
+        kept->clarity[k] = seen.clarity ? seen.clarity[k] : MURK_CLEAR;
+    }
+}
+
+/* Room for `more` entries behind the first `have`. */
+static bool make_room(collection *c, size_t have, size_t more)
+{
+    murk_sparse_matrix *m = c->matrix;
+    if (have + more <= c->room) {
+        return true;
+    }
+    size_t wanted = 2 * c->room;
+    wanted = wanted > have + more ? wanted : have + more;
+    uint32_t *row = realloc(m->row, wanted * sizeof *row);
+    if (!row) {
+        return false;
+    }
+    m->row = row;
+    uint16_t *clarity = realloc(m->clarity, wanted * sizeof *clarity);
+    if (!clarity) {
+        return false;
+    }
+    m->clarity = clarity;
+    c->room = wanted;
+    return true;
+}
+
+static murk_status append(collection *c, size_t candidate,
+                          const kept_look *seen, murk_error *err)
+{
+    murk_sparse_matrix *m = c->matrix;
+    const size_t have = m->begin[candidate];
+    if (have + seen->seen > c->max) {
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "the first %zu of %zu candidates see %zu photons, a "
+                         "matrix may have %zu entries",
+                         candidate + 1, m->columns, have + seen->seen, c->max);
+    }
+    if (seen->has_failed || !make_room(c, have, seen->seen)) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
+    }
+    memcpy(m->row + have, seen->photon, seen->seen * sizeof *m->row);
+    memcpy(m->clarity + have, seen->clarity, seen->seen * sizeof *m->clarity);
+    for (size_t k = 0; k < seen->seen; ++k) {
+        m->is_clear = m->is_clear && seen->clarity[k] == MURK_CLEAR;
+    }
+    m->begin[candidate + 1] = have + seen->seen;
+    return MURK_OK;
+}
+
+static murk_status look_all(collection *c, murk_error *err)
+{
+    const size_t room = (size_t)BLOCK_EACH * c->problem->threads;
+    murk_status status = MURK_OK;
+    c->block = calloc(room, sizeof *c->block);
+    if (!c->block) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
+    }
+    for (; c->first < c->matrix->columns && !status; c->first += room) {
+        const size_t left = c->matrix->columns - c->first;
+        const size_t n = left < room ? left : room;
+        murk_pool_run_workers(c->problem->threads, n, look_once, c);
+        if (murk_interrupted()) {
+            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        }
+        for (size_t i = 0; i < n; ++i) {
+            if (!status) {
+                status = append(c, c->first + i, &c->block[i], err);
+            }
+            free(c->block[i].photon);
+            free(c->block[i].clarity);
+            c->block[i] = (kept_look){0};
+        }
+    }
+    free(c->block);
+    return status;
+}
+
+/* Weights in the smallest whole numbers of the same ratios: a sum is then
+ * what it was, divided by their greatest common divisor. */
+static void reduce_weights(murk_sparse_matrix *m)
+{
+    uint32_t common = 0;
+    for (size_t i = 0; i < m->rows; ++i) {
+        uint32_t a = common, b = m->weight[i];
+        while (b) {
+            const uint32_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+        common = a;
+    }
+    for (size_t i = 0; i < m->rows && common > 1; ++i) {
+        m->weight[i] /= common;
+    }
+}
+
+murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
+                                       const murk_problem *problem,
+                                       size_t max_entries, murk_error *err)
+{
+    murk_status status = MURK_NO_MEMORY;
+    murk_sparse_matrix *m = calloc(1, sizeof *m);
+    if (m) {
+        *m = (murk_sparse_matrix){
+            .format = MURK_MATRIX_SPARSE_CSV,
+            .rows = problem->photons,
+            .columns = problem->candidates,
+            .unit = 1,
+            .is_clear = true,
+            .weight = malloc((problem->photons + 1) * sizeof *m->weight),
+            .begin = calloc(problem->candidates + 1, sizeof *m->begin)};
+        status = m->weight && m->begin ? MURK_OK : status;
+    }
+    if (status) {
+        murk_sparse_matrix_destroy(m);
+        return murk_fail(err, status, "", "no memory for the matrix");
+    }
+    memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
+    reduce_weights(m);
+    collection c = {.problem = problem, .matrix = m, .max = max_entries};
+    status = make_room(&c, 0, 1) ? look_all(&c, err)
+                                 : murk_fail(err, MURK_NO_MEMORY, "",
+                                             "no memory for the matrix");
+    if (status) {
+        murk_sparse_matrix_destroy(m);
+        return status;
+    }
+    *out = m;
+    return MURK_OK;
+}
+
+void murk_sparse_matrix_destroy(murk_sparse_matrix *matrix)
+{
+    if (!matrix) {
+        return;
+    }
+    for (size_t j = 0; matrix->name && j < matrix->columns; ++j) {
+        free(matrix->name[j]);
+    }
+    free(matrix->name);
+    free(matrix->cost);
+    free(matrix->weight);
+    free(matrix->begin);
+    free(matrix->row);
+    free(matrix->clarity);
+    free(matrix);
+}

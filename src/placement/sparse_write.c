@@ -1,0 +1,168 @@
+/* Coverage matrices as text, for murk's own reader and for others. */
+#include "placement/sparse_matrix.h"
+
+#include "base/file.h"
+#include "base/number.h"
+
+#include <stdlib.h>
+
+/* Six digits read back to the same clarity: a step of it is 1.5e-5. */
+static void print_entry(FILE *to, size_t row, size_t column, uint16_t clarity)
+{
+    fprintf(to, "%zu,%zu,%.6g", row + 1, column + 1,
+            (double)clarity / MURK_CLEAR);
+}
+
+static void print_weight(FILE *to, const murk_sparse_matrix *m, size_t row)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_number_print(text, m->weight[row] / m->unit);
+    fputs(text, to);
+}
+
+static bool all_weigh_one(const murk_sparse_matrix *m)
+{
+    bool is_one = m->unit == 1;
+    for (size_t i = 0; i < m->rows && is_one; ++i) {
+        is_one = m->weight[i] == 1;
+    }
+    return is_one;
+}
+
+/* is_covered[rows]; the caller's to free(). */
+static bool *find_covered(const murk_sparse_matrix *m)
+{
+    bool *is_covered = calloc(m->rows + 1, sizeof *is_covered);
+    for (size_t k = 0; is_covered && k < murk_sparse_matrix_entries(m); ++k) {
+        is_covered[m->row[k]] = true;
+    }
+    return is_covered;
+}
+
+static murk_status open_for(murk_file **file, const char *path, void *memory,
+                            murk_error *err)
+{
+    return memory
+               ? murk_file_create(file, path, err)
+               : murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+}
+
+murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *m,
+                                         const char *path, murk_error *err)
+{
+    murk_file *file = NULL;
+    bool *is_covered = find_covered(m);
+    const murk_status status = open_for(&file, path, is_covered, err);
+    if (status) {
+        free(is_covered);
+        return status;
+    }
+    FILE *to = murk_file_stream(file);
+    const bool has_weights = !all_weigh_one(m);
+    const char *end = has_weights ? ",\n" : "\n";
+    fprintf(to, "row,column,clarity%s\n", has_weights ? ",weight" : "");
+    for (size_t i = 0; i < m->rows; ++i) {
+        if (has_weights) {
+            fprintf(to, "%zu,,,", i + 1);
+            print_weight(to, m, i);
+            fputc('\n', to);
+        } else if (!is_covered[i]) {
+            fprintf(to, "%zu,,\n", i + 1);
+        }
+    }
+    for (size_t j = 0; j < m->columns; ++j) {
+        if (m->begin[j] == m->begin[j + 1]) {
+            fprintf(to, ",%zu,%s", j + 1, end);
+        }
+        for (size_t k = m->begin[j]; k < m->begin[j + 1]; ++k) {
+            print_entry(to, m->row[k], j, m->clarity[k]);
+            fputs(end, to);
+        }
+    }
+    free(is_covered);
+    return murk_file_commit(&file, err);
+}
+
+/* The matrix by rows: of row i the columns by_row[begin[i] .. begin[i + 1]]. */
+typedef struct by_rows {
+    size_t *begin;
+    uint32_t *column;
+} by_rows;
+
+static bool turn(by_rows *out, const murk_sparse_matrix *m)
+{
+    const size_t entries = murk_sparse_matrix_entries(m);
+    *out = (by_rows){calloc(m->rows + 2, sizeof *out->begin),
+                     malloc((entries + 1) * sizeof *out->column)};
+    if (!out->begin || !out->column) {
+        return false;
+    }
+    /* begin[i + 2] counts row i, then begin[i + 1] is where it goes on */
+    for (size_t k = 0; k < entries; ++k) {
+        ++out->begin[m->row[k] + 2];
+    }
+    for (size_t i = 0; i < m->rows; ++i) {
+        out->begin[i + 2] += out->begin[i + 1];
+    }
+    for (size_t j = 0; j < m->columns; ++j) {
+        for (size_t k = m->begin[j]; k < m->begin[j + 1]; ++k) {
+            out->column[out->begin[m->row[k] + 1]++] = (uint32_t)j;
+        }
+    }
+    return true;
+}
+
+#define NUMBERS_A_LINE 12
+
+/* Numbers in lines of twelve, as the library has them. */
+static void separate(FILE *to, size_t k, size_t n)
+{
+    fputc((k + 1) % NUMBERS_A_LINE == 0 || k + 1 == n ? '\n' : ' ', to);
+}
+
+static void print_rows(FILE *to, const murk_sparse_matrix *m,
+                       const by_rows *rows)
+{
+    char text[MURK_NUMBER_SIZE];
+    fprintf(to, "%zu %zu\n", m->rows, m->columns);
+    for (size_t j = 0; j < m->columns; ++j) {
+        murk_number_print(text, m->cost ? m->cost[j] : 1);
+        fputs(text, to);
+        separate(to, j, m->columns);
+    }
+    for (size_t i = 0; i < m->rows; ++i) {
+        const size_t n = rows->begin[i + 1] - rows->begin[i];
+        fprintf(to, "%zu\n", n);
+        for (size_t k = 0; k < n; ++k) {
+            fprintf(to, "%zu", (size_t)rows->column[rows->begin[i] + k] + 1);
+            separate(to, k, n);
+        }
+    }
+    const bool has_weights = !all_weigh_one(m);
+    for (size_t i = 0; i < m->rows && has_weights; ++i) {
+        print_weight(to, m, i);
+        separate(to, i, m->rows);
+    }
+}
+
+murk_status murk_sparse_matrix_write_or_library(const murk_sparse_matrix *m,
+                                                const char *path,
+                                                murk_error *err)
+{
+    if (!m->is_clear) {
+        return murk_fail(err, MURK_RUN_FAILED, path,
+                         "OR-Library's text holds 0 and 1 only, and some "
+                         "sightlines are dimmed; CSV holds them");
+    }
+    murk_file *file = NULL;
+    by_rows rows = {0};
+    murk_status status =
+        open_for(&file, path, turn(&rows, m) ? &rows : NULL, err);
+    if (!status) {
+        print_rows(murk_file_stream(file), m, &rows);
+        status = murk_file_commit(&file, err);
+    }
+    free(rows.begin);
+    free(rows.column);
+    return status;
+}

@@ -1,0 +1,366 @@
+#include "plan/explore.h"
+
+#include "base/interrupt.h"
+#include "base/pool.h"
+#include "base/progress.h"
+#include "placement/stepping.h"
+#include "plan/explored.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Poses whose outlook is asked between two looks at the best so far; fixed, so
+ * that who is asked does not depend on the threads. */
+#define CHUNK 32
+
+typedef struct exploring {
+    murk_explore *out;
+    const murk_poses *poses;
+    murk_sight *sight;
+    uint32_t start;
+    murk_rulebook book;
+    murk_partial_plan partial;
+    murk_stepping stepping;
+    murk_explored explored;
+    uint32_t *open;      /* [poses] that may be next */
+    uint32_t *opens;     /* [poses] places each brings into view, at most */
+    murk_ranked *ranked; /* [poses] */
+    uint32_t chunk[CHUNK];
+    uint32_t here; /* the place last gone to */
+} exploring;
+
+/* ---- what may be next ---- */
+
+/* *seen: poses in seen space, those that stand too. */
+static size_t gather(exploring *e, size_t *seen)
+{
+    size_t n = 0;
+    const bool is_first = e->out->stops == 0;
+    const size_t candidates = e->poses->count - e->poses->fixed;
+    *seen = 0;
+    for (uint32_t j = 0; j < candidates; ++j) {
+        const uint32_t place = e->poses->site[j];
+        if (is_first ? place == e->start
+                     : murk_explored_joins(&e->explored, place, e->start)) {
+            ++*seen;
+            if (murk_partial_plan_admits(&e->partial, j, false)) {
+                e->open[n++] = j;
+            }
+        }
+    }
+    return n;
+}
+
+static void count_opened(void *context, uint64_t batch)
+{
+    exploring *e = context;
+    const uint32_t j = e->chunk[batch];
+    e->opens[j] = (uint32_t)murk_explored_opens(
+        &e->explored, &e->poses->pose[j], e->poses->site[j]);
+}
+
+/* The pose that brings most places into view, if any does. What it brings only
+ * falls as more is seen. */
+static bool widen(exploring *e, size_t n, uint32_t *next)
+{
+    for (size_t k = 0; k < n; ++k) {
+        e->ranked[k] = (murk_ranked){e->opens[e->open[k]], e->open[k]};
+    }
+    murk_ranked_sort(e->ranked, n);
+    murk_ranked best = {0, 0};
+    for (size_t at = 0; at < n && !murk_interrupted();) {
+        size_t taken = 0;
+        while (at < n && taken < CHUNK &&
+               (e->ranked[at].bound > best.bound ||
+                (e->ranked[at].bound == best.bound && best.bound > 0 &&
+                 e->ranked[at].candidate < best.candidate))) {
+            e->chunk[taken++] = e->ranked[at++].candidate;
+        }
+        if (taken == 0) {
+            break;
+        }
+        murk_pool_run(murk_sight_described(e->sight)->threads, taken,
+                      count_opened, e);
+        for (size_t k = 0; k < taken; ++k) {
+            const murk_ranked now = {e->opens[e->chunk[k]], e->chunk[k]};
+            if (now.bound > best.bound ||
+                (now.bound == best.bound && best.bound > 0 &&
+                 now.candidate < best.candidate)) {
+                best = now;
+            }
+        }
+    }
+    *next = best.candidate;
+    return best.bound > 0;
+}
+
+/* ---- steps ---- */
+
+static murk_status go_to(exploring *e, uint32_t place, double *length_m,
+                         murk_error *err)
+{
+    murk_explore *out = e->out;
+    size_t stops = 0;
+    murk_vec3 *way = NULL;
+    murk_status status = murk_explored_way(&e->explored, &way, &stops, length_m,
+                                           e->here, place, err);
+    if (status) {
+        return status;
+    }
+    const size_t first = out->stops > 0; /* where it is already */
+    murk_vec3 *stop =
+        realloc(out->stop, (out->stops + stops + 1) * sizeof *stop);
+    if (stop) {
+        out->stop = stop;
+        memcpy(stop + out->stops, way + first, (stops - first) * sizeof *stop);
+        out->stops += stops - first;
+        e->here = place;
+    } else {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the path");
+    }
+    free(way);
+    return status;
+}
+
+static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
+                        murk_error *err)
+{
+    murk_explore *out = e->out;
+    murk_explore_step *step = &out->step[out->steps];
+    double length_m = 0;
+    if (is_gone_to) {
+        const murk_status status = go_to(e, e->poses->site[j], &length_m, err);
+        if (status) {
+            return status;
+        }
+    }
+    const double gone_m = out->steps ? out->step[out->steps - 1].path_m : 0;
+    murk_partial_plan_add(&e->partial, j);
+    *step = (murk_explore_step){
+        .candidate = j,
+        .gain = murk_stepping_take(&e->stepping, j),
+        .value = e->stepping.value,
+        .path_m = gone_m + length_m,
+        .places_seen = murk_explored_see(&e->explored, &e->poses->pose[j],
+                                         e->poses->site[j]),
+        .queries = murk_sight_queries(e->sight),
+        .shadow_rays = murk_sight_shadow_rays(e->sight),
+        .stops = out->stops};
+    ++out->steps;
+    murk_progress_add(1);
+    return MURK_OK;
+}
+
+/* Finds what is next; false where nothing is, out->end then says why. */
+static bool choose(exploring *e, uint32_t *next)
+{
+    uint64_t gain = 0;
+    size_t seen;
+    const size_t n = gather(e, &seen);
+    if (n == 0) {
+        e->out->end = seen > e->out->steps - e->out->fixed
+                          ? MURK_EXPLORE_CONSTRAINTS
+                          : MURK_EXPLORE_NOTHING;
+        return false;
+    }
+    *next = murk_stepping_best(&e->stepping, e->open, n, &gain);
+    if (gain > 0 || widen(e, n, next)) {
+        return true;
+    }
+    *next = e->open[0];
+    e->out->end = MURK_EXPLORE_NOTHING;
+    return e->out->stops == 0; /* the start is a station, come what may */
+}
+
+static murk_status begin(exploring *e, bool has_start, murk_error *err)
+{
+    double none;
+    murk_status status = has_start ? MURK_OK : go_to(e, e->start, &none, err);
+    const size_t first = e->poses->count - e->poses->fixed;
+    for (size_t k = 0; k < e->poses->fixed && !status; ++k) {
+        status = take(e, (uint32_t)(first + k), false, err);
+    }
+    e->out->fixed = e->poses->fixed;
+    return status;
+}
+
+static murk_status step_on(exploring *e, const murk_place_desc *desc,
+                           const char *where, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    while (!status && !murk_interrupted()) {
+        uint32_t next;
+        if (desc->target && e->stepping.value >= desc->target) {
+            e->out->end = MURK_EXPLORE_TARGET;
+            return MURK_OK;
+        }
+        if (!desc->target && desc->count > 0 &&
+            e->partial.size == desc->count) {
+            e->out->end = MURK_EXPLORE_COUNT;
+            return MURK_OK;
+        }
+        if (e->out->steps == MURK_EXPLORE_MAX + e->out->fixed) {
+            e->out->end = MURK_EXPLORE_STATIONS;
+            return MURK_OK;
+        }
+        if (!choose(e, &next)) {
+            break;
+        }
+        status = take(e, next, true, err);
+    }
+    if (!status && murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    } else if (!status && e->out->stops == 0) {
+        status = murk_fail(err, MURK_BAD_VALUE, where,
+                           "start_m: the rules let no sensor stand at the "
+                           "start");
+    }
+    return status;
+}
+
+/* ---- the plan ---- */
+
+static const char *why(murk_explore_end end)
+{
+    return end == MURK_EXPLORE_CONSTRAINTS
+               ? "the rules let nobody join in seen space"
+           : end == MURK_EXPLORE_STATIONS ? "that is the most"
+                                          : "nothing in seen space adds to it";
+}
+
+static murk_status check_end(const exploring *e, const murk_place_desc *desc,
+                             murk_error *err)
+{
+    const murk_explore *out = e->out;
+    if (desc->target && out->end != MURK_EXPLORE_TARGET) {
+        const double whole = (double)e->stepping.layout.whole;
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "target %.6g is not reached: exploring ends with %zu "
+                         "sensors that see %.6g, %zu of %zu places seen: %s",
+                         (double)desc->target / whole, out->steps,
+                         (double)e->stepping.value / whole,
+                         out->steps ? out->step[out->steps - 1].places_seen : 0,
+                         out->places, why(out->end));
+    }
+    if (e->partial.missing > 0) {
+        return murk_fail(err, MURK_RUN_FAILED, "",
+                         "exploring ends with %zu sensors, %zu short of the "
+                         "types' least counts: %s",
+                         out->steps, e->partial.missing, why(out->end));
+    }
+    return MURK_OK;
+}
+
+static int by_number(const void *a, const void *b)
+{
+    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
+    return (x > y) - (x < y);
+}
+
+static murk_status fill(murk_place_result *place, const exploring *e,
+                        murk_error *err)
+{
+    const murk_explore *out = e->out;
+    size_t *sensor = calloc(out->steps + 1, sizeof *sensor);
+    if (!sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plan");
+    }
+    for (size_t k = 0; k < out->steps; ++k) {
+        sensor[k] = out->step[k].candidate;
+    }
+    qsort(sensor, out->steps, sizeof *sensor, by_number);
+    *place = (murk_place_result){.count = out->steps,
+                                 .sensor = sensor,
+                                 .value = e->stepping.value,
+                                 .cost = e->partial.cost,
+                                 .whole = e->stepping.layout.whole,
+                                 .evaluations = e->stepping.looks,
+                                 .looks = murk_sight_queries(e->sight)};
+    return MURK_OK;
+}
+
+static murk_status set_aside(exploring *e, murk_error *err)
+{
+    const size_t n = e->poses->count + 1;
+    const size_t steps = e->poses->fixed + MURK_EXPLORE_MAX + 1;
+    e->open = malloc(n * sizeof *e->open);
+    e->opens = malloc(n * sizeof *e->opens);
+    e->ranked = malloc(n * sizeof *e->ranked);
+    e->out->step = calloc(steps, sizeof *e->out->step);
+    if (!e->open || !e->opens || !e->ranked || !e->out->step) {
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to explore %zu candidates",
+                         e->poses->count);
+    }
+    memset(e->opens, 0xff, n * sizeof *e->opens);
+    return MURK_OK;
+}
+
+murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
+                             const murk_stage *stage, murk_sight *sight,
+                             const murk_problem *problem,
+                             const murk_candidates *sites,
+                             const murk_poses *poses, uint32_t start,
+                             const murk_place_desc *desc, murk_error *err)
+{
+    assert(desc->constraints);
+    const murk_scene_placement *settings = &stage->scene->placement;
+    exploring e = {.out = out,
+                   .poses = poses,
+                   .sight = sight,
+                   .start = start,
+                   .here = start};
+    *out = (murk_explore){.places = sites->usable};
+    const bool is_max = desc->target || desc->constraints->budget > 0;
+    const size_t count = desc->count > 0 ? desc->count : poses->count;
+    murk_status status = murk_rulebook_init(
+        &e.book, desc->constraints, poses->count,
+        count < poses->count ? count : poses->count, is_max, err);
+    if (!status) {
+        status = murk_partial_plan_init(&e.partial, &e.book, err);
+    }
+    if (!status) {
+        status = murk_stepping_init(&e.stepping, problem, &e.book, err);
+    }
+    if (!status) {
+        status =
+            murk_explored_init(&e.explored, murk_sight_described(sight),
+                               stage->scene->bands, sites->usable, poses, err);
+    }
+    if (!status) {
+        status = set_aside(&e, err);
+    }
+    if (status) {
+        goto done;
+    }
+    murk_progress_begin("explore", desc->target ? 0 : count, "stations");
+    status = begin(&e, settings->has_start, err);
+    if (!status) {
+        status = step_on(&e, desc, settings->where, err);
+    }
+    murk_progress_end();
+    out->ways = (uint64_t)murk_tally_read(&e.explored.outlook.tried);
+    if (!status) {
+        status = check_end(&e, desc, err);
+    }
+    if (!status) {
+        status = fill(place, &e, err);
+    }
+done:
+    free(e.open);
+    free(e.opens);
+    free(e.ranked);
+    murk_explored_release(&e.explored);
+    murk_stepping_release(&e.stepping);
+    murk_partial_plan_release(&e.partial);
+    murk_rulebook_release(&e.book);
+    return status;
+}
+
+void murk_explore_release(murk_explore *explore)
+{
+    free(explore->step);
+    free(explore->stop);
+    *explore = (murk_explore){0};
+}

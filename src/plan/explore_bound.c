@@ -1,0 +1,126 @@
+/* What no plan of all candidates exceeds, for one that was explored. */
+#include "plan/explore.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+typedef struct everywhere {
+    const murk_problem *problem;
+    murk_matrix *matrix; /* NULL: no room, each is looked at anew */
+} everywhere;
+
+static murk_status place_all(murk_place_result *out, const everywhere *all,
+                             const murk_place_desc *desc, murk_error *err)
+{
+    return all->matrix
+               ? murk_place_known(out, all->problem, all->matrix, desc, err)
+               : murk_place_unknown(out, all->problem, desc, err);
+}
+
+static bool has_min(const murk_constraints *constraints)
+{
+    size_t sum = 0;
+    for (size_t k = 0; constraints->min && k < constraints->classes; ++k) {
+        sum += constraints->min[k];
+    }
+    return sum > 0;
+}
+
+/* Greedy's plan of as many sensors comes with bounds for that count and the
+ * fewer ones. Stations on the way need not meet least counts: they are bounded
+ * as plans without these, the last as one with them. *fewest: sensors that a
+ * plan has at least, where there is a curve. */
+static murk_status bound_all(murk_place_result *out, size_t *fewest,
+                             const everywhere *all, const murk_place_desc *desc,
+                             murk_error *err)
+{
+    const murk_status status = place_all(out, all, desc, err);
+    *fewest = out->curve ? out->curve[0].count : 0;
+    if (status || !has_min(desc->constraints) || !out->curve) {
+        return status;
+    }
+    murk_constraints constraints = *desc->constraints;
+    murk_place_desc freer = *desc;
+    murk_place_result on_the_way = {0};
+    constraints.min = NULL;
+    freer.constraints = &constraints;
+    const murk_status later = place_all(&on_the_way, all, &freer, err);
+    if (!later) {
+        free(out->curve);
+        out->curve = on_the_way.curve;
+        out->curve_points = on_the_way.curve_points;
+        on_the_way.curve = NULL;
+        murk_curve_point *last = &out->curve[out->curve_points - 1];
+        last->upper = out->upper < last->upper ? out->upper : last->upper;
+        out->upper = last->upper;
+    }
+    murk_place_release(&on_the_way);
+    return later;
+}
+
+/* It looks at every candidate, in a matrix where there is room. */
+static murk_status look_and_bound(murk_place_result *out, size_t *fewest,
+                                  const murk_problem *problem,
+                                  const murk_place_desc *desc,
+                                  uint64_t max_bytes, murk_error *err)
+{
+    everywhere all = {.problem = problem};
+    murk_error full = {0};
+    murk_status status =
+        murk_matrix_create(&all.matrix, problem, max_bytes, &full);
+    status = status == MURK_OK || status == MURK_RUN_FAILED
+                 ? bound_all(out, fewest, &all, desc, err)
+                 : murk_fail(err, status, full.where, "%s", full.text);
+    murk_matrix_destroy(all.matrix);
+    return status;
+}
+
+/* The curve of the stations in their order, with the bounds. */
+static void follow(murk_place_result *all, const murk_explore *explore,
+                   uint64_t target, size_t fewest)
+{
+    all->fewest = 0;
+    for (size_t k = 0; k < all->curve_points; ++k) {
+        murk_curve_point *point = &all->curve[k];
+        point->value = explore->step[point->count - 1].value;
+        if (all->fewest == 0 && target > 0 && point->upper >= target &&
+            point->count >= fewest) {
+            all->fewest = point->count;
+        }
+    }
+}
+
+murk_status murk_explore_bound(murk_place_result *place,
+                               const murk_explore *explore,
+                               const murk_problem *problem,
+                               const murk_place_desc *desc, uint64_t max_bytes,
+                               murk_error *err)
+{
+    assert(desc->constraints);
+    murk_place_desc greedy = *desc;
+    murk_place_result all = {0};
+    const bool has_budget = desc->constraints->budget > 0;
+    greedy.method = MURK_PLACE_GREEDY;
+    greedy.target = 0;
+    greedy.nodes = 0;
+    greedy.count = has_budget ? desc->count : place->count;
+    size_t fewest = 0;
+    const murk_status status =
+        look_and_bound(&all, &fewest, problem, &greedy, max_bytes, err);
+    if (status) {
+        murk_place_release(&all);
+        return status;
+    }
+    follow(&all, explore, desc->target, fewest);
+    place->upper = all.upper;
+    place->proven_optimal = place->value == place->upper;
+    place->guarantee = "none";
+    place->fewest = all.fewest;
+    place->ceiling = all.ceiling;
+    place->after_presolve = all.after_presolve;
+    place->curve = all.curve;
+    place->curve_points = all.curve_points;
+    all.curve = NULL;
+    murk_place_release(&all);
+    return MURK_OK;
+}

@@ -1,0 +1,184 @@
+#include "plan/explored.h"
+
+#include "plan/route.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* Seen places that a way is sought over, beside those that must be: the steps
+ * between them are some 2e6. */
+#define WAY_PLACES_MAX 2000
+
+murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
+                               int bands, size_t sites, const murk_poses *poses,
+                               murk_error *err)
+{
+    size_t places = sites;
+    for (size_t j = 0; j < poses->count; ++j) {
+        const size_t above = (size_t)poses->site[j] + 1;
+        places = above > places ? above : places;
+    }
+    *out = (murk_explored){.places = places, .sites = sites};
+    murk_outlook_init(&out->outlook, sight, bands);
+    out->place = calloc(places + 1, sizeof *out->place);
+    out->is_seen = calloc(places + 1, sizeof *out->is_seen);
+    out->is_kept = calloc(places + 1, sizeof *out->is_kept);
+    out->joined = calloc(places + 1, sizeof *out->joined);
+    if (!out->place || !out->is_seen || !out->is_kept || !out->joined) {
+        murk_explored_release(out);
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu places",
+                         places);
+    }
+    for (size_t j = 0; j < poses->count; ++j) {
+        out->place[poses->site[j]] = poses->pose[j].position;
+    }
+    for (size_t k = 0; k < places; ++k) {
+        out->joined[k] = (uint32_t)k;
+    }
+    return MURK_OK;
+}
+
+void murk_explored_release(murk_explored *explored)
+{
+    free(explored->place);
+    free(explored->is_seen);
+    free(explored->is_kept);
+    free(explored->joined);
+    *explored = (murk_explored){0};
+}
+
+/* The least place of those joined to this one. */
+static uint32_t root_of(const murk_explored *e, uint32_t place)
+{
+    while (e->joined[place] != place) {
+        place = e->joined[place];
+    }
+    return place;
+}
+
+/* Shortens the way to the root for next time. */
+static uint32_t find_root(murk_explored *e, uint32_t place)
+{
+    const uint32_t root = root_of(e, place);
+    while (e->joined[place] != root) {
+        const uint32_t next = e->joined[place];
+        e->joined[place] = root;
+        place = next;
+    }
+    return root;
+}
+
+static void join(murk_explored *e, uint32_t a, uint32_t b)
+{
+    const uint32_t x = find_root(e, a), y = find_root(e, b);
+    e->joined[x > y ? x : y] = x > y ? y : x;
+}
+
+static void mark_seen(murk_explored *e, uint32_t place)
+{
+    e->sites_seen += !e->is_seen[place] && place < e->sites;
+    e->is_seen[place] = 1;
+}
+
+size_t murk_explored_see(murk_explored *e, const murk_pose *pose,
+                         uint32_t place)
+{
+    const murk_outlook_view view = murk_outlook_from(&e->outlook, pose);
+    mark_seen(e, place);
+    e->is_kept[place] = 1;
+    for (uint32_t k = 0; k < e->places; ++k) {
+        if (!murk_outlook_sees(&view, e->place[k])) {
+            continue;
+        }
+        if (e->is_seen[k] && find_root(e, k) != find_root(e, place)) {
+            e->is_kept[k] = 1;
+        }
+        mark_seen(e, k);
+        join(e, k, place);
+    }
+    return e->sites_seen;
+}
+
+bool murk_explored_joins(const murk_explored *e, uint32_t place, uint32_t other)
+{
+    return e->is_seen[place] && root_of(e, place) == root_of(e, other);
+}
+
+size_t murk_explored_opens(murk_explored *e, const murk_pose *pose,
+                           uint32_t place)
+{
+    const murk_outlook_view view = murk_outlook_from(&e->outlook, pose);
+    size_t n = 0;
+    for (uint32_t k = 0; k < e->sites; ++k) {
+        n += !murk_explored_joins(e, k, place) &&
+             murk_outlook_sees(&view, e->place[k]);
+    }
+    return n;
+}
+
+/* The places that a way may lead over, rising. */
+static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
+                          uint32_t *list)
+{
+    const uint32_t root = root_of(e, from);
+    size_t free_ones = 0;
+    for (uint32_t k = 0; k < e->places; ++k) {
+        free_ones += e->is_seen[k] && !e->is_kept[k] && root_of(e, k) == root;
+    }
+    const size_t each = free_ones > WAY_PLACES_MAX
+                            ? (free_ones + WAY_PLACES_MAX - 1) / WAY_PLACES_MAX
+                            : 1;
+    size_t n = 0, met = 0;
+    for (uint32_t k = 0; k < e->places; ++k) {
+        const bool is_end = k == from || k == to;
+        if (!is_end && (!e->is_seen[k] || root_of(e, k) != root)) {
+            continue;
+        }
+        const bool is_free = !e->is_kept[k];
+        met += is_free;
+        if (is_end || !is_free || met % each == 0) {
+            list[n++] = k;
+        }
+    }
+    return n;
+}
+
+murk_status murk_explored_way(murk_explored *e, murk_vec3 **way, size_t *stops,
+                              double *length_m, uint32_t from, uint32_t to,
+                              murk_error *err)
+{
+    uint32_t *list = malloc((e->places + 1) * sizeof *list);
+    size_t n = list ? list_places(e, from, to, list) : 0;
+    murk_vec3 *place = malloc((n + 1) * sizeof *place);
+    size_t *stop = malloc((n + 1) * sizeof *stop);
+    murk_vec3 *out = malloc((n + 1) * sizeof *out);
+    murk_status status = MURK_OK;
+    if (!list || !place || !stop || !out) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for a way over %zu places", e->places);
+        goto done;
+    }
+    size_t first = 0, last = 0;
+    for (size_t k = 0; k < n; ++k) {
+        place[k] = e->place[list[k]];
+        first = list[k] == from ? k : first;
+        last = list[k] == to ? k : last;
+    }
+    status = murk_route_find(stop, stops, length_m, &e->outlook, place, n,
+                             first, last, err);
+    if (status) {
+        goto done;
+    }
+    assert(*stops > 0);
+    for (size_t k = 0; k < *stops; ++k) {
+        out[k] = place[stop[k]];
+    }
+    *way = out;
+    out = NULL;
+done:
+    free(list);
+    free(place);
+    free(stop);
+    free(out);
+    return status;
+}

@@ -1,0 +1,436 @@
+#include "plan/plan.h"
+
+#include "base/log.h"
+#include "base/machine.h"
+#include "base/progress.h"
+#include "medium/acceptance.h"
+#include "placement/at_least.h"
+#include "plan/dark.h"
+#include "plan/few_photons.h"
+#include "plan/row_cache.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#define MATRIX_SHARE 0.7 /* of the free memory, for the known matrix */
+
+/* Of a share of nothing. */
+static const murk_estimate NO_ESTIMATE = {NAN, NAN};
+
+murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
+{
+    static const murk_place_method method_of[] = {
+        [MURK_SCENE_BEST] = MURK_PLACE_BEST,
+        [MURK_SCENE_SPOQ] = MURK_PLACE_SPOQ,
+        [MURK_SCENE_GREEDY] = MURK_PLACE_GREEDY,
+        [MURK_SCENE_EXACT] = MURK_PLACE_EXACT};
+    murk_place_desc desc = murk_place_defaults();
+    desc.method = method_of[scene->placement.method];
+    desc.count = (size_t)scene->sensors.count;
+    desc.restarts = (size_t)scene->placement.restarts;
+    desc.nodes = scene->placement.nodes;
+    desc.seed = scene->seed;
+    return desc;
+}
+
+/* What sight would refuse after light is traced. */
+static murk_status check_sensing(const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_sensors *settings = &stage->scene->sensors;
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < settings->types && !status; ++k) {
+        if (settings->type[k].acceptance_rad > 0) {
+            status = murk_media_check_acceptance(stage->media, err);
+        }
+    }
+    const double radius_m = murk_plan_power_radius_m(stage);
+    if (!status && radius_m > 0) {
+        status = murk_power_check_radius(radius_m, &stage->world.domain,
+                                         stage->scene->placement.where, err);
+    }
+    return status;
+}
+
+static murk_status validate(const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_sensors *settings = &stage->scene->sensors;
+    const bool by_power = stage->scene->placement.detection == MURK_SCENE_POWER;
+    if (!settings->given) {
+        return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
+                         "sensors: the scene has none");
+    }
+    if (settings->count < 1 && !(settings->target > 0) &&
+        !(settings->budget > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "count: not given; give sensors.count or --count N, "
+                         "or sensors.target or --target C, or sensors.budget "
+                         "or --budget B");
+    }
+    if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE &&
+        (!stage->scene->placement.targets.given || by_power)) {
+        return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
+                         "maps: none, but placing needs stored photons");
+    }
+    return check_sensing(stage, err);
+}
+
+murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
+                            murk_error *err)
+{
+    const murk_status status = validate(stage, err);
+    return !status && stage->scene->placement.targets.given
+               ? murk_targets_check(stage, threads, err)
+               : status;
+}
+
+uint64_t murk_plan_matrix_bytes(void)
+{
+    return (uint64_t)(MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18));
+}
+
+murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
+                              unsigned threads, murk_error *err)
+{
+    murk_status status = murk_plan_check(stage, threads, err);
+    plan->power_radius_m = murk_plan_power_radius_m(stage);
+    plan->power_neighbours = murk_plan_power_neighbours(stage);
+    if (!status) {
+        status = murk_sites_find(&plan->candidates, stage, threads, err);
+    }
+    if (!status) {
+        status = murk_poses_create(
+            &plan->poses, stage->scene, &stage->world.domain,
+            plan->candidates->position, plan->candidates->usable, err);
+    }
+    if (!status && stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
+        status = murk_explore_start(&plan->start, stage, plan->candidates,
+                                    plan->poses, err);
+    }
+    return status;
+}
+
+uint64_t murk_plan_value_of(double share, const murk_problem *problem)
+{
+    uint64_t whole = 0;
+    for (size_t i = 0; i < problem->photons; ++i) {
+        whole += (uint64_t)problem->weight[i] * MURK_CLEAR *
+                 murk_problem_layers(problem);
+    }
+    /* .195 of 200 is 39, though .195 in binary is a little more */
+    const double value = ceil(share * (double)whole * (1 - 0x1p-51));
+    return value < (double)whole ? (uint64_t)value : whole;
+}
+
+/* Choosing ends here. */
+static void note_spent(murk_plan_result *plan, const murk_sight *sight)
+{
+    plan->queries = murk_sight_queries(sight) - plan->forecast_looks;
+    plan->shadow_rays = murk_sight_shadow_rays(sight) - plan->forecast_rays;
+    plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
+    plan->totally_reflected = murk_sight_totally_reflected(sight);
+}
+
+/* What has been tried is remembered. The queries of the bound are not the
+ * explorer's. */
+static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
+                           murk_sight *sight, const murk_problem *problem,
+                           murk_place_desc *desc, murk_error *err)
+{
+    murk_row_cache tried = {0};
+    murk_status status = murk_row_cache_init(&tried, problem, err);
+    desc->constraints = &plan->poses->constraints;
+    if (!status) {
+        status = murk_explore_run(&plan->explore, &plan->place, stage, sight,
+                                  &tried.problem, plan->candidates, plan->poses,
+                                  plan->start, desc, err);
+    }
+    note_spent(plan, sight);
+    if (!status) {
+        status =
+            murk_explore_bound(&plan->place, &plan->explore, &tried.problem,
+                               desc, murk_plan_matrix_bytes(), err);
+    }
+    murk_row_cache_release(&tried);
+    return status;
+}
+
+/* Looks of the forecast's sample, and the sweeps of one start: SPOQ's until one
+ * gains nothing, and relocation's. */
+#define FORECAST_LOOKS  16
+#define FORECAST_SWEEPS 4
+
+/* Before `best` looks again and again: what it takes at the least number of
+ * starts without gain, by the rays and the time of a sample of looks, against
+ * what a known environment takes. The sample's looks count for nothing else. */
+static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
+                             const murk_problem *problem,
+                             const murk_place_desc *desc)
+{
+    const size_t n = problem->candidates;
+    const size_t sample = n < FORECAST_LOOKS ? n : FORECAST_LOOKS;
+    const uint64_t rays = murk_sight_shadow_rays(sight);
+    const double begun_s = murk_clock_s();
+    if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
+        return;
+    }
+    for (size_t k = 0; k < sample; ++k) {
+        murk_look look;
+        problem->look(problem->context, 0, k * n / sample, &look);
+    }
+    plan->forecast_looks = sample;
+    plan->forecast_rays = murk_sight_shadow_rays(sight) - rays;
+    const double each = (double)plan->forecast_rays / (double)sample;
+    const double each_s =
+        (murk_clock_s() - begun_s) / (double)sample / (double)problem->threads;
+    const double starts = desc->restarts < MURK_STARTS_WITHOUT_GAIN
+                              ? (double)desc->restarts
+                              : (double)MURK_STARTS_WITHOUT_GAIN;
+    const double looks =
+        starts * FORECAST_SWEEPS * (double)desc->count * (double)n;
+    murk_note(
+        "placement.knowledge",
+        "unknown with method: best computes visibility anew at every "
+        "evaluation: about %.2g visibility queries, %.2g shadow rays and "
+        "%.2g s with %.0f starts (at most %zu are made). knowledge: known "
+        "needs %zu queries (%.2g rays, %.2g s) for a plan that is at least as "
+        "good; method: greedy or spoq, or fewer restarts, take less time",
+        looks, looks * each, looks * each_s, starts, desc->restarts, n,
+        each * (double)n, each_s * (double)n);
+}
+
+/* Chooses, by matrix (known), by looking again and again (unknown), or step by
+ * step (explore). */
+static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
+                          murk_sight *sight, murk_error *err)
+{
+    murk_sight_problem seen;
+    murk_sight_problem_init(&seen, sight, plan->poses->pose,
+                            plan->poses->count);
+    murk_place_desc desc = murk_plan_desc(stage->scene);
+    desc.constraints = murk_poses_constraints(plan->poses);
+    desc.with_curve = desc.with_curve && !plan->without_curve;
+    if (stage->scene->sensors.target > 0) {
+        desc.target =
+            murk_plan_value_of(stage->scene->sensors.target, &seen.problem);
+        desc.count = plan->poses->count;
+    }
+    murk_matrix *matrix = NULL;
+    murk_status status = MURK_OK;
+    double begun_s = murk_clock_s();
+    if (stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
+        status = explore(plan, stage, sight, &seen.problem, &desc, err);
+        plan->place_s = murk_clock_s() - begun_s;
+        return status;
+    }
+    if (stage->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
+        forecast_unknown(plan, sight, &seen.problem, &desc);
+        status = murk_place_unknown(&plan->place, &seen.problem, &desc, err);
+        plan->place_s = murk_clock_s() - begun_s;
+        note_spent(plan, sight);
+        return status;
+    }
+    const size_t at_least = murk_plan_at_least(stage->scene);
+    murk_at_least strict;
+    murk_at_least_init(&strict, &seen.problem, (unsigned)at_least);
+    const murk_problem *problem = at_least ? &strict.problem : &seen.problem;
+    status =
+        murk_matrix_create(&matrix, problem, murk_plan_matrix_bytes(), err);
+    plan->sense_s = murk_clock_s() - begun_s;
+    begun_s = murk_clock_s();
+    if (!status && at_least) {
+        /* of weights, not of views */
+        desc.target =
+            murk_plan_value_of(stage->scene->sensors.target,
+                               &(murk_problem){.photons = problem->photons,
+                                               .weight = problem->weight});
+        status = murk_place_at_least(&plan->place, problem, matrix, &desc, err);
+    } else if (!status) {
+        status = murk_place_known(&plan->place, problem, matrix, &desc, err);
+    }
+    murk_matrix_destroy(matrix);
+    plan->place_s = murk_clock_s() - begun_s;
+    note_spent(plan, sight);
+    return status;
+}
+
+size_t murk_plan_at_least(const murk_scene_desc *scene)
+{
+    return scene->sensors.target > 0 ? (size_t)scene->placement.at_least : 0;
+}
+
+murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
+                               uint32_t stream, unsigned threads,
+                               murk_error *err)
+{
+    const murk_scene_placement *settings = &stage->scene->placement;
+    if (!settings->targets.given || settings->detection == MURK_SCENE_POWER) {
+        return murk_lightmap_trace(out, stage, stream, threads, err);
+    }
+    *out = murk_traced_create(stage, stream, err);
+    return *out ? MURK_OK : MURK_NO_MEMORY;
+}
+
+bool murk_plan_can_see_anew(const murk_scene_desc *scene)
+{
+    return !scene->placement.targets.points;
+}
+
+/* The plan's coverage on light that had no part in choosing it; regions may be
+ * NULL. */
+static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
+                              murk_estimate *out,
+                              murk_region_coverage **regions,
+                              const murk_stage *stage, unsigned threads,
+                              murk_error *err)
+{
+    murk_traced *other = NULL;
+    murk_sight *sight = NULL;
+    murk_coverage_result coverage = {0};
+    murk_progress_begin_over("hold out", 0, "");
+    murk_status status =
+        murk_plan_see_anew(&other, stage, stream, threads, err);
+    if (!status) {
+        plan->trace_s += other->trace_s;
+        plan->map_s += other->map_s;
+        status = murk_plan_sight(&sight, stage, other, threads, err);
+    }
+    if (!status) {
+        status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
+                                              plan->place.count, err);
+    }
+    if (!status && stream == MURK_HELD_OUT_STREAM) {
+        status = murk_robust_hold_out(&plan->robust, &coverage, err);
+    }
+    if (!status && stream == MURK_HELD_OUT_STREAM) {
+        status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
+                                    &coverage, true, err);
+    }
+    if (!status) {
+        *out = stream == MURK_CONFIRM_STREAM && murk_plan_at_least(stage->scene)
+                   ? coverage.at_least
+                   : coverage.total;
+        if (regions) {
+            *regions = coverage.region;
+            coverage.region = NULL;
+        }
+    }
+    murk_coverage_result_release(&coverage);
+    murk_sight_destroy(sight);
+    murk_traced_destroy(other);
+    murk_progress_end();
+    return status;
+}
+
+murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
+                             murk_sight *sight, murk_error *err)
+{
+    const murk_status status = choose(plan, stage, sight, err);
+    if (status) {
+        if (err && !err->where[0]) {
+            snprintf(err->where, sizeof err->where, "%s",
+                     stage->scene->sensors.where);
+        }
+        return status;
+    }
+    plan->sensor = calloc(plan->place.count + 1, sizeof *plan->sensor);
+    if (!plan->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
+                         "no memory for the plan");
+    }
+    for (size_t i = 0; i < plan->place.count; ++i) {
+        plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
+    }
+    return MURK_OK;
+}
+
+murk_status murk_plan_result_make_dark(murk_plan_result *plan,
+                                       const murk_stage *stage, murk_error *err)
+{
+    const murk_poses *poses = plan->poses;
+    const size_t n = poses->fixed;
+    plan->is_dark = true;
+    plan->place = (murk_place_result){.guarantee = "none: it is dark"};
+    plan->confirmed = plan->held_out = NO_ESTIMATE;
+    plan->explore.end = MURK_EXPLORE_NOTHING;
+    plan->place.sensor = calloc(n + 1, sizeof *plan->place.sensor);
+    plan->sensor = calloc(n + 1, sizeof *plan->sensor);
+    if (!plan->place.sensor || !plan->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
+                         "no memory for the plan");
+    }
+    plan->place.count = n;
+    for (size_t i = 0; i < n; ++i) {
+        plan->place.sensor[i] = poses->fixed_number[i];
+        plan->sensor[i] = poses->pose[poses->fixed_number[i]];
+    }
+    const murk_status status =
+        murk_dark_coverage(&plan->in_sample, stage, n, err);
+    return status ? status
+                  : murk_robust_begin(&plan->robust, stage, plan->sensor, n,
+                                      &plan->in_sample, err);
+}
+
+murk_status murk_plan_result_make(murk_plan_result *plan,
+                                  const murk_stage *stage,
+                                  const murk_traced *traced, unsigned threads,
+                                  murk_error *err)
+{
+    murk_sight *sight = NULL;
+    plan->trace_s = traced->trace_s;
+    plan->map_s = traced->map_s;
+    if (murk_stage_has_nothing_to_see(stage)) {
+        return murk_plan_result_make_dark(plan, stage, err);
+    }
+    murk_status status = murk_plan_sight_told(&sight, &plan->targets, stage,
+                                              traced, threads, err);
+    if (!status) {
+        status =
+            murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
+    }
+    if (!status) {
+        status = murk_plan_choose(plan, stage, sight, err);
+    }
+    if (status) {
+        goto done;
+    }
+    status = murk_coverage_result_measure(&plan->in_sample, sight, plan->sensor,
+                                          plan->place.count, err);
+    plan->confirmed = (murk_estimate){NAN, NAN};
+    if (!status) {
+        murk_warn_of_thin_map(stage->scene, &plan->in_sample, NULL);
+        status = murk_robust_begin(&plan->robust, stage, plan->sensor,
+                                   plan->place.count, &plan->in_sample, err);
+    }
+    const bool has_held_out = stage->scene->placement.hold_out &&
+                              murk_plan_can_see_anew(stage->scene);
+    if (!status && !has_held_out) {
+        status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
+                                    &plan->in_sample, false, err);
+    }
+    if (!status && has_held_out) {
+        status = measure_on(plan, MURK_HELD_OUT_STREAM, &plan->held_out,
+                            &plan->held_out_region, stage, threads, err);
+        plan->has_held_out = !status;
+    }
+    if (!status && stage->scene->sensors.target > 0 &&
+        murk_plan_can_see_anew(stage->scene)) {
+        status = measure_on(plan, MURK_CONFIRM_STREAM, &plan->confirmed, NULL,
+                            stage, threads, err);
+    }
+done:
+    murk_sight_destroy(sight);
+    return status;
+}
+
+void murk_plan_result_release(murk_plan_result *plan)
+{
+    murk_candidates_destroy(plan->candidates);
+    murk_poses_destroy(plan->poses);
+    murk_place_release(&plan->place);
+    murk_explore_release(&plan->explore);
+    murk_coverage_result_release(&plan->in_sample);
+    murk_robust_release(&plan->robust);
+    free(plan->held_out_region);
+    free(plan->sensor);
+    *plan = (murk_plan_result){0};
+}

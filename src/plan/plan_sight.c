@@ -1,0 +1,204 @@
+/* Sight of a scene's sensors: onto light, targets, or given points. */
+#include "plan/plan.h"
+
+#include "base/log.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What plans look at: traced light, or targets. */
+typedef struct seen_maps {
+    const murk_photon_map *surface, *volume;
+    uint64_t emitted;
+} seen_maps;
+
+/* Of the domain's diagonal, the largest radius where the scene leaves
+ * power_radius_m to murk. */
+#define POWER_RADIUS 0.1
+
+/* Of the photons: more that are judged by next to nothing are worth a word. */
+#define FEW_SHARE 0.05
+
+double murk_plan_power_radius_m(const murk_stage *stage)
+{
+    const murk_scene_placement *settings = &stage->scene->placement;
+    const murk_domain *domain = &stage->world.domain;
+    const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
+    if (settings->detection != MURK_SCENE_POWER) {
+        return 0;
+    }
+    if (settings->power_radius_m > 0) {
+        return settings->power_radius_m;
+    }
+    const double own = POWER_RADIUS * murk_length(size);
+    return domain->is_periodic ? fmin(own, fmin(size.x, size.y) / 2) : own;
+}
+
+size_t murk_plan_power_neighbours(const murk_stage *stage)
+{
+    const murk_scene_placement *settings = &stage->scene->placement;
+    return settings->detection == MURK_SCENE_POWER &&
+                   !(settings->power_radius_m > 0)
+               ? (size_t)settings->power_neighbours
+               : 0;
+}
+
+static murk_power_settings power_of(const murk_stage *stage,
+                                    const murk_traced *traced)
+{
+    murk_power_settings out = {
+        .radius_m = murk_plan_power_radius_m(stage),
+        .neighbours = murk_plan_power_neighbours(stage),
+        .light = {traced->surface, traced->volume, traced->emitted}};
+    memcpy(out.band_nm, stage->scene->band_nm, sizeof out.band_nm);
+    return out;
+}
+
+/* Of the first stream's light: the others' is alike. */
+static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
+                        const murk_traced *traced, size_t all)
+{
+    const size_t few = murk_sight_power_few(sight);
+    if (traced->stream == 0 && (double)few > FEW_SHARE * (double)all) {
+        murk_warn(stage->scene->placement.where,
+                  "detection: power: %zu of %zu photons (%.0f %%) have fewer "
+                  "than %d neighbours within %g m and are judged badly: more "
+                  "photons or a larger power_radius_m",
+                  few, all, 100 * (double)few / (double)all, MURK_POWER_FEW,
+                  murk_plan_power_radius_m(stage));
+    }
+}
+
+murk_combining murk_plan_combining(const murk_scene_desc *scene)
+{
+    const murk_scene_placement *settings = &scene->placement;
+    return settings->detection == MURK_SCENE_INDEPENDENT ||
+                   settings->detection == MURK_SCENE_POWER
+               ? MURK_COMBINE_INDEPENDENT
+               : MURK_COMBINE_CLEAREST;
+}
+
+/* What is the same whatever is looked at; the types are the caller's to free(),
+ * NULL when out of memory. */
+static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
+                                murk_sensor_type *types, unsigned threads)
+{
+    const murk_scene_placement *settings = &stage->scene->placement;
+    return (murk_sight_desc){
+        .surfaces = stage->surfaces,
+        .media = stage->media,
+        .boundary_meshes = stage->boundary_meshes,
+        .domain = stage->world.domain,
+        .surface_map = maps->surface,
+        .volume_map = maps->volume,
+        .photons_emitted = maps->emitted,
+        .type = types,
+        .types = stage->scene->sensors.types,
+        .north = stage->scene->north,
+        .visibility =
+            settings->by_normal ? MURK_VISIBILITY_NORMAL : MURK_VISIBILITY_RAY,
+        .through_sheets = settings->through != MURK_SCENE_BLOCK,
+        .refracts = settings->through == MURK_SCENE_REFRACT,
+        .weights = {.balanced = true},
+        .threshold = settings->detection == MURK_SCENE_THRESHOLD
+                         ? settings->threshold
+                         : 0,
+        .redundancy = 1,
+        .threads = threads,
+        .where = settings->where};
+}
+
+static murk_status no_types(const murk_stage *stage, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
+                     "no memory for the sensors' types");
+}
+
+static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
+                              const murk_traced *traced, const seen_maps *maps,
+                              unsigned threads, murk_error *err)
+{
+    const murk_scene_placement *settings = &stage->scene->placement;
+    murk_sensor_type *types = murk_poses_types(stage->scene);
+    if (!types) {
+        return no_types(stage, err);
+    }
+    murk_sight_desc desc = describe(stage, maps, types, threads);
+    desc.weights = (murk_map_weights){.balanced = settings->balanced,
+                                      .surface = settings->weight_surface,
+                                      .volume = settings->weight_volume};
+    desc.interest = murk_goals_interest(stage->goals);
+    desc.combining = murk_plan_combining(stage->scene);
+    desc.redundancy = (unsigned)settings->redundancy;
+    desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
+    desc.power = power_of(stage, traced);
+    const murk_status status = murk_sight_create(out, &desc, err);
+    if (!status) {
+        warn_of_few(*out, stage, traced,
+                    murk_photon_map_count(maps->surface) +
+                        murk_photon_map_count(maps->volume));
+    }
+    free(types);
+    return status;
+}
+
+murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
+                                   const murk_photon_map *surface,
+                                   const murk_photon_map *volume,
+                                   uint64_t numbers, unsigned threads,
+                                   murk_error *err)
+{
+    const seen_maps maps = {surface, volume, numbers};
+    murk_sensor_type *types = murk_poses_types(stage->scene);
+    if (!types) {
+        return no_types(stage, err);
+    }
+    for (size_t k = 0; k < stage->scene->sensors.types; ++k) {
+        types[k].toward = false;
+    }
+    const murk_sight_desc desc = describe(stage, &maps, types, threads);
+    const murk_status status = murk_sight_create(out, &desc, err);
+    free(types);
+    return status;
+}
+
+murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
+                                 const murk_stage *stage,
+                                 const murk_traced *traced, unsigned threads,
+                                 murk_error *err)
+{
+    murk_targets targets = {0};
+    murk_sight *sight = NULL;
+    murk_status status = MURK_OK;
+    seen_maps maps = {traced->surface, traced->volume, traced->emitted};
+    const bool has_targets = stage->scene->placement.targets.given;
+    if (has_targets) {
+        status =
+            murk_targets_create(&targets, stage, traced->stream, threads, err);
+        maps =
+            (seen_maps){targets.surface, targets.volume, targets.independent};
+    }
+    *facts = targets.facts;
+    if (!status) {
+        status = sight_onto(&sight, stage, traced, &maps, threads, err);
+    }
+    if (!status && has_targets) {
+        murk_sight_own_maps(sight, targets.surface, targets.volume);
+        targets = (murk_targets){0};
+    }
+    if (!status) {
+        *out = sight;
+        sight = NULL;
+    }
+    murk_sight_destroy(sight);
+    murk_targets_release(&targets);
+    return status;
+}
+
+murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
+                            const murk_traced *traced, unsigned threads,
+                            murk_error *err)
+{
+    murk_target_facts facts;
+    return murk_plan_sight_told(out, &facts, stage, traced, threads, err);
+}

@@ -1,0 +1,187 @@
+#include "plan/route.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define NOWHERE SIZE_MAX
+
+/* A step not yet tried, onto a place that is not yet reached. */
+typedef struct step {
+    double whole_m; /* of a way with this step, at least */
+    double gone_m;  /* from the start to the step's end */
+    uint32_t from, to;
+} step;
+
+typedef struct search {
+    murk_outlook *outlook;
+    const murk_vec3 *place;
+    size_t n, goal;
+    size_t *before; /* [n] on the shortest way; NOWHERE: not reached */
+    double *gone_m; /* [n] */
+    step *heap;     /* the least first */
+    size_t steps, room;
+} search;
+
+/* Total, so that equal ways end alike everywhere. */
+static bool is_less(const step *a, const step *b)
+{
+    if (a->whole_m != b->whole_m) {
+        return a->whole_m < b->whole_m;
+    }
+    if (a->gone_m != b->gone_m) {
+        return a->gone_m > b->gone_m;
+    }
+    return a->to != b->to ? a->to < b->to : a->from < b->from;
+}
+
+static void swap(step *a, step *b)
+{
+    const step c = *a;
+    *a = *b;
+    *b = c;
+}
+
+static bool push(search *s, step new)
+{
+    if (s->steps == s->room) {
+        const size_t room = 2 * s->room + 1024;
+        step *heap = realloc(s->heap, room * sizeof *heap);
+        if (!heap) {
+            return false;
+        }
+        s->heap = heap;
+        s->room = room;
+    }
+    size_t at = s->steps++;
+    s->heap[at] = new;
+    for (; at > 0 && is_less(&s->heap[at], &s->heap[(at - 1) / 2]);
+         at = (at - 1) / 2) {
+        swap(&s->heap[at], &s->heap[(at - 1) / 2]);
+    }
+    return true;
+}
+
+static step pop(search *s)
+{
+    const step min = s->heap[0];
+    s->heap[0] = s->heap[--s->steps];
+    for (size_t at = 0;;) {
+        size_t below = 2 * at + 1;
+        if (below + 1 < s->steps &&
+            is_less(&s->heap[below + 1], &s->heap[below])) {
+            ++below;
+        }
+        if (below >= s->steps || !is_less(&s->heap[below], &s->heap[at])) {
+            return min;
+        }
+        swap(&s->heap[at], &s->heap[below]);
+        at = below;
+    }
+}
+
+static double distance(const search *s, size_t a, size_t b)
+{
+    return murk_length(murk_sub(s->place[a], s->place[b]));
+}
+
+static bool is_open(const search *s, size_t a, size_t b)
+{
+    return murk_outlook_is_open(s->outlook, s->place[a], s->place[b]);
+}
+
+static bool leave(search *s, size_t from)
+{
+    for (size_t to = 0; to < s->n; ++to) {
+        if (s->before[to] == NOWHERE) {
+            const double gone = s->gone_m[from] + distance(s, from, to);
+            const step new = {gone + distance(s, to, s->goal), gone,
+                              (uint32_t)from, (uint32_t)to};
+            if (!push(s, new)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool walk(search *s, size_t from)
+{
+    s->before[from] = from;
+    bool has_memory = leave(s, from);
+    while (has_memory && s->steps > 0 && s->before[s->goal] == NOWHERE) {
+        const step next = pop(s);
+        if (s->before[next.to] == NOWHERE && is_open(s, next.from, next.to)) {
+            s->before[next.to] = next.from;
+            s->gone_m[next.to] = next.gone_m;
+            has_memory = next.to == s->goal || leave(s, next.to);
+        }
+    }
+    return has_memory;
+}
+
+/* From the goal backwards, then turned round, then without what lies on a
+ * straight way between others. */
+static size_t trace(const search *s, size_t from, size_t *stop)
+{
+    size_t n = 0;
+    for (size_t at = s->goal; at != from; at = s->before[at]) {
+        stop[n++] = at;
+    }
+    stop[n++] = from;
+    for (size_t k = 0; k < n / 2; ++k) {
+        const size_t other = stop[k];
+        stop[k] = stop[n - 1 - k];
+        stop[n - 1 - k] = other;
+    }
+    size_t kept = 1;
+    for (size_t k = 1; k < n; ++k) {
+        const bool is_needed =
+            k + 1 == n || !is_open(s, stop[kept - 1], stop[k + 1]);
+        if (is_needed) {
+            stop[kept++] = stop[k];
+        }
+    }
+    return kept;
+}
+
+murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
+                            murk_outlook *outlook, const murk_vec3 *place,
+                            size_t n, size_t from, size_t to, murk_error *err)
+{
+    search s = {.outlook = outlook, .place = place, .n = n, .goal = to};
+    *stops = 0;
+    *length_m = 0;
+    if (from == to) {
+        stop[(*stops)++] = from;
+        return MURK_OK;
+    }
+    s.before = malloc(n * sizeof *s.before);
+    s.gone_m = calloc(n, sizeof *s.gone_m);
+    murk_status status = MURK_OK;
+    if (s.before && s.gone_m) {
+        for (size_t k = 0; k < n; ++k) {
+            s.before[k] = NOWHERE;
+        }
+        /* mostly the first of all ways */
+        if (is_open(&s, from, to)) {
+            s.before[to] = from;
+        }
+    }
+    if (!s.before || !s.gone_m ||
+        (s.before[to] == NOWHERE && !walk(&s, from))) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for a way over %zu places", n);
+        goto done;
+    }
+    if (s.before[to] != NOWHERE) {
+        *stops = trace(&s, from, stop);
+    }
+    for (size_t k = 1; k < *stops; ++k) {
+        *length_m += distance(&s, stop[k - 1], stop[k]);
+    }
+done:
+    free(s.heap);
+    free(s.before);
+    free(s.gone_m);
+    return status;
+}

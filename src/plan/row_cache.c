@@ -1,0 +1,75 @@
+#include "plan/row_cache.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct murk_cached_row {
+    murk_look look;
+    uint32_t photon[]; /* [look.seen], then the clarities where there are any */
+};
+
+/* NULL where it takes more than most_bytes, or there is no memory. */
+static murk_cached_row *keep(const murk_look *look, size_t max_bytes)
+{
+    const size_t photons = look->seen * sizeof *look->photon;
+    const size_t clarities =
+        look->clarity ? look->seen * sizeof *look->clarity : 0;
+    murk_cached_row *kept = NULL;
+    if (photons + clarities <= max_bytes) {
+        kept = malloc(sizeof *kept + photons + clarities);
+    }
+    if (!kept) {
+        return NULL;
+    }
+    uint16_t *clarity = (uint16_t *)(kept->photon + look->seen);
+    kept->look = (murk_look){look->seen, kept->photon, NULL};
+    if (photons) {
+        memcpy(kept->photon, look->photon, photons);
+    }
+    if (clarities) {
+        memcpy(clarity, look->clarity, clarities);
+        kept->look.clarity = clarity;
+    }
+    return kept;
+}
+
+static void look_once(void *context, unsigned worker, size_t candidate,
+                      murk_look *look)
+{
+    murk_row_cache *r = context;
+    murk_cached_row *kept = atomic_load(&r->kept[candidate]);
+    if (kept) {
+        *look = kept->look;
+        return;
+    }
+    r->source->look(r->source->context, worker, candidate, look);
+    kept = keep(look, MURK_ROW_CACHE_BYTES / r->source->candidates);
+    murk_cached_row *none = NULL;
+    if (kept &&
+        !atomic_compare_exchange_strong(&r->kept[candidate], &none, kept)) {
+        free(kept); /* another worker was quicker */
+    }
+}
+
+murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
+                                murk_error *err)
+{
+    *out = (murk_row_cache){.problem = *source, .source = source};
+    out->problem.look = look_once;
+    out->problem.context = out;
+    out->kept = calloc(source->candidates + 1, sizeof *out->kept);
+    return out->kept
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for %zu candidates", source->candidates);
+}
+
+void murk_row_cache_release(murk_row_cache *r)
+{
+    for (size_t j = 0; r->kept && j < r->source->candidates; ++j) {
+        free(atomic_load(&r->kept[j]));
+    }
+    free(r->kept);
+    *r = (murk_row_cache){0};
+}

@@ -1,0 +1,248 @@
+#include "plan/sites.h"
+
+#include "plan/entrances.h"
+#include "plan/site_points.h"
+#include "world/site_zones.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LAID_POINTS 1000 /* of a grid that the scene leaves to murk */
+
+/* The scene's grid, or one over the domain. */
+static murk_candidate_grid grid_of(const murk_stage *stage)
+{
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
+    if (settings->has_grid) {
+        return (murk_candidate_grid){.min = settings->grid_min,
+                                     .max = settings->grid_max,
+                                     .size = {settings->grid_size[0],
+                                              settings->grid_size[1],
+                                              settings->grid_size[2]},
+                                     .clearance_m = settings->clearance_m};
+    }
+    murk_candidate_grid grid =
+        murk_candidate_grid_over(&stage->world.domain.box, LAID_POINTS);
+    grid.clearance_m = settings->clearance_m;
+    return grid;
+}
+
+/* ---- mounts ---- */
+
+#define LEVEL_COSINE                                        \
+    0.70710678118654752 /* cos 45 degrees: up, down or side \
+                         */
+
+static void face(const murk_scene_mount *settings, murk_lay *lay,
+                 murk_candidate_mount *mount)
+{
+    mount->min_up = -1;
+    mount->max_up = 1;
+    lay->max_rise = 1;
+    switch (settings->facing) {
+    case MURK_SCENE_FACING_ANY:
+        break;
+    case MURK_SCENE_FACING_UP:
+        lay->min_rise = mount->min_up = LEVEL_COSINE;
+        break;
+    case MURK_SCENE_FACING_DOWN:
+        lay->min_rise = LEVEL_COSINE;
+        mount->max_up = -LEVEL_COSINE;
+        break;
+    case MURK_SCENE_FACING_SIDE:
+        lay->max_rise = mount->max_up = LEVEL_COSINE;
+        mount->min_up = -LEVEL_COSINE;
+        break;
+    }
+}
+
+/* All of one mount but its feet, which are *foot, the caller's to free. */
+static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
+                             const murk_scene_mount *settings,
+                             const murk_stage *stage, murk_error *err)
+{
+    const double min_m = murk_lay_min_m(stage->surfaces);
+    bool material[MURK_MATERIALS_MAX] = {false};
+    for (size_t i = 0; i < settings->materials.n; ++i) {
+        material[settings->materials.index[i]] = true;
+    }
+    murk_lay lay = {.spacing_m = settings->spacing_m,
+                    .within = stage->world.domain.box,
+                    .materials = settings->materials.n > 0 ? material : NULL,
+                    .max = MURK_CANDIDATES_MAX / 2};
+    if (settings->has_band) {
+        lay.within.min.z = fmax(lay.within.min.z, settings->band_m[0]);
+        lay.within.max.z = fmin(lay.within.max.z, settings->band_m[1]);
+    }
+    if (!(settings->spacing_m > min_m)) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "spacing_m is %g m, must be more than %.3g m: less is "
+                         "lost in rounding",
+                         settings->spacing_m, min_m);
+    }
+    mount->offset_m = settings->offset_m;
+    face(settings, &lay, mount);
+    const murk_status status = murk_surfaces_lay(
+        foot, &mount->feet, stage->surfaces, &lay, settings->where, err);
+    if (!status && mount->feet == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "nothing to mount on: in the domain no surface of "
+                         "these materials, heights and ways of facing");
+    }
+    return status;
+}
+
+/* ---- all of them ---- */
+
+/* What is asked for, owned. */
+typedef struct asking {
+    murk_candidate_desc desc;
+    murk_vec3 *point;
+    murk_foot **foot; /* [mounts] */
+    murk_candidate_mount *mount;
+    murk_zones *avoid, *within;
+    murk_vec3 *lamp;
+} asking;
+
+static void release(asking *a)
+{
+    for (size_t i = 0; a->foot && i < a->desc.mounts; ++i) {
+        free(a->foot[i]);
+    }
+    free(a->foot);
+    free(a->mount);
+    free(a->point);
+    free(a->lamp);
+    murk_zones_destroy(a->avoid);
+    murk_zones_destroy(a->within);
+}
+
+static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
+    a->desc.grid = grid_of(stage);
+    a->desc.is_laid =
+        !settings->has_grid && (settings->points.given || settings->mounts > 0);
+    murk_status status =
+        murk_site_points_read(&a->point, &a->desc.points, stage->scene,
+                              &stage->world.domain, MURK_CANDIDATES_MAX, err);
+    if (status) {
+        return status;
+    }
+    a->desc.point = a->point;
+    a->mount = calloc(settings->mounts + 1, sizeof *a->mount);
+    a->foot = calloc(settings->mounts + 1, sizeof *a->foot);
+    if (!a->mount || !a->foot) {
+        return murk_fail(err, MURK_NO_MEMORY, settings->where,
+                         "no memory for its mounts");
+    }
+    a->desc.mount = a->mount;
+    for (size_t i = 0; i < settings->mounts && !status; ++i) {
+        ++a->desc.mounts;
+        status = lay_mount(&a->mount[i], &a->foot[i], &settings->mount[i],
+                           stage, err);
+        a->mount[i].foot = a->foot[i];
+    }
+    if (!status) {
+        status = murk_site_zones_create(&a->avoid, &a->within, stage->scene,
+                                        stage->site_meshes, err);
+    }
+    a->desc.avoid = a->avoid;
+    a->desc.within = a->within;
+    return status;
+}
+
+murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
+                            unsigned threads, murk_error *err)
+{
+    const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
+    const bool is_grid_alone =
+        settings->has_grid && !settings->points.given && settings->mounts == 0;
+    asking a = {0};
+    murk_reach reach;
+    murk_status status =
+        murk_entrances(&reach, &a.lamp, stage, settings->where, err);
+    if (!status) {
+        status = ask(&a, stage, err);
+    }
+    if (!status) {
+        status = murk_candidates_create(
+            out, &a.desc, stage->surfaces, &reach, threads,
+            is_grid_alone ? settings->grid_where : settings->where, err);
+    }
+    release(&a);
+    return status;
+}
+
+/* ---- in several worlds ---- */
+
+static int by_place(const void *a, const void *b)
+{
+    const murk_vec3 *p = a, *q = b;
+    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
+    for (int i = 0; i < 3; ++i) {
+        if (x[i] != y[i]) {
+            return x[i] < y[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* Keeps of `all` those that the other has, too. */
+static murk_status keep_common(murk_candidates *all,
+                               const murk_candidates *other, const char *where,
+                               murk_error *err)
+{
+    murk_vec3 *sorted = malloc((other->usable + 1) * sizeof *sorted);
+    if (!sorted) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for %zu candidates", other->usable);
+    }
+    memcpy(sorted, other->position, other->usable * sizeof *sorted);
+    qsort(sorted, other->usable, sizeof *sorted, by_place);
+    size_t kept = 0;
+    for (size_t i = 0; i < all->usable; ++i) {
+        if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,
+                    by_place)) {
+            all->position[kept] = all->position[i];
+            all->kind[kept] = all->kind[i];
+            if (all->normal) {
+                all->normal[kept] = all->normal[i];
+            }
+            ++kept;
+        }
+    }
+    free(sorted);
+    all->unreached += all->usable - kept;
+    all->usable = kept;
+    return kept > 0 ? MURK_OK
+                    : murk_fail(err, MURK_BAD_VALUE, where,
+                                "no candidate is usable in it and in all "
+                                "conditions before it: of %zu usable here "
+                                "none",
+                                other->usable);
+}
+
+murk_status murk_sites_find_common(murk_candidates **out,
+                                   const murk_stage *const *stage,
+                                   const char *const *where, size_t n,
+                                   unsigned threads, murk_error *err)
+{
+    murk_candidates *all = NULL;
+    murk_status status = murk_sites_find(&all, stage[0], threads, err);
+    for (size_t c = 1; !status && c < n; ++c) {
+        murk_candidates *other = NULL;
+        status = murk_sites_find(&other, stage[c], threads, err);
+        if (!status) {
+            status = keep_common(all, other, where[c], err);
+        }
+        murk_candidates_destroy(other);
+    }
+    if (status) {
+        murk_candidates_destroy(all);
+        return status;
+    }
+    *out = all;
+    return MURK_OK;
+}

@@ -1,0 +1,58 @@
+/* Records of targets, on their way into maps. Internal to targets. */
+#ifndef MURK_PLAN_TARGET_BUFFER_H
+#define MURK_PLAN_TARGET_BUFFER_H
+
+#include "base/stats.h"
+#include "photonmap/map.h"
+#include "world/stage.h"
+
+typedef struct murk_target_buffer {
+    murk_photon *photon;
+    size_t n, room;
+} murk_target_buffer;
+
+/* False when out of memory. */
+bool murk_target_buffer_put(murk_target_buffer *buffer,
+                            const murk_photon *photon);
+
+/* A record of weight 1; normal zero: in the volume. */
+murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, uint32_t number,
+                           int band);
+
+/* Material or medium of what lies on or in none. */
+#define MURK_TARGET_IN_NONE UINT8_MAX
+
+/* The medium with the largest extinction at a place. */
+uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place);
+
+/* What is drawn from. */
+typedef struct murk_target_source {
+    const murk_stage *stage;
+    uint32_t stream;
+    unsigned threads;
+    uint64_t first_number; /* of the points to be drawn */
+    uint64_t max;          /* no more than this many are kept */
+} murk_target_source;
+
+/* What was drawn. */
+typedef struct murk_target_draw {
+    uint64_t points;    /* kept */
+    murk_estimate size; /* in free space: area, a side each, or volume */
+} murk_target_draw;
+
+/* Draw into an empty record buffer. Power is area or volume. */
+murk_status murk_targets_draw_surfaces(murk_target_buffer *buffer,
+                                       murk_target_draw *out,
+                                       const murk_target_source *source,
+                                       murk_error *err);
+murk_status murk_targets_draw_volume(murk_target_buffer *buffer,
+                                     murk_target_draw *out,
+                                     const murk_target_source *source,
+                                     murk_error *err);
+
+/* Reads the list: those with a normal to `surface`, the others to `volume`. */
+murk_status murk_targets_read(murk_target_buffer *surface,
+                              murk_target_buffer *volume, uint64_t *points,
+                              const murk_stage *stage, murk_error *err);
+
+#endif

@@ -1,0 +1,159 @@
+/* Targets from a list. */
+#include "base/position.h"
+#include "plan/target_buffer.h"
+#include "plan/targets.h"
+
+#include "scene/table.h"
+
+#include <stdio.h>
+
+enum { X, Y, Z, NORMAL_X, NORMAL_Y, NORMAL_Z, WEIGHT, COLUMNS };
+
+static const char *const NAMES[COLUMNS] = {
+    "x_m", "y_m", "z_m", "normal_x", "normal_y", "normal_z", "weight"};
+
+#define NEEDED_COLUMNS 3
+
+#define WEIGHT_MAX 1e6
+
+/* A point without a normal that is nearer to a surface than this many of the
+ * steps that leave it would be hidden by it, as rounding goes. */
+#define ON_SURFACE_STEPS 2
+
+typedef struct list {
+    const murk_stage *stage;
+    const murk_table *table;
+    long column[COLUMNS]; /* -1: not there */
+    int band;
+    double step_m;
+    murk_target_buffer *surface, *volume;
+    double weight; /* of all */
+} list;
+
+static murk_status find_columns(list *l, murk_error *err)
+{
+    int normals = 0;
+    for (int i = 0; i < COLUMNS; ++i) {
+        l->column[i] = murk_table_column(l->table, NAMES[i]);
+        if (i < NEEDED_COLUMNS && l->column[i] < 0) {
+            return murk_fail(err, MURK_BAD_FILE, l->table->path,
+                             "no column %s; needed are x_m, y_m, z_m",
+                             NAMES[i]);
+        }
+        normals += i >= NORMAL_X && i <= NORMAL_Z && l->column[i] >= 0;
+    }
+    return normals == 0 || normals == 3
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_FILE, l->table->path,
+                           "has some of the columns normal_x, normal_y, "
+                           "normal_z, must have all three or none");
+}
+
+static murk_status check_row(const list *l, size_t row, murk_vec3 place,
+                             murk_vec3 normal, double weight, murk_error *err)
+{
+    const murk_box *box = &l->stage->world.domain.box;
+    char where[320];
+    snprintf(where, sizeof where, "%.300s:%d", l->table->path,
+             l->table->line[row]);
+    if (!murk_box_contains(box, place)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "target at %s m lies outside of the domain",
+                         murk_position_show(place).text);
+    }
+    if (!(weight >= 0 && weight <= WEIGHT_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "weight is %g, must be 0..1e6", weight);
+    }
+    const double length = murk_length(normal);
+    if (!isfinite(length)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "normal is too long, must be of finite length");
+    }
+    if (!(length > 0) && murk_surfaces_near(l->stage->surfaces, place,
+                                            ON_SURFACE_STEPS * l->step_m)) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "target at %s m lies on a surface, must have a normal "
+                         "to the side it is seen from",
+                         murk_position_show(place).text);
+    }
+    return MURK_OK;
+}
+
+/* Of the surface that a point with a normal lies on. */
+static uint8_t material_at(const list *l, murk_vec3 place, murk_vec3 normal)
+{
+    murk_hit hit;
+    const murk_vec3 off =
+        murk_surfaces_leave(l->stage->surfaces, place, normal);
+    return murk_surfaces_hit(l->stage->surfaces, off, murk_scale(-1, normal),
+                             ON_SURFACE_STEPS * l->step_m, &hit)
+               ? hit.material
+               : MURK_TARGET_IN_NONE;
+}
+
+static murk_status read_row(list *l, size_t row, murk_error *err)
+{
+    double value[COLUMNS];
+    for (int i = 0; i < COLUMNS; ++i) {
+        const double missing = i < NEEDED_COLUMNS ? NAN : i == WEIGHT ? 1 : 0;
+        const murk_status status = murk_table_number(
+            l->table, row, l->column[i], missing, &value[i], err);
+        if (status) {
+            return status;
+        }
+    }
+    const murk_vec3 place = murk_scene_local(
+        l->stage->scene, murk_vec(value[X], value[Y], value[Z]));
+    murk_vec3 normal = {value[NORMAL_X], value[NORMAL_Y], value[NORMAL_Z]};
+    const murk_status status =
+        check_row(l, row, place, normal, value[WEIGHT], err);
+    if (status) {
+        return status;
+    }
+    const bool is_volume = !(murk_length(normal) > 0);
+    normal = is_volume ? (murk_vec3){0, 0, 0} : murk_unit(normal);
+    murk_photon photon = murk_target_of(place, normal, 0, l->band);
+    photon.power_w = (float)value[WEIGHT];
+    photon.material = is_volume ? murk_target_medium(l->stage, l->band, place)
+                                : material_at(l, place, normal);
+    l->weight += value[WEIGHT];
+    return murk_target_buffer_put(is_volume ? l->volume : l->surface, &photon)
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, l->table->path,
+                           "no memory for its targets");
+}
+
+murk_status murk_targets_read(murk_target_buffer *surface,
+                              murk_target_buffer *volume, uint64_t *points,
+                              const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_desc *scene = stage->scene;
+    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    murk_table *table = NULL;
+    murk_status status =
+        murk_table_read(&table, scene->placement.targets.points, err);
+    if (status) {
+        return status;
+    }
+    list l = {.stage = stage,
+              .table = table,
+              .band = murk_targets_band(scene),
+              .step_m =
+                  murk_length(murk_surfaces_leave(stage->surfaces, zero, up)),
+              .surface = surface,
+              .volume = volume};
+    status = find_columns(&l, err);
+    for (size_t row = 0; row < table->rows && !status; ++row) {
+        status = read_row(&l, row, err);
+    }
+    if (!status && !(l.weight > 0)) {
+        status = murk_fail(err, MURK_BAD_FILE, table->path,
+                           "%zu targets, must be one or more with a weight "
+                           "above 0",
+                           table->rows);
+    }
+    *points = table->rows;
+    murk_table_destroy(table);
+    return status;
+}

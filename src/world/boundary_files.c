@@ -1,0 +1,134 @@
+#include "world/boundary_files.h"
+
+#include "base/position.h"
+
+/* Faces that are none are put this many times further than all else. */
+#define FAR_TIMES 4
+
+static murk_affine placed(const murk_scene_region *r)
+{
+    return murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+}
+
+static double largest(const murk_box *box)
+{
+    const murk_vec3 a = box->min, b = box->max;
+    return fmax(fmax(fmax(fabs(a.x), fabs(b.x)), fmax(fabs(a.y), fabs(b.y))),
+                fmax(fabs(a.z), fabs(b.z)));
+}
+
+/* Moves the faces of an unturned box that the domain cuts off. */
+static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
+                       const murk_box *domain, double far_m)
+{
+    const murk_vec3 turn = r->rotate_deg;
+    if (turn.x != 0 || turn.y != 0 || turn.z != 0) {
+        return;
+    }
+    const murk_vec3 low = murk_affine_point(&shape->to_world, r->box.min);
+    const murk_vec3 high = murk_affine_point(&shape->to_world, r->box.max);
+    shape->to_world = murk_affine_identity();
+    shape->box = (murk_box){{low.x <= domain->min.x ? -far_m : low.x,
+                             low.y <= domain->min.y ? -far_m : low.y,
+                             low.z <= domain->min.z ? -far_m : low.z},
+                            {high.x >= domain->max.x ? far_m : high.x,
+                             high.y >= domain->max.y ? far_m : high.y,
+                             high.z >= domain->max.z ? far_m : high.z}};
+}
+
+static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
+                          const murk_scene_region *r, const murk_box *domain,
+                          murk_vec3 *place)
+{
+    murk_plain_shape shape = {.plain = MURK_PLAIN_SPHERE,
+                              .box = r->box,
+                              .center = r->center,
+                              .radius_m = r->radius_m,
+                              .to_world = placed(r)};
+    const murk_box bounds =
+        murk_boundary_meshes_describe(boundary_meshes, mesh).bounds_m;
+    if (r->shape == MURK_SCENE_IN_BOX) {
+        shape.plain = MURK_PLAIN_BOX;
+        open_faces(&shape, r, domain,
+                   FAR_TIMES * fmax(largest(domain), largest(&bounds)));
+    } else if (r->shape == MURK_SCENE_BELOW) {
+        shape.plain = MURK_PLAIN_BELOW;
+        shape.box.max.z = r->below_z_m;
+    } else if (r->shape != MURK_SCENE_IN_SPHERE) {
+        return false; /* everywhere holds all; grids have no index */
+    }
+    return murk_boundary_meshes_meet_plain(boundary_meshes, mesh, &shape,
+                                           place);
+}
+
+static bool cross(const murk_boundary_meshes *boundary_meshes,
+                  const murk_scene_desc *scene, size_t a, size_t b,
+                  const murk_box *domain, murk_vec3 *place)
+{
+    const murk_scene_region *one = &scene->regions[a];
+    const murk_scene_region *other = &scene->regions[b];
+    const bool is_mesh = one->shape == MURK_SCENE_IN_MESH;
+    const bool other_is_mesh = other->shape == MURK_SCENE_IN_MESH;
+    if (!(one->ior > 0 && other->ior > 0)) {
+        return false;
+    }
+    if (is_mesh && other_is_mesh) {
+        return murk_boundary_meshes_meet(boundary_meshes, (int)a, (int)b,
+                                         place);
+    }
+    return is_mesh
+               ? crosses_plain(boundary_meshes, (int)a, other, domain, place)
+           : other_is_mesh
+               ? crosses_plain(boundary_meshes, (int)b, one, domain, place)
+               : false;
+}
+
+static murk_status check_pairs(const murk_boundary_meshes *boundary_meshes,
+                               const murk_scene_desc *scene,
+                               const murk_box *domain, murk_error *err)
+{
+    for (size_t later = 0; later < scene->n_regions; ++later) {
+        for (size_t i = 0; i < later; ++i) {
+            murk_vec3 p;
+            if (cross(boundary_meshes, scene, i, later, domain, &p)) {
+                return murk_fail(
+                    err, MURK_BAD_VALUE, scene->regions[later].where,
+                    "crosses %s near %s m, must lie in it, hold it or lie "
+                    "apart: both have an index of refraction",
+                    scene->regions[i].where, murk_position_show(p).text);
+            }
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_enclose(murk_boundary_meshes **out,
+                         const murk_scene_desc *scene, murk_mesh *const *mesh,
+                         const murk_box *domain, murk_error *err)
+{
+    murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
+    murk_boundary_meshes *made = NULL;
+    size_t n = 0;
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (r->shape == MURK_SCENE_IN_MESH) {
+            desc[n++] = (murk_boundary_mesh_desc){.region = (int)i,
+                                                  .mesh = mesh[i],
+                                                  .to_world = placed(r),
+                                                  .where = r->where};
+        }
+    }
+    murk_status status = MURK_OK;
+    if (n > 0) {
+        status = murk_boundary_meshes_create(&made, desc, n, err);
+    }
+    if (!status && made) {
+        status = check_pairs(made, scene, domain, err);
+    }
+    if (status) {
+        murk_boundary_meshes_destroy(made);
+        return status;
+    }
+    *out = made;
+    return MURK_OK;
+}

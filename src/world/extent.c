@@ -1,0 +1,213 @@
+#include "world/extent.h"
+
+#define DOMAIN_MARGIN 0.01 /* of the longest side (contract: 1 %) */
+
+static murk_box box_around(const murk_affine *placed, const murk_box *box)
+{
+    murk_box out = murk_box_empty();
+    for (int corner = 0; corner < 8; ++corner) {
+        const murk_vec3 p = {corner & 1 ? box->max.x : box->min.x,
+                             corner & 2 ? box->max.y : box->min.y,
+                             corner & 4 ? box->max.z : box->min.z};
+        out = murk_box_with(out, murk_affine_point(placed, p));
+    }
+    return out;
+}
+
+static murk_box box_of_sphere(murk_vec3 center, double radius)
+{
+    const murk_vec3 r = {radius, radius, radius};
+    return (murk_box){murk_sub(center, r), murk_add(center, r)};
+}
+
+static murk_box box_of_rect(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
+{
+    const murk_vec3 a = murk_add(corner, edge1);
+    murk_box box = murk_box_with(murk_box_empty(), corner);
+    box = murk_box_with(box, a);
+    box = murk_box_with(box, murk_add(corner, edge2));
+    return murk_box_with(box, murk_add(a, edge2));
+}
+
+static bool is_empty(const murk_box *box)
+{
+    return !(box->min.x <= box->max.x);
+}
+
+static murk_box join(murk_box a, murk_box b)
+{
+    return is_empty(&b)   ? a
+           : is_empty(&a) ? b
+                          : murk_box_with(murk_box_with(a, b.min), b.max);
+}
+
+murk_box murk_extent_geometry(const murk_scene_geometry *g,
+                              const murk_mesh *mesh)
+{
+    const murk_affine placed =
+        murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
+    murk_box box = g->box;
+    switch (g->shape) {
+    case MURK_SCENE_SPHERE:
+        return box_of_sphere(murk_affine_point(&placed, g->center),
+                             g->radius_m * g->scale);
+    case MURK_SCENE_FILE:
+        box = mesh->bounds_m;
+        break;
+    case MURK_SCENE_RECT:
+        box = box_of_rect(g->corner, g->edge1, g->edge2);
+        break;
+    case MURK_SCENE_BOX:
+        break;
+    }
+    return box_around(&placed, &box);
+}
+
+bool murk_extent_is_bounded(const murk_scene_region *r)
+{
+    return r->shape != MURK_SCENE_EVERYWHERE && r->shape != MURK_SCENE_BELOW;
+}
+
+static murk_box meet(murk_box a, murk_box b)
+{
+    const murk_box both = {{fmax(a.min.x, b.min.x), fmax(a.min.y, b.min.y),
+                            fmax(a.min.z, b.min.z)},
+                           {fmin(a.max.x, b.max.x), fmin(a.max.y, b.max.y),
+                            fmin(a.max.z, b.max.z)}};
+    const bool is_none = both.min.x > both.max.x || both.min.y > both.max.y ||
+                         both.min.z > both.max.z;
+    return is_none ? murk_box_empty() : both;
+}
+
+/* Nearest voxels reach half a voxel beyond their centres, linear ones one. */
+static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
+                            bool is_linear)
+{
+    const murk_grid_facts *facts = murk_grid_describe(grid);
+    if (facts->active == 0) {
+        return murk_box_empty();
+    }
+    const int64_t *low = facts->index_min, *high = facts->index_max;
+    const double out = is_linear ? 1 : 0.5;
+    const murk_box voxels = {
+        {(double)low[0] - out, (double)low[1] - out, (double)low[2] - out},
+        {(double)high[0] + out, (double)high[1] + out, (double)high[2] + out}};
+    const murk_affine whole =
+        murk_affine_compose(placed, &facts->index_to_world);
+    return box_around(&whole, &voxels);
+}
+
+/* What a profile leaves of a shape, in the region's own frame. */
+static murk_box box_of_shape(const murk_scene_region *r,
+                             const murk_scene_numbers *z_m)
+{
+    const murk_box layers = {{-INFINITY, -INFINITY, z_m->value[0]},
+                             {INFINITY, INFINITY, z_m->value[z_m->n - 1]}};
+    return meet(r->shape == MURK_SCENE_IN_SPHERE
+                    ? box_of_sphere(r->center, r->radius_m)
+                    : r->box,
+                layers);
+}
+
+murk_box murk_extent_region(const murk_scene_desc *scene,
+                            const murk_scene_region *r, const murk_grid *grid,
+                            const murk_mesh *mesh)
+{
+    const murk_affine placed =
+        murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+    const bool is_linear = scene->media[r->medium].is_linear;
+    murk_box box = murk_box_empty();
+    switch (r->shape) {
+    case MURK_SCENE_IN_SPHERE:
+        box = box_of_sphere(murk_affine_point(&placed, r->center),
+                            r->radius_m * r->scale);
+        break;
+    case MURK_SCENE_IN_BOX:
+        box = box_around(&placed, &r->box);
+        break;
+    case MURK_SCENE_IN_MESH:
+        box = box_around(&placed, &mesh->bounds_m);
+        break;
+    case MURK_SCENE_IN_GRID:
+        return grid ? box_of_grid(&placed, grid, is_linear) : box;
+    case MURK_SCENE_EVERYWHERE:
+    case MURK_SCENE_BELOW:
+        return box;
+    }
+    const murk_scene_numbers *z_m = &scene->media[r->medium].profile_z_m;
+    if (r->replaces || r->ior > 0) {
+        return box;
+    }
+    if (z_m->n > 0) {
+        const murk_box local = box_of_shape(r, z_m);
+        return is_empty(&local) ? local
+                                : meet(box, box_around(&placed, &local));
+    }
+    return grid ? meet(box, box_of_grid(&placed, grid, is_linear)) : box;
+}
+
+static murk_box light_box(const murk_scene_light *light)
+{
+    switch (light->type) {
+    case MURK_SCENE_LIGHT_RECT:
+        return box_of_rect(light->position, light->edge1, light->edge2);
+    case MURK_SCENE_LIGHT_SPHERE:
+    case MURK_SCENE_LIGHT_BEAM:
+        return box_of_sphere(light->position, light->radius_m);
+    case MURK_SCENE_LIGHT_POINT:
+        return box_of_sphere(light->position, 0);
+    case MURK_SCENE_LIGHT_DIRECTIONAL:
+    case MURK_SCENE_LIGHT_SUN:
+    case MURK_SCENE_LIGHT_MOON:
+    case MURK_SCENE_LIGHT_SKY:
+    case MURK_SCENE_LIGHT_NIGHT_SKY:
+        break;
+    }
+    return murk_box_empty();
+}
+
+murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
+                               murk_mesh *const *mesh, murk_grid *const *grid,
+                               murk_mesh *const *region_mesh, murk_error *err)
+{
+    if (scene->has_domain) {
+        *out = scene->domain;
+        return MURK_OK;
+    }
+    murk_box solid = murk_box_empty();
+    for (size_t i = 0; i < scene->geometries; ++i) {
+        solid = join(solid, murk_extent_geometry(&scene->geometry[i], mesh[i]));
+    }
+    murk_box all = solid;
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (r->shape == MURK_SCENE_BELOW && is_empty(&solid)) {
+            return murk_fail(err, MURK_BAD_VALUE, r->where,
+                             "a half space needs a domain or geometry");
+        }
+        if (murk_extent_is_bounded(r)) {
+            all = join(all, murk_extent_region(scene, r, grid[r->medium],
+                                               region_mesh[i]));
+        }
+    }
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const murk_scene_light *light = &scene->lights[i];
+        if (light->type >= MURK_SCENE_LIGHT_DIRECTIONAL && is_empty(&solid)) {
+            return murk_fail(err, MURK_BAD_VALUE, light->where,
+                             "distant light needs a domain or geometry");
+        }
+        all = join(all, light_box(light));
+    }
+    const murk_vec3 size = murk_sub(all.max, all.min);
+    const double longest = fmax(size.x, fmax(size.y, size.z));
+    if (!(longest > 0 && isfinite(longest))) {
+        return murk_fail(err, MURK_BAD_VALUE, scene->path,
+                         "domain: none given, and geometry, finite regions "
+                         "and lamps span no space");
+    }
+    const double margin = DOMAIN_MARGIN * longest;
+    const murk_vec3 grown = {margin, margin, margin};
+    *out = (murk_domain){
+        .box = {murk_sub(all.min, grown), murk_add(all.max, grown)}};
+    return MURK_OK;
+}

@@ -1,0 +1,80 @@
+/* Checksums (XXH3, 128 bits: base/file.h) of the files that a scene names. A
+ * table of the files met keeps each from being read more than once. */
+#include "world/file_sums.h"
+
+#include "base/file.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Far above real meshes and grids; a sparse file of terabytes must not stall.
+ */
+#define FILE_BYTES_MAX (UINT64_C(8) << 30)
+
+void murk_file_sums_release(murk_file_sums *sums)
+{
+    for (size_t i = 0; i < sums->n; ++i) {
+        free(sums->path[i]);
+    }
+    free(sums->path);
+    free(sums->sum);
+    *sums = (murk_file_sums){0};
+}
+
+/* NULL when out of memory. */
+static const char *sum_of(murk_file_sums *sums, const char *path)
+{
+    for (size_t i = 0; i < sums->n; ++i) {
+        if (strcmp(sums->path[i], path) == 0) {
+            return sums->sum[i];
+        }
+    }
+    char **paths = realloc(sums->path, (sums->n + 1) * sizeof *paths);
+    sums->path = paths ? paths : sums->path;
+    char(*all)[33] = realloc(sums->sum, (sums->n + 1) * sizeof *all);
+    sums->sum = all ? all : sums->sum;
+    char *copy = strdup(path);
+    if (!paths || !all || !copy) {
+        free(copy);
+        return NULL;
+    }
+    uint64_t sum[2];
+    const bool is_read =
+        murk_file_checksum(path, FILE_BYTES_MAX, sum, NULL) == MURK_OK;
+    paths[sums->n] = copy;
+    if (is_read) {
+        snprintf(all[sums->n], sizeof *all, "%016" PRIx64 "%016" PRIx64, sum[1],
+                 sum[0]);
+    } else {
+        snprintf(all[sums->n], sizeof *all, "-");
+    }
+    return all[sums->n++];
+}
+
+bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path)
+{
+    const char *sum = path ? sum_of(sums, path) : "-";
+    if (sum) {
+        fprintf(out, "file: %s\n", sum);
+    }
+    return sum != NULL;
+}
+
+bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
+                          const murk_scene_desc *scene)
+{
+    bool is_whole = true;
+    for (size_t i = 0; i < scene->files && is_whole; ++i) {
+        is_whole = murk_file_sums_put(out, sums, scene->file[i]);
+    }
+    /* those that patterns of frames stand for */
+    for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
+        is_whole = murk_file_sums_put(out, sums, scene->media[i].vdb) &&
+                   murk_file_sums_put(out, sums, scene->media[i].albedo_vdb);
+    }
+    for (size_t i = 0; i < scene->n_conditions && is_whole; ++i) {
+        is_whole = murk_file_sums_scene(out, sums, scene->conditions[i].scene);
+    }
+    return is_whole;
+}

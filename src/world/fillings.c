@@ -1,0 +1,118 @@
+#include "world/fillings.h"
+
+#include "scene/frames.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* A file that is missing from a sequence, or named by its pattern alone. */
+static murk_status find_frame(const murk_scene_medium *m, murk_error *err)
+{
+    const char *pattern = m->vdb_frames ? m->vdb_frames : m->vdb;
+    char *any = murk_frames_file(pattern, 0);
+    murk_status status = MURK_OK;
+    if (any && access(m->vdb, F_OK) != 0 && errno == ENOENT) {
+        char frames[256];
+        murk_frames_list(pattern, frames, sizeof frames);
+        status = m->has_frame
+                     ? murk_fail(err, MURK_BAD_FILE, m->where,
+                                 "frame %llu of %s is not there; there are %s",
+                                 (unsigned long long)m->frame, pattern, frames)
+                     : murk_fail(err, MURK_BAD_VALUE, m->where,
+                                 "%s stands for a sequence: misses frame, "
+                                 "there are %s",
+                                 pattern, frames);
+    }
+    free(any);
+    return status;
+}
+
+murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
+                                const char *file[2], murk_error *err)
+{
+    const murk_scene_medium *m = &scene->media[i];
+    const bool is_same =
+        m->vdb && m->albedo_vdb && strcmp(m->vdb, m->albedo_vdb) == 0;
+    file[0] = m->vdb;
+    file[1] = is_same ? NULL : m->albedo_vdb;
+    return m->vdb ? find_frame(m, err) : MURK_OK;
+}
+
+static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
+                              size_t i, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    if (m->vdb) {
+        status = murk_grid_read(&f->grid[i], m->vdb, m->grid, m->where, err);
+    }
+    if (!status && m->albedo_grid) {
+        status = murk_grid_read_albedo(&f->albedo[i], m->albedo_vdb,
+                                       m->albedo_grid, m->where, err);
+    }
+    return status;
+}
+
+murk_status murk_fillings_create(murk_fillings **out,
+                                 const murk_scene_desc *scene, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    murk_fillings *f = calloc(1, sizeof *f);
+    if (f) {
+        f->n = scene->n_media;
+        f->grid = calloc(f->n + 1, sizeof *f->grid);
+        f->albedo = calloc(f->n + 1, sizeof *f->albedo);
+        f->profile = calloc(f->n + 1, sizeof *f->profile);
+    }
+    if (!f || !f->grid || !f->albedo || !f->profile) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for what fills its media");
+        goto done;
+    }
+    for (size_t i = 0; i < f->n && !status; ++i) {
+        const murk_scene_medium *m = &scene->media[i];
+        f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
+                                       m->profile_per_m.value};
+        status = read_grids(f, m, i, err);
+    }
+    if (status) {
+        goto done;
+    }
+    *out = f;
+    f = NULL;
+done:
+    murk_fillings_destroy(f);
+    return status;
+}
+
+void murk_fillings_destroy(murk_fillings *fillings)
+{
+    murk_fillings *f = fillings;
+    if (!f) {
+        return;
+    }
+    for (size_t i = 0; i < f->n; ++i) {
+        if (f->grid) {
+            murk_grid_destroy(f->grid[i]);
+        }
+        if (f->albedo) {
+            murk_grid_destroy(f->albedo[i]);
+        }
+    }
+    free(f->grid);
+    free(f->albedo);
+    free(f->profile);
+    free(f);
+}
+
+void murk_fillings_give(const murk_fillings *fillings, size_t i,
+                        murk_medium *medium)
+{
+    medium->grid = fillings->grid[i];
+    medium->albedo_grid = fillings->albedo[i];
+    if (fillings->profile[i].n > 0) {
+        medium->profile = &fillings->profile[i];
+        medium->extinction_per_m = murk_spectrum_flat(1, MURK_BANDS_MAX);
+    }
+}

@@ -1,0 +1,287 @@
+#include "world/goals.h"
+
+#include "base/position.h"
+#include "geometry/boundary_meshes.h"
+#include "geometry/mesh.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct murk_goals {
+    const murk_scene_desc *scene;
+    murk_mesh **mesh; /* [regions of interest]; NULL for other shapes */
+    murk_boundary_meshes *boundary_meshes;
+    murk_mesh *target_mesh; /* NULL: none */
+    murk_boundary_meshes *target_boundary_mesh;
+    murk_interest_region *region;
+    murk_interest interest;
+};
+
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, scene->placement.where,
+                     "no memory for what plans are to see");
+}
+
+murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
+                              murk_error *err)
+{
+    const murk_scene_placement *settings = &scene->placement;
+    murk_status status = MURK_OK;
+    murk_goals *goals = calloc(1, sizeof *goals);
+    if (!goals) {
+        return no_memory(scene, err);
+    }
+    goals->scene = scene;
+    goals->mesh = calloc(settings->n_interests + 1, sizeof *goals->mesh);
+    goals->region = calloc(settings->n_interests + 1, sizeof *goals->region);
+    if (!goals->mesh || !goals->region) {
+        status = no_memory(scene, err);
+        goto done;
+    }
+    for (size_t i = 0; i < settings->n_interests && !status; ++i) {
+        const murk_scene_interest *r = &settings->interest[i];
+        const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
+        if (r->shape == MURK_SCENE_ZONE_MESH) {
+            status = murk_mesh_read(&goals->mesh[i], r->mesh, &import, r->where,
+                                    err);
+        }
+    }
+    const murk_scene_targets *t = &settings->targets;
+    if (!status && t->mesh) {
+        const murk_mesh_import import = {.unit_m = t->unit_m, .up = t->up};
+        status = murk_mesh_read(&goals->target_mesh, t->mesh, &import,
+                                t->volume_where, err);
+    }
+    if (!status) {
+        *out = goals;
+        goals = NULL;
+    }
+done:
+    murk_goals_destroy(goals);
+    return status;
+}
+
+void murk_goals_destroy(murk_goals *goals)
+{
+    if (!goals) {
+        return;
+    }
+    for (size_t i = 0; goals->mesh && i < goals->scene->placement.n_interests;
+         ++i) {
+        murk_mesh_destroy(goals->mesh[i]);
+    }
+    murk_mesh_destroy(goals->target_mesh);
+    murk_boundary_meshes_destroy(goals->target_boundary_mesh);
+    murk_boundary_meshes_destroy(goals->boundary_meshes);
+    free(goals->mesh);
+    free(goals->region);
+    free(goals);
+}
+
+/* ---- building ---- */
+
+static murk_status check_name(const murk_scene_placement *settings, size_t i,
+                              murk_error *err)
+{
+    for (size_t k = 0; k < i; ++k) {
+        if (strcmp(settings->interest[k].name, settings->interest[i].name) ==
+            0) {
+            return murk_fail(err, MURK_BAD_VALUE, settings->interest[i].where,
+                             "name: %s is the name of an earlier region of "
+                             "interest, must be given once",
+                             settings->interest[i].name);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_box box_of(const murk_goals *goals, size_t i)
+{
+    const murk_scene_interest *r = &goals->scene->placement.interest[i];
+    const murk_vec3 radius = {r->radius_m, r->radius_m, r->radius_m};
+    switch (r->shape) {
+    case MURK_SCENE_ZONE_BOX:
+        return r->box;
+    case MURK_SCENE_ZONE_SPHERE:
+        return (murk_box){murk_sub(r->center, radius),
+                          murk_add(r->center, radius)};
+    case MURK_SCENE_ZONE_MESH:
+        return murk_boundary_meshes_describe(goals->boundary_meshes, (int)i)
+            .bounds_m;
+    case MURK_SCENE_NO_SHAPE:
+        break;
+    }
+    const murk_vec3 far = {INFINITY, INFINITY, INFINITY};
+    return (murk_box){murk_scale(-1, far), far};
+}
+
+static bool overlap(const murk_box *a, const murk_box *b)
+{
+    return a->min.x <= b->max.x && b->min.x <= a->max.x &&
+           a->min.y <= b->max.y && b->min.y <= a->max.y &&
+           a->min.z <= b->max.z && b->min.z <= a->max.z;
+}
+
+static bool fills_a_region(const murk_scene_desc *scene, int medium)
+{
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        if (scene->regions[i].medium == (size_t)medium) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* What no light could ever be stored in, whatever is traced. */
+static murk_status check_place(const murk_goals *goals, size_t i,
+                               const murk_surfaces *surfaces,
+                               const murk_box *domain, murk_error *err)
+{
+    const murk_scene_desc *scene = goals->scene;
+    const murk_scene_interest *r = &scene->placement.interest[i];
+    const murk_box box = box_of(goals, i);
+    if (!overlap(&box, domain)) {
+        return murk_fail(err, MURK_BAD_VALUE, r->where,
+                         "%s is empty: it spans %s to %s m, outside of the "
+                         "domain",
+                         r->name, murk_position_show(box.min).text,
+                         murk_position_show(box.max).text);
+    }
+    if (r->material >= 0 &&
+        !(murk_surfaces_material_area(surfaces, (size_t)r->material) > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, r->where,
+                         "%s is empty: no surface is of material %s", r->name,
+                         scene->materials[r->material].name);
+    }
+    if (r->medium >= 0 && !fills_a_region(scene, r->medium)) {
+        return murk_fail(err, MURK_BAD_VALUE, r->where,
+                         "%s is empty: medium %s is in no region", r->name,
+                         scene->media[r->medium].name);
+    }
+    return MURK_OK;
+}
+
+static murk_interest_region region_of(const murk_scene_interest *r)
+{
+    static const murk_interest_shape shape_of[] = {
+        [MURK_SCENE_NO_SHAPE] = MURK_INTEREST_ANYWHERE,
+        [MURK_SCENE_ZONE_BOX] = MURK_INTEREST_BOX,
+        [MURK_SCENE_ZONE_SPHERE] = MURK_INTEREST_SPHERE,
+        [MURK_SCENE_ZONE_MESH] = MURK_INTEREST_MESH};
+    return (murk_interest_region){.name = r->name,
+                                  .weight = r->weight,
+                                  .shape = shape_of[r->shape],
+                                  .box = r->box,
+                                  .center = r->center,
+                                  .radius_m = r->radius_m,
+                                  .material = r->material,
+                                  .medium = r->medium,
+                                  .where = r->where};
+}
+
+static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
+{
+    const murk_scene_placement *settings = &goals->scene->placement;
+    murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
+    size_t n = 0;
+    for (size_t i = 0; i < settings->n_interests; ++i) {
+        const murk_scene_interest *r = &settings->interest[i];
+        if (goals->mesh[i]) {
+            desc[n++] = (murk_boundary_mesh_desc){
+                .region = (int)i,
+                .mesh = goals->mesh[i],
+                .to_world =
+                    murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
+                .where = r->where};
+        }
+    }
+    murk_status status =
+        n > 0
+            ? murk_boundary_meshes_create(&goals->boundary_meshes, desc, n, err)
+            : MURK_OK;
+    const murk_scene_targets *t = &settings->targets;
+    if (!status && goals->target_mesh) {
+        const murk_boundary_mesh_desc target = {
+            .mesh = goals->target_mesh,
+            .to_world =
+                murk_affine_place(t->rotate_deg, t->scale, t->translate_m),
+            .where = t->volume_where};
+        status = murk_boundary_meshes_create(&goals->target_boundary_mesh,
+                                             &target, 1, err);
+    }
+    return status;
+}
+
+/* Sensors that ask where light comes from see nothing of what has none. */
+static murk_status check_arrival(const murk_scene_desc *scene, murk_error *err)
+{
+    for (size_t i = 0; i < scene->sensors.types; ++i) {
+        const murk_scene_sensor_type *type = &scene->sensors.type[i];
+        if (scene->placement.targets.given && type->toward) {
+            return murk_fail(err, MURK_BAD_VALUE, type->where,
+                             "arrival is toward, must be any: "
+                             "placement.targets are points, not light that "
+                             "arrives");
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
+                             const murk_domain *domain, murk_error *err)
+{
+    const murk_scene_placement *settings = &goals->scene->placement;
+    murk_status status = check_arrival(goals->scene, err);
+    if (!status) {
+        status = build_boundary_meshes(goals, err);
+    }
+    for (size_t i = 0; i < settings->n_interests && !status; ++i) {
+        status = check_name(settings, i, err);
+        if (!status) {
+            status = check_place(goals, i, surfaces, &domain->box, err);
+        }
+        goals->region[i] = region_of(&settings->interest[i]);
+    }
+    goals->interest = (murk_interest){.region = goals->region,
+                                      .n = settings->n_interests,
+                                      .boundary_meshes = goals->boundary_meshes,
+                                      .elsewhere = settings->elsewhere};
+    return status;
+}
+
+const murk_interest *murk_goals_interest(const murk_goals *goals)
+{
+    return goals->interest.n > 0 ? &goals->interest : NULL;
+}
+
+const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals)
+{
+    return goals->target_boundary_mesh;
+}
+
+uint64_t murk_goals_seen(const murk_sight *sight)
+{
+    uint64_t seen = 0;
+    for (size_t i = 0; i < murk_sight_photons(sight); ++i) {
+        seen |= murk_sight_regions(sight, i);
+    }
+    return seen;
+}
+
+murk_status murk_goals_check_seen(const murk_goals *goals, uint64_t seen,
+                                  murk_error *err)
+{
+    const murk_interest *interest = &goals->interest;
+    for (size_t r = 0; r < interest->n; ++r) {
+        if (!(seen >> r & 1)) {
+            return murk_fail(err, MURK_RUN_FAILED, interest->region[r].where,
+                             "%s is empty: none of the %s lies in it",
+                             interest->region[r].name,
+                             goals->scene->placement.targets.given
+                                 ? "targets"
+                                 : "stored photons");
+        }
+    }
+    return MURK_OK;
+}

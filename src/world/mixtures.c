@@ -1,0 +1,163 @@
+#include "world/mixtures.h"
+
+#include "medium/phase.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define RADIANS (3.14159265358979323846 / 180)
+
+/* Steps of the angles at which densities are summed. Between them the table's
+ * law is straight in log angle and log value: off by step^2 / 8 times the
+ * second derivative there, which is some 2 for Henyey-Greenstein and 10 for
+ * the backward rise of Rayleigh's: 1e-5. */
+#define FIRST_DEG      1e-3
+#define LOG_STEPS      400 /* a decade, up to EVEN_DEG */
+#define EVEN_DEG       10.0
+#define EVEN_STEP_DEG  .1
+#define STEPS_MAX      (4 * LOG_STEPS + 1700 + 1)
+#define EVEN_STEPS_DEG 170.0
+
+typedef struct mixing {
+    const murk_mixture *mixture;
+    murk_phase *phase;        /* [mixture->n] */
+    murk_phase_table **table; /* [mixture->n]; NULL where there is none */
+    double *angle_deg;        /* [angles] rising */
+    size_t angles;
+} mixing;
+
+static murk_status no_memory(const char *where, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, where,
+                     "no memory for a phase function");
+}
+
+static murk_status table_of(murk_phase_table **out,
+                            const murk_mixture_part *part, const char *where,
+                            murk_error *err)
+{
+    if (part->kind == MURK_PRESET_FOURNIER_FORAND) {
+        return murk_phase_table_fournier_forand(out, part->value[0],
+                                                part->value[1], where, err);
+    }
+    const murk_phase_rows rows = {.rows = part->angles,
+                                  .angle_deg = part->angle_deg,
+                                  .phase_per_sr = part->phase_per_sr,
+                                  .where = where};
+    return murk_phase_table_create(out, &rows, err);
+}
+
+static murk_status make_part(mixing *m, size_t i, const char *where,
+                             murk_error *err)
+{
+    const murk_mixture_part *part = &m->mixture->part[i];
+    switch (part->kind) {
+    case MURK_PRESET_RAYLEIGH:
+        m->phase[i] = murk_phase_rayleigh();
+        return MURK_OK;
+    case MURK_PRESET_TWO_HG:
+        m->phase[i] =
+            murk_phase_two_hg(part->value[0], part->value[1], part->value[2]);
+        return murk_phase_check(&m->phase[i], 0, where, err);
+    case MURK_PRESET_HG:
+        m->phase[i] = murk_phase_hg(part->value[0]);
+        return murk_phase_check(&m->phase[i], 0, where, err);
+    case MURK_PRESET_FOURNIER_FORAND:
+    case MURK_PRESET_TABLE:
+        break;
+    }
+    const murk_status status = table_of(&m->table[i], part, where, err);
+    m->phase[i] = murk_phase_tabulated(m->table[i]);
+    return status;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Even steps and the angles of the tables, each once. */
+static void lay_angles(mixing *m)
+{
+    double *at = m->angle_deg;
+    size_t n = 0;
+    const double decades = log10(EVEN_DEG / FIRST_DEG);
+    for (double i = 0; i < decades * LOG_STEPS; ++i) {
+        at[n++] = FIRST_DEG * pow(10, i / LOG_STEPS);
+    }
+    for (double i = 0; i <= EVEN_STEPS_DEG / EVEN_STEP_DEG; ++i) {
+        at[n++] = fmin(EVEN_DEG + i * EVEN_STEP_DEG, 180);
+    }
+    for (size_t i = 0; i < m->mixture->n; ++i) {
+        const murk_mixture_part *part = &m->mixture->part[i];
+        for (size_t k = 0; k < part->angles; ++k) {
+            if (part->angle_deg[k] > FIRST_DEG) {
+                at[n++] = part->angle_deg[k];
+            }
+        }
+    }
+    qsort(at, n, sizeof *at, compare);
+    m->angles = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (m->angles == 0 || at[i] > at[m->angles - 1] * (1 + 1e-9)) {
+            at[m->angles++] = at[i];
+        }
+    }
+}
+
+static murk_status add_up(murk_phase_table **out, const mixing *m,
+                          const char *where, murk_error *err)
+{
+    double *value = calloc(m->angles, sizeof *value);
+    if (!value) {
+        return no_memory(where, err);
+    }
+    for (size_t k = 0; k < m->angles; ++k) {
+        const double mu = cos(m->angle_deg[k] * RADIANS);
+        for (size_t i = 0; i < m->mixture->n; ++i) {
+            value[k] += m->mixture->part[i].share *
+                        murk_phase_density(&m->phase[i], mu);
+        }
+    }
+    const murk_phase_rows rows = {.rows = m->angles,
+                                  .angle_deg = m->angle_deg,
+                                  .phase_per_sr = value,
+                                  .where = where};
+    const murk_status status = murk_phase_table_create(out, &rows, err);
+    free(value);
+    return status;
+}
+
+murk_status murk_mixture_table(murk_phase_table **out,
+                               const murk_mixture *mixture, const char *where,
+                               murk_error *err)
+{
+    if (mixture->n == 1 && mixture->part[0].kind == MURK_PRESET_TABLE) {
+        return table_of(out, &mixture->part[0], where, err);
+    }
+    size_t max = STEPS_MAX;
+    for (size_t i = 0; i < mixture->n; ++i) {
+        max += mixture->part[i].angles;
+    }
+    mixing m = {.mixture = mixture,
+                .phase = calloc(mixture->n, sizeof *m.phase),
+                .table = calloc(mixture->n, sizeof *m.table),
+                .angle_deg = calloc(max, sizeof *m.angle_deg)};
+    murk_status status =
+        m.phase && m.table && m.angle_deg ? MURK_OK : no_memory(where, err);
+    for (size_t i = 0; i < mixture->n && !status; ++i) {
+        status = make_part(&m, i, where, err);
+    }
+    if (!status) {
+        lay_angles(&m);
+        status = add_up(out, &m, where, err);
+    }
+    for (size_t i = 0; m.table && i < mixture->n; ++i) {
+        murk_phase_table_destroy(m.table[i]);
+    }
+    free(m.phase);
+    free(m.table);
+    free(m.angle_deg);
+    return status;
+}

@@ -1,0 +1,253 @@
+#include "world/phases.h"
+
+#include "base/log.h"
+#include "scene/table.h"
+#include "world/mixtures.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Some 130 MB: a scene may name many files. */
+#define NODES_MAX 4000000
+
+/* Share that no row speaks of, from which on it is worth a warning. */
+#define BEYOND_ROWS .1
+
+static murk_status no_memory(const char *where, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, where,
+                     "no memory for a phase function");
+}
+
+static murk_status find_column(const murk_table *csv, const char *name,
+                               long *column, murk_error *err)
+{
+    *column = murk_table_column(csv, name);
+    return *column >= 0 ? MURK_OK
+                        : murk_fail(err, MURK_BAD_FILE, csv->path,
+                                    "misses column %s, must have angle_deg and "
+                                    "phase_per_sr",
+                                    name);
+}
+
+/* A column's numbers; the caller's. */
+static murk_status read_column(double **out, const murk_table *csv,
+                               const char *name, murk_error *err)
+{
+    long column;
+    murk_status status = find_column(csv, name, &column, err);
+    if (status) {
+        return status;
+    }
+    double *value = malloc((csv->rows + 1) * sizeof *value);
+    if (!value) {
+        return no_memory(csv->path, err);
+    }
+    for (size_t i = 0; i < csv->rows && !status; ++i) {
+        status = murk_table_number(csv, i, column, NAN, &value[i], err);
+    }
+    *out = value;
+    return status;
+}
+
+static void warn_of_guesses(const murk_phase_table *table, const char *path)
+{
+    const murk_phase_facts *facts = murk_phase_table_facts(table);
+    if (facts->before_first > BEYOND_ROWS || facts->behind_last > BEYOND_ROWS) {
+        murk_warn(path,
+                  "%.3g %% of the light turns by less than the first angle and "
+                  "%.3g %% by more than the last: as the rows are extended",
+                  100 * facts->before_first, 100 * facts->behind_last);
+    }
+}
+
+static murk_status read_table(murk_phase_table **out, const char *path,
+                              murk_error *err)
+{
+    murk_table *csv = NULL;
+    double *angle = NULL, *value = NULL;
+    murk_status status = murk_table_read(&csv, path, err);
+    if (!status) {
+        status = read_column(&angle, csv, "angle_deg", err);
+    }
+    if (!status) {
+        status = read_column(&value, csv, "phase_per_sr", err);
+    }
+    if (!status) {
+        const murk_phase_rows rows = {.rows = csv->rows,
+                                      .angle_deg = angle,
+                                      .phase_per_sr = value,
+                                      .line = csv->line,
+                                      .where = path};
+        status = murk_phase_table_create(out, &rows, err);
+    }
+    if (!status) {
+        warn_of_guesses(*out, path);
+    }
+    free(angle);
+    free(value);
+    murk_table_destroy(csv);
+    return status;
+}
+
+static bool needs_table(const murk_scene_phase *phase)
+{
+    return phase->kind == MURK_SCENE_PHASE_TABLE ||
+           phase->kind == MURK_SCENE_PHASE_MIXTURE ||
+           phase->kind == MURK_SCENE_PHASE_FOURNIER_FORAND;
+}
+
+static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
+{
+    if (a->kind == MURK_SCENE_PHASE_MIXTURE) {
+        return a == b;
+    }
+    return a->kind == b->kind &&
+           (a->kind == MURK_SCENE_PHASE_TABLE
+                ? strcmp(a->table, b->table) == 0
+                : a->fournier_forand[0] == b->fournier_forand[0] &&
+                      a->fournier_forand[1] == b->fournier_forand[1]);
+}
+
+static murk_status make_table(murk_phase_table **out,
+                              const murk_scene_phase *phase, murk_error *err)
+{
+    if (phase->kind == MURK_SCENE_PHASE_MIXTURE) {
+        return murk_mixture_table(out, phase->mixture, phase->where, err);
+    }
+    return phase->kind == MURK_SCENE_PHASE_TABLE
+               ? read_table(out, phase->table, err)
+               : murk_phase_table_fournier_forand(
+                     out, phase->fournier_forand[0], phase->fournier_forand[1],
+                     phase->where, err);
+}
+
+/* The table of this phase: one that is there already, or a new one. NULL in
+ * *out where it needs none. */
+static murk_status find_table(const murk_phase_table **out, murk_phases *phases,
+                              const murk_scene_phase *phase, murk_error *err)
+{
+    *out = NULL;
+    if (!needs_table(phase)) {
+        return MURK_OK;
+    }
+    for (size_t i = 0; i < phases->n && !*out; ++i) {
+        *out = is_same(phases->of[i], phase) ? phases->table[i] : NULL;
+    }
+    if (*out) {
+        return MURK_OK;
+    }
+    murk_phase_table *made = NULL;
+    const murk_status status = make_table(&made, phase, err);
+    if (status) {
+        return status;
+    }
+    phases->of[phases->n] = phase;
+    phases->table[phases->n++] = made;
+    *out = made;
+    phases->nodes += murk_phase_table_facts(made)->nodes;
+    return phases->nodes <= NODES_MAX
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, phase->where,
+                           "the scene's phase tables have more than %d nodes "
+                           "together up to here",
+                           NODES_MAX);
+}
+
+static murk_phase phase_of(const murk_scene_phase *p, int band,
+                           const murk_phase_table *table)
+{
+    switch (p->kind) {
+    case MURK_SCENE_PHASE_RAYLEIGH:
+        return murk_phase_rayleigh();
+    case MURK_SCENE_PHASE_TWO_HG:
+        return murk_phase_two_hg(p->two_hg[0], p->two_hg[1], p->two_hg[2]);
+    case MURK_SCENE_PHASE_FOURNIER_FORAND:
+    case MURK_SCENE_PHASE_TABLE:
+    case MURK_SCENE_PHASE_MIXTURE:
+        return murk_phase_tabulated(table);
+    case MURK_SCENE_PHASE_HG:
+        break;
+    }
+    return murk_phase_hg(p->mean_cosine.band[band]);
+}
+
+static murk_status fill_medium(murk_phases *phases,
+                               const murk_scene_desc *scene, size_t medium,
+                               murk_error *err)
+{
+    const murk_scene_medium *m = &scene->media[medium];
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < m->n_phases && !status; ++k) {
+        const murk_phase_table *table;
+        status = find_table(&table, phases, &m->phase[k], err);
+        for (int band = 0; band < scene->bands && !status; ++band) {
+            if (m->n_phases == 1 || (size_t)band == k) {
+                phases->medium[medium][band] =
+                    phase_of(&m->phase[k], band, table);
+            }
+        }
+    }
+    return status;
+}
+
+murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
+                               murk_error *err)
+{
+    murk_status status = MURK_OK;
+    murk_phases *phases = calloc(1, sizeof *phases);
+    size_t max = 0;
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        max += scene->media[i].n_phases;
+    }
+    if (phases) {
+        phases->table = calloc(max + 1, sizeof *phases->table);
+        phases->of = calloc(max + 1, sizeof *phases->of);
+        phases->medium = calloc(scene->n_media + 1, sizeof *phases->medium);
+    }
+    if (!phases || !phases->table || !phases->of || !phases->medium) {
+        status = no_memory(scene->path, err);
+        goto done;
+    }
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        status = fill_medium(phases, scene, i, err);
+    }
+    if (!status) {
+        *out = phases;
+        phases = NULL;
+    }
+done:
+    murk_phases_destroy(phases);
+    return status;
+}
+
+void murk_phases_destroy(murk_phases *phases)
+{
+    if (phases) {
+        for (size_t i = 0; phases->table && i < phases->n; ++i) {
+            murk_phase_table_destroy(phases->table[i]);
+        }
+        free(phases->table);
+        free(phases->of);
+        free(phases->medium);
+        free(phases);
+    }
+}
+
+const char *murk_phases_kind(const murk_scene_medium *medium, int band)
+{
+    static const char *const names[] = {
+        [MURK_SCENE_PHASE_HG] = "hg",
+        [MURK_SCENE_PHASE_RAYLEIGH] = "rayleigh",
+        [MURK_SCENE_PHASE_TWO_HG] = "two_hg",
+        [MURK_SCENE_PHASE_FOURNIER_FORAND] = "fournier_forand",
+        [MURK_SCENE_PHASE_TABLE] = "table",
+        [MURK_SCENE_PHASE_MIXTURE] = "table"};
+    const murk_scene_phase *p =
+        &medium->phase[medium->n_phases == 1 ? 0 : band];
+    const bool is_isotropic =
+        p->kind == MURK_SCENE_PHASE_HG && p->mean_cosine.band[band] == 0;
+    return is_isotropic ? "isotropic" : names[p->kind];
+}

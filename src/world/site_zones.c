@@ -1,0 +1,109 @@
+#include "world/site_zones.h"
+
+#include <stdlib.h>
+
+struct murk_site_meshes {
+    size_t n;         /* zones to avoid, then those to keep within */
+    murk_mesh **mesh; /* [n] NULL for other shapes */
+};
+
+static const murk_scene_site_zone *
+zone_at(const murk_scene_candidates *settings, size_t i)
+{
+    return i < settings->avoids ? &settings->avoid[i]
+                                : &settings->within[i - settings->avoids];
+}
+
+murk_status murk_site_meshes_read(murk_site_meshes **out,
+                                  const murk_scene_desc *scene, murk_error *err)
+{
+    const murk_scene_candidates *settings = &scene->sensors.candidates;
+    murk_status status = MURK_OK;
+    murk_site_meshes *made = calloc(1, sizeof *made);
+    if (made) {
+        made->n = settings->avoids + settings->withins;
+        made->mesh = calloc(made->n + 1, sizeof *made->mesh);
+    }
+    if (!made || !made->mesh) {
+        status = murk_fail(err, MURK_NO_MEMORY, settings->where,
+                           "no memory for its zones");
+        goto done;
+    }
+    for (size_t i = 0; i < made->n && !status; ++i) {
+        const murk_scene_site_zone *zone = zone_at(settings, i);
+        const murk_mesh_import import = {.unit_m = zone->unit_m,
+                                         .up = zone->up};
+        if (zone->shape == MURK_SCENE_ZONE_MESH) {
+            status = murk_mesh_read(&made->mesh[i], zone->mesh, &import,
+                                    zone->where, err);
+        }
+    }
+    if (!status) {
+        *out = made;
+        made = NULL;
+    }
+done:
+    murk_site_meshes_destroy(made);
+    return status;
+}
+
+void murk_site_meshes_destroy(murk_site_meshes *meshes)
+{
+    if (!meshes) {
+        return;
+    }
+    for (size_t i = 0; meshes->mesh && i < meshes->n; ++i) {
+        murk_mesh_destroy(meshes->mesh[i]);
+    }
+    free(meshes->mesh);
+    free(meshes);
+}
+
+static murk_zone zone_of(const murk_scene_site_zone *z, const murk_mesh *mesh)
+{
+    static const murk_zone_shape shape_of[] = {
+        [MURK_SCENE_ZONE_BOX] = MURK_ZONE_BOX,
+        [MURK_SCENE_ZONE_SPHERE] = MURK_ZONE_SPHERE,
+        [MURK_SCENE_ZONE_MESH] = MURK_ZONE_MESH};
+    return (murk_zone){
+        .shape = shape_of[z->shape],
+        .box = z->box,
+        .center = z->center,
+        .radius_m = z->radius_m,
+        .mesh = mesh,
+        .to_world = murk_affine_place(z->rotate_deg, z->scale, z->translate_m),
+        .where = z->where};
+}
+
+static murk_status create(murk_zones **out, const murk_scene_site_zone *zones,
+                          size_t n, murk_mesh *const *mesh, const char *where,
+                          murk_error *err)
+{
+    if (n == 0) {
+        return MURK_OK;
+    }
+    murk_zone *zone = calloc(n, sizeof *zone);
+    if (!zone) {
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its zones");
+    }
+    for (size_t i = 0; i < n; ++i) {
+        zone[i] = zone_of(&zones[i], mesh[i]);
+    }
+    const murk_status status = murk_zones_create(out, zone, n, err);
+    free(zone);
+    return status;
+}
+
+murk_status murk_site_zones_create(murk_zones **avoid, murk_zones **within,
+                                   const murk_scene_desc *scene,
+                                   const murk_site_meshes *meshes,
+                                   murk_error *err)
+{
+    const murk_scene_candidates *settings = &scene->sensors.candidates;
+    const murk_status status = create(avoid, settings->avoid, settings->avoids,
+                                      meshes->mesh, settings->where, err);
+    return status
+               ? status
+               : create(within, settings->within, settings->withins,
+                        meshes->mesh + settings->avoids, settings->where, err);
+}

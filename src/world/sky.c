@@ -1,0 +1,458 @@
+#include "world/sky.h"
+
+#include <assert.h>
+#include <math.h>
+
+#include "base/calendar.h"
+#include "base/log.h"
+#include "base/photometry.h"
+#include "source/clear_sky.h"
+#include "source/ephemeris.h"
+#include "source/moonlight.h"
+#include "source/night_sky.h"
+#include "source/solar_spectrum.h"
+#include "source/twilight.h"
+
+#define DAY_S     86400.0
+#define RAD       (MURK_PI / 180)
+#define RIGHT_DEG 90.0
+
+/* The sun's middle at sunrise and sunset, as almanacs count them: refraction
+ * at the horizon of 34' and a semidiameter of 16'. */
+#define SUNRISE_DEG (-50.0 / 60)
+
+/* What cloud over a share N of the sky leaves of the global irradiance, and
+ * how much of that comes from the sky: 1 - .75 N^3.4 and .3 + .7 N^2. Source:
+ * F. Kasten and G. Czeplak, Solar Energy 24 (1980) 177,
+ * doi:10.1016/0038-092X(80)90391-6. */
+typedef struct clouds {
+    double left, diffuse;
+} clouds;
+
+static clouds clouds_of(murk_scene_cover cover)
+{
+    static const double share[] = {[MURK_SCENE_CLEAR] = 0,
+                                   [MURK_SCENE_INTERMEDIATE] = .5,
+                                   [MURK_SCENE_OVERCAST] = 1};
+    const double n = share[cover];
+    return (clouds){1 - .75 * pow(n, 3.4), .3 + .7 * n * n};
+}
+
+/* ---- where things stand ---- */
+
+static murk_observer observer_of(const murk_scene_site *site)
+{
+    return (murk_observer){.latitude_deg = site->latitude_deg,
+                           .longitude_deg = site->longitude_deg,
+                           .altitude_m = site->altitude_m,
+                           .pressure_hpa =
+                               site->has_pressure ? site->pressure_hpa : 0,
+                           .temperature_c = site->temperature_c};
+}
+
+typedef murk_status (*body_finder)(murk_body *out, const murk_observer *,
+                                   double, murk_error *);
+
+static murk_status find(murk_body *out, body_finder at,
+                        const murk_scene_site *site, const char *where,
+                        murk_error *err)
+{
+    const murk_observer observer = observer_of(site);
+    murk_error told = {0};
+    const murk_status status =
+        at(out, &observer, murk_julian_date(site->unix_s), &told);
+    if (!status) {
+        return MURK_OK;
+    }
+    char time[MURK_TIME_SIZE];
+    murk_time_print(time, site->unix_s, site->zone_min);
+    return murk_fail(err, status, where, "at %s: %s", time, told.text);
+}
+
+/* From the ground to a body, for a scene's north. */
+static murk_vec3 towards(const murk_body *body, murk_vec3 north)
+{
+    const murk_vec3 east = murk_vec(north.y, -north.x, 0);
+    const double azimuth = body->azimuth_deg * RAD,
+                 elevation = body->elevation_deg * RAD;
+    murk_vec3 to = murk_vec(0, 0, sin(elevation));
+    to = murk_along(to, cos(elevation) * cos(azimuth), north);
+    return murk_along(to, cos(elevation) * sin(azimuth), east);
+}
+
+/* ---- schedules ---- */
+
+/* Whether the local clock is within one of the spans; one that ends before it
+ * begins passes midnight. */
+static bool is_within_spans(const murk_scene_schedule *schedule,
+                            const murk_scene_site *site)
+{
+    const double local_s = site->unix_s + 60.0 * site->zone_min;
+    const double clock_s = local_s - DAY_S * floor(local_s / DAY_S);
+    for (size_t i = 0; i < schedule->spans; ++i) {
+        const double from = schedule->from_s[i], to = schedule->to_s[i];
+        const bool is_after = clock_s >= from, is_before = clock_s < to;
+        if (from < to ? is_after && is_before : is_after || is_before) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static murk_status is_night(bool *out, const murk_scene_desc *scene,
+                            const char *where, murk_error *err)
+{
+    murk_body sun;
+    if (!scene->site.has_latitude || !scene->site.has_longitude) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "schedule: night, must have site.latitude_deg and "
+                         "site.longitude_deg");
+    }
+    const murk_status status =
+        find(&sun, murk_sun_at, &scene->site, where, err);
+    if (!status) {
+        *out = sun.geometric_elevation_deg < SUNRISE_DEG;
+    }
+    return status;
+}
+
+static murk_status shines(bool *out, const murk_scene_desc *scene,
+                          const murk_scene_light *light, murk_error *err)
+{
+    switch (light->schedule.when) {
+    case MURK_SCENE_NEVER:
+        *out = false;
+        break;
+    case MURK_SCENE_BY_CLOCK:
+        *out = is_within_spans(&light->schedule, &scene->site);
+        break;
+    case MURK_SCENE_NIGHT:
+        return is_night(out, scene, light->where, err);
+    case MURK_SCENE_ALWAYS:
+        *out = true;
+        break;
+    }
+    return MURK_OK;
+}
+
+/* ---- how much comes ---- */
+
+/* Beyond its ends a spectrum has no light, which is no more than its model's
+ * silence. */
+static void warn_beyond(const murk_scene_desc *scene,
+                        const murk_scene_light *light,
+                        const murk_solar_spectrum *spectrum)
+{
+    const double first = spectrum->nm[0],
+                 last = spectrum->nm[spectrum->nodes - 1];
+    for (int b = 0; scene->has_edges && b < scene->bands; ++b) {
+        const double from = scene->band_edge_nm[b],
+                     to = scene->band_edge_nm[b + 1];
+        if (from < first || to > last) {
+            murk_warn(light->where,
+                      "band %g..%g nm reaches beyond %g..%g nm, for which its "
+                      "spectrum is known: there it is taken as dark",
+                      from, to, first, last);
+            return;
+        }
+    }
+}
+
+/* A model's irradiance over all wavelengths [W/m2], spread over the bands; or
+ * the light's own, where it has one. */
+static murk_spectrum spread(const murk_scene_desc *scene,
+                            const murk_scene_light *light,
+                            const murk_solar_spectrum *spectrum,
+                            double irradiance)
+{
+    murk_spectrum out = light->power_w;
+    if (light->has_irradiance && !light->irradiance_total) {
+        return out;
+    }
+    warn_beyond(scene, light, spectrum);
+    double all = 0;
+    for (int b = 0; b < scene->bands; ++b) {
+        out.band[b] =
+            scene->has_edges
+                ? murk_solar_spectrum_share(spectrum, scene->band_edge_nm[b],
+                                            scene->band_edge_nm[b + 1])
+                : 1; /* one line, of a given total */
+        all += out.band[b];
+    }
+    const double scale = !light->has_irradiance ? irradiance
+                         : all > 0              ? light->power_w.band[0] / all
+                                                : 0;
+    for (int b = 0; b < scene->bands; ++b) {
+        out.band[b] *= scale;
+    }
+    return out;
+}
+
+/* Lumens in a watt of the whole spectrum. */
+static double lumen_per_watt(const murk_solar_spectrum *spectrum)
+{
+    const double from = 380, to = 780; /* what eyes see */
+    return murk_solar_spectrum_share(spectrum, from, to) *
+           murk_quantity_per_watt_of(MURK_PHOTOMETRIC, from, to,
+                                     murk_solar_spectrum_at, spectrum);
+}
+
+/* The spectrum of light from a body at this height. */
+static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
+                                       const murk_scene_light *light,
+                                       double elevation_deg)
+{
+    const murk_scene_site *site = &light->site;
+    murk_spectrum_air air = murk_spectrum_air_defaults();
+    murk_solar_spectrum out;
+    air.apparent_zenith_deg = RIGHT_DEG - elevation_deg;
+    air.linke_turbidity = light->linke_turbidity;
+    air.pressure_hpa = site->has_pressure
+                           ? site->pressure_hpa
+                           : murk_standard_pressure_hpa(site->altitude_m);
+    murk_solar_spectrum_make(&out, source, &air);
+    return out;
+}
+
+/* The sun and what a clear sky makes of it. */
+typedef struct daylight {
+    murk_body sun;
+    murk_clear_sky clear;
+    double pressure_hpa;
+} daylight;
+
+static murk_status look_up(daylight *out, const murk_scene_light *light,
+                           murk_error *err)
+{
+    const murk_scene_site *site = &light->site;
+    const murk_status status =
+        find(&out->sun, murk_sun_at, site, light->where, err);
+    if (status) {
+        return status;
+    }
+    out->pressure_hpa = site->has_pressure
+                            ? site->pressure_hpa
+                            : murk_standard_pressure_hpa(site->altitude_m);
+    const double zenith = RIGHT_DEG - out->sun.elevation_deg;
+    out->clear = murk_clear_sky_at(
+        zenith, murk_absolute_airmass(zenith, out->pressure_hpa),
+        light->linke_turbidity, site->altitude_m,
+        murk_extraterrestrial_w_per_m2(out->sun.distance_m));
+    return MURK_OK;
+}
+
+/* Where a light's rays go from a body at this place. */
+static void aim_from(murk_source *out, const murk_body *body, murk_vec3 north)
+{
+    out->type = MURK_SOURCE_DIRECTIONAL;
+    out->direction = murk_scale(-1, towards(body, north));
+    out->angular_radius_rad = body->diameter_deg / 2 * RAD;
+}
+
+static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
+                             const murk_scene_desc *scene,
+                             const murk_scene_light *light, murk_error *err)
+{
+    daylight day;
+    const murk_status status = look_up(&day, light, err);
+    if (status) {
+        return status;
+    }
+    facts->azimuth_deg = day.sun.azimuth_deg;
+    facts->elevation_deg = day.sun.elevation_deg;
+    facts->is_on = day.sun.elevation_deg > 0;
+    aim_from(out, &day.sun, scene->north);
+    double direct = day.clear.direct_w_per_m2;
+    if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
+        const clouds c = clouds_of(light->cover);
+        direct =
+            fmin(direct, c.left * (1 - c.diffuse) * day.clear.global_w_per_m2 /
+                             sin(day.sun.elevation_deg * RAD));
+    }
+    facts->spectrum =
+        spectrum_of(MURK_SPECTRUM_DIRECT, light, day.sun.elevation_deg);
+    out->power_w = spread(scene, light, &facts->spectrum, direct);
+    return MURK_OK;
+}
+
+static murk_moon moon_of(const murk_body *body)
+{
+    return (murk_moon){.phase_angle_deg = body->phase_angle_deg,
+                       .distance_m = body->distance_m,
+                       .elevation_deg = body->elevation_deg};
+}
+
+static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
+                              const murk_scene_desc *scene,
+                              const murk_scene_light *light, murk_error *err)
+{
+    murk_body body;
+    const murk_status status =
+        find(&body, murk_moon_at, &light->site, light->where, err);
+    if (status) {
+        return status;
+    }
+    const murk_moon moon = moon_of(&body);
+    const murk_moonlight moonlight = murk_moonlight_at(
+        &moon,
+        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    facts->azimuth_deg = body.azimuth_deg;
+    facts->elevation_deg = body.elevation_deg;
+    facts->is_on = body.elevation_deg > 0;
+    aim_from(out, &body, scene->north);
+    const clouds c = clouds_of(light->cover),
+                 none = clouds_of(MURK_SCENE_CLEAR);
+    const double seen = c.left * (1 - c.diffuse) / (1 - none.diffuse);
+    facts->spectrum =
+        spectrum_of(MURK_SPECTRUM_DIRECT, light, body.elevation_deg);
+    out->power_w =
+        spread(scene, light, &facts->spectrum,
+               seen * moonlight.direct_lux / lumen_per_watt(&facts->spectrum));
+    return MURK_OK;
+}
+
+/* Diffuse light of day and twilight on a level plane [W/m2]. */
+static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
+                                 const murk_solar_spectrum *spectrum)
+{
+    const clouds c = clouds_of(cover);
+    const double twilight =
+        murk_twilight_lux(day->sun.geometric_elevation_deg) /
+        lumen_per_watt(spectrum);
+    const double by_day = cover == MURK_SCENE_CLEAR
+                              ? day->clear.diffuse_w_per_m2
+                              : c.left * c.diffuse * day->clear.global_w_per_m2;
+    return fmax(by_day, c.left * twilight);
+}
+
+static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
+                             const murk_scene_desc *scene,
+                             const murk_scene_light *light, murk_error *err)
+{
+    static const int type_of[] = {[MURK_SCENE_CLEAR] = 12,
+                                  [MURK_SCENE_INTERMEDIATE] = 7,
+                                  [MURK_SCENE_OVERCAST] = 1};
+    const murk_spectrum_source source = light->cover == MURK_SCENE_CLEAR
+                                            ? MURK_SPECTRUM_CLEAR_SKY
+                                            : MURK_SPECTRUM_OVERCAST;
+    daylight day;
+    murk_body body;
+    murk_status status = look_up(&day, light, err);
+    if (!status) {
+        status = find(&body, murk_moon_at, &light->site, light->where, err);
+    }
+    if (status) {
+        return status;
+    }
+    const murk_moon moon = moon_of(&body);
+    const murk_moonlight moonlight = murk_moonlight_at(
+        &moon,
+        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    facts->spectrum = spectrum_of(
+        source, light, fmax(day.sun.elevation_deg, body.elevation_deg));
+    const double by_sun =
+        scattered_w_per_m2(&day, light->cover, &facts->spectrum);
+    const double by_moon = clouds_of(light->cover).left *
+                           moonlight.diffuse_lux /
+                           lumen_per_watt(&facts->spectrum);
+    const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
+    facts->azimuth_deg = day.sun.azimuth_deg;
+    facts->elevation_deg = day.sun.elevation_deg;
+    out->type = MURK_SOURCE_DOME;
+    out->dome = murk_dome_cie(light->cie_type > 0 ? (int)light->cie_type
+                                                  : type_of[light->cover],
+                              towards(brighter, scene->north));
+    out->power_w = spread(scene, light, &facts->spectrum, by_sun + by_moon);
+    return MURK_OK;
+}
+
+/* Airglow is a layer: brighter towards the horizon, where more air dims it
+ * again; an even sky of the same level irradiance stands for both. */
+static void night_light(murk_source *out, murk_sky_facts *facts,
+                        const murk_scene_desc *scene,
+                        const murk_scene_light *light)
+{
+    const double lux = murk_night_sky_lux(
+        light->mag_per_arcsec2,
+        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    facts->spectrum =
+        spectrum_of(MURK_SPECTRUM_EXTRATERRESTRIAL, light, RIGHT_DEG);
+    out->type = MURK_SOURCE_DOME;
+    out->power_w = spread(scene, light, &facts->spectrum,
+                          lux / lumen_per_watt(&facts->spectrum));
+}
+
+/* ---- all lights ---- */
+
+static murk_status lamp_light(murk_source *out, murk_sky_facts *facts,
+                              const murk_scene_desc *scene,
+                              const murk_scene_light *light, murk_error *err)
+{
+    static const murk_source_type type_of[] = {
+        [MURK_SCENE_LIGHT_SPHERE] = MURK_SOURCE_SPHERE,
+        [MURK_SCENE_LIGHT_RECT] = MURK_SOURCE_RECT,
+        [MURK_SCENE_LIGHT_POINT] = MURK_SOURCE_POINT,
+        [MURK_SCENE_LIGHT_BEAM] = MURK_SOURCE_BEAM,
+        [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_SOURCE_DIRECTIONAL};
+    out->type = type_of[light->type];
+    out->position = light->position;
+    out->edge1 = light->edge1;
+    out->edge2 = light->edge2;
+    out->direction = light->direction;
+    out->radius_m = light->radius_m;
+    out->divergence_rad = light->divergence_rad;
+    out->power_w = light->power_w;
+    return shines(&facts->is_on, scene, light, err);
+}
+
+static double sum(const murk_spectrum *spectrum, int bands)
+{
+    double all = 0;
+    for (int b = 0; b < bands; ++b) {
+        all += spectrum->band[b];
+    }
+    return all;
+}
+
+murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
+                           const murk_scene_desc *scene, size_t light,
+                           murk_error *err)
+{
+    const murk_scene_light *l = &scene->lights[light];
+    murk_status status = MURK_OK;
+    *facts = (murk_sky_facts){
+        .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
+    *out = (murk_source){.where = l->where};
+    switch (l->type) {
+    case MURK_SCENE_LIGHT_SUN:
+        status = sun_light(out, facts, scene, l, err);
+        break;
+    case MURK_SCENE_LIGHT_MOON:
+        status = moon_light(out, facts, scene, l, err);
+        break;
+    case MURK_SCENE_LIGHT_SKY:
+        status = sky_light(out, facts, scene, l, err);
+        break;
+    case MURK_SCENE_LIGHT_NIGHT_SKY:
+        night_light(out, facts, scene, l);
+        break;
+    case MURK_SCENE_LIGHT_SPHERE:
+    case MURK_SCENE_LIGHT_RECT:
+    case MURK_SCENE_LIGHT_POINT:
+    case MURK_SCENE_LIGHT_BEAM:
+    case MURK_SCENE_LIGHT_DIRECTIONAL:
+        status = lamp_light(out, facts, scene, l, err);
+        break;
+    }
+    if (status) {
+        return status;
+    }
+    if (!facts->is_on) {
+        out->power_w = murk_spectrum_flat(0, MURK_BANDS_MAX);
+    }
+    facts->irradiance_w_per_m2 = l->type >= MURK_SCENE_LIGHT_DIRECTIONAL
+                                     ? sum(&out->power_w, scene->bands)
+                                     : NAN;
+    facts->is_on = sum(&out->power_w, scene->bands) > 0;
+    return MURK_OK;
+}

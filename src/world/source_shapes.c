@@ -1,0 +1,58 @@
+#include "world/source_shapes.h"
+
+#include "world/sky.h"
+
+static bool shines(const murk_source *light)
+{
+    for (int b = 0; b < MURK_BANDS_MAX; ++b) {
+        if (light->power_w.band[b] > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void put_vector(FILE *out, murk_vec3 v)
+{
+    fprintf(out, "%a %a %a\n", v.x, v.y, v.z);
+}
+
+/* All of a light but its power. Of distant light that does not shine it is
+ * nothing: where a sun that is down stands makes no difference. */
+static void put_light(FILE *out, const murk_source *l)
+{
+    if (murk_source_is_distant(l) && !shines(l)) {
+        fputs("dark\n", out);
+        return;
+    }
+    fprintf(out, "%d %a %a\n", (int)l->type, l->radius_m, l->divergence_rad);
+    put_vector(out, l->position);
+    put_vector(out, l->edge1);
+    put_vector(out, l->edge2);
+    put_vector(out, l->direction);
+    fprintf(out, "%a %a %a %a %a %a\n", l->angular_radius_rad, l->dome.a,
+            l->dome.b, l->dome.c, l->dome.d, l->dome.e);
+    if (l->dome.c != 0 || l->dome.e != 0) { /* else it is not read */
+        put_vector(out, l->dome.towards);
+    }
+    for (size_t i = 0; i < l->portals; ++i) {
+        put_vector(out, l->portal[i].corner);
+        put_vector(out, l->portal[i].edge1);
+        put_vector(out, l->portal[i].edge2);
+    }
+}
+
+murk_status murk_source_shapes_print(FILE *out, const murk_scene_desc *scene,
+                                     murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->n_lights && !status; ++i) {
+        murk_source light;
+        murk_sky_facts facts;
+        status = murk_sky_light(&light, &facts, scene, i, err);
+        if (!status) {
+            put_light(out, &light);
+        }
+    }
+    return status;
+}

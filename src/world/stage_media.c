@@ -1,0 +1,76 @@
+#include "world/stage_media.h"
+
+#include "world/winds.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static murk_region region_of(const murk_scene_region *r)
+{
+    static const murk_region_shape shape_of[] = {
+        [MURK_SCENE_EVERYWHERE] = MURK_REGION_EVERYWHERE,
+        [MURK_SCENE_IN_BOX] = MURK_REGION_BOX,
+        [MURK_SCENE_IN_SPHERE] = MURK_REGION_SPHERE,
+        [MURK_SCENE_IN_GRID] = MURK_REGION_GRID,
+        [MURK_SCENE_BELOW] = MURK_REGION_BELOW,
+        [MURK_SCENE_IN_MESH] = MURK_REGION_MESH};
+    return (murk_region){
+        .medium = r->medium,
+        .shape = shape_of[r->shape],
+        .box = r->box,
+        .center = r->center,
+        .radius_m = r->radius_m,
+        .below_z_m = r->below_z_m,
+        .to_world = murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
+        .replaces = r->replaces,
+        .ior = r->ior,
+        .mean_square_slope = murk_region_mean_square_slope(r),
+        .where = r->where};
+}
+
+static murk_medium medium_of(const murk_scene_desc *scene, size_t i,
+                             const murk_fillings *fillings,
+                             const murk_phases *phases)
+{
+    const murk_scene_medium *m = &scene->media[i];
+    murk_medium medium = {.extinction_per_m = m->extinction_per_m,
+                          .albedo = m->albedo,
+                          .interpolation =
+                              m->is_linear ? MURK_LINEAR : MURK_NEAREST,
+                          .where = m->where};
+    murk_fillings_give(fillings, i, &medium);
+    memcpy(medium.phase, phases->medium[i], sizeof medium.phase);
+    return medium;
+}
+
+murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
+                             const murk_scene_desc *scene,
+                             const murk_fillings *fillings,
+                             const murk_phases *phases, murk_error *err)
+{
+    murk_medium *medium = calloc(scene->n_media + 1, sizeof *medium);
+    murk_region *region = calloc(scene->n_regions + 1, sizeof *region);
+    murk_status status = MURK_OK;
+    if (!medium || !region) {
+        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
+                           "no memory for the media");
+        goto done;
+    }
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        medium[i] = medium_of(scene, i, fillings, phases);
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        region[i] = region_of(&scene->regions[i]);
+        if (region[i].shape == MURK_REGION_MESH) {
+            region[i].box =
+                murk_boundary_meshes_describe(stage->boundary_meshes, (int)i)
+                    .bounds_m;
+        }
+    }
+    status = murk_media_create(out, medium, scene->n_media, region,
+                               scene->n_regions, &stage->world.domain.box, err);
+done:
+    free(medium);
+    free(region);
+    return status;
+}

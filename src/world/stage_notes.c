@@ -1,0 +1,161 @@
+#include "world/stage_notes.h"
+
+#include "base/log.h"
+#include "base/position.h"
+#include "world/extent.h"
+#include "world/mesh_materials.h"
+#include "world/winds.h"
+
+static void warn_if_cut(const char *where, const murk_box *box,
+                        const murk_box *domain)
+{
+    if (box->min.x <= box->max.x && (!murk_box_contains(domain, box->min) ||
+                                     !murk_box_contains(domain, box->max))) {
+        murk_warn(where,
+                  "reaches out of the domain and is cut off there: it spans %s "
+                  "to %s m",
+                  murk_position_show(box->min).text,
+                  murk_position_show(box->max).text);
+    }
+}
+
+/* Nothing bends light in a side of the domain; where a periodic one joins the
+ * cut of a region to what is not that region, it should. */
+static void warn_if_cut_once(const murk_stage *stage,
+                             const murk_scene_region *r, const murk_box *box)
+{
+    const murk_domain *domain = &stage->world.domain;
+    const murk_box *d = &domain->box;
+    const bool x = (box->min.x <= d->min.x) != (box->max.x >= d->max.x);
+    const bool y = (box->min.y <= d->min.y) != (box->max.y >= d->max.y);
+    if (domain->is_periodic && r->ior > 0 && (x || y)) {
+        murk_warn(r->where,
+                  "reaches one %c side of the periodic domain and not the "
+                  "other: light that wraps there changes its index of "
+                  "refraction without being bent",
+                  x ? 'x' : 'y');
+    }
+}
+
+static void warn_of_cuts(const murk_stage *stage)
+{
+    const murk_box *domain = &stage->world.domain.box;
+    const murk_scene_desc *scene = stage->scene;
+    for (size_t i = 0; i < scene->geometries; ++i) {
+        const murk_box box =
+            murk_extent_geometry(&scene->geometry[i], stage->mesh[i]);
+        warn_if_cut(scene->geometry[i].where, &box, domain);
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (murk_extent_is_bounded(r)) {
+            const murk_box box = murk_extent_region(
+                stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
+            warn_if_cut(r->where, &box, domain);
+            warn_if_cut_once(stage, r, &box);
+        }
+    }
+}
+
+/* Whether a region reaches any side of the domain. */
+static bool touches_sides(const murk_stage *stage, size_t i)
+{
+    const murk_scene_region *r = &stage->scene->regions[i];
+    const murk_box *domain = &stage->world.domain.box;
+    if (r->shape == MURK_SCENE_EVERYWHERE) {
+        return true;
+    }
+    if (r->shape == MURK_SCENE_BELOW) {
+        return r->below_z_m > domain->min.z;
+    }
+    const murk_box box = murk_extent_region(
+        stage->scene, r, stage->grid[r->medium], stage->region_mesh[i]);
+    return box.min.x <= domain->min.x || box.max.x >= domain->max.x ||
+           box.min.y <= domain->min.y || box.max.y >= domain->max.y ||
+           box.min.z <= domain->min.z || box.max.z >= domain->max.z;
+}
+
+static void note_of_set(const murk_stage *stage)
+{
+    const murk_scene_desc *scene = stage->scene;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const murk_scene_light *l = &scene->lights[i];
+        const bool is_body =
+            l->type == MURK_SCENE_LIGHT_SUN || l->type == MURK_SCENE_LIGHT_MOON;
+        const double elevation = stage->sky[i].elevation_deg;
+        if (is_body && !(elevation > 0)) {
+            murk_note(l->where,
+                      "the %s is %.3g degrees below the horizon: no light "
+                      "from it",
+                      l->type == MURK_SCENE_LIGHT_SUN ? "sun" : "moon",
+                      -elevation);
+        }
+    }
+}
+
+/* Of a light that shines, portals turned away from it. */
+static void note_of_portals(const murk_stage *stage)
+{
+    for (size_t i = 0; i < murk_sources_count(stage->lights); ++i) {
+        const murk_source *l = murk_sources_get(stage->lights, i);
+        for (size_t k = 0; k < l->portals; ++k) {
+            if (stage->sky[i].is_on &&
+                !murk_sources_portal_is_lit(stage->lights, i, k)) {
+                murk_note(l->where,
+                          "aim %zu: no light passes it, as it passes towards "
+                          "edge1_m x edge2_m",
+                          k);
+            }
+        }
+    }
+}
+
+static void note_of_dark(const murk_stage *stage)
+{
+    const murk_scene_desc *scene = stage->scene;
+    if (murk_sources_lit(stage->lights) == 0) {
+        murk_note(scene->where[0] ? scene->where : scene->path,
+                  "it is dark: no light has any power, so nothing is emitted, "
+                  "tallies are 0 and %s",
+                  murk_stage_has_nothing_to_see(stage)
+                      ? "coverage is null"
+                      : "coverage is of the targets");
+    }
+}
+
+/* A medium that touches an open side goes on outside, as a rule, but takes
+ * nothing from light of the sun and sky on its way there, unless
+ * domain.outside says so. */
+static void warn_of_lit_sides(const murk_stage *stage)
+{
+    const murk_scene_desc *scene = stage->scene;
+    bool is_lit = false;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        is_lit |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
+    }
+    if (stage->world.domain.is_periodic || scene->continues || !is_lit ||
+        !murk_media_any(stage->media)) {
+        return;
+    }
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        if (touches_sides(stage, i)) {
+            murk_warn(scene->regions[i].where,
+                      "light of sun or sky meets a medium that touches an "
+                      "open side: it is unattenuated where it enters, so it "
+                      "is too bright near the sides. Where the medium goes on "
+                      "outside, use domain.sides: periodic, or "
+                      "domain.outside: continued");
+        }
+    }
+}
+
+void murk_stage_tell(const murk_stage *stage)
+{
+    warn_of_cuts(stage);
+    murk_warn_of_materials(stage);
+    warn_of_lit_sides(stage);
+    note_of_set(stage);
+    murk_warn_of_winds(stage->scene);
+    note_of_portals(stage);
+    note_of_dark(stage);
+}

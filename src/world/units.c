@@ -1,0 +1,86 @@
+#include "world/units.h"
+
+#include "base/log.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const murk_units KNOWN[] = {
+    [MURK_RADIOMETRIC] = {"W", "W/m2", "w"},
+    [MURK_PHOTOMETRIC] = {"lm", "lux", "lm"},
+    [MURK_PHOTONS] = {"1/s", "1/s/m2", "photons_per_s"},
+    [MURK_PAR] = {"umol/s", "umol/s/m2", "umol_per_s"},
+};
+
+murk_units murk_units_of(murk_quantity quantity)
+{
+    return KNOWN[quantity];
+}
+
+/* spectrum NULL: even in wavelength. */
+static double per_watt(murk_quantity quantity, const murk_scene_desc *scene,
+                       int band, const murk_solar_spectrum *spectrum)
+{
+    const double line = scene->band_nm[band];
+    const double from = scene->has_edges ? scene->band_edge_nm[band] : line;
+    const double to = scene->has_edges ? scene->band_edge_nm[band + 1] : line;
+    return spectrum ? murk_quantity_per_watt_of(
+                          quantity, from, to, murk_solar_spectrum_at, spectrum)
+                    : murk_quantity_per_watt(quantity, from, to);
+}
+
+static const murk_solar_spectrum *spectrum_of(const murk_stage *stage,
+                                              size_t light)
+{
+    const murk_solar_spectrum *spectrum = &stage->sky[light].spectrum;
+    return spectrum->nodes > 0 ? spectrum : NULL;
+}
+
+double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
+                           size_t light, int band)
+{
+    return per_watt(quantity, stage->scene, band, spectrum_of(stage, light));
+}
+
+void murk_units_packets(double *out, murk_quantity quantity,
+                        const murk_stage *stage, const double *packet_w)
+{
+    const murk_scene_desc *scene = stage->scene;
+    for (int b = 0; b < scene->bands; ++b) {
+        const double even = per_watt(quantity, scene, b, NULL);
+        for (size_t i = 0; i < scene->n_lights; ++i) {
+            const size_t c = i * (size_t)scene->bands + (size_t)b;
+            const double factor =
+                spectrum_of(stage, i)
+                    ? murk_units_per_watt(quantity, stage, i, b)
+                    : even;
+            out[c] = factor * packet_w[c];
+        }
+    }
+}
+
+murk_estimate murk_units_sum(const murk_estimate *value, int n)
+{
+    murk_estimate sum = {0, 0};
+    for (int i = 0; i < n; ++i) {
+        sum.value += value[i].value;
+        sum.standard_error = hypot(sum.standard_error, value[i].standard_error);
+    }
+    return sum;
+}
+
+void murk_units_note(const murk_scene_desc *scene)
+{
+    char list[16 * MURK_BANDS_MAX] = "";
+    size_t used = 0;
+    for (int i = 0; i < scene->bands; ++i) {
+        if (!(per_watt(scene->units, scene, i, NULL) > 0)) {
+            used += (size_t)snprintf(list + used, sizeof list - used, "%s%.5g",
+                                     used ? ", " : "", scene->band_nm[i]);
+        }
+    }
+    if (used > 0) {
+        murk_note(scene->path, "units: light of %s nm counts 0 %s", list,
+                  KNOWN[scene->units].irradiance);
+    }
+}

@@ -1,0 +1,70 @@
+/* Depths and sheets of seen sightlines are what looks round. */
+#include "check.h"
+#include "plan/plan.h"
+#include "sensing/depths.h"
+#include "stage_text.h"
+
+#include <stdlib.h>
+
+static const char scene_text[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [6, 4, 3]}\n"
+    "geometry:\n"
+    "  - {rect: {corner_m: [0, 0, 0.2], edge1_m: [6, 0, 0],"
+    " edge2_m: [0, 4, 0]}, material: floor}\n"
+    "  - {rect: {corner_m: [3, 0, 0.2], edge1_m: [0, 3, 0],"
+    " edge2_m: [0, 0, 2]}, material: pane}\n"
+    "materials: {floor: {diffuse: 0.7}, pane: {transmit: 0.6}}\n"
+    "media:\n"
+    "  fog: {extinction_per_m: 0.4, albedo: 0.9, phase: isotropic}\n"
+    "  smoke: {extinction_per_m: 0.8, albedo: 0.9, phase: isotropic}\n"
+    "regions:\n"
+    "  - {medium: fog}\n"
+    "  - {medium: smoke, sphere: {center_m: [2, 2, 1], radius_m: 0.8}}\n"
+    "lights:\n"
+    "  - {type: point, position_m: [1, 1, 2], power_w: 1}\n"
+    "photons: {emit: 1000}\n"
+    "sensors: {types: [{name: node, range_m: 5}]}\n";
+
+/* Clarity is a whole number of 1/65535, the depths' product not: they agree
+ * within the rounding. */
+static void check_looks(const char *override, bool has_sheets)
+{
+    const char *const overrides[] = {override, NULL};
+    const murk_pose pose = {.position = {4.5, 1.5, 1}};
+    murk_stage *stage = stage_text_create(scene_text, overrides);
+    murk_traced *traced = NULL;
+    murk_sight *sight = NULL;
+    murk_look look;
+    CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 1, NULL) &&
+          !murk_plan_sight(&sight, stage, traced, 1, NULL));
+    murk_sight_look(sight, 0, &pose, &look);
+    CHECK(look.seen > 50 && look.clarity);
+    const murk_media *const media[2] = {stage->media, stage->media};
+    double *depth = malloc(look.seen * 2 * sizeof *depth);
+    double *sheets = malloc(look.seen * sizeof *sheets);
+    size_t behind = 0;
+    murk_sight_depths(depth, sheets, sight, &pose, look.photon, look.seen,
+                      media, 2);
+    for (size_t i = 0; i < look.seen; ++i) {
+        CHECK(depth[2 * i] == depth[2 * i + 1]);
+        CHECK_NEAR(sheets[i] * exp(-depth[2 * i]) * MURK_CLEAR, look.clarity[i],
+                   0.5 + 1e-9);
+        behind += sheets[i] < 1;
+    }
+    CHECK((behind > 0) == has_sheets);
+    free(depth);
+    free(sheets);
+    murk_sight_destroy(sight);
+    murk_traced_destroy(traced);
+    stage_text_destroy(stage);
+}
+
+int main(void)
+{
+    check_looks("seed=1", true);
+    check_looks("domain.sides=periodic", true);
+    check_looks("placement.through=block", false);
+    check_looks("placement.visibility=normal", false);
+    return check_done();
+}

@@ -1,0 +1,185 @@
+/* Grids, frames and profiles on their way from a scene to its world. Nothing
+ * here is random. */
+#define _DEFAULT_SOURCE /* P_tmpdir */
+#include "check.h"
+#include "medium/grid_write.h"
+#include "stage_text.h"
+#include "world/stage_build.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+static char folder[64], text[1024];
+
+/* A sequence of frames 1, 2, 5 with a density and an albedo, 2 x 1 x 1 m. */
+static void write_frame(int frame)
+{
+    const float density[2] = {(float)frame, 2}, albedo[2] = {0.25F, 0.75F};
+    const murk_grid_field fields[] = {{"density", density, NULL},
+                                      {"albedo", albedo, NULL}};
+    const size_t size[3] = {2, 1, 1};
+    const murk_affine place = murk_affine_identity();
+    char path[96];
+    murk_error err = {0};
+    snprintf(path, sizeof path, "%s/f.%03d.vdb", folder, frame);
+    CHECK(murk_grid_write(path, fields, 2, size, &place, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+}
+
+/* The stage of a scene whose media and regions are given, NULL ends the
+ * overrides. */
+static murk_stage *stage_of(const char *media_and_regions,
+                            const char *const *overrides)
+{
+    snprintf(text, sizeof text,
+             "murk: 1\n"
+             "domain: {min_m: [-9, -9, -9], max_m: [9, 9, 9]}\n"
+             "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n"
+             "%s",
+             media_and_regions);
+    return stage_text_create(text, overrides);
+}
+
+static double extinction(const murk_stage *stage, double x, double y, double z)
+{
+    return murk_media_extinction(stage->media, 0, 0, murk_vec(x, y, z));
+}
+
+static double scattering(const murk_stage *stage, double x, double y, double z)
+{
+    return murk_media_scattering(stage->media, 0, 0, murk_vec(x, y, z));
+}
+
+static void test_frames_and_albedo(void)
+{
+    char scene[512], frame_5[] = "media.m.frame=5", other[128];
+    snprintf(scene, sizeof scene,
+             "media:\n  m: {vdb: %s/f.###.vdb, frame: 2, extinction_per_m: 3, "
+             "grid: density, albedo: {grid: albedo}}\n"
+             "regions: [{medium: m}]\n",
+             folder);
+    murk_stage *stage = stage_of(scene, NULL);
+    CHECK(stage && extinction(stage, 0, 0, 0) == 6);
+    CHECK(stage && scattering(stage, 0, 0, 0) == 1.5);
+    CHECK(stage && scattering(stage, 1, 0, 0) == 4.5);
+    stage_text_destroy(stage);
+    const char *const later[] = {frame_5, NULL};
+    stage = stage_of(scene, later);
+    CHECK(stage && extinction(stage, 0, 0, 0) == 15);
+    CHECK(stage && scattering(stage, 0, 0, 0) == 3.75);
+    stage_text_destroy(stage);
+    /* another file's albedo; linear half way between the voxels */
+    snprintf(other, sizeof other, "media.m.albedo.vdb=%s/f.001.vdb", folder);
+    const char *const linear[] = {other, "media.m.interpolation=linear", NULL};
+    stage = stage_of(scene, linear);
+    CHECK(stage && extinction(stage, 0.5, 0, 0) == 6);
+    CHECK(stage && scattering(stage, 0.5, 0, 0) == 3);
+    CHECK(stage && extinction(stage, 1.5, 0, 0) == 3);
+    CHECK(stage && scattering(stage, 1.5, 0, 0) == 0.75 * 3);
+    stage_text_destroy(stage);
+}
+
+static void refuses(const char *media, const char *override, const char *part)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/s.yaml", folder);
+    FILE *file = fopen(path, "w");
+    CHECK(file != NULL);
+    if (!file) {
+        return;
+    }
+    fprintf(file,
+            "murk: 1\ndomain: {min_m: [0, 0, 0], max_m: [1, 1, 1]}\n"
+            "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n%s",
+            media);
+    fclose(file);
+    const murk_override option = {.text = override};
+    murk_scene_desc *scene = NULL;
+    murk_stage *stage = NULL;
+    murk_error err = {0};
+    CHECK(murk_scene_desc_read(&scene, path, &option, override ? 1 : 0, &err) ==
+          MURK_OK);
+    CHECK(scene && murk_stage_create(&stage, scene, &err) != MURK_OK);
+    CHECK(stage == NULL);
+    CHECK_MENTIONS(err.text, part);
+    CHECK_MENTIONS(err.where, "media.m");
+    murk_scene_desc_destroy(scene);
+    remove(path);
+}
+
+static void test_a_missing_frame_names_those_there_are(void)
+{
+    static const char given[] = "media: {m: {vdb: f.###.vdb, frame: 2, grid: "
+                                "density, extinction_per_m: 1, albedo: 1}}\n";
+    static const char left_out[] = "media: {m: {vdb: f.###.vdb, grid: density, "
+                                   "extinction_per_m: 1, albedo: 1}}\n";
+    refuses(given, "media.m.frame=3",
+            "f.###.vdb is not there; there are 1..2, 5");
+    refuses(given, "media.m.frame=3", "frame 3 of ");
+    refuses(left_out, NULL,
+            "stands for a sequence: misses frame, there are 1..2, 5");
+    refuses(given, "media.m.albedo.grid=none", "no grid named none");
+    refuses(given, "media.m.albedo.grid=density", "albedo must be 0..1");
+}
+
+static void test_a_profile_and_its_extent(void)
+{
+    static const char scene[] =
+        "bands_nm: [450, 550]\n"
+        "media:\n"
+        "  m: {profile: {z_m: [0, 1, 1, 3], extinction_per_m: [1, [2, 4], 1, "
+        "0]}, albedo: [1, 0.5]}\n"
+        "regions:\n"
+        "  - {medium: m}\n"
+        "  - {medium: m, box: {min_m: [5, 5, -5], max_m: [6, 6, 2]}, "
+        "translate_m: [0, 0, 4]}\n";
+    murk_stage *stage = stage_of(scene, NULL);
+    if (!stage) {
+        return;
+    }
+    const murk_vec3 p = {0, 0, 0.5};
+    CHECK(murk_media_extinction(stage->media, 0, 0, p) == 1.5);
+    CHECK(murk_media_extinction(stage->media, 1, 0, p) == 2.5);
+    CHECK(murk_media_scattering(stage->media, 1, 0, p) == 1.25);
+    CHECK(extinction(stage, 0, 0, 1) == 1 && extinction(stage, 0, 0, 2) == 0.5);
+    CHECK(extinction(stage, 0, 0, 3.5) == 0 &&
+          extinction(stage, 0, 0, -1) == 0);
+    CHECK(extinction(stage, 5.5, 5.5, 5.5) == 0.75); /* 1.5 m up */
+    const murk_box box = murk_media_bounds(stage->media);
+    CHECK(box.min.z == -1 && box.max.z == 6);
+    stage_text_destroy(stage);
+
+    static const char alone[] =
+        "murk: 1\n"
+        "lights: [{type: point, position_m: [5, 5, 5], power_w: 1}]\n"
+        "media: {m: {profile: {z_m: [0, 3], extinction_per_m: [1, 1]}, albedo: "
+        "1}}\n"
+        "regions: [{medium: m, box: {min_m: [0, 0, -5], max_m: [10, 10, "
+        "9]}}]\n";
+    stage = stage_text_create(alone, NULL);
+    CHECK(stage && stage->world.domain.box.min.z == -0.1);
+    CHECK(stage && stage->world.domain.box.max.z == 5.1); /* the lamp */
+    stage_text_destroy(stage);
+}
+
+int main(void)
+{
+    snprintf(folder, sizeof folder, "%s/murk_fillings_XXXXXX", P_tmpdir);
+    if (!mkdtemp(folder)) {
+        return 1;
+    }
+    const int frames[] = {1, 2, 5};
+    for (int i = 0; i < 3; ++i) {
+        write_frame(frames[i]);
+    }
+    test_frames_and_albedo();
+    test_a_missing_frame_names_those_there_are();
+    test_a_profile_and_its_extent();
+    for (int i = 0; i < 3; ++i) {
+        char path[96];
+        snprintf(path, sizeof path, "%s/f.%03d.vdb", folder, frames[i]);
+        remove(path);
+    }
+    rmdir(folder);
+    return check_done();
+}
