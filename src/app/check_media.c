@@ -6,6 +6,7 @@
 
 #include "app/results.h"
 #include "app/summary.h"
+#include "scene/places.h"
 #include "world/extent.h"
 
 /* What the region fills; of an unbounded one the part in the domain. */

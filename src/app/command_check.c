@@ -10,6 +10,7 @@
 #include "app/tallies_out.h"
 #include "base/machine.h"
 #include "plan/few_photons.h"
+#include "scene/places.h"
 #include "world/mesh_materials.h"
 
 #include <stdlib.h>

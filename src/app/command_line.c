@@ -4,67 +4,8 @@
 #include "base/utf8.h"
 
 #include <stdbool.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* What needs no quotes, wherever it stands in a word. */
-static const char plain[] = "abcdefghijklmnopqrstuvwxyz"
-                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                            "0123456789_-+./:=@,%";
-
-/* 'it'\''s': out of the quotes for one, and in again. */
-static void quote(char *to, const char *word)
-{
-    *to++ = '\'';
-    for (; *word; ++word) {
-        if (*word == '\'') {
-            memcpy(to, "'\\'", 3);
-            to += 3;
-        }
-        *to++ = *word;
-    }
-    memcpy(to, "'", 2);
-}
-
-static void escape(char *to, const char *word)
-{
-    memcpy(to, "$'", 2);
-    to += 2;
-    while (*word) {
-        const unsigned char c = (unsigned char)*word;
-        if (!murk_utf8_is_printable(word, 1) || c == '\'' || c == '\\') {
-            to += snprintf(to, 5, "\\%03o", c);
-            ++word;
-        } else {
-            const size_t n = murk_utf8_length(word);
-            memcpy(to, word, n);
-            to += n;
-            word += n;
-        }
-    }
-    memcpy(to, "'", 2);
-}
-
-char *murk_region_boundary_word(const char *word)
-{
-    /* at most four characters for one, and the quotes */
-    char *out = malloc(4 * strlen(word) + 4);
-    if (!out) {
-        return NULL;
-    }
-    if (*word && word[strspn(word, plain)] == '\0') {
-        strcpy(out, word);
-    } else if (murk_utf8_is_printable(word, SIZE_MAX)) {
-        quote(out, word);
-    } else {
-        escape(out, word);
-    }
-    return out;
-}
-
-/* ---- the line ---- */
 
 /* Where results go, and what is said on the way. */
 static bool is_left_out(const murk_option *option)
@@ -84,7 +25,7 @@ static bool is_left_out(const murk_option *option)
 
 static char *append(char *line, const char *word)
 {
-    char *quoted = murk_region_boundary_word(word);
+    char *quoted = murk_utf8_shell_word(word);
     const size_t at = strlen(line);
     char *grown = quoted ? realloc(line, at + strlen(quoted) + 2) : NULL;
     if (grown) {

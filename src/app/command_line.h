@@ -8,11 +8,6 @@
 
 #include "base/status.h"
 
-/* A word as a shell reads it back: in single quotes, where it needs them; what
- * is no printable UTF-8 by $'\ooo' (POSIX.1-2024, 2.2.4), so that the text is
- * one line and valid in a JSON file. For free(); NULL when out of memory. */
-char *murk_region_boundary_word(const char *word);
-
 /* "murk place yard.yaml --seed 3" for free(). Words as murk_options_parse()
  * took them. Fails with MURK_NO_MEMORY. */
 murk_status murk_command_line(char **out, int argc, char **argv,

@@ -1,240 +1,47 @@
-/* murk report: one self-contained page of a result folder.
- *
- * The page asks nobody for anything: its content security policy allows its
- * own style and script alone, by their hashes. Everything but the view in
- * space is there without the script. */
+/* murk report: one self-contained page of a result folder (report/report.h).
+ */
 #include "app/identity.h"
 #include "app/options.h"
 #include "app/ownership.h"
-#include "app/page.h"
-#include "app/report.h"
-#include "app/report_pictures.h"
-#include "app/report_scene.h"
 #include "app/summary.h"
-#include "app/version.h"
-#include "app/web_files.h"
 #include "base/file.h"
-#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "report/report.h"
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#define NAME_SIZE 256
-
-/* What a page is made of. */
-typedef struct content {
-    murk_results_in results;
-    murk_report_fields fields;
-    murk_report_scene scene;
-    murk_report_pictures pictures;
-    const char *page; /* its own path */
-} content;
-
-static const murk_web_file *find_file(const char *name)
-{
-    for (size_t i = 0; i < murk_web_files_count; ++i) {
-        if (strcmp(murk_web_files[i].name, name) == 0) {
-            return &murk_web_files[i];
-        }
-    }
-    return NULL;
-}
-
-/* ---- head ---- */
-
-/* The folder's own name, also where it was given as ".". */
-static const char *folder_name(const murk_results_in *results)
-{
-    const char *slash = strrchr(results->whole, '/');
-    return slash && slash[1] ? slash + 1 : results->whole;
-}
-
-/* The scene's or study's name without folder and ending; else the folder's. */
-static void name_of(char out[NAME_SIZE], const murk_results_in *results)
-{
-    const char *path =
-        murk_result_text(results->json[MURK_RESULT_STUDY], "study");
-    for (int i = 0; !path && i < MURK_RESULT_FILES; ++i) {
-        path = murk_result_text(results->json[i], "scene");
-    }
-    path = path ? path : folder_name(results);
-    const char *slash = strrchr(path, '/');
-    path = slash && slash[1] ? slash + 1 : path;
-    const char *dot = strrchr(path, '.');
-    const size_t length =
-        dot && dot > path ? (size_t)(dot - path) : strlen(path);
-    snprintf(out, NAME_SIZE, "%.*s", (int)(length < 200 ? length : 200), path);
-}
-
-static void write_head(FILE *to, const char *name, bool has_pictures)
-{
-    const murk_web_file *css = find_file("page.css");
-    const murk_web_file *view = find_file("view.js");
-    char style[MURK_PAGE_HASH_SIZE], script[MURK_PAGE_HASH_SIZE];
-    murk_page_hash(style, css->text, css->size);
-    murk_page_hash(script, view->text, view->size);
-    fprintf(to,
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
-            "<meta charset=\"utf-8\">\n"
-            "<meta http-equiv=\"Content-Security-Policy\" content=\""
-            "default-src &#39;none&#39;; style-src &#39;%s&#39;; "
-            "script-src &#39;%s&#39;; %s"
-            "base-uri &#39;none&#39;; form-action &#39;none&#39;\">\n"
-            "<meta name=\"viewport\" content=\"width=device-width\">\n"
-            "<meta name=\"generator\" content=\"murk %s\">\n"
-            "<title>",
-            style, script, has_pictures ? "img-src data:; " : "", MURK_VERSION);
-    murk_page_text(to, name);
-    fputs(" \xe2\x80\x93 murk</title>\n<style>", to);
-    (void)fwrite(css->text, 1, css->size, to);
-    fputs("</style>\n</head>\n", to);
-}
-
-static void write_contents(FILE *to, const content *c)
-{
-    const murk_results_in *results = &c->results;
-    const bool has_plan =
-        results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
-    const struct {
-        const char *id, *title;
-        bool is_there;
-    } parts[] = {
-        {"summary", "In short", true},
-        {"placement", "Placement", has_plan},
-        {"where", "Where they are",
-         murk_report_has_view(&c->scene) || c->scene.note[0]},
-        {"pictures", "Pictures", c->pictures.n + c->pictures.n_exr > 0},
-        {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
-        {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
-        {"light", "Light",
-         results->json[MURK_RESULT_LEDGER] ||
-             murk_result_count(results->json[MURK_RESULT_PLAN], "conditions") >
-                 0},
-        {"tallies", "Tallies",
-         murk_results_has(results->folder, "tallies.csv")},
-        {"made", "How it was made", true}};
-    fputs("<nav aria-label=\"Contents\"><ul>\n", to);
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
-        if (parts[i].is_there) {
-            fprintf(to, "<li><a href=\"#%s\">%s</a></li>\n", parts[i].id,
-                    parts[i].title);
-        }
-    }
-    fputs("</ul></nav>\n", to);
-}
-
-/* ---- the page ---- */
-
-static murk_status write_parts(FILE *to, const content *c, murk_error *err)
-{
-    const murk_results_in *results = &c->results;
-    murk_report_summary(to, results);
-    murk_status status = murk_report_plan(to, results, err);
-    if (!status) {
-        status = murk_report_plans(to, &c->scene, err);
-    }
-    murk_report_pictures_write(to, &c->pictures);
-    if (!status) {
-        status = murk_report_study(to, results, err);
-    }
-    if (!status) {
-        status = murk_report_fit(to, results, err);
-    }
-    if (!status) {
-        status = murk_report_light(to, results, c->fields.scene, err);
-    }
-    if (!status) {
-        status = murk_report_tallies(to, results, &c->fields, err);
-    }
-    murk_report_made(to, results, c->page);
-    return status;
-}
-
-static murk_status write_page(FILE *to, const content *c, murk_error *err)
-{
-    char name[NAME_SIZE];
-    name_of(name, &c->results);
-    write_head(to, name, c->pictures.carried > 0);
-    fputs("<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n"
-          "<header>\n<h1>",
-          to);
-    murk_page_text(to, name);
-    fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
-          "murk " MURK_VERSION ". Results of the folder ",
-          to);
-    murk_page_text(to, folder_name(&c->results));
-    fputs(".</p>\n", to);
-    write_contents(to, c);
-    fputs("</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
-    const murk_status status = write_parts(to, c, err);
-    fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
-          ". This page is one file and loads nothing from elsewhere."
-          "</footer>\n",
-          to);
-    if (murk_report_has_view(&c->scene)) {
-        const murk_web_file *view = find_file("view.js");
-        fputs("<script>", to);
-        (void)fwrite(view->text, 1, view->size, to);
-        fputs("</script>\n", to);
-    }
-    fputs("</body>\n</html>\n", to);
-    return status;
-}
-
-static murk_status write_file(const char *path, const content *c,
-                              murk_error *err)
-{
-    murk_file *file = NULL;
-    murk_status status = murk_file_create(&file, path, err);
-    if (!status) {
-        status = write_page(murk_file_stream(file), c, err);
-    }
-    if (!status && murk_interrupted()) {
-        /* what was not read because of it is missing in the page */
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
-    if (!status) {
-        status = murk_file_commit(&file, err);
-    }
-    murk_file_discard(file);
-    return status;
-}
-
 /* What the page shows has identities of its own. */
 static murk_status identify(cJSON *root, const murk_options *options,
-                            const content *c, murk_error *err)
+                            const murk_results_in *results, const char *path,
+                            murk_error *err)
 {
     char shown[MURK_RESULT_FILES * 65] = "";
     size_t n = 0;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        const char *one = murk_result_text(c->results.json[i], "identity");
+        const char *one = murk_result_text(results->json[i], "identity");
         if (one && strlen(one) == 64) {
             n += (size_t)snprintf(shown + n, 65, "%s", one);
         }
     }
-    return murk_identify_alone(root, options, shown, c->page, err);
+    return murk_identify_alone(root, options, shown, path, err);
 }
 
 static murk_status tell(const murk_options *options, const char *path,
-                        const content *c, murk_error *err)
+                        const murk_report_facts *facts, murk_error *err)
 {
-    const murk_report_scene *scene = &c->scene;
-    unsigned long long stored = 0, shown = 0; /* of all conditions */
-    for (size_t i = 0; i < scene->states; ++i) {
-        stored += scene->state[i].points.photons;
-        shown += scene->state[i].points.n;
-    }
     struct stat known = {0};
     (void)stat(path, &known);
     if (!options->json) {
         if (!options->quiet) {
             murk_print("%s: %.2f MB", path, (double)known.st_size / 1e6);
-            if (stored > 0) {
-                murk_print(", %llu of %llu photons", shown, stored);
+            if (facts->photons > 0) {
+                murk_print(", %llu of %llu photons",
+                           (unsigned long long)facts->photons_shown,
+                           (unsigned long long)facts->photons);
             }
             murk_print("\n");
         }
@@ -243,10 +50,12 @@ static murk_status tell(const murk_options *options, const char *path,
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "report", path);
     cJSON_AddNumberToObject(root, "bytes", (double)known.st_size);
-    cJSON_AddNumberToObject(root, "photons", (double)stored);
-    cJSON_AddNumberToObject(root, "photons_shown", (double)shown);
-    cJSON_AddNumberToObject(root, "sensors_shown", (double)scene->sensors);
-    const murk_status status = identify(root, options, c, err);
+    cJSON_AddNumberToObject(root, "photons", (double)facts->photons);
+    cJSON_AddNumberToObject(root, "photons_shown",
+                            (double)facts->photons_shown);
+    cJSON_AddNumberToObject(root, "sensors_shown", (double)facts->sensors);
+    const murk_status status =
+        identify(root, options, facts->results, path, err);
     char *text = status ? NULL : cJSON_Print(root);
     cJSON_Delete(root);
     if (status) {
@@ -260,13 +69,22 @@ static murk_status tell(const murk_options *options, const char *path,
     return MURK_OK;
 }
 
+static void warn_of_strangers(const char *folder, const char *strangers)
+{
+    if (strangers && *strangers) {
+        murk_warn(folder,
+                  "edited since, of an earlier run, or of a run that was "
+                  "killed while it wrote them: %s",
+                  strangers);
+    }
+}
+
 murk_status murk_command_report(const murk_options *options, murk_error *err)
 {
     if (options->n_overrides > 0) {
         return murk_fail(err, MURK_BAD_VALUE, "report",
                          "shows results as they are: no --set and no --seed");
     }
-    content c = {0};
     if (options->quiet) {
         murk_warn_to(NULL);
     }
@@ -275,45 +93,27 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     char *path = options->out
                      ? strdup(options->out)
                      : murk_results_path(options->input, "report.html");
-    murk_status status = murk_results_read(&c.results, options->input, err);
+    murk_report *report = NULL;
+    murk_report_facts facts = {0};
+    murk_status status = murk_report_read(&report, options->input, err);
     if (!status && !path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
     }
     if (!status) {
-        c.results.strangers = murk_results_strangers(&c.results);
-        if (c.results.strangers && *c.results.strangers) {
-            murk_warn(options->input,
-                      "edited since, of an earlier run, or of a run that was "
-                      "killed while it wrote them: %s",
-                      c.results.strangers);
-        }
-    }
-    if (!status) { /* by children: before there is any ray device */
-        status = murk_report_fields_read(&c.fields, &c.results, err);
-    }
-    if (!status) {
-        status = murk_report_pictures_read(&c.pictures, options->input, err);
-    }
-    if (!status) {
-        status = murk_report_scene_read(&c.scene, &c.results, err);
-    }
-    if (!status) {
+        facts = murk_report_describe(report);
+        warn_of_strangers(options->input, facts.results->strangers);
         status = murk_file_check_owner(path, MURK_MARK_PAGE,
                                        sizeof MURK_MARK_PAGE - 1,
                                        options->force, err);
     }
     if (!status) {
-        c.page = path;
-        status = write_file(path, &c, err);
+        status = murk_report_write(report, path, err);
     }
     murk_progress_end();
     if (!status) {
-        status = tell(options, path, &c, err);
+        status = tell(options, path, &facts, err);
     }
-    murk_report_scene_release(&c.scene);
-    murk_report_pictures_release(&c.pictures);
-    murk_report_fields_release(&c.fields);
-    murk_results_release(&c.results);
+    murk_report_destroy(report);
     free(path);
     return status;
 }

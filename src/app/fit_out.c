@@ -3,6 +3,7 @@
 #include "app/coverage_out.h"
 #include "app/summary.h"
 #include "calibrate/verdict.h"
+#include "scene/places.h"
 
 #include <math.h>
 #include <string.h>

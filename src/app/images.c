@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "render/exr.h"
 #include "render/tone.h"
+#include "scene/places.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -3,8 +3,8 @@
 #include "app/ownership.h"
 
 #include "app/results.h"
-#include "app/results_in.h"
 #include "base/staging.h"
+#include "report/results_in.h"
 
 #include <cjson/cJSON.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #include "app/path_ply.h"
 
-#include "app/places.h"
+#include "scene/places.h"
 
 #include <string.h>
 

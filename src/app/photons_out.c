@@ -1,9 +1,9 @@
 #include "app/photons_out.h"
 
-#include "app/places.h"
 #include "app/vtk.h"
 #include "base/interrupt.h"
 #include "render/colour.h"
+#include "scene/places.h"
 
 #include <math.h>
 #include <stdlib.h>

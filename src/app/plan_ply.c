@@ -1,8 +1,8 @@
 #include "app/plan_ply.h"
 
 #include "app/mark.h"
-#include "app/places.h"
 #include "placement/sparse_matrix.h"
+#include "scene/places.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,8 @@
  * all of them into place together. */
 #include "app/results.h"
 
-#include "app/results_in.h"
 #include "base/inputs.h"
+#include "report/results_in.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -179,10 +179,3 @@ void murk_print_more(size_t n, const char *folder, const char *file)
                    n - MURK_PRINTED_ROWS, file);
     }
 }
-
-int murk_coordinate_digits(const murk_scene_desc *scene, int asked)
-{
-    const murk_vec3 o = scene->origin;
-    const int at_millimetres = 12; /* below 1e9 m */
-    return o.x != 0 || o.y != 0 || o.z != 0 ? at_millimetres : asked;
-}

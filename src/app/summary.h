@@ -33,8 +33,4 @@ void murk_print_time(const murk_run_facts *run, const char *other,
 #define MURK_PRINTED_ROWS 12
 void murk_print_more(size_t n, const char *folder, const char *file);
 
-/* Digits to print a coordinate with: those asked for, or for a scene with a
- * local origin as many as millimetres take. */
-int murk_coordinate_digits(const murk_scene_desc *scene, int asked);
-
 #endif

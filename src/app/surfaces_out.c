@@ -1,9 +1,9 @@
 #include "app/surfaces_out.h"
 
 #include "app/lit_pieces.h"
-#include "app/places.h"
 #include "app/vtk.h"
 #include "base/number.h"
+#include "scene/places.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,9 +2,9 @@
 #ifndef MURK_APP_VERSION_H
 #define MURK_APP_VERSION_H
 
-#include <stddef.h>
+#include "base/version.h"
 
-#define MURK_VERSION "0.1.0"
+#include <stddef.h>
 
 typedef struct murk_package {
     const char *name, *version;

@@ -47,7 +47,7 @@ typedef struct murk_vtp {
     const char *const *notes; /* more field data: name, text, ..., NULL */
     size_t points;
     bool has_triangles;          /* points / 3 */
-    murk_vtk_array place;        /* of points: app/places.h */
+    murk_vtk_array place;        /* of points: scene/places.h */
     const murk_vtk_array *array; /* of triangles, or of points */
     size_t arrays;
     const void *context;

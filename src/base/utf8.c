@@ -1,6 +1,8 @@
 #include "base/utf8.h"
 
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 size_t murk_utf8_length(const char *text)
@@ -91,4 +93,61 @@ size_t murk_utf8_escape(char *out, size_t size, const char *text)
         out[n] = '\0';
     }
     return n;
+}
+
+/* ---- words of a POSIX shell ---- */
+
+/* What needs no quotes, wherever it stands in a word. */
+static const char shell_plain[] = "abcdefghijklmnopqrstuvwxyz"
+                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                  "0123456789_-+./:=@,%";
+
+/* 'it'\''s': out of the quotes for one, and in again. */
+static void shell_quote(char *to, const char *word)
+{
+    *to++ = '\'';
+    for (; *word; ++word) {
+        if (*word == '\'') {
+            memcpy(to, "'\\'", 3);
+            to += 3;
+        }
+        *to++ = *word;
+    }
+    memcpy(to, "'", 2);
+}
+
+static void shell_escape(char *to, const char *word)
+{
+    memcpy(to, "$'", 2);
+    to += 2;
+    while (*word) {
+        const unsigned char c = (unsigned char)*word;
+        if (!murk_utf8_is_printable(word, 1) || c == '\'' || c == '\\') {
+            to += snprintf(to, 5, "\\%03o", c);
+            ++word;
+        } else {
+            const size_t n = murk_utf8_length(word);
+            memcpy(to, word, n);
+            to += n;
+            word += n;
+        }
+    }
+    memcpy(to, "'", 2);
+}
+
+char *murk_utf8_shell_word(const char *word)
+{
+    /* at most four characters for one, and the quotes */
+    char *out = malloc(4 * strlen(word) + 4);
+    if (!out) {
+        return NULL;
+    }
+    if (*word && word[strspn(word, shell_plain)] == '\0') {
+        strcpy(out, word);
+    } else if (murk_utf8_is_printable(word, SIZE_MAX)) {
+        shell_quote(out, word);
+    } else {
+        shell_escape(out, word);
+    }
+    return out;
 }

@@ -27,4 +27,9 @@ uint32_t murk_utf8_control(const char *text);
  * are always enough. Returns the copy's length. */
 size_t murk_utf8_escape(char *out, size_t size, const char *text);
 
+/* A word as a shell reads it back: in single quotes, where it needs them; what
+ * is no printable UTF-8 by $'\ooo' (POSIX.1-2024, 2.2.4), so that the text is
+ * one line and valid in a JSON file. For free(); NULL when out of memory. */
+char *murk_utf8_shell_word(const char *word);
+
 #endif

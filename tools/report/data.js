@@ -1,4 +1,4 @@
-// What src/app/view_data.c writes into a page, read.
+// What src/report/view_data.c writes into a page, read.
 import { Vector3 } from "three";
 
 export const element = (id) => document.getElementById(id);

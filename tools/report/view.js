@@ -1,7 +1,7 @@
 // The view in space of murk's report: what stands in the scene, stored photons
 // by how many sensors see each, sensors with their ranges and views, media.
-// Built into src/app/web/view.js by tools/report/build. Reads the data blocks
-// that src/app/view_data.c writes; draws only when something has changed.
+// Built into src/report/web/view.js by tools/report/build. Reads the data blocks
+// that src/report/view_data.c writes; draws only when something has changed.
 import {
   AmbientLight, Color, DirectionalLight, Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";

@@ -2,6 +2,7 @@
  * what results do not depend on left out, however it is spelled. Nothing here
  * is random. */
 #include "app/command_line.h"
+#include "base/utf8.h"
 #include "check.h"
 
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 
 static void check_word(const char *word, const char *want)
 {
-    char *got = murk_region_boundary_word(word);
+    char *got = murk_utf8_shell_word(word);
     CHECK(got != NULL);
     CHECK_TEXT(got ? got : "", want);
     free(got);

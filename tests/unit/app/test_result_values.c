@@ -3,8 +3,8 @@
 #include "app/coverage_out.h"
 #include "app/ledger_out.h"
 #include "app/results.h"
-#include "app/results_in.h"
 #include "check.h"
+#include "report/results_in.h"
 #include "stage_text.h"
 
 #include <stdlib.h>

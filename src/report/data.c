@@ -1,0 +1,115 @@
+/* Writes JSON (RFC 8259) into the page: numbers with as many digits as they
+ * need to be read back to the same double, text escaped. '<' is written
+ * \u003c, so that "</script>" and "<!--" cannot occur. */
+#include "report/data.h"
+
+#include "base/utf8.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+static void write_text(FILE *to, const char *text)
+{
+    fputc('"', to);
+    while (*text) {
+        const size_t n = murk_utf8_length(text);
+        if (n == 0 || murk_utf8_control(text)) {
+            fputs("\\ufffd", to);
+        } else if (*text == '"' || *text == '\\') {
+            fprintf(to, "\\%c", *text);
+        } else if (*text == '<') {
+            fputs("\\u003c", to);
+        } else {
+            (void)fwrite(text, 1, n, to);
+        }
+        text += n > 0 ? n : 1;
+    }
+    fputc('"', to);
+}
+
+/* 15 digits, or 17 if 15 change more than the last bit: the digits that cJSON
+ * writes into the result files. */
+static void write_number(FILE *to, double value)
+{
+    char text[32];
+    if (!isfinite(value)) {
+        fputs("null", to);
+        return;
+    }
+    snprintf(text, sizeof text, "%.15g", value);
+    const double read = strtod(text, NULL);
+    if (fabs(read - value) > DBL_EPSILON * fmax(fabs(read), fabs(value))) {
+        snprintf(text, sizeof text, "%.17g", value);
+    }
+    fputs(text, to);
+}
+
+/* What stands before an item: a comma, its key. */
+static void next(murk_data *data, const char *key)
+{
+    fputs(data->has_item ? "," : "", data->to);
+    data->has_item = true;
+    if (key) {
+        write_text(data->to, key);
+        fputc(':', data->to);
+    }
+}
+
+murk_data murk_data_open(FILE *to, const char *id)
+{
+    fprintf(to, "<script type=\"application/json\" id=\"%s\">{", id);
+    return (murk_data){.to = to};
+}
+
+void murk_data_close(murk_data *data)
+{
+    fputs("}</script>\n", data->to);
+}
+
+void murk_data_begin(murk_data *data, const char *key, char bracket)
+{
+    next(data, key);
+    fputc(bracket, data->to);
+    data->has_item = false;
+}
+
+void murk_data_end(murk_data *data, char bracket)
+{
+    fputc(bracket, data->to);
+    data->has_item = true;
+}
+
+void murk_data_number(murk_data *data, const char *key, double value)
+{
+    next(data, key);
+    write_number(data->to, value);
+}
+
+void murk_data_numbers(murk_data *data, const char *key, const double *value,
+                       size_t n)
+{
+    murk_data_begin(data, key, '[');
+    for (size_t i = 0; i < n; ++i) {
+        murk_data_number(data, NULL, value[i]);
+    }
+    murk_data_end(data, ']');
+}
+
+void murk_data_vector(murk_data *data, const char *key, murk_vec3 value)
+{
+    murk_data_numbers(data, key, (const double[]){value.x, value.y, value.z},
+                      3);
+}
+
+void murk_data_bool(murk_data *data, const char *key, bool value)
+{
+    next(data, key);
+    fputs(value ? "true" : "false", data->to);
+}
+
+void murk_data_text(murk_data *data, const char *key, const char *text)
+{
+    next(data, key);
+    write_text(data->to, text ? text : "");
+}

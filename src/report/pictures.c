@@ -1,0 +1,281 @@
+#include "report/pictures.h"
+
+#include "base/inputs.h"
+#include "report/html.h"
+#include "report/results_in.h"
+
+#include <dirent.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* More pixels along an edge are taken for a mistake, or an attack on what
+ * shows them. */
+#define EDGE_MAX 8192
+
+#define NAMED_MAX 40 /* EXR files */
+
+/* ---- PNG (ISO/IEC 15948): a signature, then chunks of length, type, data and
+ * a checksum ---- */
+
+static const unsigned char signature[8] = {0x89, 'P',  'N',  'G',
+                                           '\r', '\n', 0x1a, '\n'};
+
+static uint32_t number_at(const unsigned char *bytes)
+{
+    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 |
+           (uint32_t)bytes[2] << 8 | bytes[3];
+}
+
+/* The head of a file: signature and header chunk. */
+#define HEAD_SIZE 33
+
+static bool read_head(murk_report_picture *p,
+                      const unsigned char head[HEAD_SIZE])
+{
+    if (memcmp(head, signature, 8) != 0 || number_at(head + 8) != 13 ||
+        memcmp(head + 12, "IHDR", 4) != 0) {
+        return false;
+    }
+    p->width = number_at(head + 16);
+    p->height = number_at(head + 20);
+    return p->width >= 1 && p->width <= EDGE_MAX && p->height >= 1 &&
+           p->height <= EDGE_MAX;
+}
+
+/* The text that the picture says of itself under a name, which is not
+ * compressed; NULL where there is none. Written by murk: ISO/IEC
+ * 15948, 11.3.4.5.
+ */
+static char *text_of(const murk_report_picture *p, const char *name)
+{
+    const size_t length = strlen(name);
+    for (size_t at = 8; p->size - at >= 12;) {
+        const size_t n = number_at(p->bytes + at);
+        const unsigned char *data = p->bytes + at + 8;
+        if (n > p->size - at - 12) {
+            return NULL;
+        }
+        /* name 0, not compressed, method, language 0, translated name 0 */
+        if (memcmp(p->bytes + at + 4, "iTXt", 4) == 0 && n >= length + 5 &&
+            memcmp(data, name, length + 1) == 0 && data[length + 1] == 0 &&
+            data[length + 3] == 0 && data[length + 4] == 0) {
+            return strndup((const char *)data + length + 5, n - length - 5);
+        }
+        at += 12 + n;
+    }
+    return NULL;
+}
+
+/* ---- reading ---- */
+
+static int is_picture(const struct dirent *entry)
+{
+    const char *dot = strrchr(entry->d_name, '.');
+    return entry->d_name[0] != '.' && dot &&
+           (strcmp(dot, ".png") == 0 || strcmp(dot, ".exr") == 0);
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+/* Opens what may be carried; false where it is no picture. */
+static bool read_file(murk_report_picture *p, FILE *file, size_t max)
+{
+    unsigned char head[HEAD_SIZE];
+    struct stat known;
+    /* it may be written meanwhile: its size need not be that of what is read */
+    if (fstat(fileno(file), &known) != 0 || !S_ISREG(known.st_mode) ||
+        known.st_size < HEAD_SIZE ||
+        fread(head, 1, HEAD_SIZE, file) != HEAD_SIZE || !read_head(p, head)) {
+        return false;
+    }
+    p->size = (size_t)known.st_size;
+    if (p->size > max) {
+        return true;
+    }
+    p->bytes = malloc(p->size);
+    if (!p->bytes) {
+        return true;
+    }
+    memcpy(p->bytes, head, HEAD_SIZE);
+    const size_t rest = p->size - HEAD_SIZE;
+    return fread(p->bytes + HEAD_SIZE, 1, rest, file) == rest;
+}
+
+static murk_status add_png(murk_report_pictures *out, const char *folder,
+                           const char *name, size_t *left, murk_error *err)
+{
+    murk_report_picture p = {0};
+    char *path = murk_results_path(folder, name);
+    /* what a folder names may be a pipe that nobody writes to */
+    FILE *file =
+        path && murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;
+    const bool is_full = out->n == MURK_REPORT_PICTURES_MAX;
+    if (file && is_full && read_file(&p, file, 0)) {
+        ++out->more;
+    } else if (file && !is_full && read_file(&p, file, *left)) {
+        p.name = strdup(name);
+        *left -= p.bytes ? p.size : 0;
+        out->carried += p.bytes != NULL;
+        out->picture[out->n++] = p;
+    } else {
+        free(p.bytes);
+    }
+    if (file) {
+        fclose(file);
+    }
+    const bool is_whole =
+        path && (out->n == 0 || out->picture[out->n - 1].name);
+    free(path);
+    return is_whole
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for pictures");
+}
+
+static murk_status add_exr(murk_report_pictures *out, const char *name,
+                           murk_error *err)
+{
+    char **grown = realloc(out->exr, (out->n_exr + 1) * sizeof *grown);
+    char *copy = strdup(name);
+    if (grown) {
+        out->exr = grown;
+    }
+    if (!grown || !copy) {
+        free(copy);
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for pictures");
+    }
+    out->exr[out->n_exr++] = copy;
+    return MURK_OK;
+}
+
+murk_status murk_report_pictures_read(murk_report_pictures *out,
+                                      const char *folder, murk_error *err)
+{
+    struct dirent **entry = NULL;
+    size_t left = MURK_REPORT_PICTURES_BYTES;
+    murk_status status = MURK_OK;
+    *out = (murk_report_pictures){0};
+    const int n = scandir(folder, &entry, is_picture, by_name);
+    for (int i = 0; i < n; ++i) {
+        const char *name = entry[i]->d_name;
+        const bool is_exr = strcmp(strrchr(name, '.'), ".exr") == 0;
+        if (!status && is_exr) {
+            status = add_exr(out, name, err);
+        } else if (!status) {
+            status = add_png(out, folder, name, &left, err);
+        }
+        free(entry[i]);
+    }
+    free(entry);
+    return status;
+}
+
+void murk_report_pictures_release(murk_report_pictures *pictures)
+{
+    for (size_t i = 0; i < pictures->n; ++i) {
+        free(pictures->picture[i].name);
+        free(pictures->picture[i].bytes);
+    }
+    for (size_t i = 0; i < pictures->n_exr; ++i) {
+        free(pictures->exr[i]);
+    }
+    free(pictures->exr);
+    *pictures = (murk_report_pictures){0};
+}
+
+/* ---- writing ---- */
+
+/* ", camera gate": what the picture says of itself. */
+static void write_said(FILE *to, const murk_report_picture *p, const char *what,
+                       const char *name)
+{
+    char *text = text_of(p, name);
+    if (text) {
+        fprintf(to, ", %s ", what);
+        murk_page_text(to, text);
+    }
+    free(text);
+}
+
+/* ". Made by murk render ..." */
+static void write_command(FILE *to, const murk_report_picture *p)
+{
+    char *text = text_of(p, "murkCommand");
+    fputs(text ? ". Made by <code>" : ".", to);
+    if (text) {
+        murk_page_text(to, text);
+        fputs("</code>", to);
+    }
+    free(text);
+}
+
+static void write_picture(FILE *to, const murk_report_picture *p)
+{
+    fprintf(to,
+            "<figure class=\"picture\">\n<img width=\"%u\" height=\"%u\" "
+            "alt=\"Picture ",
+            p->width, p->height);
+    murk_page_text(to, p->name);
+    write_said(to, p, "camera", "murkCamera");
+    fputs("\" src=\"data:image/png;base64,", to);
+    murk_page_base64(to, p->bytes, p->size);
+    fputs("\">\n<figcaption>", to);
+    murk_page_text(to, p->name);
+    fprintf(to, ": %u x %u pixels", p->width, p->height);
+    write_said(to, p, "of", "murkScene");
+    write_said(to, p, "camera", "murkCamera");
+    write_said(to, p, "from", "murkFrom");
+    write_said(to, p, "by", "murkMethod");
+    write_said(to, p, "samples a pixel:", "murkSamples");
+    write_said(to, p, "photons:", "murkPhotons");
+    write_said(to, p, "exposure", "murkExposure");
+    write_said(to, p, "channel", "murkChannel");
+    write_said(to, p, "colours", "murkColours");
+    write_command(to, p);
+    fputs("</figcaption>\n</figure>\n", to);
+}
+
+void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
+{
+    if (pictures->n + pictures->n_exr == 0) {
+        return;
+    }
+    murk_page_section_begin(to, "pictures", "Pictures");
+    fputs("<div class=\"plans\">\n", to);
+    for (size_t i = 0; i < pictures->n; ++i) {
+        if (pictures->picture[i].bytes) {
+            write_picture(to, &pictures->picture[i]);
+        }
+    }
+    fputs("</div>\n", to);
+    for (size_t i = 0; i < pictures->n; ++i) {
+        const murk_report_picture *p = &pictures->picture[i];
+        if (!p->bytes) {
+            fputs("<p class=\"note\">", to);
+            murk_page_text(to, p->name);
+            fprintf(to,
+                    " (%u x %u pixels, %.2f MB) is too large to be carried in "
+                    "this page.</p>\n",
+                    p->width, p->height, (double)p->size / 1e6);
+        }
+    }
+    if (pictures->more > 0) {
+        fprintf(to, "<p class=\"note\">And %zu more PNG file%s.</p>\n",
+                pictures->more, pictures->more > 1 ? "s" : "");
+    }
+    for (size_t i = 0; i < pictures->n_exr && i < NAMED_MAX; ++i) {
+        fputs(i == 0 ? "<p class=\"note\">Radiances with their errors are in "
+                     : ", ",
+              to);
+        murk_page_text(to, pictures->exr[i]);
+    }
+    if (pictures->n_exr > NAMED_MAX) {
+        fprintf(to, " and %zu more", pictures->n_exr - NAMED_MAX);
+    }
+    fputs(pictures->n_exr > 0 ? ".</p>\n" : "", to);
+    murk_page_section_end(to);
+}

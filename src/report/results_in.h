@@ -1,0 +1,81 @@
+/* A result folder, read: what the commands left there, as far as it is there.
+ *
+ * JSON is read as YAML, of which it is a part: each value knows its line. Of
+ * the main files at least one must be there, and each must be of this version:
+ * same major and minor number. */
+#ifndef MURK_REPORT_RESULTS_IN_H
+#define MURK_REPORT_RESULTS_IN_H
+
+#include "base/status.h"
+#include "scene/table.h"
+#include "scene/yaml.h"
+
+#include <stdbool.h>
+
+typedef enum murk_result_file {
+    MURK_RESULT_PLAN,     /* plan.json, of place */
+    MURK_RESULT_COVERAGE, /* coverage.json, of sense */
+    MURK_RESULT_STUDY,    /* study.json */
+    MURK_RESULT_FIT,      /* fit.json */
+    MURK_RESULT_LEDGER,   /* ledger.json, of trace and all that trace */
+    MURK_RESULT_FILES
+} murk_result_file;
+
+typedef struct murk_results_in {
+    const char *folder; /* borrowed */
+    char *whole;        /* its whole path; as named, where there is none */
+    char *path[MURK_RESULT_FILES];      /* of each, there or not */
+    murk_yaml *json[MURK_RESULT_FILES]; /* NULL: not there */
+    char *strangers; /* murk_results_strangers(); NULL: not looked for */
+} murk_results_in;
+
+/* Fails with MURK_BAD_FILE or MURK_BAD_VALUE in one line: no such folder, no
+ * results in it, results that cannot be read or are of another version.
+ * Release it in any case. */
+murk_status murk_results_read(murk_results_in *out, const char *folder,
+                              murk_error *err);
+/* Whether it is there, and no other's by-product: ledger.json is, beside any
+ * other. */
+bool murk_results_is_main(const murk_results_in *results,
+                          murk_result_file which);
+
+/* Whether the JSONs of the folder can be of one run: files of another that was
+ * written over them, or beside them, have another command, scene or seed. */
+bool murk_results_are_one_run(const murk_results_in *results);
+
+/* The files that some main JSON lists and none as they are: edited, or of a run
+ * that was killed while it wrote them. Their names, ", " between, for free();
+ * "" where there is none, NULL when out of memory. */
+char *murk_results_strangers(const murk_results_in *results);
+void murk_results_release(murk_results_in *results);
+
+/* DIR/name for free(), NULL when out of memory. */
+char *murk_results_path(const char *folder, const char *name);
+
+/* Whether there is such a regular file. */
+bool murk_results_has(const char *folder, const char *name);
+
+/* The name of the resolved scene in the folder: scene.yaml, as older versions
+ * wrote it, where there is no scene.resolved.yaml. */
+const char *murk_results_scene(const char *folder);
+
+/* A CSV of the folder; *out stays NULL where there is none. */
+murk_status murk_results_table(murk_table **out, const char *folder,
+                               const char *name, murk_error *err);
+
+/* What lies under a path such as "coverage.held_out"; NULL where there is
+ * nothing, or root is NULL. As a number NaN, as a text NULL where it is none;
+ * as a list 0 children. */
+const murk_yaml *murk_result_at(const murk_yaml *root, const char *path);
+double murk_result_number(const murk_yaml *root, const char *path);
+const char *murk_result_text(const murk_yaml *root, const char *path);
+size_t murk_result_count(const murk_yaml *root, const char *path);
+
+/* What each map of a list holds under a key, NaN where that is no number:
+ * values[n] for free(), n as murk_result_count(); NULL when out of memory. */
+double *murk_result_column(const murk_yaml *list, size_t n, const char *key);
+
+/* Whether it is that text; true and false are texts, too. */
+bool murk_result_is(const murk_yaml *root, const char *path, const char *text);
+
+#endif

@@ -1,0 +1,244 @@
+#include "report/view_data.h"
+
+#include "report/html.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TRIANGLES_MAX 40000
+#define CELLS_MAX     128000 /* of all media together */
+#define STEPS         65535
+#define CORNERS_SMALL 65536 /* numbers of corners in two bytes */
+#define BIT_SENSORS   32
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+               "numbers are sent as they lie in memory");
+
+/* ---- how large ---- */
+
+static murk_vec3 place_of(const murk_plan_point *point)
+{
+    return murk_vec((double)point->place_m[0], (double)point->place_m[1],
+                    (double)point->place_m[2]);
+}
+
+static murk_box points_box(murk_box box, const murk_plan_points *points)
+{
+    for (size_t i = 0; i < points->n; ++i) {
+        box = murk_box_with(box, place_of(&points->point[i]));
+    }
+    return box;
+}
+
+static bool is_box(const murk_box *box)
+{
+    return box->min.x <= box->max.x && box->min.y <= box->max.y &&
+           box->min.z <= box->max.z;
+}
+
+/* What stands there, or all the domain. */
+static murk_box world_box(const murk_stage *stage)
+{
+    const murk_box *all = &stage->world.domain.box;
+    const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
+    murk_box box = facts.bounds_m;
+    if (!is_box(&box)) {
+        return *all;
+    }
+    box.min = murk_vec(fmax(box.min.x, all->min.x), fmax(box.min.y, all->min.y),
+                       fmax(box.min.z, all->min.z));
+    box.max = murk_vec(fmin(box.max.x, all->max.x), fmin(box.max.y, all->max.y),
+                       fmin(box.max.z, all->max.z));
+    return is_box(&box) ? box : *all;
+}
+
+/* All that lights reached, sensors, readings and the path: a large ground about
+ * it does not count. Without photons, what stands in the scene. */
+static murk_box view_box(const murk_report_scene *s)
+{
+    murk_box box = murk_box_empty();
+    for (size_t i = 0; i < s->states; ++i) {
+        box = points_box(box, &s->state[i].points);
+    }
+    if (!is_box(&box) && s->stage) {
+        box = world_box(s->stage);
+    }
+    for (size_t i = 0; i < s->states; ++i) {
+        for (size_t k = 0; k < s->state[i].sensors; ++k) {
+            box = murk_box_with(box, s->state[i].sensor[k].place);
+        }
+    }
+    for (size_t i = 0; i < s->readings; ++i) {
+        box = murk_box_with(box, s->reading[i].place);
+        box = murk_box_with(box, s->reading[i].to);
+    }
+    for (size_t i = 0; i < s->stops; ++i) {
+        box = murk_box_with(box, s->stop[i]);
+    }
+    return is_box(&box) ? box : (murk_box){{0, 0, 0}, {0, 0, 0}};
+}
+
+/* ---- making ---- */
+
+static bool same_media(const murk_view_media *a, const murk_view_media *b)
+{
+    const size_t n = a->size[0] * a->size[1] * a->size[2];
+    return !a->cell == !b->cell && !(a->max_per_m < b->max_per_m) &&
+           !(a->max_per_m > b->max_per_m) &&
+           (!a->cell || (memcmp(a->size, b->size, sizeof a->size) == 0 &&
+                         memcmp(a->cell, b->cell, n) == 0));
+}
+
+/* Media that states share are there once. */
+static murk_status fill_media(murk_view_data *out, murk_error *err)
+{
+    const murk_report_scene *s = out->scene;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < s->states && !status; ++i) {
+        const murk_media *base = s->stage ? s->stage->media : NULL;
+        const murk_media *own = s->stage ? s->state[i].media : NULL;
+        murk_view_media *now = &out->media[out->medias];
+        status = murk_view_media_make(now, own ? own : base, &out->box,
+                                      CELLS_MAX / (s->states + 1), err);
+        size_t k = 0;
+        while (k < out->medias && !same_media(&out->media[k], now)) {
+            ++k;
+        }
+        out->media_of[i] = k;
+        if (k == out->medias) {
+            ++out->medias;
+        } else {
+            murk_view_media_release(now);
+        }
+    }
+    return status;
+}
+
+murk_status murk_view_data_make(murk_view_data *out,
+                                const murk_report_scene *scene, murk_error *err)
+{
+    *out = (murk_view_data){.scene = scene, .box = view_box(scene)};
+    murk_status status = MURK_OK;
+    if (scene->stage) {
+        status = murk_view_mesh_make(&out->mesh, scene->stage->surfaces,
+                                     TRIANGLES_MAX, err);
+    }
+    return status ? status : fill_media(out, err);
+}
+
+void murk_view_data_release(murk_view_data *data)
+{
+    for (size_t i = 0; i < data->medias; ++i) {
+        murk_view_media_release(&data->media[i]);
+    }
+    murk_view_mesh_release(&data->mesh);
+    *data = (murk_view_data){0};
+}
+
+/* ---- bytes ---- */
+
+size_t murk_view_bit_bytes(const murk_shown_state *state)
+{
+    const size_t n =
+        state->sensors < BIT_SENSORS ? state->sensors : BIT_SENSORS;
+    return (n + 7) / 8;
+}
+
+murk_box murk_view_photon_box(const murk_plan_points *points)
+{
+    const murk_box box = points_box(murk_box_empty(), points);
+    return is_box(&box) ? box : (murk_box){{0, 0, 0}, {0, 0, 0}};
+}
+
+bool murk_view_is_wide(const murk_view_mesh *mesh)
+{
+    return mesh->vertices > CORNERS_SMALL;
+}
+
+static void write_block(FILE *to, const char *name, size_t number,
+                        const void *bytes, size_t size)
+{
+    fprintf(to, "<script type=\"text/plain\" id=\"%s-%zu\">", name, number);
+    murk_page_base64(to, bytes, size);
+    fputs("</script>\n", to);
+}
+
+static uint16_t step_of(double value, double low, double high)
+{
+    const double share = high > low ? (value - low) / (high - low) : 0;
+    return (uint16_t)floor(fmin(fmax(share, 0), 1) * STEPS + 0.5);
+}
+
+static bool write_photons(FILE *to, const murk_shown_state *state,
+                          size_t number)
+{
+    const murk_plan_points *points = &state->points;
+    const murk_box box = murk_view_photon_box(points);
+    const size_t bytes = murk_view_bit_bytes(state);
+    uint16_t *place = malloc((3 * points->n + 1) * sizeof *place);
+    uint8_t *seen = malloc(points->n + 1);
+    uint8_t *who = malloc(bytes * points->n + 1);
+    const bool is_whole = place && seen && who;
+    for (size_t i = 0; is_whole && i < points->n; ++i) {
+        const murk_plan_point *point = &points->point[i];
+        const murk_vec3 p = place_of(point);
+        place[3 * i] = step_of(p.x, box.min.x, box.max.x);
+        place[3 * i + 1] = step_of(p.y, box.min.y, box.max.y);
+        place[3 * i + 2] = step_of(p.z, box.min.z, box.max.z);
+        seen[i] = (uint8_t)(point->seen_by < 255 ? point->seen_by : 255);
+        memcpy(who + bytes * i, &point->sensors, bytes);
+    }
+    if (is_whole) {
+        write_block(to, "photon-places", number, place,
+                    3 * points->n * sizeof *place);
+        write_block(to, "photon-seen", number, seen, points->n);
+        write_block(to, "photon-sensors", number, who, bytes * points->n);
+    }
+    free(place);
+    free(seen);
+    free(who);
+    return is_whole;
+}
+
+static bool write_mesh(FILE *to, const murk_view_mesh *mesh)
+{
+    const size_t n = 3 * mesh->triangles;
+    uint16_t *small = malloc((n + 1) * sizeof *small);
+    const bool is_wide = murk_view_is_wide(mesh);
+    if (!small) {
+        return false;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        small[i] = (uint16_t)mesh->corner[i];
+    }
+    write_block(to, "mesh-places", 0, mesh->place,
+                3 * mesh->vertices * sizeof *mesh->place);
+    write_block(to, "mesh-corners", 0,
+                is_wide ? (const void *)mesh->corner : small,
+                n * (is_wide ? sizeof *mesh->corner : sizeof *small));
+    free(small);
+    return true;
+}
+
+murk_status murk_view_data_write(FILE *to, const murk_view_data *data,
+                                 murk_error *err)
+{
+    const murk_report_scene *s = data->scene;
+    bool is_whole = true;
+    murk_view_data_json(to, data);
+    if (data->mesh.triangles > 0) {
+        is_whole = write_mesh(to, &data->mesh);
+    }
+    for (size_t i = 0; i < data->medias && is_whole; ++i) {
+        const murk_view_media *m = &data->media[i];
+        write_block(to, "media-cells", i, m->cell,
+                    m->cell ? m->size[0] * m->size[1] * m->size[2] : 0);
+    }
+    for (size_t i = 0; i < s->states && is_whole; ++i) {
+        is_whole = write_photons(to, &s->state[i], i);
+    }
+    return is_whole
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the view");
+}

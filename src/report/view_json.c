@@ -1,0 +1,241 @@
+/* The view's data as one JSON object, with the names that tools/report/data.js
+ * and its neighbours read. */
+#include "report/data.h"
+#include "report/view_data.h"
+#include "sensing/sensor.h"
+
+#include <math.h>
+
+#define SPHERES_MAX 1000
+#define LAMPS_MAX   1000
+#define DOT_SHARE   400 /* a photon's dot, of the view's size */
+
+/* Surface photons first, as they lie in plan.ply. */
+static size_t count_on_surfaces(const murk_plan_points *points)
+{
+    size_t n = 0;
+    while (n < points->n && !points->point[n].is_volume) {
+        ++n;
+    }
+    return n;
+}
+
+static void add_box(murk_data *to, const murk_box *box)
+{
+    murk_data_vector(to, "low", box->min);
+    murk_data_vector(to, "high", box->max);
+}
+
+static double radians(double degrees)
+{
+    return isfinite(degrees) ? degrees * (MURK_PI / 180) : 0;
+}
+
+static void add_sensor(murk_data *item, const murk_report_scene *s,
+                       const murk_shown_sensor *sensor)
+{
+    static const char *const views[] = {[MURK_SCENE_VIEW_SPHERE] = "sphere",
+                                        [MURK_SCENE_VIEW_CONE] = "cone",
+                                        [MURK_SCENE_VIEW_FRUSTUM] = "frustum"};
+    const murk_scene_sensor_type *type = sensor->of;
+    const murk_pose pose = {.position = sensor->place,
+                            .heading_rad = radians(sensor->heading_deg),
+                            .tilt_rad = radians(sensor->tilt_deg)};
+    const murk_sensor_frame frame =
+        murk_pose_frame(&pose, s->scene ? s->scene->north : murk_vec(0, 1, 0));
+    murk_data_begin(item, NULL, '{');
+    murk_data_text(item, "type", sensor->type);
+    murk_data_vector(item, "place", sensor->place);
+    murk_data_vector(item, "axis", frame.axis);
+    murk_data_vector(item, "right", frame.right);
+    murk_data_vector(item, "up", frame.up);
+    murk_data_number(item, "heading_deg", sensor->heading_deg);
+    murk_data_number(item, "tilt_deg", sensor->tilt_deg);
+    murk_data_text(item, "view",
+                   views[type ? type->view : MURK_SCENE_VIEW_SPHERE]);
+    const bool is_cone = type && type->view == MURK_SCENE_VIEW_CONE;
+    const double angle[2] = {type ? is_cone ? type->cone_rad : type->hfov_rad
+                                  : 0,
+                             type ? type->vfov_rad : 0};
+    murk_data_numbers(item, "angles_rad", angle, 2);
+    murk_data_number(item, "range_m", type ? type->range_m : NAN);
+    murk_data_number(item, "least_range_m", type ? type->least_range_m : NAN);
+    murk_data_number(item, "covers", sensor->covers);
+    murk_data_number(item, "only", sensor->only);
+    murk_data_end(item, '}');
+}
+
+static void add_balls(murk_data *item, const murk_surfaces *surfaces)
+{
+    murk_data_begin(item, "balls", '[');
+    const size_t n = surfaces ? murk_surfaces_describe(surfaces).spheres : 0;
+    for (size_t i = 0; i < n && i < SPHERES_MAX; ++i) {
+        murk_vec3 center;
+        double radius_m;
+        murk_surfaces_sphere(surfaces, i, &center, &radius_m);
+        murk_data_begin(item, NULL, '{');
+        murk_data_vector(item, "center", center);
+        murk_data_number(item, "radius", radius_m);
+        murk_data_end(item, '}');
+    }
+    murk_data_end(item, ']');
+}
+
+/* Of a sun's or beam's light, which comes from a heading and a height. */
+static murk_vec3 travel_of(const murk_scene_desc *scene,
+                           const murk_sky_facts *facts)
+{
+    const double heading = radians(facts->azimuth_deg);
+    const double height = radians(facts->elevation_deg);
+    const murk_vec3 north = scene->north;
+    const murk_vec3 east = murk_vec(north.y, -north.x, 0);
+    const murk_vec3 level = murk_add(murk_scale(cos(heading), north),
+                                     murk_scale(sin(heading), east));
+    const murk_vec3 to =
+        murk_add(murk_scale(cos(height), level), murk_vec(0, 0, sin(height)));
+    return murk_scale(-1, to);
+}
+
+static void add_lamp(murk_data *item, const murk_report_scene *s, size_t i)
+{
+    static const char *const kinds[] = {[MURK_SCENE_LIGHT_SPHERE] = "sphere",
+                                        [MURK_SCENE_LIGHT_RECT] = "rect",
+                                        [MURK_SCENE_LIGHT_POINT] = "point",
+                                        [MURK_SCENE_LIGHT_BEAM] = "beam",
+                                        [MURK_SCENE_LIGHT_DIRECTIONAL] =
+                                            "distant light",
+                                        [MURK_SCENE_LIGHT_SUN] = "sun",
+                                        [MURK_SCENE_LIGHT_MOON] = "moon"};
+    const murk_scene_light *light = &s->scene->lights[i];
+    const bool is_on = !s->stage || !s->stage->sky || s->stage->sky[i].is_on;
+    const bool is_sky = light->type == MURK_SCENE_LIGHT_SUN ||
+                        light->type == MURK_SCENE_LIGHT_MOON;
+    if (light->type > MURK_SCENE_LIGHT_MOON || !is_on ||
+        (is_sky && !(s->stage && s->stage->sky))) {
+        return; /* a sky has no place and no direction */
+    }
+    murk_data_begin(item, NULL, '{');
+    murk_data_text(item, "type", kinds[light->type]);
+    murk_data_bool(item, "distant",
+                   light->type >= MURK_SCENE_LIGHT_DIRECTIONAL);
+    murk_data_vector(item, "place", light->position);
+    murk_data_vector(item, "direction",
+                     is_sky ? travel_of(s->scene, &s->stage->sky[i])
+                            : light->direction);
+    if (light->type == MURK_SCENE_LIGHT_RECT) {
+        murk_data_vector(item, "edge1", light->edge1);
+        murk_data_vector(item, "edge2", light->edge2);
+    }
+    murk_data_end(item, '}');
+}
+
+static void add_lamps(murk_data *item, const murk_report_scene *s)
+{
+    murk_data_begin(item, "lamps", '[');
+    const size_t n = s->scene ? s->scene->n_lights : 0;
+    for (size_t i = 0; i < n && i < LAMPS_MAX; ++i) {
+        add_lamp(item, s, i);
+    }
+    murk_data_end(item, ']');
+}
+
+static void add_readings(murk_data *item, const murk_report_scene *s)
+{
+    murk_data_begin(item, "readings", '[');
+    for (size_t i = 0; i < s->readings; ++i) {
+        const murk_shown_reading *r = &s->reading[i];
+        murk_data_begin(item, NULL, '{');
+        murk_data_vector(item, "place", r->place);
+        murk_data_vector(item, "to", r->to);
+        murk_data_text(item, "kind", r->kind);
+        murk_data_text(item, "unit", r->unit);
+        murk_data_text(item, "condition", r->condition);
+        murk_data_bool(item, "held_out", r->is_held_out);
+        murk_data_number(item, "line", r->line);
+        murk_data_number(item, "value", r->value);
+        murk_data_number(item, "standard_error", r->standard_error);
+        murk_data_number(item, "predicted", r->predicted);
+        murk_data_number(item, "residual", r->residual);
+        murk_data_end(item, '}');
+    }
+    murk_data_end(item, ']');
+}
+
+static void add_states(murk_data *item, const murk_view_data *data)
+{
+    const murk_report_scene *s = data->scene;
+    murk_data_begin(item, "states", '[');
+    for (size_t i = 0; i < s->states; ++i) {
+        const murk_shown_state *state = &s->state[i];
+        const murk_box box = murk_view_photon_box(&state->points);
+        murk_data_begin(item, NULL, '{');
+        murk_data_text(item, "name", state->name);
+        murk_data_number(item, "stored", (double)state->points.photons);
+        murk_data_number(item, "photons", (double)state->points.n);
+        murk_data_number(item, "surface_photons",
+                         (double)count_on_surfaces(&state->points));
+        murk_data_number(item, "bit_bytes", (double)murk_view_bit_bytes(state));
+        add_box(item, &box);
+        murk_data_number(item, "media", (double)data->media_of[i]);
+        murk_data_begin(item, "sensors", '[');
+        for (size_t k = 0; k < state->sensors; ++k) {
+            add_sensor(item, s, &state->sensor[k]);
+        }
+        murk_data_end(item, ']');
+        murk_data_end(item, '}');
+    }
+    murk_data_end(item, ']');
+}
+
+static void add_media(murk_data *item, const murk_view_data *data)
+{
+    murk_data_begin(item, "media", '[');
+    for (size_t i = 0; i < data->medias; ++i) {
+        const murk_view_media *media = &data->media[i];
+        const double count[3] = {(double)media->size[0], (double)media->size[1],
+                                 (double)media->size[2]};
+        murk_data_begin(item, NULL, '{');
+        murk_data_bool(item, "there", media->cell != NULL);
+        murk_data_bool(item, "even", media->is_even);
+        add_box(item, &media->box);
+        murk_data_numbers(item, "size", count, 3);
+        murk_data_number(item, "most_per_m", media->max_per_m);
+        murk_data_end(item, '}');
+    }
+    murk_data_end(item, ']');
+}
+
+void murk_view_data_json(FILE *to, const murk_view_data *data)
+{
+    const murk_report_scene *s = data->scene;
+    const double size = murk_length(murk_sub(data->box.max, data->box.min));
+    murk_data json = murk_data_open(to, "view-data");
+    murk_data *root = &json;
+    add_box(root, &data->box);
+    /* places of the view count from the scene's local origin */
+    murk_data_vector(root, "origin",
+                     s->scene ? s->scene->origin : murk_vec(0, 0, 0));
+    /* a single place has a view, too */
+    murk_data_number(root, "size_m", size > 0 ? size : 1);
+    murk_data_number(root, "dot_m", (size > 0 ? size : 1) / DOT_SHARE);
+    murk_data_vector(root, "north",
+                     s->scene ? s->scene->north : murk_vec(0, 1, 0));
+    add_states(root, data);
+    add_media(root, data);
+    add_balls(root, s->stage ? s->stage->surfaces : NULL);
+    add_lamps(root, s);
+    add_readings(root, s);
+    murk_data_begin(root, "path", '[');
+    for (size_t i = 0; i < s->stops; ++i) {
+        murk_data_vector(root, NULL, s->stop[i]);
+    }
+    murk_data_end(root, ']');
+    if (data->mesh.triangles > 0) {
+        murk_data_begin(root, "mesh", '{');
+        add_box(root, &data->mesh.box);
+        murk_data_number(root, "steps", MURK_VIEW_STEPS);
+        murk_data_bool(root, "wide", murk_view_is_wide(&data->mesh));
+        murk_data_end(root, '}');
+    }
+    murk_data_close(root);
+}

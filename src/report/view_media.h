@@ -1,0 +1,26 @@
+/* Media as the view draws them: extinction in cells of a box. */
+#ifndef MURK_REPORT_VIEW_MEDIA_H
+#define MURK_REPORT_VIEW_MEDIA_H
+
+#include "base/status.h"
+#include "medium/media.h"
+
+typedef struct murk_view_media {
+    murk_box box;
+    size_t size[3];
+    uint8_t *cell; /* [size[0] * size[1] * size[2]], x fastest: 255 times the
+                      root of extinction over the most of all, in the first
+                      band at the cell's middle (by the root, as smoke may be
+                      thousands of times thicker than haze). NULL: no medium */
+    double min_per_m, max_per_m;
+    bool is_even; /* the same everywhere, to a hundredth */
+} murk_view_media;
+
+/* At most `most` cells, cubes as far as the box allows. NULL: no media. Fails
+ * with MURK_NO_MEMORY. Release *out in any case. */
+murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
+                                 const murk_box *box, size_t max,
+                                 murk_error *err);
+void murk_view_media_release(murk_view_media *media);
+
+#endif

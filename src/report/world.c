@@ -1,0 +1,83 @@
+/* The world that the view shows: surfaces and media of the scene, and the
+ * media of each condition in it. */
+#include "report/scene.h"
+#include "world/stage_build.h"
+#include "world/stage_media.h"
+
+#include <string.h>
+
+static bool same_file(const char *a, const char *b)
+{
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+/* Whether its media can be built in the scene's own domain and boundary meshes.
+ */
+static bool differs_in_numbers(const murk_scene_desc *a,
+                               const murk_scene_desc *b)
+{
+    bool is_so = a->n_regions == b->n_regions && a->n_media == b->n_media;
+    for (size_t i = 0; is_so && i < a->n_regions; ++i) {
+        is_so = same_file(a->regions[i].mesh, b->regions[i].mesh);
+    }
+    return is_so;
+}
+
+static const murk_scene_desc *condition_of(const murk_scene_desc *scene,
+                                           const char *name)
+{
+    for (size_t c = 0; c < scene->n_conditions; ++c) {
+        if (strcmp(scene->conditions[c].name, name) == 0) {
+            return scene->conditions[c].scene;
+        }
+    }
+    return NULL;
+}
+
+/* Another's media are the scene's where the light cannot tell them apart. */
+static const murk_scene_desc *other_media(const murk_report_scene *s,
+                                          size_t state)
+{
+    const murk_scene_desc *of = condition_of(s->scene, s->state[state].name);
+    return of && strcmp(of->world_key, s->scene->world_key) != 0 &&
+                   differs_in_numbers(of, s->scene)
+               ? of
+               : NULL;
+}
+
+static murk_status build_media(murk_report_scene *s, size_t state,
+                               const murk_scene_desc *of, murk_error *why)
+{
+    murk_shown_state *to = &s->state[state];
+    const murk_status status = murk_phases_create(&to->phases, of, why);
+    return status ? status
+                  : murk_stage_media(&to->media, s->stage, of, to->fillings,
+                                     to->phases, why);
+}
+
+void murk_report_build(murk_report_scene *s)
+{
+    static const char lost[] = "What the scene names cannot be read again, so "
+                               "surfaces and media are not shown";
+    const murk_scene_desc *of[MURK_SHOWN_STATES_MAX] = {0};
+    murk_error why = {0};
+    /* files are imported before anything is built, that makes a ray device */
+    murk_status status = murk_stage_import(&s->stage, s->scene, &why);
+    for (size_t i = 0; i < s->states && !status; ++i) {
+        of[i] = other_media(s, i);
+        if (of[i]) {
+            status = murk_fillings_create(&s->state[i].fillings, of[i], &why);
+        }
+    }
+    if (!status) {
+        status = murk_stage_build(s->stage, &why);
+    }
+    for (size_t i = 0; i < s->states && !status; ++i) {
+        status = of[i] ? build_media(s, i, of[i], &why) : MURK_OK;
+    }
+    if (status) {
+        murk_report_scene_note(s, lost, &why);
+        murk_stage_destroy(s->stage);
+        s->stage = NULL;
+    }
+}

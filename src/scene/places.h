@@ -1,0 +1,29 @@
+/* Places in binary result files, in the user's coordinates: three floats, as
+ * viewers expect; where the scene has a local origin (scene/origin.h) three
+ * doubles, since floats would round surveyed coordinates to half a metre. */
+#ifndef MURK_SCENE_PLACES_H
+#define MURK_SCENE_PLACES_H
+
+#include "scene/scene.h"
+
+#include <stddef.h>
+
+#define MURK_PLACE_BYTES_MAX 24
+
+size_t murk_place_bytes(const murk_scene_desc *scene); /* 12 or 24 */
+
+/* The three properties of a PLY header; the type of a VTK array. */
+const char *murk_place_ply(const murk_scene_desc *scene);
+const char *murk_place_vtk(const murk_scene_desc *scene);
+
+/* Writes murk_place_bytes() of a place that is given from the local origin. */
+void murk_place_put(const murk_scene_desc *scene, murk_vec3 local, void *to);
+
+/* Reads such a place back, from the local origin. */
+murk_vec3 murk_place_take(const murk_scene_desc *scene, const void *from);
+
+/* Digits to print a coordinate with: those asked for, or for a scene with a
+ * local origin as many as millimetres take. */
+int murk_coordinate_digits(const murk_scene_desc *scene, int asked);
+
+#endif
