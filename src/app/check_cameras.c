@@ -1,9 +1,9 @@
 #include "app/check_cameras.h"
 
-#include "app/summary.h"
 #include "base/log.h"
 #include "base/machine.h"
 #include "render/render.h"
+#include "results/summary.h"
 
 /* A render holds the maps that were traced, and what it makes of them. */
 static double bytes_of(const murk_scene_desc *scene,

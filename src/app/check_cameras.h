@@ -3,8 +3,8 @@
 #ifndef MURK_APP_CHECK_CAMERAS_H
 #define MURK_APP_CHECK_CAMERAS_H
 
-#include "app/results.h"
 #include "lightmap/lightmap.h"
+#include "results/results.h"
 
 /* "cameras": [{name, pixels, samples, memory_bytes}]: of one picture by maps,
  * the maps and their copies included. */

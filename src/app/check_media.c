@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/results.h"
-#include "app/summary.h"
+#include "results/results.h"
+#include "results/summary.h"
 #include "scene/places.h"
 #include "world/extent.h"
 

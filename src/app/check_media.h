@@ -3,7 +3,7 @@
 #ifndef MURK_APP_CHECK_MEDIA_H
 #define MURK_APP_CHECK_MEDIA_H
 
-#include <cjson/cJSON.h>
+#include "results/json.h"
 
 #include "world/stage.h"
 

@@ -3,8 +3,8 @@
 #ifndef MURK_APP_CHECK_SENSORS_H
 #define MURK_APP_CHECK_SENSORS_H
 
-#include "app/results.h"
 #include "plan/poses.h"
+#include "results/results.h"
 
 /* "sensors": [{name, ..}]. poses NULL: none, null. */
 void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,

@@ -1,6 +1,6 @@
 #include "app/check_sky.h"
 
-#include "app/summary.h"
+#include "results/summary.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #ifndef MURK_APP_CHECK_SKY_H
 #define MURK_APP_CHECK_SKY_H
 
-#include <cjson/cJSON.h>
+#include "results/json.h"
 
 #include "world/stage.h"
 

@@ -1,8 +1,8 @@
-#include "app/fit_out.h"
-#include "app/fit_refused.h"
 #include "app/session.h"
-#include "app/summary.h"
 #include "calibrate/covered.h"
+#include "results/fit.h"
+#include "results/fit_refused.h"
+#include "results/summary.h"
 #include "scene/yaml.h"
 
 #include "base/log.h"
@@ -339,7 +339,8 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
         status = read_input(&f, &session, &values, err);
     }
     if (!status) { /* now that the input is good */
-        status = murk_results_begin(&session.results, options, err);
+        status = murk_results_begin(&session.results, options->out,
+                                    options->force, err);
     }
     if (!status) {
         const char *const names[] = {

@@ -1,9 +1,9 @@
 /* murk media: what presets there are, and what one comes to, band by band. Its
  * numbers are those of a scene with this one medium. */
 #include "app/identity.h"
-#include "app/results.h"
-#include "app/summary.h"
 #include "base/progress.h"
+#include "results/results.h"
+#include "results/summary.h"
 
 #include "medium/phase.h"
 #include "preset/check_words.h"

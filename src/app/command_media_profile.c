@@ -1,10 +1,10 @@
 /* murk media --profile: a measured profile as a grid. */
 #include "app/identity.h"
 #include "app/media_profile.h"
-#include "app/results.h"
-#include "app/summary.h"
 #include "base/number.h"
 #include "medium/grid_write.h"
+#include "results/results.h"
+#include "results/summary.h"
 
 #include <stdio.h>
 

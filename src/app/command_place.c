@@ -1,16 +1,16 @@
-#include "app/candidates_out.h"
-#include "app/coverage_out.h"
-#include "app/explore_out.h"
-#include "app/exports.h"
-#include "app/goals_out.h"
-#include "app/over_out.h"
 #include "app/place_matrix.h"
-#include "app/plan_out.h"
-#include "app/repeat_out.h"
-#include "app/robust_out.h"
 #include "app/session.h"
-#include "app/summary.h"
-#include "app/tallies_out.h"
+#include "results/candidates.h"
+#include "results/coverage.h"
+#include "results/explore.h"
+#include "results/exports.h"
+#include "results/goals.h"
+#include "results/over.h"
+#include "results/plan.h"
+#include "results/repeat.h"
+#include "results/robust.h"
+#include "results/summary.h"
+#include "results/tallies.h"
 
 #include "base/log.h"
 
@@ -308,15 +308,14 @@ static murk_status add_files(murk_session *session,
 static murk_status repeat_all(murk_session *session,
                               const murk_plan_result *plan,
                               const murk_over *over, murk_repeat *repeat,
-                              murk_error *late, murk_error *err)
+                              size_t runs, murk_error *late, murk_error *err)
 {
-    const murk_options *options = session->options;
     const murk_repeat_first first = {plan, session->stage, over};
     const murk_status status = murk_session_keep(
         session, "plan.json", plan_json(session, plan, over), err);
     if (!status) {
-        (void)murk_repeat_make(repeat, &first, (size_t)options->repeat,
-                               options->threads, late);
+        (void)murk_repeat_make(repeat, &first, runs, session->settings.threads,
+                               late);
     }
     return status;
 }
@@ -341,17 +340,17 @@ static murk_status finish(murk_session *session, const murk_plan_result *plan,
     return murk_session_finish(session, "plan.json", root, err);
 }
 
-static murk_status check_repeat(const murk_session *session, murk_error *err)
+static murk_status check_repeat(const murk_session *session, uint64_t runs,
+                                murk_error *err)
 {
     const murk_scene_desc *scene = session->scene;
-    const uint64_t runs = session->options->repeat;
     if (runs > 0 && scene->seed + (runs - 1) > UINT32_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, "--repeat",
                          "%llu seeds from %lu on, must end at 4294967295 at "
                          "most",
                          (unsigned long long)runs, (unsigned long)scene->seed);
     }
-    if ((runs > 0 || session->options->exports & MURK_EXPORT_LP) &&
+    if ((runs > 0 || session->settings.exports & MURK_EXPORT_LP) &&
         murk_plan_at_least(scene) > 0) {
         return murk_fail(err, MURK_BAD_VALUE, scene->placement.where,
                          "at_least is given, which %s does not take: %s",
@@ -392,7 +391,8 @@ static murk_status expect_conditions(murk_session *session, murk_error *err)
 }
 
 /* Of a plan, over conditions or not; explore and repeat have a file more. */
-static murk_status expect_files(murk_session *session, murk_error *err)
+static murk_status expect_files(murk_session *session, bool repeats,
+                                murk_error *err)
 {
     const bool explores =
         session->scene->placement.knowledge == MURK_SCENE_EXPLORE;
@@ -403,7 +403,7 @@ static murk_status expect_files(murk_session *session, murk_error *err)
         names[n++] = "explore.csv";
         names[n++] = "path.ply";
     }
-    if (session->options->repeat) {
+    if (repeats) {
         names[n++] = "repeat.csv";
     }
     names[n++] = is_over ? "regret.csv" : "plan.ply";
@@ -413,16 +413,16 @@ static murk_status expect_files(murk_session *session, murk_error *err)
                      : murk_session_expect_light(session, err);
 }
 
-static murk_status place(murk_session *session, murk_plan_result *plan,
-                         murk_error *err)
+static murk_status place(murk_session *session, const murk_options *options,
+                         murk_plan_result *plan, murk_error *err)
 {
-    const unsigned threads = session->options->threads;
+    const unsigned threads = session->settings.threads;
     murk_status status = murk_session_build(session, err);
     if (!status) {
         status = murk_exports_begin(session, err);
     }
     if (!status) {
-        status = expect_files(session, err);
+        status = expect_files(session, options->repeat > 0, err);
     }
     if (!status) {
         status = murk_plan_prepare(plan, session->stage, threads, err);
@@ -438,10 +438,11 @@ static murk_status place(murk_session *session, murk_plan_result *plan,
 }
 
 /* Over conditions, each of which has a light of its own. */
-static murk_status place_over(murk_session *session, murk_plan_result *plan,
-                              murk_over *over, murk_error *err)
+static murk_status place_over(murk_session *session,
+                              const murk_options *options,
+                              murk_plan_result *plan, murk_over *over,
+                              murk_error *err)
 {
-    const murk_options *options = session->options;
     if (options->light || options->exports) {
         return murk_fail(err, MURK_BAD_VALUE,
                          options->light ? "--light" : "--export",
@@ -452,7 +453,7 @@ static murk_status place_over(murk_session *session, murk_plan_result *plan,
         murk_over_prepare(over, plan, session->scene, options->threads, err);
     session->run.load_s = murk_clock_s() - session->begun_s;
     if (!status) {
-        status = expect_files(session, err);
+        status = expect_files(session, options->repeat > 0, err);
     }
     if (!status) {
         status = murk_over_make(over, plan, options->threads, err);
@@ -472,7 +473,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     murk_error late = {0};
     murk_status status = murk_session_read(&session, options, err);
     if (!status) {
-        status = check_repeat(&session, err);
+        status = check_repeat(&session, options->repeat, err);
     }
     if (!status) {
         status = murk_exports_check(options->exports,
@@ -480,11 +481,11 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     }
     if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
         over = calloc(1, sizeof *over);
-        status = over ? place_over(&session, &plan, over, err)
+        status = over ? place_over(&session, options, &plan, over, err)
                       : murk_fail(err, MURK_NO_MEMORY, session.scene->path,
                                   "no memory for conditions");
     } else if (!status) {
-        status = place(&session, &plan, err);
+        status = place(&session, options, &plan, err);
     }
     if (!status) {
         session.run.trace_s = plan.trace_s;
@@ -497,7 +498,8 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         murk_note("--repeat", "it is dark, so nothing hangs on chance: once is "
                               "enough");
     } else if (!status && options->repeat) {
-        status = repeat_all(&session, &plan, over, &repeat, &late, err);
+        status = repeat_all(&session, &plan, over, &repeat,
+                            (size_t)options->repeat, &late, err);
     }
     if (!status) {
         status = finish(&session, &plan, over, &repeat, err);

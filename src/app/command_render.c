@@ -2,15 +2,15 @@
 #include "app/images.h"
 #include "app/picture_coverage.h"
 #include "app/render_options.h"
-#include "app/run_files.h"
 #include "app/session.h"
-#include "app/summary.h"
 #include "app/viewpoint.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/machine.h"
 #include "render/gather.h"
 #include "render/render.h"
+#include "results/run_files.h"
+#include "results/summary.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -100,7 +100,7 @@ static murk_status take_picture(job *j, murk_error *err)
                           .method = chosen_method(j),
                           .surface = s->traced ? s->traced->surface : NULL,
                           .volume = s->traced ? s->traced->volume : NULL,
-                          .threads = s->options->threads};
+                          .threads = s->settings.threads};
     for (int b = 0; b < scene->bands; ++b) {
         const bool edges = scene->has_edges;
         render.from_nm[b] = edges ? scene->band_edge_nm[b] : scene->band_nm[b];
@@ -111,7 +111,7 @@ static murk_status take_picture(job *j, murk_error *err)
     murk_status status = murk_render_run(&j->picture, &render, err);
     if (!status && j->viewpoint.sensors > 0 && !murk_interrupted()) {
         status = murk_picture_cover(j->picture, &j->viewpoint, s->stage,
-                                    s->options->threads, err);
+                                    s->settings.threads, err);
     }
     j->render_s = murk_clock_s() - begun_s;
     if (!status && murk_interrupted()) {
@@ -362,7 +362,6 @@ static murk_status prepare(job *j, murk_error *err)
         murk_options inner = *options;
         inner.out = NULL;
         status = murk_session_read(s, &inner, err);
-        s->options = options;
     }
     if (!status) {
         status = murk_viewpoint_choose(&j->viewpoint, s->scene, options, err);

@@ -1,5 +1,5 @@
 #include "app/session.h"
-#include "app/summary.h"
+#include "results/summary.h"
 
 #include <stdlib.h>
 

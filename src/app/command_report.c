@@ -2,14 +2,14 @@
  */
 #include "app/identity.h"
 #include "app/options.h"
-#include "app/ownership.h"
-#include "app/summary.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "report/report.h"
+#include "results/ownership.h"
+#include "results/summary.h"
 
-#include <cjson/cJSON.h>
+#include "results/json.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -90,9 +90,8 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
     murk_progress_begin_over("report", 0, "");
-    char *path = options->out
-                     ? strdup(options->out)
-                     : murk_results_path(options->input, "report.html");
+    char *path = options->out ? strdup(options->out)
+                              : murk_path_join(options->input, "report.html");
     murk_report *report = NULL;
     murk_report_facts facts = {0};
     murk_status status = murk_report_read(&report, options->input, err);

@@ -1,14 +1,14 @@
-#include "app/coverage_out.h"
-#include "app/exports.h"
-#include "app/goals_out.h"
-#include "app/plan_ply.h"
-#include "app/robust_out.h"
 #include "app/session.h"
-#include "app/summary.h"
-#include "app/tallies_out.h"
 #include "plan/dark.h"
 #include "plan/few_photons.h"
 #include "plan/placement_in.h"
+#include "results/coverage.h"
+#include "results/exports.h"
+#include "results/goals.h"
+#include "results/plan_ply.h"
+#include "results/robust.h"
+#include "results/summary.h"
+#include "results/tallies.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -133,7 +133,7 @@ static murk_status measure(measured *of, murk_session *session,
     murk_sight *sight = NULL;
     murk_status status =
         murk_plan_sight_told(&sight, &of->targets, stage, session->traced,
-                             session->options->threads, err);
+                             session->settings.threads, err);
     if (!status) {
         status =
             murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);

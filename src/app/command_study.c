@@ -1,11 +1,11 @@
 #include "app/identity.h"
 #include "app/log_once.h"
-#include "app/results.h"
-#include "app/run_files.h"
-#include "app/study_print.h"
-#include "app/summary.h"
-#include "app/table_out.h"
-#include "app/version.h"
+#include "results/results.h"
+#include "results/run_files.h"
+#include "results/study.h"
+#include "results/study_print.h"
+#include "results/summary.h"
+#include "results/version.h"
 
 #include "base/log.h"
 #include "cases/sweep_kept.h"
@@ -129,7 +129,7 @@ static murk_status begin(study_session *s, murk_error *err)
                                   .context = s};
     status = murk_sweep_create(&s->sweep, &desc, err);
     if (!status) {
-        status = murk_results_begin(&s->results, o, err);
+        status = murk_results_begin(&s->results, o->out, o->force, err);
     }
     if (!status) {
         read_base(s);

@@ -1,7 +1,7 @@
-#include "app/exports.h"
 #include "app/session.h"
-#include "app/summary.h"
-#include "app/tallies_out.h"
+#include "results/exports.h"
+#include "results/summary.h"
+#include "results/tallies.h"
 
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
 {

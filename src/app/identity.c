@@ -1,9 +1,9 @@
 #include "app/identity.h"
 
 #include "app/option_table.h"
-#include "app/run_files.h"
-#include "app/version.h"
 #include "base/file.h"
+#include "results/run_files.h"
+#include "results/version.h"
 #include "world/file_sums.h"
 
 #include <stdio.h>

@@ -6,7 +6,7 @@
 #include "app/options.h"
 #include "scene/scene.h"
 
-#include <cjson/cJSON.h>
+#include "results/json.h"
 #include <stddef.h>
 
 /* SHA-256 over version, command, what the command line asks beside the scene

@@ -1,11 +1,11 @@
 #include "app/images.h"
 
-#include "app/ownership.h"
-#include "app/summary.h"
-#include "app/version.h"
 #include "base/file.h"
 #include "render/exr.h"
 #include "render/tone.h"
+#include "results/ownership.h"
+#include "results/summary.h"
+#include "results/version.h"
 #include "scene/places.h"
 
 #include <stdarg.h>

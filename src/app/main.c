@@ -1,10 +1,10 @@
 #include "app/options.h"
 #include "app/terminate_bridge.h"
-#include "app/version.h"
 #include "base/inputs.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/pool.h"
+#include "results/version.h"
 
 #include <poll.h>
 #include <signal.h>

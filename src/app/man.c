@@ -4,7 +4,7 @@
 #include "app/help_text.h"
 #include "app/option_table.h"
 #include "app/options.h"
-#include "app/version.h"
+#include "results/version.h"
 
 #include <ctype.h>
 #include <string.h>

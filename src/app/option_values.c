@@ -1,7 +1,7 @@
 #include "app/option_values.h"
 
-#include "app/fit_refused.h"
 #include "base/file.h"
+#include "results/fit_refused.h"
 #include "scene/yaml.h"
 
 #include <errno.h>

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/status.h"
 #include "fit/least_squares.h"
+#include "results/exports.h"
 #include "scene/scene.h"
 
 #include <stdbool.h>
@@ -21,20 +22,6 @@ typedef struct murk_command {
     const char *text; /* a paragraph or two for --help and the man page */
     murk_status (*run)(const murk_options *options, murk_error *err);
 } murk_command;
-
-/* What --export writes. */
-typedef enum murk_export {
-    MURK_EXPORT_MATRIX = 1,
-    MURK_EXPORT_OR_LIBRARY = 2,
-    MURK_EXPORT_LP = 4,
-    MURK_EXPORT_FIELDS = 8,
-    MURK_EXPORT_PHOTONS = 16,
-    MURK_EXPORT_SURFACES = 32
-} murk_export;
-
-/* Of the problem, by murk place alone; the others are of a scene. */
-#define MURK_EXPORTS_OF_PROBLEM \
-    (MURK_EXPORT_MATRIX | MURK_EXPORT_OR_LIBRARY | MURK_EXPORT_LP)
 
 typedef struct murk_words_given {
     char **word; /* [n] owned */

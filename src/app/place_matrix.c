@@ -1,9 +1,10 @@
 #include "app/place_matrix.h"
 
-#include "app/exports.h"
 #include "app/identity.h"
-#include "app/matrix_plan.h"
-#include "app/plan_out.h"
+#include "app/session.h"
+#include "results/exports.h"
+#include "results/matrix.h"
+#include "results/plan.h"
 
 #include "base/log.h"
 #include "base/machine.h"
@@ -108,9 +109,9 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
     return MURK_OK;
 }
 
-static murk_status read_settings(murk_matrix_plan *p, murk_error *err)
+static murk_status read_settings(murk_matrix_plan *p,
+                                 const murk_options *options, murk_error *err)
 {
-    const murk_options *options = p->session.options;
     p->desc = murk_place_defaults();
     p->desc.count = 0;
     p->redundancy = 1;
@@ -152,13 +153,13 @@ static murk_status price(murk_matrix_plan *p, murk_error *err)
     const murk_sparse_matrix *m = p->matrix;
     p->cost = calloc(m->columns + 1, sizeof *p->cost);
     if (!p->cost) {
-        return murk_fail(err, MURK_NO_MEMORY, p->session.options->matrix,
+        return murk_fail(err, MURK_NO_MEMORY, p->file,
                          "no memory for the costs");
     }
     for (size_t j = 0; j < m->columns; ++j) {
         const double cost = m->cost ? m->cost[j] : 1;
         if (!(cost >= 0 && cost <= COST_MAX)) {
-            return murk_fail(err, MURK_BAD_VALUE, p->session.options->matrix,
+            return murk_fail(err, MURK_BAD_VALUE, p->file,
                              "column %zu costs %g, must be 0..1e6", j + 1,
                              cost);
         }
@@ -181,8 +182,8 @@ static murk_status fit_settings(murk_matrix_plan *p,
         return price(p, err);
     } else if (p->desc.count > problem->candidates) {
         return murk_fail(err, MURK_BAD_VALUE, "--count",
-                         "%zu, but %s has %zu columns", p->desc.count,
-                         p->session.options->matrix, problem->candidates);
+                         "%zu, but %s has %zu columns", p->desc.count, p->file,
+                         problem->candidates);
     }
     return MURK_OK;
 }
@@ -200,7 +201,7 @@ static murk_status set_aside(murk_matrix_plan *p, murk_views *views,
                            p->redundancy) &&
                    p->covers.alone && p->covers.only && p->covers.seen_by
                ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, p->session.options->matrix,
+               : murk_fail(err, MURK_NO_MEMORY, p->file,
                            "no memory for the plan");
 }
 
@@ -251,7 +252,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
 static murk_status choose(murk_matrix_plan *p, murk_error *err)
 {
     murk_problem problem =
-        murk_sparse_matrix_problem(p->matrix, p->session.options->threads);
+        murk_sparse_matrix_problem(p->matrix, p->session.settings.threads);
     problem.combining = p->combining;
     problem.redundancy = p->redundancy;
     murk_matrix *matrix = NULL;
@@ -269,14 +270,14 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
     murk_matrix_destroy(matrix);
     p->session.run.place_s = murk_clock_s() - begun_s;
     if (status && err && !err->where[0]) {
-        snprintf(err->where, sizeof err->where, "%.300s",
-                 p->session.options->matrix);
+        snprintf(err->where, sizeof err->where, "%.300s", p->file);
     }
     return status ? status : measure(p, &problem, err);
 }
 
 /* All that the command line asks; the matrix counts by its contents. */
-static murk_status identify(murk_matrix_plan *p, murk_error *err)
+static murk_status identify(murk_matrix_plan *p, const murk_options *options,
+                            murk_error *err)
 {
     char settings[256];
     snprintf(settings, sizeof settings,
@@ -285,14 +286,14 @@ static murk_status identify(murk_matrix_plan *p, murk_error *err)
              p->desc.count, p->target, p->budget, p->desc.restarts,
              (unsigned long long)p->desc.nodes, (int)p->desc.method,
              (int)p->combining, p->redundancy);
-    return murk_identity(p->session.identity, p->session.options, settings,
-                         p->desc.seed, err);
+    return murk_identity(p->session.identity, options, settings, p->desc.seed,
+                         err);
 }
 
-static murk_status load(murk_matrix_plan *p, murk_error *err)
+static murk_status load(murk_matrix_plan *p, const murk_options *options,
+                        murk_error *err)
 {
-    const murk_options *options = p->session.options;
-    murk_status status = read_settings(p, err);
+    murk_status status = read_settings(p, options, err);
     if (!status) {
         status = murk_exports_check(options->exports, p->combining, err);
     }
@@ -300,10 +301,11 @@ static murk_status load(murk_matrix_plan *p, murk_error *err)
         status = murk_sparse_matrix_read(&p->matrix, options->matrix, err);
     }
     if (!status) {
-        status = identify(p, err);
+        status = identify(p, options, err);
     }
     if (!status) {
-        status = murk_results_begin(&p->session.results, options, err);
+        status = murk_results_begin(&p->session.results, options->out,
+                                    options->force, err);
     }
     if (!status) {
         static const char *const names[] = {"plan.json", NULL};
@@ -315,15 +317,9 @@ static murk_status load(murk_matrix_plan *p, murk_error *err)
 
 murk_status murk_place_matrix(const murk_options *options, murk_error *err)
 {
-    murk_matrix_plan p = {.session = {.options = options,
-                                      .run.threads = options->threads,
-                                      .run.command = options->typed,
-                                      .begun_s = murk_clock_s()}};
-    if (options->quiet) {
-        murk_warn_to(NULL);
-    }
-    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
-    murk_status status = load(&p, err);
+    murk_matrix_plan p = {.file = options->matrix};
+    murk_session_set(&p.session, options);
+    murk_status status = load(&p, options, err);
     if (!status) {
         status = choose(&p, err);
     }

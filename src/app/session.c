@@ -1,9 +1,7 @@
 #include "app/session.h"
 
 #include "app/identity.h"
-#include "app/ledger_out.h"
-#include "app/run_files.h"
-#include "app/summary.h"
+#include "results/ownership.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -12,8 +10,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
 /* Keys that are given in vain. */
 static void warn_of_idle(const murk_scene_desc *scene)
@@ -94,10 +90,16 @@ murk_status murk_session_begin(murk_session *session,
     return status ? status : murk_session_build(session, err);
 }
 
-murk_status murk_session_scene(murk_session *session,
-                               const murk_options *options, murk_error *err)
+void murk_session_set(murk_session *session, const murk_options *options)
 {
-    *session = (murk_session){.options = options,
+    *session = (murk_session){.settings = {.folder = options->out,
+                                           .force = options->force,
+                                           .threads = options->threads,
+                                           .exports = options->exports,
+                                           .voxel = options->voxel,
+                                           .light = options->light,
+                                           .prints_json = options->json,
+                                           .is_quiet = options->quiet},
                               .run.threads = options->threads,
                               .run.command = options->typed,
                               .begun_s = murk_clock_s()};
@@ -105,6 +107,12 @@ murk_status murk_session_scene(murk_session *session,
         murk_warn_to(NULL);
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+}
+
+murk_status murk_session_scene(murk_session *session,
+                               const murk_options *options, murk_error *err)
+{
+    murk_session_set(session, options);
     murk_progress_begin_over("read", 0, "");
     const murk_status status = read_scene(&session->scene, options, err);
     murk_progress_end();
@@ -121,7 +129,8 @@ murk_status murk_session_read(murk_session *session,
 {
     const murk_status status = murk_session_scene(session, options, err);
     return status ? status
-                  : murk_results_begin(&session->results, options, err);
+                  : murk_results_begin(&session->results, options->out,
+                                       options->force, err);
 }
 
 murk_status murk_session_build(murk_session *session, murk_error *err)
@@ -136,18 +145,18 @@ murk_status murk_session_build(murk_session *session, murk_error *err)
 
 murk_status murk_session_light(murk_session *session, murk_error *err)
 {
-    const unsigned threads = session->options->threads;
+    const unsigned threads = session->settings.threads;
     const double begun_s = murk_clock_s();
     murk_status status;
-    if (session->options->light) {
-        if (murk_owned_look(session->options->light) == MURK_OF_ANOTHER_RUN) {
-            murk_warn(session->options->light,
+    if (session->settings.light) {
+        if (murk_owned_look(session->settings.light) == MURK_OF_ANOTHER_RUN) {
+            murk_warn(session->settings.light,
                       "is of another run than the results beside it, or of "
                       "one that was killed while it wrote them");
         }
         murk_progress_begin_over("read light", 0, "");
         status = murk_lightmap_load(&session->traced, session->stage,
-                                    session->options->light, threads, err);
+                                    session->settings.light, threads, err);
         murk_progress_end();
         session->run.load_s += murk_clock_s() - begun_s;
     } else {
@@ -159,214 +168,4 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
         session->run.map_s = session->traced->map_s;
     }
     return status;
-}
-
-void murk_session_end(murk_session *session)
-{
-    murk_results_end(&session->results);
-    murk_traced_destroy(session->traced);
-    murk_stage_destroy(session->stage);
-    murk_scene_desc_destroy(session->scene);
-    *session = (murk_session){0};
-}
-
-static murk_status expect_all(murk_results *results, const char *const *names,
-                              murk_error *err)
-{
-    murk_status status = MURK_OK;
-    for (; *names && !status; ++names) {
-        status = murk_results_expect(results, *names, NULL, err);
-    }
-    return status;
-}
-
-static murk_status expect_grid(murk_session *session, const char *tally,
-                               murk_error *err)
-{
-    static const struct {
-        const char *ending;
-        unsigned of; /* the export that writes it; 0: always written */
-    } files[] = {{".vdb", 0},
-                 {"_error.vdb", 0},
-                 {"_photons.vdb", MURK_EXPORT_FIELDS},
-                 {".vti", MURK_EXPORT_FIELDS}};
-    murk_status status = MURK_OK;
-    for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
-        char name[FILE_SIZE];
-        snprintf(name, sizeof name, "%s%s", tally, files[i].ending);
-        if (!files[i].of || session->options->exports & files[i].of) {
-            status = murk_results_expect(&session->results, name, NULL, err);
-        }
-    }
-    return status;
-}
-
-static murk_status expect_tallies(murk_session *session, murk_error *err)
-{
-    const murk_scene_desc *scene = session->scene;
-    murk_status status =
-        scene->n_tallies > 0
-            ? murk_results_expect(&session->results, "tallies.csv", NULL, err)
-            : MURK_OK;
-    for (size_t i = 0; i < scene->n_tallies && !status; ++i) {
-        if (scene->tallies[i].type == MURK_SCENE_TALLY_GRID) {
-            status = expect_grid(session, scene->tallies[i].name, err);
-        }
-    }
-    return status;
-}
-
-static murk_status expect_exports(murk_session *session, murk_error *err)
-{
-    static const struct {
-        unsigned what;
-        const char *names[6];
-    } files[] = {
-        {MURK_EXPORT_MATRIX, {"matrix.csv", "candidates.csv"}},
-        {MURK_EXPORT_OR_LIBRARY, {"matrix.txt"}},
-        {MURK_EXPORT_LP, {"problem.lp"}},
-        {MURK_EXPORT_FIELDS,
-         {"coverage.vdb", "optical_depth.vdb", "extinction.vdb", "fields.vti"}},
-        {MURK_EXPORT_PHOTONS, {"photons.ply", "photons.vtp"}},
-        {MURK_EXPORT_SURFACES, {"surfaces.ply", "surfaces.vtp"}}};
-    murk_status status = MURK_OK;
-    for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
-        murk_error why = {0};
-        if (session->options->exports & files[i].what &&
-            expect_all(&session->results, files[i].names, &why) ==
-                MURK_BAD_VALUE) { /* what fails else is told late */
-            status = murk_fail(err, why.status, why.where, "%s", why.text);
-        }
-    }
-    return status;
-}
-
-murk_status murk_session_expect(murk_session *session, const char *const *names,
-                                murk_error *err)
-{
-    murk_status status = expect_all(&session->results, names, err);
-    if (!status && session->scene) {
-        status = murk_results_expect(&session->results, MURK_SCENE_NAME,
-                                     session->scene->resolved, err);
-    }
-    return status ? status : expect_exports(session, err);
-}
-
-murk_status murk_session_expect_light(murk_session *session, murk_error *err)
-{
-    static const char *const names[] = {MURK_MAP_FILE_NAME, "ledger.json",
-                                        NULL};
-    const murk_status status = expect_all(&session->results, names, err);
-    return status ? status : expect_tallies(session, err);
-}
-
-murk_status murk_session_add_light(murk_session *session, murk_error *err)
-{
-    murk_progress_begin_over("write light", 0, "");
-    const murk_status status =
-        murk_results_add_light(&session->results, MURK_MAP_FILE_NAME,
-                               session->traced, session->stage, err);
-    murk_progress_end();
-    return status ? status
-                  : murk_results_add_text(&session->results, MURK_SCENE_NAME,
-                                          session->scene->resolved, err);
-}
-
-cJSON *murk_session_ledger(const murk_session *session)
-{
-    cJSON *root = murk_json_begin(session->scene);
-    murk_json_ledger(root, session->traced, session->stage);
-    return root;
-}
-
-murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
-{
-    session->run.total_s = murk_clock_s() - session->begun_s;
-    cJSON *root = murk_session_ledger(session);
-    murk_json_identify(root, session->identity, NULL, NULL);
-    char *text = murk_json_end(root, &session->run);
-    const murk_status status =
-        murk_results_add_text(&session->results, "ledger.json", text, err);
-    cJSON_free(text);
-    return status;
-}
-
-static murk_status show(murk_session *session, const char *name, cJSON *root,
-                        bool prints, murk_error *err)
-{
-    session->run.total_s = murk_clock_s() - session->begun_s;
-    murk_json_identify(root, session->identity, &session->results, name);
-    char *text = murk_json_end(root, &session->run);
-    murk_status status =
-        text ? MURK_OK
-             : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
-    if (!status && name) {
-        status = murk_results_add_text(&session->results, name, text, err);
-    }
-    if (!status) {
-        status = murk_results_show(&session->results, err);
-    }
-    if (!status && prints) {
-        murk_print_json(text);
-    }
-    cJSON_free(text);
-    return status;
-}
-
-murk_status murk_session_finish(murk_session *session, const char *name,
-                                cJSON *root, murk_error *err)
-{
-    return show(session, name, root, session->options->json, err);
-}
-
-murk_status murk_session_keep(murk_session *session, const char *name,
-                              cJSON *root, murk_error *err)
-{
-    return show(session, name, root, false, err);
-}
-
-bool murk_session_speaks(const murk_session *session)
-{
-    return !session->options->json && !session->options->quiet;
-}
-
-void murk_print_light(const murk_session *session)
-{
-    const murk_traced *t = session->traced;
-    const double emitted_w = murk_ledger_watts(t, t->ledger->emitted);
-    const double percent = emitted_w > 0 ? 100 / emitted_w : 0;
-    const char *light = session->options->light;
-    if (light) {
-        murk_print("light from  %s, seed %lu\n", light, (unsigned long)t->seed);
-    }
-    murk_print("photons     %llu emitted; stored: %zu surface, %zu volume\n",
-               (unsigned long long)t->emitted,
-               murk_photon_map_count(t->surface),
-               murk_photon_map_count(t->volume));
-    murk_print("light       %.4g W: %.1f %% absorbed by surfaces, %.1f %% by "
-               "media, %.1f %% escaped, %.2g %% lost\n",
-               emitted_w,
-               percent * murk_ledger_watts(t, t->ledger->absorbed_surfaces),
-               percent * murk_ledger_watts(t, t->ledger->absorbed_media),
-               percent * murk_ledger_watts(t, t->ledger->escaped),
-               percent * murk_ledger_watts(t, t->ledger->lost));
-}
-
-void murk_print_files(const murk_session *session)
-{
-    const murk_results *r = &session->results;
-    if (!r->folder) {
-        murk_print("files       none: -o DIR writes them\n");
-        return;
-    }
-    murk_print("files       %s:", r->folder);
-    for (size_t i = r->n; i > 0; --i) {
-        const char *path = r->file[i - 1].path;
-        const char *name = path;
-        for (const char *c = path; *c; ++c) {
-            name = *c == '/' ? c + 1 : name;
-        }
-        murk_print(" %s", name);
-    }
-    murk_print("\n");
 }

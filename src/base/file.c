@@ -358,6 +358,18 @@ char *murk_path_beside(const char *beside, const char *path)
     return out;
 }
 
+char *murk_path_join(const char *folder, const char *name)
+{
+    const size_t size = strlen(folder) + strlen(name) + 2;
+    const size_t length = strlen(folder);
+    const char *slash = length > 0 && folder[length - 1] == '/' ? "" : "/";
+    char *path = malloc(size);
+    if (path) {
+        snprintf(path, size, "%s%s%s", folder, slash, name);
+    }
+    return path;
+}
+
 const char *murk_path_name(const char *path)
 {
     const char *slash = strrchr(path, '/');

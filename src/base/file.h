@@ -61,6 +61,9 @@ void murk_folder_sync(const char *path);
  * it is absolute). The caller frees it; NULL when out of memory. */
 char *murk_path_beside(const char *beside, const char *path);
 
+/* FOLDER/name for free(), NULL when out of memory. */
+char *murk_path_join(const char *folder, const char *name);
+
 /* The last part of a path, behind its last slash; borrowed. */
 const char *murk_path_name(const char *path);
 

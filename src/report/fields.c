@@ -1,5 +1,6 @@
 #include "report/fields.h"
 
+#include "base/file.h"
 #include "base/log.h"
 #include "medium/grid.h"
 #include "report/chart.h"
@@ -98,7 +99,7 @@ static murk_status read_grid(double **out, const murk_results_in *results,
     murk_grid *grid = NULL;
     snprintf(name, sizeof name, "%s%s.vdb", field->asked->name, ending);
     snprintf(grid_name, sizeof grid_name, "fluence_%.9gnm", field->band_nm);
-    char *path = murk_results_path(results->folder, name);
+    char *path = murk_path_join(results->folder, name);
     if (!path) {
         return murk_fail(why, MURK_NO_MEMORY, name, "no memory to read it");
     }
@@ -167,7 +168,7 @@ murk_status murk_report_fields_read(murk_report_fields *out,
     murk_error why = {0};
     const murk_warn_sink told = murk_warn_to(NULL); /* by the run */
     char *path =
-        murk_results_path(results->folder, murk_results_scene(results->folder));
+        murk_path_join(results->folder, murk_results_scene(results->folder));
     murk_status status = MURK_OK;
     if (!path) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory to read it");

@@ -1,4 +1,5 @@
 /* Where the light went, as a section of the report. */
+#include "base/file.h"
 #include "report/chart_bars.h"
 #include "report/html.h"
 #include "report/sections.h"
@@ -187,7 +188,7 @@ static murk_yaml *read_ledger(const char *folder, const char *name)
     if (strchr(name, '/') || !murk_results_has(folder, file)) {
         return NULL;
     }
-    char *path = murk_results_path(folder, file);
+    char *path = murk_path_join(folder, file);
     if (path) {
         (void)murk_yaml_read(&ledger, path, &why);
     }

@@ -30,7 +30,7 @@ static void write_word(FILE *to, const char *word)
 static void write_file_of(FILE *to, const murk_results_in *results,
                           const char *name)
 {
-    char *path = murk_results_path(results->whole, name);
+    char *path = murk_path_join(results->whole, name);
     write_word(to, path ? path : name);
     free(path);
 }
@@ -207,7 +207,7 @@ static void write_files(FILE *to, const char *folder, const char *page)
         char *path =
             (own && strcmp(name, own) == 0) || strcmp(name, "report.html") == 0
                 ? NULL
-                : murk_results_path(folder, name);
+                : murk_path_join(folder, name);
         if (path && stat(path, &known) == 0 && S_ISREG(known.st_mode) &&
             ++rows <= MURK_PAGE_ROWS_MAX) {
             murk_page_row_begin(to, name);

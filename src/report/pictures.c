@@ -1,5 +1,6 @@
 #include "report/pictures.h"
 
+#include "base/file.h"
 #include "base/inputs.h"
 #include "report/html.h"
 #include "report/results_in.h"
@@ -110,7 +111,7 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
                            const char *name, size_t *left, murk_error *err)
 {
     murk_report_picture p = {0};
-    char *path = murk_results_path(folder, name);
+    char *path = murk_path_join(folder, name);
     /* what a folder names may be a pipe that nobody writes to */
     FILE *file =
         path && murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;

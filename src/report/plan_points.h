@@ -24,8 +24,8 @@ typedef struct murk_plan_points {
 } murk_plan_points;
 
 /* At most `most` of them; the file is read in pieces, whatever its size. Fails
- * with MURK_BAD_FILE where it is no plan.ply of app/plan_ply.h, or cut short.
- * Release *out in any case. */
+ * with MURK_BAD_FILE where it is no plan.ply of results/plan_ply.h, or cut
+ * short. Release *out in any case. */
 murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
                                   const murk_scene_desc *scene, size_t max,
                                   murk_error *err);

@@ -2,6 +2,7 @@
 #include "report/scene.h"
 #include "scene/places.h"
 
+#include "base/file.h"
 #include "base/inputs.h"
 
 #include <errno.h>
@@ -225,7 +226,7 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
     if (!murk_results_has(folder, "path.ply")) {
         return MURK_OK;
     }
-    char *path = murk_results_path(folder, "path.ply");
+    char *path = murk_path_join(folder, "path.ply");
     FILE *file = path ? murk_inputs_open(path) : NULL;
     out->stop = calloc(STOPS_MAX, sizeof *out->stop);
     const uint64_t n = file && out->stop ? path_header(file, out->scene) : 0;

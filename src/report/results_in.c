@@ -18,22 +18,10 @@ static const char *const names[MURK_RESULT_FILES] = {
     [MURK_RESULT_FIT] = "fit.json",
     [MURK_RESULT_LEDGER] = "ledger.json"};
 
-char *murk_results_path(const char *folder, const char *name)
-{
-    const size_t size = strlen(folder) + strlen(name) + 2;
-    const size_t length = strlen(folder);
-    const char *slash = length > 0 && folder[length - 1] == '/' ? "" : "/";
-    char *path = malloc(size);
-    if (path) {
-        snprintf(path, size, "%s%s%s", folder, slash, name);
-    }
-    return path;
-}
-
 bool murk_results_has(const char *folder, const char *name)
 {
     struct stat known;
-    char *path = murk_results_path(folder, name);
+    char *path = murk_path_join(folder, name);
     const bool has = path && stat(path, &known) == 0 && S_ISREG(known.st_mode);
     free(path);
     return has;
@@ -51,7 +39,7 @@ murk_status murk_results_table(murk_table **out, const char *folder,
     if (!murk_results_has(folder, name)) {
         return MURK_OK;
     }
-    char *path = murk_results_path(folder, name);
+    char *path = murk_path_join(folder, name);
     const murk_status status =
         path ? murk_table_read(out, path, err)
              : murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
@@ -147,7 +135,7 @@ static murk_status check_version(const murk_yaml *root, const char *path,
 static murk_status read_json(murk_results_in *out, murk_result_file which,
                              murk_error *err)
 {
-    out->path[which] = murk_results_path(out->folder, names[which]);
+    out->path[which] = murk_path_join(out->folder, names[which]);
     if (!out->path[which]) {
         return murk_fail(err, MURK_NO_MEMORY, names[which],
                          "no memory to read it");
@@ -246,7 +234,7 @@ static bool is_stranger(const murk_results_in *results, const char *name)
 {
     char sum[65];
     char *path = murk_results_has(results->folder, name)
-                     ? murk_results_path(results->folder, name)
+                     ? murk_path_join(results->folder, name)
                      : NULL;
     const bool is_read = path && !murk_file_sha256(path, sum, NULL);
     free(path);

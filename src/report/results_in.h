@@ -49,9 +49,6 @@ bool murk_results_are_one_run(const murk_results_in *results);
 char *murk_results_strangers(const murk_results_in *results);
 void murk_results_release(murk_results_in *results);
 
-/* DIR/name for free(), NULL when out of memory. */
-char *murk_results_path(const char *folder, const char *name);
-
 /* Whether there is such a regular file. */
 bool murk_results_has(const char *folder, const char *name);
 

@@ -1,5 +1,6 @@
 #include "report/scene.h"
 
+#include "base/file.h"
 #include "base/log.h"
 #include "world/stage_build.h"
 
@@ -97,7 +98,7 @@ static void read_scene(murk_report_scene *out, const char *folder)
 {
     murk_error why = {0};
     const char *name = murk_results_scene(folder);
-    char *path = murk_results_path(folder, name);
+    char *path = murk_path_join(folder, name);
     murk_status status = MURK_OK;
     if (!murk_results_has(folder, name)) {
         status = murk_fail(&why, MURK_BAD_FILE, "", "it is not there");
@@ -134,7 +135,7 @@ static void read_points(murk_report_scene *out, size_t state,
     murk_plan_points *points = &out->state[state].points;
     const size_t max = photons_of_a_state(out);
     char *path =
-        murk_results_has(folder, name) ? murk_results_path(folder, name) : NULL;
+        murk_results_has(folder, name) ? murk_path_join(folder, name) : NULL;
     const bool is_light = strcmp(name, "light.murk") == 0;
     if (path && (is_light ? murk_plan_points_of_light(points, path, max, &why)
                           : murk_plan_points_read(points, path, out->scene, max,

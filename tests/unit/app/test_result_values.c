@@ -1,10 +1,11 @@
 /* What result files share: power from quanta, numbers that JSON can hold, what
  * is read back from a folder. Expected values are worked out by hand. */
-#include "app/coverage_out.h"
-#include "app/ledger_out.h"
-#include "app/results.h"
+#include "base/file.h"
 #include "check.h"
 #include "report/results_in.h"
+#include "results/coverage.h"
+#include "results/ledger.h"
+#include "results/results.h"
 #include "stage_text.h"
 
 #include <stdlib.h>
@@ -189,7 +190,7 @@ static void test_paths_of_folders(void)
 {
     static const char *const folder[] = {"out", "out/"};
     for (size_t i = 0; i < 2; ++i) {
-        char *path = murk_results_path(folder[i], "plan.json");
+        char *path = murk_path_join(folder[i], "plan.json");
         CHECK_TEXT(path, "out/plan.json");
         free(path);
     }

@@ -1,0 +1,233 @@
+#include "results/exports.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+#include "results/coverage.h"
+#include "results/fields.h"
+#include "results/photons.h"
+#include "results/plan_ply.h"
+#include "results/surfaces.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* 6 bytes of memory and up to some 20 of text an entry. */
+#define ENTRIES_MAX 100000000
+
+typedef struct lp_parts {
+    const murk_sparse_matrix *matrix;
+    const murk_lp_goal *goal;
+} lp_parts;
+
+static murk_status write_csv(const char *path, const void *context,
+                             murk_error *err)
+{
+    return murk_sparse_matrix_write_csv(context, path, err);
+}
+
+static murk_status write_or_library(const char *path, const void *context,
+                                    murk_error *err)
+{
+    return murk_sparse_matrix_write_or_library(context, path, err);
+}
+
+static murk_status write_lp(const char *path, const void *context,
+                            murk_error *err)
+{
+    const lp_parts *parts = context;
+    return murk_sparse_matrix_write_lp(parts->matrix, parts->goal, path, err);
+}
+
+void murk_exports_add(murk_results *results, unsigned exports,
+                      const murk_sparse_matrix *matrix,
+                      const murk_lp_goal *goal, murk_error *late)
+{
+    const lp_parts parts = {matrix, goal};
+    if (exports & MURK_EXPORT_MATRIX) {
+        (void)murk_results_add(results, "matrix.csv", write_csv, matrix, late);
+    }
+    if (exports & MURK_EXPORT_OR_LIBRARY) {
+        (void)murk_results_add(results, "matrix.txt", write_or_library, matrix,
+                               late);
+    }
+    if (exports & MURK_EXPORT_LP) {
+        (void)murk_results_add(results, "problem.lp", write_lp, &parts, late);
+    }
+}
+
+murk_status murk_exports_check(unsigned exports, murk_combining combining,
+                               murk_error *err)
+{
+    return combining == MURK_COMBINE_INDEPENDENT && exports & MURK_EXPORT_LP
+               ? murk_fail(err, MURK_BAD_VALUE, "--export",
+                           "lp, but independent chances make no linear "
+                           "problem; detection must be weighted or threshold")
+               : MURK_OK;
+}
+
+typedef struct candidate_list {
+    const murk_poses *poses;
+    const murk_scene_desc *scene;
+} candidate_list;
+
+static murk_status write_candidates(const char *path, const void *context,
+                                    murk_error *err)
+{
+    const candidate_list *list = context;
+    murk_file *file = NULL;
+    const murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    FILE *to = murk_file_stream(file);
+    fputs("column,x_m,y_m,z_m,type,heading_deg,tilt_deg,cost\n", to);
+    for (size_t j = 0; j < list->poses->count; ++j) {
+        const murk_pose *pose = &list->poses->pose[j];
+        murk_write_pose(to, j + 1, list->scene, pose);
+        fprintf(to, ",%.10g\n", list->scene->sensors.type[pose->type].cost);
+    }
+    return murk_file_commit(&file, err);
+}
+
+/* Too large a matrix is told late, like a file that cannot be. */
+static murk_status add_matrix(murk_session *session,
+                              const murk_plan_result *plan, murk_sight *sight,
+                              murk_error *late, murk_error *err)
+{
+    const murk_scene_sensors *settings = &session->scene->sensors;
+    murk_sparse_matrix *matrix = NULL;
+    murk_sight_problem seen;
+    murk_sight_problem_init(&seen, sight, plan->poses->pose,
+                            plan->poses->count);
+    murk_error told = {0};
+    const murk_status status =
+        murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MAX, &told);
+    if (status) {
+        return murk_fail(status == MURK_RUN_FAILED ? late : err, status,
+                         "--export", "%s", told.text) == MURK_RUN_FAILED
+                   ? MURK_OK
+                   : status;
+    }
+    murk_lp_goal goal = {.count = (size_t)settings->count,
+                         .constraints = murk_poses_constraints(plan->poses),
+                         .redundancy = seen.problem.redundancy};
+    if (settings->target > 0) {
+        murk_problem problem = murk_sparse_matrix_problem(matrix, 1);
+        problem.redundancy = seen.problem.redundancy;
+        goal.target = murk_plan_value_of(settings->target, &problem);
+    }
+    const unsigned exports = session->settings.exports;
+    murk_exports_add(&session->results, exports, matrix, &goal, late);
+    if (exports & MURK_EXPORT_MATRIX) {
+        const candidate_list list = {plan->poses, session->scene};
+        (void)murk_results_add(&session->results, "candidates.csv",
+                               write_candidates, &list, late);
+    }
+    murk_sparse_matrix_destroy(matrix);
+    return MURK_OK;
+}
+
+/* ---- of any scene ---- */
+
+/* Whether a grid tally's files would have the names of others. */
+static murk_status check_names(const murk_session *session, murk_error *err)
+{
+    static const char *const taken[] = {"extinction", "coverage",
+                                        "optical_depth", "fields", "surfaces"};
+    const murk_scene_desc *scene = session->scene;
+    for (size_t i = 0; i < scene->n_tallies; ++i) {
+        const murk_scene_tally *tally = &scene->tallies[i];
+        bool is_taken = false;
+        for (size_t k = 0; k < sizeof taken / sizeof *taken; ++k) {
+            is_taken |= strcmp(tally->name, taken[k]) == 0;
+        }
+        for (size_t k = 0; k < scene->n_tallies; ++k) {
+            const char *other = scene->tallies[k].name;
+            const size_t length = strlen(other);
+            is_taken |= strncmp(tally->name, other, length) == 0 &&
+                        strcmp(tally->name + length, "_photons") == 0;
+        }
+        if (is_taken && tally->type == MURK_SCENE_TALLY_GRID) {
+            return murk_fail(err, MURK_BAD_VALUE, tally->where,
+                             "name: %s, which a file of --export fields has; "
+                             "must be another",
+                             tally->name);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_exports_begin(const murk_session *session, murk_error *err)
+{
+    const unsigned exports = session->settings.exports;
+    murk_field_box box;
+    murk_status status = MURK_OK;
+    if (exports & MURK_EXPORT_FIELDS) {
+        status = check_names(session, err);
+    }
+    if (!status && exports & MURK_EXPORT_FIELDS) {
+        status = murk_fields_box(&box, session, err);
+    }
+    if (!status && exports & MURK_EXPORT_SURFACES) {
+        status = murk_surfaces_check(session, err);
+    }
+    return status;
+}
+
+void murk_exports_add_scene(murk_session *session, murk_sight *sight,
+                            const murk_pose *sensor, size_t n, murk_error *late)
+{
+    const unsigned exports = session->settings.exports;
+    murk_progress_begin_over("export", 0, "");
+    if (exports & MURK_EXPORT_FIELDS) {
+        murk_fields_add_tallies(session, late);
+        murk_fields_add(session, sight, sensor, n, late);
+    }
+    if (exports & MURK_EXPORT_PHOTONS) {
+        murk_photons_add(session, late);
+    }
+    if (exports & MURK_EXPORT_SURFACES) {
+        murk_surfaces_add(session, sight, sensor, n, late);
+    }
+    murk_progress_end();
+}
+
+murk_status murk_exports_add_plan(murk_session *session,
+                                  const murk_plan_result *plan,
+                                  murk_error *late, murk_error *err)
+{
+    const unsigned exports = session->settings.exports;
+    if (!session->results.folder) {
+        return MURK_OK;
+    }
+    if (plan->is_dark) {
+        if (exports & MURK_EXPORTS_OF_PROBLEM) {
+            murk_note("--export", "it is dark: there is no coverage to write");
+        }
+        murk_exports_add_scene(session, NULL, NULL, 0, late);
+        return MURK_OK;
+    }
+    murk_sight *sight = NULL;
+    murk_status status =
+        murk_plan_sight(&sight, session->stage, session->traced,
+                        session->settings.threads, err);
+    if (!status) {
+        const double size_m =
+            murk_length(murk_sub(session->stage->world.domain.box.max,
+                                 session->stage->world.domain.box.min));
+        status = murk_add_plan_ply(&session->results, "plan.ply",
+                                   session->scene, sight, plan->sensor,
+                                   plan->place.count, size_m, err);
+    }
+    if (!status && exports & MURK_EXPORTS_OF_PROBLEM) {
+        murk_progress_begin_over("export", 0, "");
+        status = add_matrix(session, plan, sight, late, err);
+        murk_progress_end();
+    }
+    if (!status) {
+        murk_exports_add_scene(session, sight, plan->sensor, plan->place.count,
+                               late);
+    }
+    murk_sight_destroy(sight);
+    return status;
+}

@@ -1,0 +1,244 @@
+#include "results/field_files.h"
+
+#include "medium/grid_write.h"
+#include "results/vtk.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEPTH_SHOWN 2 /* optical depth over the longest edge, in the mean */
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+               "numbers are written as they lie in memory");
+
+size_t murk_field_voxels(const murk_field_box *box)
+{
+    return box->size[0] * box->size[1] * box->size[2];
+}
+
+murk_affine murk_field_to_world(const murk_field_box *b)
+{
+    const murk_vec3 a = b->box.min, all = murk_sub(b->box.max, a);
+    const murk_vec3 e =
+        murk_vec(all.x / (double)b->size[0], all.y / (double)b->size[1],
+                 all.z / (double)b->size[2]);
+    return (murk_affine){
+        .matrix = {{e.x, 0, 0}, {0, e.y, 0}, {0, 0, e.z}},
+        .shift = murk_vec(a.x + e.x / 2, a.y + e.y / 2, a.z + e.z / 2)};
+}
+
+void murk_field_name_of(murk_field_name name, const char *quantity,
+                        double band_nm)
+{
+    snprintf(name, sizeof(murk_field_name), "%s_%.9gnm", quantity, band_nm);
+}
+
+/* ---- metadata ---- */
+
+static void put_note(murk_field_notes *out, size_t *n, const char *key,
+                     const char *text)
+{
+    assert(*n + 2 < MURK_FIELD_NOTES);
+    out->note[(*n)++] = key;
+    out->note[(*n)++] = text;
+}
+
+void murk_field_notes_of(murk_field_notes *out, const murk_scene_desc *scene,
+                         const murk_voxel_field *field)
+{
+    size_t n = 0;
+    *out = (murk_field_notes){0};
+    murk_facts_of(&out->facts, scene);
+    if (field->band >= 0) {
+        snprintf(out->band_nm, sizeof out->band_nm, "%.9g",
+                 scene->band_nm[field->band]);
+    }
+    put_note(out, &n, "unit", field->unit);
+    put_note(out, &n, "quantity", field->quantity);
+    if (field->meaning) {
+        put_note(out, &n, "meaning", field->meaning);
+    }
+    put_note(out, &n, "band_nm", field->band >= 0 ? out->band_nm : "all");
+    for (const char *const *fact = out->facts.fact; fact[0]; fact += 2) {
+        put_note(out, &n, fact[0], fact[1]);
+    }
+}
+
+/* ---- .vdb ---- */
+
+typedef struct files {
+    const murk_scene_desc *scene;
+    const murk_field_box *box;
+    const murk_voxel_field *field;
+    size_t n;
+    murk_field_look look;
+} files;
+
+static double longest_edge_m(const murk_box *box)
+{
+    const murk_vec3 e = murk_sub(box->max, box->min);
+    return fmax(fmax(e.x, e.y), e.z);
+}
+
+static double factor_of(const files *f)
+{
+    double sum = 0;
+    size_t lit = 0;
+    for (size_t i = 0; i < murk_field_voxels(f->box); ++i) {
+        const float value = f->field[0].value[i];
+        if (value > 0) {
+            sum += (double)value;
+            ++lit;
+        }
+    }
+    const double mean = lit > 0 ? sum / (double)lit : 0;
+    return f->look == MURK_FIELD_AS_IT_IS || !(mean > 0)
+               ? 1
+               : DEPTH_SHOWN / (mean * longest_edge_m(&f->box->box));
+}
+
+/* The first field as viewers show it. */
+static float *density_of(const files *f, double factor)
+{
+    const size_t voxels = murk_field_voxels(f->box);
+    float *density = malloc(voxels * sizeof *density + 1);
+    for (size_t i = 0; density && i < voxels; ++i) {
+        const double value = (double)f->field[0].value[i];
+        density[i] = (float)(value > 0 ? factor * value : 0);
+    }
+    return density;
+}
+
+static murk_status write_grids(const char *path, const files *f,
+                               murk_grid_field *grid, murk_field_notes *notes,
+                               murk_error *err)
+{
+    char factor_text[32];
+    const double factor = factor_of(f);
+    murk_affine to_world = murk_field_to_world(f->box);
+    to_world.shift = murk_scene_user(f->scene, to_world.shift);
+    float *density = density_of(f, factor);
+    if (!density) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    }
+    for (size_t i = 0; i < f->n; ++i) {
+        murk_field_notes_of(&notes[i], f->scene, &f->field[i]);
+        grid[i] = (murk_grid_field){f->field[i].name, f->field[i].value,
+                                    notes[i].note};
+    }
+    snprintf(factor_text, sizeof factor_text, "%.9g", factor);
+    const char *const shown[] = {"unit",     "1/m",
+                                 "quantity", "density for viewers",
+                                 "of",       f->field[0].name,
+                                 "factor",   factor_text,
+                                 NULL};
+    grid[f->n] = (murk_grid_field){"density", density, shown};
+    const murk_status status =
+        murk_grid_write(path, grid, f->n + 1, f->box->size, &to_world, err);
+    free(density);
+    return status;
+}
+
+static murk_status write_vdb(const char *path, const void *context,
+                             murk_error *err)
+{
+    const files *f = context;
+    murk_grid_field *grid = malloc((f->n + 1) * sizeof *grid);
+    murk_field_notes *notes = malloc((f->n + 1) * sizeof *notes);
+    const murk_status status =
+        grid && notes
+            ? write_grids(path, f, grid, notes, err)
+            : murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    free(notes);
+    free(grid);
+    return status;
+}
+
+murk_status murk_field_add_vdb(murk_results *results, const char *name,
+                               const murk_scene_desc *scene,
+                               const murk_field_box *box,
+                               const murk_voxel_field *field, size_t n,
+                               murk_field_look look, murk_error *err)
+{
+    const files f = {scene, box, field, n, look};
+    return murk_results_add(results, name, write_vdb, &f, err);
+}
+
+/* ---- .vti: VTK's image data, as XML before raw bytes ---- */
+
+static void put_facts(FILE *to, const files *f)
+{
+    fputs("    <FieldData>\n", to);
+    murk_vtk_put_facts(to, f->scene);
+    for (size_t i = 0; i < f->n; ++i) {
+        const murk_voxel_field *field = &f->field[i];
+        char name[sizeof field->name + 16], text[512];
+        snprintf(name, sizeof name, "%s.meaning", field->name);
+        snprintf(text, sizeof text, "%s [%s]%s%s", field->quantity, field->unit,
+                 field->meaning ? ": " : "",
+                 field->meaning ? field->meaning : "");
+        murk_vtk_put_text(to, name, text);
+    }
+    fputs("    </FieldData>\n", to);
+}
+
+static void put_header(FILE *to, const files *f)
+{
+    const size_t *n = f->box->size;
+    const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
+    const murk_vec3 at = murk_scene_user(f->scene, f->box->box.min);
+    const murk_affine m = murk_field_to_world(f->box);
+    murk_vtk_begin(to, "ImageData");
+    fprintf(to,
+            "  <ImageData WholeExtent=\"0 %zu 0 %zu 0 %zu\" "
+            "Origin=\"%.17g %.17g %.17g\" Spacing=\"%.17g %.17g %.17g\">\n",
+            n[0], n[1], n[2], at.x, at.y, at.z, m.matrix[0][0], m.matrix[1][1],
+            m.matrix[2][2]);
+    put_facts(to, f);
+    fprintf(to,
+            "    <Piece Extent=\"0 %zu 0 %zu 0 %zu\">\n"
+            "      <CellData Scalars=\"%s\">\n",
+            n[0], n[1], n[2], f->field[0].name);
+    for (size_t i = 0; i < f->n; ++i) {
+        fprintf(to,
+                "        <DataArray type=\"Float32\" Name=\"%s\" "
+                "format=\"appended\" offset=\"%llu\"/>\n",
+                f->field[i].name,
+                (unsigned long long)(i * (bytes + sizeof bytes)));
+    }
+    fputs("      </CellData>\n    </Piece>\n  </ImageData>\n"
+          "  <AppendedData encoding=\"raw\">\n_",
+          to);
+}
+
+static murk_status write_vti(const char *path, const void *context,
+                             murk_error *err)
+{
+    const files *f = context;
+    const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
+    murk_file *file = NULL;
+    const murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    FILE *to = murk_file_stream(file);
+    put_header(to, f);
+    for (size_t i = 0; i < f->n; ++i) {
+        (void)fwrite(&bytes, sizeof bytes, 1, to); /* commit asks ferror */
+        (void)fwrite(f->field[i].value, 1, bytes, to);
+    }
+    fputs("\n  </AppendedData>\n</VTKFile>\n", to);
+    return murk_file_commit(&file, err);
+}
+
+murk_status murk_field_add_vti(murk_results *results, const char *name,
+                               const murk_scene_desc *scene,
+                               const murk_field_box *box,
+                               const murk_voxel_field *field, size_t n,
+                               murk_error *err)
+{
+    const files f = {scene, box, field, n, MURK_FIELD_AS_IT_IS};
+    return murk_results_add(results, name, write_vti, &f, err);
+}

@@ -1,0 +1,171 @@
+/* Builds the JSON that commands print and write: the program's own version, the
+ * values that many of them share, and `run` with its checksum. */
+#include "results/json.h"
+
+#include "base/file.h"
+#include "base/machine.h"
+#include "base/utf8.h"
+#include "results/version.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+void murk_json_number(cJSON *object, const char *key, double value)
+{
+    if (isfinite(value)) {
+        cJSON_AddNumberToObject(object, key, value);
+    } else {
+        cJSON_AddNullToObject(object, key);
+    }
+}
+
+void murk_json_vector(cJSON *object, const char *key, murk_vec3 v)
+{
+    const double xyz[3] = {v.x, v.y, v.z};
+    cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(xyz, 3));
+}
+
+void murk_json_box(cJSON *object, const char *key, const murk_box *box)
+{
+    if (!(box->min.x <= box->max.x)) {
+        cJSON_AddNullToObject(object, key);
+        return;
+    }
+    cJSON *item = cJSON_AddObjectToObject(object, key);
+    murk_json_vector(item, "min_m", box->min);
+    murk_json_vector(item, "max_m", box->max);
+}
+
+void murk_json_spectrum(cJSON *object, const char *key,
+                        const murk_spectrum *spectrum, int bands)
+{
+    cJSON_AddItemToObject(object, key,
+                          cJSON_CreateDoubleArray(spectrum->band, bands));
+}
+
+cJSON *murk_json_begin_murk(void)
+{
+    cJSON *root = cJSON_CreateObject();
+    cJSON *murk = cJSON_AddObjectToObject(root, "murk");
+    cJSON_AddStringToObject(murk, "version", MURK_VERSION);
+    cJSON_AddStringToObject(murk, "commit", murk_version_commit());
+    cJSON_AddStringToObject(murk, "compiler", murk_version_compiler());
+    cJSON *packages = cJSON_AddObjectToObject(murk, "packages");
+    for (size_t i = 0; i < murk_packages_count; ++i) {
+        cJSON_AddStringToObject(packages, murk_packages[i].name,
+                                murk_packages[i].version);
+    }
+    return root;
+}
+
+cJSON *murk_json_begin(const murk_scene_desc *scene)
+{
+    cJSON *root = murk_json_begin_murk();
+    cJSON_AddStringToObject(root, "scene", scene->path);
+    cJSON_AddStringToObject(root, "scene_sha256", scene->sha256);
+    cJSON_AddNumberToObject(root, "seed", scene->seed);
+    return root;
+}
+
+/* cJSON indents with tabs, which YAML readers refuse; inside texts a tab is
+ * written \t, so every tab byte here is indentation or follows a colon. */
+static char *tabs_to_spaces(const char *text)
+{
+    size_t tabs = 0;
+    for (const char *c = text; *c; ++c) {
+        tabs += *c == '\t';
+    }
+    char *out = cJSON_malloc(strlen(text) + tabs + 2);
+    if (!out) {
+        return NULL;
+    }
+    char *to = out;
+    for (const char *c = text; *c; ++c) {
+        if (*c == '\t') {
+            *to++ = ' ';
+            if (c[-1] != ':') {
+                *to++ = ' ';
+            }
+        } else {
+            *to++ = *c;
+        }
+    }
+    *to++ = '\n';
+    *to = '\0';
+    return out;
+}
+
+/* What was typed, and where: paths in it are as seen from there. */
+static void add_command(cJSON *object, const char *command)
+{
+    char folder[4096];
+    cJSON_AddStringToObject(object, "command", command);
+    if (getcwd(folder, sizeof folder) &&
+        murk_utf8_is_printable(folder, sizeof folder)) {
+        cJSON_AddStringToObject(object, "folder", folder);
+    } else {
+        cJSON_AddNullToObject(object, "folder");
+    }
+}
+
+/* A text in JSON holds no line end, so the line is the map's own. */
+void murk_json_sum(char out[65], const char *text)
+{
+    const char *run = strstr(text, "\n  \"run\": {");
+    murk_sha256_hex(text, run ? (size_t)(run - text) : strlen(text), out);
+}
+
+/* Fills in run.checksum, for which 64 zeros stand. */
+static void put_sum(char *text)
+{
+    static const char key[] = "\n    \"checksum\": \"";
+    char sum[65];
+    char *run = strstr(text, "\n  \"run\": {");
+    char *at = run ? strstr(run, key) : NULL;
+    murk_json_sum(sum, text);
+    if (at) {
+        memcpy(at + sizeof key - 1, sum, 64);
+    }
+}
+
+char *murk_json_end(cJSON *root, const murk_run_facts *run)
+{
+    cJSON *object = cJSON_GetObjectItem(root, "run");
+    if (!object) {
+        object = cJSON_AddObjectToObject(root, "run");
+    }
+    if (run->command) {
+        add_command(object, run->command);
+    }
+    cJSON_AddNumberToObject(object, "threads", run->threads);
+    cJSON *seconds = cJSON_AddObjectToObject(object, "seconds");
+    cJSON_AddNumberToObject(seconds, "load", run->load_s);
+    cJSON_AddNumberToObject(seconds, "trace", run->trace_s);
+    cJSON_AddNumberToObject(seconds, "map", run->map_s);
+    cJSON_AddNumberToObject(seconds, "sense", run->sense_s);
+    cJSON_AddNumberToObject(seconds, "place", run->place_s);
+    cJSON_AddNumberToObject(seconds, "total", run->total_s);
+    murk_json_number(object, "peak_memory_bytes", murk_machine_peak_bytes());
+    char date[32] = "";
+    const time_t now = time(NULL);
+    struct tm utc;
+    if (gmtime_r(&now, &utc)) {
+        strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    }
+    cJSON_AddStringToObject(object, "date", date);
+    char zeros[65];
+    snprintf(zeros, sizeof zeros, "%064d", 0);
+    cJSON_AddStringToObject(object, "checksum", zeros);
+
+    char *printed = cJSON_Print(root);
+    cJSON_Delete(root);
+    char *text = printed ? tabs_to_spaces(printed) : NULL;
+    cJSON_free(printed);
+    if (text) {
+        put_sum(text);
+    }
+    return text;
+}

@@ -1,0 +1,382 @@
+#include "results/lit_pieces.h"
+
+#include "base/interrupt.h"
+#include "base/pool.h"
+#include "base/progress.h"
+#include "sensing/places_seen.h"
+#include "sensing/views.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define BATCH 4096 /* photons */
+
+/* Of the domain's largest coordinate: as near to a side lies in it. */
+#define SIDE_SHARE 0x1p-18
+
+static murk_status no_memory(const murk_pieces *pieces, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "--export",
+                     "no memory for %zu pieces", pieces->n);
+}
+
+bool murk_piece_is_within(const murk_piece *piece, const murk_domain *domain)
+{
+    const murk_vec3 p = piece->middle, a = domain->box.min, b = domain->box.max;
+    const double maximum =
+        fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fmax(fabs(a.z), fabs(b.x))),
+             fmax(fabs(b.y), fabs(b.z)));
+    const double tolerance_m = SIDE_SHARE * maximum;
+    return p.x >= a.x - tolerance_m && p.y >= a.y - tolerance_m &&
+           p.z >= a.z - tolerance_m && p.x <= b.x + tolerance_m &&
+           p.y <= b.y + tolerance_m && p.z <= b.z + tolerance_m;
+}
+
+/* ---- which photon lies on which piece ---- */
+
+typedef struct locating {
+    const murk_pieces *pieces;
+    const murk_photon *photon;
+    size_t n;
+    uint32_t *piece;
+} locating;
+
+static void locate_batch(void *context, uint64_t batch)
+{
+    const locating *l = context;
+    const size_t first = (size_t)batch * BATCH;
+    const size_t end = first + BATCH < l->n ? first + BATCH : l->n;
+    for (size_t i = first; i < end; ++i) {
+        const float *x = l->photon[i].position_m;
+        l->piece[i] = murk_pieces_at(
+            l->pieces, murk_vec((double)x[0], (double)x[1], (double)x[2]),
+            murk_direction_unpack(l->photon[i].normal));
+    }
+    murk_progress_add(end - first);
+}
+
+/* piece[n] of the map's photons, NULL when out of memory or interrupted. */
+static uint32_t *locate(const murk_pieces *pieces, const murk_photon_map *map,
+                        unsigned threads)
+{
+    locating l = {.pieces = pieces,
+                  .photon = murk_photon_map_photons(map),
+                  .n = murk_photon_map_count(map)};
+    l.piece = malloc(l.n * sizeof *l.piece + 1);
+    if (l.piece) {
+        murk_progress_begin("surfaces", l.n, "photons");
+        murk_pool_run(threads, (l.n + BATCH - 1) / BATCH, locate_batch, &l);
+        murk_progress_end();
+    }
+    if (l.piece && murk_interrupted()) {
+        free(l.piece);
+        l.piece = NULL;
+    }
+    return l.piece;
+}
+
+/* ---- irradiance ---- */
+
+/* What one record says arrived. */
+typedef struct arrival {
+    uint32_t emitted;
+    uint32_t record; /* makes the order of a path's own records a fact */
+    double w;
+} arrival;
+
+static int by_emitted(const void *a, const void *b)
+{
+    const arrival *x = a, *y = b;
+    return x->emitted != y->emitted
+               ? (x->emitted > y->emitted) - (x->emitted < y->emitted)
+               : (x->record > y->record) - (x->record < y->record);
+}
+
+typedef struct lighting {
+    murk_lit_pieces *out;
+    const murk_photon *photon;
+    double emitted;
+    const uint32_t *order; /* records, piece by piece */
+    const size_t *begin;   /* [pieces + 1] */
+    arrival *room;         /* of the fullest piece */
+} lighting;
+
+/* Sums over emitted photons, each with all its records here. */
+static void light_piece(const lighting *l, size_t i)
+{
+    const murk_pieces *pieces = l->out->pieces;
+    const size_t n = l->begin[i + 1] - l->begin[i];
+    const double area_m2 = murk_piece_of(pieces, i).area_m2;
+    double sum = 0, squares = 0;
+    for (size_t k = 0; k < n; ++k) {
+        const uint32_t record = l->order[l->begin[i] + k];
+        const murk_photon *photon = &l->photon[record];
+        const murk_material *material =
+            murk_surfaces_material(pieces->surfaces, photon->material);
+        l->room[k] = (arrival){photon->emitted, record,
+                               (double)photon->power_w /
+                                   material->diffuse.band[photon->band]};
+    }
+    qsort(l->room, n, sizeof *l->room, by_emitted);
+    for (size_t k = 0; k < n;) {
+        double w = 0;
+        const uint32_t emitted = l->room[k].emitted;
+        for (; k < n && l->room[k].emitted == emitted; ++k) {
+            w += l->room[k].w;
+        }
+        sum += w;
+        squares += w * w;
+    }
+    const double variance =
+        l->emitted / (l->emitted - 1) * (squares - sum * sum / l->emitted);
+    l->out->photons[i] = (uint32_t)n;
+    l->out->irradiance[i] = (float)(sum / area_m2);
+    l->out->error[i] = (float)(variance > 0 ? sqrt(variance) / area_m2 : 0);
+}
+
+/* Fills begin and order by counting; returns how many lie on the fullest. */
+static size_t sort_by_piece(size_t *begin, uint32_t *order,
+                            const uint32_t *piece, size_t n, size_t pieces)
+{
+    size_t maximum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (piece[i] != MURK_NO_PIECE) {
+            ++begin[piece[i] + 1];
+        }
+    }
+    for (size_t i = 0; i < pieces; ++i) {
+        maximum = begin[i + 1] > maximum ? begin[i + 1] : maximum;
+        begin[i + 1] += begin[i];
+    }
+    for (size_t i = 0; i < n; ++i) {
+        if (piece[i] != MURK_NO_PIECE) {
+            order[begin[piece[i]]++] = (uint32_t)i;
+        }
+    }
+    memmove(begin + 1, begin, pieces * sizeof *begin);
+    begin[0] = 0;
+    return maximum;
+}
+
+static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
+                             const uint32_t *piece, murk_error *err)
+{
+    const size_t pieces = out->pieces->n;
+    const size_t n = murk_photon_map_count(traced->surface);
+    size_t *begin = calloc(pieces + 1, sizeof *begin);
+    uint32_t *order = malloc(n * sizeof *order + 1);
+    const size_t maximum =
+        begin && order ? sort_by_piece(begin, order, piece, n, pieces) : 0;
+    lighting l = {.out = out,
+                  .photon = murk_photon_map_photons(traced->surface),
+                  .emitted = (double)traced->emitted,
+                  .order = order,
+                  .begin = begin,
+                  .room = malloc(maximum * sizeof *l.room + 1)};
+    const bool has_room = begin && order && l.room;
+    for (size_t i = 0; has_room && i < pieces; ++i) {
+        light_piece(&l, i);
+    }
+    if (has_room) {
+        out->lost = n - begin[pieces];
+    }
+    free(begin);
+    free(order);
+    free(l.room);
+    return has_room ? MURK_OK : no_memory(out->pieces, err);
+}
+
+/* ---- coverage ---- */
+
+/* Weight of what lies on the pieces, and of what is seen of it. */
+static void weigh(murk_lit_pieces *out, const murk_sight *sight,
+                  const murk_views *views, const uint32_t *piece,
+                  uint64_t *whole, uint64_t *seen)
+{
+    const size_t n =
+        murk_photon_map_count(murk_sight_described(sight)->surface_map);
+    const uint32_t *weight = murk_sight_weights(sight);
+    const uint64_t full =
+        (uint64_t)MURK_CLEAR * (views->layers > 1 ? views->layers : 1);
+    for (size_t i = 0; i < n; ++i) {
+        if (piece[i] != MURK_NO_PIECE) {
+            whole[piece[i]] += weight[i] * full;
+            seen[piece[i]] += (uint64_t)weight[i] * murk_views_worth(views, i);
+        }
+    }
+    for (size_t i = 0; i < out->pieces->n; ++i) {
+        out->coverage[i] =
+            whole[i] > 0 ? (float)((double)seen[i] / (double)whole[i]) : NAN;
+    }
+}
+
+static murk_status cover_all(murk_lit_pieces *out, murk_sight *sight,
+                             const murk_pose *sensor, size_t sensors,
+                             const uint32_t *piece, murk_error *err)
+{
+    const murk_sight_desc *desc = murk_sight_described(sight);
+    const size_t pieces = out->pieces->n;
+    uint64_t *whole = calloc(pieces + 1, sizeof *whole);
+    uint64_t *seen = calloc(pieces + 1, sizeof *seen);
+    murk_views views = {0};
+    const bool has_room =
+        murk_views_init(&views, murk_sight_photons(sight), desc->combining,
+                        desc->redundancy > 1 ? desc->redundancy : 1) &&
+        whole && seen;
+    for (size_t k = 0; has_room && k < sensors && !murk_interrupted(); ++k) {
+        murk_look look;
+        murk_sight_look(sight, 0, &sensor[k], &look);
+        murk_views_add(&views, (uint32_t)k, &look);
+    }
+    if (has_room) {
+        weigh(out, sight, &views, piece, whole, seen);
+    }
+    murk_views_release(&views);
+    free(whole);
+    free(seen);
+    return !has_room ? no_memory(out->pieces, err)
+           : murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : MURK_OK;
+}
+
+/* ---- middles ---- */
+
+typedef struct middles {
+    const murk_pieces *pieces;
+    uint32_t *piece; /* [n] within the domain */
+    size_t n;
+    int band;
+} middles;
+
+/* Both sides of each. */
+static murk_photon middle_of(const void *context, size_t i)
+{
+    const middles *m = context;
+    const murk_piece piece = murk_piece_of(m->pieces, m->piece[i / 2]);
+    const murk_vec3 p = piece.middle;
+    return (murk_photon){
+        .position_m = {(float)p.x, (float)p.y, (float)p.z},
+        .normal = murk_direction_pack(murk_scale(i % 2 ? -1 : 1, piece.normal)),
+        .band = (uint8_t)m->band,
+        .material = piece.material};
+}
+
+static void take_up(murk_lit_pieces *out, const middles *m,
+                    const murk_place_seen *seen)
+{
+    for (size_t i = 0; i < m->n; ++i) {
+        const uint32_t piece = m->piece[i];
+        const murk_place_seen *sides = &seen[2 * i];
+        const uint32_t sensors = sides[0].sensors + sides[1].sensors;
+        const uint16_t maximum =
+            (uint16_t)(sensors < UINT16_MAX ? sensors : UINT16_MAX);
+        if (maximum > out->sensors[piece]) {
+            out->sensors[piece] = maximum;
+        }
+        out->clarity[piece] =
+            fmaxf(out->clarity[piece], fmaxf(sides[0].worth, sides[1].worth));
+    }
+}
+
+static murk_status see_middles(murk_lit_pieces *out, const murk_domain *domain,
+                               int bands, const murk_sight *sight,
+                               const murk_pose *sensor, size_t n,
+                               murk_error *err)
+{
+    const murk_pieces *pieces = out->pieces;
+    middles m = {.pieces = pieces,
+                 .piece = malloc(pieces->n * sizeof *m.piece + 1)};
+    murk_place_seen *seen = malloc(2 * pieces->n * sizeof *seen + 1);
+    murk_status status = m.piece && seen ? MURK_OK : no_memory(pieces, err);
+    for (size_t i = 0; !status && i < pieces->n; ++i) {
+        const murk_piece piece = murk_piece_of(pieces, i);
+        if (murk_piece_is_within(&piece, domain)) {
+            m.piece[m.n++] = (uint32_t)i;
+        }
+    }
+    for (m.band = 0; !status && m.band < bands; ++m.band) {
+        const murk_places places = {.n = 2 * m.n,
+                                    .record = middle_of,
+                                    .context = &m,
+                                    .step = "surfaces"};
+        status = murk_places_see(seen, &places, sight, sensor, n, err);
+        if (!status) {
+            take_up(out, &m, seen);
+        }
+    }
+    free(m.piece);
+    free(seen);
+    return status;
+}
+
+/* ---- all ---- */
+
+static bool set_aside(murk_lit_pieces *out, bool is_seen)
+{
+    const size_t n = out->pieces->n + 1;
+    out->photons = calloc(n, sizeof *out->photons);
+    out->irradiance = calloc(n, sizeof *out->irradiance);
+    out->error = calloc(n, sizeof *out->error);
+    out->is_seen = is_seen;
+    if (is_seen) {
+        out->coverage = calloc(n, sizeof *out->coverage);
+        out->clarity = calloc(n, sizeof *out->clarity);
+        out->sensors = calloc(n, sizeof *out->sensors);
+    }
+    return out->photons && out->irradiance && out->error &&
+           (!is_seen || (out->coverage && out->clarity && out->sensors));
+}
+
+void murk_lit_pieces_release(murk_lit_pieces *lit)
+{
+    free(lit->photons);
+    free(lit->irradiance);
+    free(lit->error);
+    free(lit->coverage);
+    free(lit->clarity);
+    free(lit->sensors);
+    *lit = (murk_lit_pieces){0};
+}
+
+static murk_status fail_to_locate(const murk_pieces *pieces, murk_error *err)
+{
+    return murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : no_memory(pieces, err);
+}
+
+murk_status murk_lit_pieces_make(murk_lit_pieces *out,
+                                 const murk_pieces *pieces,
+                                 const murk_domain *domain,
+                                 const murk_traced *traced, int bands,
+                                 murk_sight *sight, const murk_pose *sensor,
+                                 size_t n, unsigned threads, murk_error *err)
+{
+    *out = (murk_lit_pieces){.pieces = pieces};
+    uint32_t *piece = NULL, *looked_at = NULL;
+    murk_status status =
+        set_aside(out, sight != NULL) ? MURK_OK : no_memory(pieces, err);
+    if (!status) {
+        piece = locate(pieces, traced->surface, threads);
+        status = piece ? light_all(out, traced, piece, err)
+                       : fail_to_locate(pieces, err);
+    }
+    const murk_photon_map *map =
+        sight ? murk_sight_described(sight)->surface_map : NULL;
+    if (!status && sight && map != traced->surface) { /* targets */
+        looked_at = locate(pieces, map, threads);
+        status = looked_at ? MURK_OK : fail_to_locate(pieces, err);
+    }
+    if (!status && sight) {
+        status = cover_all(out, sight, sensor, n, looked_at ? looked_at : piece,
+                           err);
+    }
+    if (!status && sight) {
+        status = see_middles(out, domain, bands, sight, sensor, n, err);
+    }
+    free(looked_at);
+    free(piece);
+    return status;
+}

@@ -1,0 +1,31 @@
+/* plan.ply: the plan as points and marks, for ParaView, MeshLab, Blender. */
+#ifndef MURK_RESULTS_PLAN_PLY_H
+#define MURK_RESULTS_PLAN_PLY_H
+
+#include "results/results.h"
+#include "sensing/sight.h"
+
+#define MURK_PLAN_PLY_SENSORS 32 /* that have a bit */
+
+/* Vertices: the sensors, in order; the corners of each one's mark
+ * (results/mark.h), which the faces join (a point alone is hard to see); the
+ * stored photons, surface map first, in the maps' order. Each with
+ *
+ *     x y z           float, m
+ *     red green blue  uchar: sensors yellow; photons red unseen, blue seen by
+ *                     one, green by more
+ *     kind            uchar: 0 sensor, 1 surface photon, 2 volume photon,
+ *                     3 corner of a sensor's mark
+ *     seen_by         ushort: of a photon, how many sensors see it
+ *     quality         float, 0..1: of a photon, its clearest sightline; else 1
+ *     sensors         uint: of a photon, who sees it: bit k is sensor k, from
+ *                     0, of the first 32
+ *
+ * Binary, little endian. size_m: of the world; octahedra are one part
+ * in a hundred of it wide, views two parts long. */
+murk_status murk_add_plan_ply(murk_results *results, const char *name,
+                              const murk_scene_desc *scene, murk_sight *sight,
+                              const murk_pose *sensor, size_t n, double size_m,
+                              murk_error *err);
+
+#endif

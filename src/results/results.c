@@ -1,0 +1,332 @@
+/* Stages the files of a run, refuses those that may not be replaced, and moves
+ * all of them into place together. */
+#include "results/results.h"
+
+#include "base/file.h"
+#include "base/inputs.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+murk_status murk_results_begin(murk_results *results, const char *folder,
+                               bool force, murk_error *err)
+{
+    struct stat known;
+    *results = (murk_results){.folder = folder,
+                              .force = force,
+                              .is_new = folder && stat(folder, &known) != 0};
+    if (!folder) {
+        return MURK_OK;
+    }
+    const murk_status status = murk_folder_make(folder, err);
+    if (!status) {
+        murk_staging_clean(folder, false);
+    }
+    return status;
+}
+
+/* ---- what may be replaced ---- */
+
+/* Whether this run has put it there itself. */
+static bool is_shown(const murk_results *results, const char *path)
+{
+    for (size_t i = 0; i < results->n; ++i) {
+        if (!results->file[i].staged &&
+            strcmp(results->file[i].path, path) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Of what the folder holds; inputs are judged once it is known what would be
+ * written over them. */
+static murk_status check_owner(murk_results *results, const char *path,
+                               const char *name, murk_error *err)
+{
+    struct stat known;
+    if (lstat(path, &known) != 0) {
+        return MURK_OK;
+    }
+    if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
+        return murk_fail(err, MURK_RUN_FAILED, path,
+                         "cannot write: not a regular file");
+    }
+    if (results->force || murk_inputs_has(path) || is_shown(results, path) ||
+        murk_owned_has(&results->owned, results->folder, name)) {
+        return MURK_OK;
+    }
+    (void)murk_file_not_ours(path, &results->refused);
+    return murk_file_not_ours(path, err);
+}
+
+/* An input stays as it is; that is right where it has these bytes. */
+static bool is_same(const char *path, const char *sum)
+{
+    char there[65];
+    return !murk_file_sha256(path, there, NULL) && strcmp(there, sum) == 0;
+}
+
+static murk_status check_input(murk_results *results, size_t i, murk_error *err)
+{
+    const char *path = results->file[i].path;
+    if (!murk_inputs_has(path) || is_same(path, results->file[i].sum)) {
+        return MURK_OK;
+    }
+    (void)murk_file_check_input(path, &results->refused);
+    return murk_file_check_input(path, err);
+}
+
+murk_status murk_results_expect(murk_results *results, const char *name,
+                                const char *text, murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    char *path = murk_path_join(results->folder, name);
+    if (!path) {
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    }
+    murk_status status = check_owner(results, path, name, err);
+    if (!status && murk_inputs_has(path) && strcmp(name, MURK_MAP_FILE_NAME)) {
+        char sum[65];
+        murk_sha256_hex(text ? text : "", text ? strlen(text) : 0, sum);
+        status =
+            is_same(path, sum) ? MURK_OK : murk_file_check_input(path, err);
+    }
+    free(path);
+    return status;
+}
+
+/* ---- adding ---- */
+
+/* Drops what is in its place already under this path, which is to be written
+ * anew. */
+static void forget(murk_results *results, const char *path)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < results->n; ++i) {
+        const murk_result file = results->file[i];
+        if (!file.staged && strcmp(file.path, path) == 0) {
+            free(file.path);
+        } else {
+            results->file[kept++] = file;
+        }
+    }
+    results->n = kept;
+}
+
+static murk_status check_name(murk_results *results, const char *path,
+                              const char *name, murk_error *err)
+{
+    murk_status status = check_owner(results, path, name, err);
+    if (!status) {
+        forget(results, path);
+    }
+    for (size_t i = 0; i < results->n && !status; ++i) {
+        if (strcmp(results->file[i].path, path) == 0) {
+            status = murk_fail(err, MURK_RUN_FAILED, path,
+                               "cannot write: two results have this name");
+        }
+    }
+    return status;
+}
+
+/* Room for one more. */
+static bool grow(murk_results *results)
+{
+    murk_result *grown =
+        realloc(results->file, (results->n + 1) * sizeof *grown);
+    if (!grown) {
+        return false;
+    }
+    results->file = grown;
+    return true;
+}
+
+/* Takes a place for one more file: path and staged name. */
+static murk_status stage_name(murk_results *results, const char *name,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    if (!results->staging.folder) {
+        status = murk_staging_begin(&results->staging, results->folder, err);
+    }
+    murk_result file = {0};
+    if (!status) {
+        file.path = murk_path_join(results->folder, name);
+        file.staged = murk_path_join(results->staging.folder, name);
+    }
+    if (!status && (!file.path || !file.staged || !grow(results))) {
+        status = murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    }
+    if (!status) {
+        status = check_name(results, file.path, name, err);
+    }
+    if (status) {
+        free(file.path);
+        free(file.staged);
+        return status;
+    }
+    results->file[results->n++] = file;
+    return MURK_OK;
+}
+
+static void drop_last(murk_results *results)
+{
+    --results->n;
+    unlink(results->file[results->n].staged);
+    free(results->file[results->n].staged);
+    free(results->file[results->n].path);
+}
+
+murk_status murk_results_add(murk_results *results, const char *name,
+                             murk_results_writer write, const void *context,
+                             murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    murk_error told = {0};
+    murk_status status = stage_name(results, name, err);
+    if (status) {
+        return status;
+    }
+    const size_t i = results->n - 1;
+    status = write(results->file[i].staged, context, &told);
+    if (!status) {
+        status = murk_file_sha256(results->file[i].staged, results->file[i].sum,
+                                  &told);
+    }
+    if (status) { /* under the staged name; told of the final one */
+        status = murk_fail(err, status, results->file[i].path, "%s", told.text);
+    } else {
+        status = check_input(results, i, err);
+    }
+    if (status) {
+        drop_last(results);
+    }
+    return status;
+}
+
+static murk_status write_text(const char *path, const void *text,
+                              murk_error *err)
+{
+    return murk_file_write(path, text, strlen(text), err);
+}
+
+murk_status murk_results_add_text(murk_results *results, const char *name,
+                                  const char *text, murk_error *err)
+{
+    if (results->folder && !text) {
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    }
+    return murk_results_add(results, name, write_text, text, err);
+}
+
+typedef struct light_parts {
+    const murk_traced *traced;
+    const murk_stage *stage;
+} light_parts;
+
+static murk_status write_light(const char *path, const void *context,
+                               murk_error *err)
+{
+    const light_parts *parts = context;
+    return murk_lightmap_save(parts->traced, parts->stage, path, err);
+}
+
+murk_status murk_results_add_light(murk_results *results, const char *name,
+                                   const murk_traced *traced,
+                                   const murk_stage *stage, murk_error *err)
+{
+    const light_parts parts = {traced, stage};
+    return murk_results_add(results, name, write_light, &parts, err);
+}
+
+murk_status murk_results_note(murk_results *results, const char *name,
+                              murk_error *err)
+{
+    if (!results->folder) {
+        return MURK_OK;
+    }
+    murk_result file = {.path = murk_path_join(results->folder, name)};
+    murk_status status = MURK_OK;
+    if (!file.path || !grow(results)) {
+        status = murk_fail(err, MURK_NO_MEMORY, name, "no memory to list it");
+    }
+    if (!status) {
+        status = murk_file_sha256(file.path, file.sum, err);
+    }
+    if (status) {
+        free(file.path);
+        return status;
+    }
+    results->file[results->n++] = file;
+    return MURK_OK;
+}
+
+/* ---- showing ---- */
+
+/* Refuses to replace files that this run has read: checked again here, because
+ * the run may have read more files since they were added. */
+static murk_status check_all(murk_results *results, murk_error *err)
+{
+    for (size_t i = 0; i < results->n && !results->refused.status; ++i) {
+        if (results->file[i].staged) {
+            (void)check_input(results, i, &results->refused);
+        }
+    }
+    const murk_error *refused = &results->refused;
+    return refused->status ? murk_fail(err, refused->status, refused->where,
+                                       "%s", refused->text)
+                           : MURK_OK;
+}
+
+murk_status murk_results_show(murk_results *results, murk_error *err)
+{
+    if (!results->folder || !results->staging.folder) {
+        return MURK_OK;
+    }
+    const murk_status status = check_all(results, err);
+    if (status) {
+        return status;
+    }
+    murk_staging_moving(&results->staging);
+    for (size_t i = 0; i < results->n; ++i) {
+        if (!results->file[i].staged) {
+            continue; /* shown before */
+        }
+        if (murk_inputs_has(results->file[i].path)) {
+            (void)unlink(results->file[i].staged); /* the same bytes: stays */
+        } else if (rename(results->file[i].staged, results->file[i].path) !=
+                   0) {
+            return murk_fail(err, MURK_RUN_FAILED, results->file[i].path,
+                             "cannot write: %s", strerror(errno));
+        }
+        free(results->file[i].staged);
+        results->file[i].staged = NULL;
+    }
+    murk_folder_sync(results->folder);
+    murk_staging_end(&results->staging);
+    murk_staging_clean(results->folder, true);
+    return MURK_OK;
+}
+
+void murk_results_end(murk_results *results)
+{
+    murk_staging_end(&results->staging);
+    for (size_t i = 0; i < results->n; ++i) {
+        free(results->file[i].staged);
+        free(results->file[i].path);
+    }
+    if (results->is_new) {
+        (void)rmdir(results->folder); /* if it is empty: made for nothing */
+    }
+    free(results->file);
+    murk_owned_release(&results->owned);
+    *results = (murk_results){0};
+}

@@ -1,0 +1,226 @@
+/* Writes the files that most commands have in common: the light, the ledger,
+ * the resolved scene and the main JSON; and checks beforehand that none of the
+ * run's files would be refused. */
+#include "results/session.h"
+
+#include "results/exports.h"
+#include "results/ledger.h"
+#include "results/run_files.h"
+#include "results/summary.h"
+
+#include "base/progress.h"
+#include "world/stage_build.h"
+
+#include <stdio.h>
+
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
+
+void murk_session_end(murk_session *session)
+{
+    murk_results_end(&session->results);
+    murk_traced_destroy(session->traced);
+    murk_stage_destroy(session->stage);
+    murk_scene_desc_destroy(session->scene);
+    *session = (murk_session){0};
+}
+
+static murk_status expect_all(murk_results *results, const char *const *names,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (; *names && !status; ++names) {
+        status = murk_results_expect(results, *names, NULL, err);
+    }
+    return status;
+}
+
+static murk_status expect_grid(murk_session *session, const char *tally,
+                               murk_error *err)
+{
+    static const struct {
+        const char *ending;
+        unsigned of; /* the export that writes it; 0: always written */
+    } files[] = {{".vdb", 0},
+                 {"_error.vdb", 0},
+                 {"_photons.vdb", MURK_EXPORT_FIELDS},
+                 {".vti", MURK_EXPORT_FIELDS}};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
+        char name[FILE_SIZE];
+        snprintf(name, sizeof name, "%s%s", tally, files[i].ending);
+        if (!files[i].of || session->settings.exports & files[i].of) {
+            status = murk_results_expect(&session->results, name, NULL, err);
+        }
+    }
+    return status;
+}
+
+static murk_status expect_tallies(murk_session *session, murk_error *err)
+{
+    const murk_scene_desc *scene = session->scene;
+    murk_status status =
+        scene->n_tallies > 0
+            ? murk_results_expect(&session->results, "tallies.csv", NULL, err)
+            : MURK_OK;
+    for (size_t i = 0; i < scene->n_tallies && !status; ++i) {
+        if (scene->tallies[i].type == MURK_SCENE_TALLY_GRID) {
+            status = expect_grid(session, scene->tallies[i].name, err);
+        }
+    }
+    return status;
+}
+
+static murk_status expect_exports(murk_session *session, murk_error *err)
+{
+    static const struct {
+        unsigned what;
+        const char *names[6];
+    } files[] = {
+        {MURK_EXPORT_MATRIX, {"matrix.csv", "candidates.csv"}},
+        {MURK_EXPORT_OR_LIBRARY, {"matrix.txt"}},
+        {MURK_EXPORT_LP, {"problem.lp"}},
+        {MURK_EXPORT_FIELDS,
+         {"coverage.vdb", "optical_depth.vdb", "extinction.vdb", "fields.vti"}},
+        {MURK_EXPORT_PHOTONS, {"photons.ply", "photons.vtp"}},
+        {MURK_EXPORT_SURFACES, {"surfaces.ply", "surfaces.vtp"}}};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
+        murk_error why = {0};
+        if (session->settings.exports & files[i].what &&
+            expect_all(&session->results, files[i].names, &why) ==
+                MURK_BAD_VALUE) { /* what fails else is told late */
+            status = murk_fail(err, why.status, why.where, "%s", why.text);
+        }
+    }
+    return status;
+}
+
+murk_status murk_session_expect(murk_session *session, const char *const *names,
+                                murk_error *err)
+{
+    murk_status status = expect_all(&session->results, names, err);
+    if (!status && session->scene) {
+        status = murk_results_expect(&session->results, MURK_SCENE_NAME,
+                                     session->scene->resolved, err);
+    }
+    return status ? status : expect_exports(session, err);
+}
+
+murk_status murk_session_expect_light(murk_session *session, murk_error *err)
+{
+    static const char *const names[] = {MURK_MAP_FILE_NAME, "ledger.json",
+                                        NULL};
+    const murk_status status = expect_all(&session->results, names, err);
+    return status ? status : expect_tallies(session, err);
+}
+
+murk_status murk_session_add_light(murk_session *session, murk_error *err)
+{
+    murk_progress_begin_over("write light", 0, "");
+    const murk_status status =
+        murk_results_add_light(&session->results, MURK_MAP_FILE_NAME,
+                               session->traced, session->stage, err);
+    murk_progress_end();
+    return status ? status
+                  : murk_results_add_text(&session->results, MURK_SCENE_NAME,
+                                          session->scene->resolved, err);
+}
+
+cJSON *murk_session_ledger(const murk_session *session)
+{
+    cJSON *root = murk_json_begin(session->scene);
+    murk_json_ledger(root, session->traced, session->stage);
+    return root;
+}
+
+murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
+{
+    session->run.total_s = murk_clock_s() - session->begun_s;
+    cJSON *root = murk_session_ledger(session);
+    murk_json_identify(root, session->identity, NULL, NULL);
+    char *text = murk_json_end(root, &session->run);
+    const murk_status status =
+        murk_results_add_text(&session->results, "ledger.json", text, err);
+    cJSON_free(text);
+    return status;
+}
+
+static murk_status show(murk_session *session, const char *name, cJSON *root,
+                        bool prints, murk_error *err)
+{
+    session->run.total_s = murk_clock_s() - session->begun_s;
+    murk_json_identify(root, session->identity, &session->results, name);
+    char *text = murk_json_end(root, &session->run);
+    murk_status status =
+        text ? MURK_OK
+             : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+    if (!status && name) {
+        status = murk_results_add_text(&session->results, name, text, err);
+    }
+    if (!status) {
+        status = murk_results_show(&session->results, err);
+    }
+    if (!status && prints) {
+        murk_print_json(text);
+    }
+    cJSON_free(text);
+    return status;
+}
+
+murk_status murk_session_finish(murk_session *session, const char *name,
+                                cJSON *root, murk_error *err)
+{
+    return show(session, name, root, session->settings.prints_json, err);
+}
+
+murk_status murk_session_keep(murk_session *session, const char *name,
+                              cJSON *root, murk_error *err)
+{
+    return show(session, name, root, false, err);
+}
+
+bool murk_session_speaks(const murk_session *session)
+{
+    return !session->settings.prints_json && !session->settings.is_quiet;
+}
+
+void murk_print_light(const murk_session *session)
+{
+    const murk_traced *t = session->traced;
+    const double emitted_w = murk_ledger_watts(t, t->ledger->emitted);
+    const double percent = emitted_w > 0 ? 100 / emitted_w : 0;
+    const char *light = session->settings.light;
+    if (light) {
+        murk_print("light from  %s, seed %lu\n", light, (unsigned long)t->seed);
+    }
+    murk_print("photons     %llu emitted; stored: %zu surface, %zu volume\n",
+               (unsigned long long)t->emitted,
+               murk_photon_map_count(t->surface),
+               murk_photon_map_count(t->volume));
+    murk_print("light       %.4g W: %.1f %% absorbed by surfaces, %.1f %% by "
+               "media, %.1f %% escaped, %.2g %% lost\n",
+               emitted_w,
+               percent * murk_ledger_watts(t, t->ledger->absorbed_surfaces),
+               percent * murk_ledger_watts(t, t->ledger->absorbed_media),
+               percent * murk_ledger_watts(t, t->ledger->escaped),
+               percent * murk_ledger_watts(t, t->ledger->lost));
+}
+
+void murk_print_files(const murk_session *session)
+{
+    const murk_results *r = &session->results;
+    if (!r->folder) {
+        murk_print("files       none: -o DIR writes them\n");
+        return;
+    }
+    murk_print("files       %s:", r->folder);
+    for (size_t i = r->n; i > 0; --i) {
+        const char *path = r->file[i - 1].path;
+        const char *name = path;
+        for (const char *c = path; *c; ++c) {
+            name = *c == '/' ? c + 1 : name;
+        }
+        murk_print(" %s", name);
+    }
+    murk_print("\n");
+}

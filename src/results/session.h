@@ -1,0 +1,64 @@
+/* A run whose results are written: the scene, the world, the light, the files
+ * and the settings that decide about files and lines. */
+#ifndef MURK_RESULTS_SESSION_H
+#define MURK_RESULTS_SESSION_H
+
+#include "plan/plan.h"
+#include "results/results.h"
+
+typedef struct murk_session_settings {
+    const char *folder; /* of the results; NULL: nothing is written */
+    bool force;         /* replaces files that are not murk's */
+    unsigned threads;
+    unsigned exports; /* murk_export bits, results/exports.h */
+    const char
+        *voxel; /* edge of exported voxels and pieces as typed, or NULL */
+    const char *light; /* the file that the light is read from, or NULL */
+    bool prints_json, is_quiet;
+} murk_session_settings;
+
+typedef struct murk_session {
+    murk_session_settings settings;
+    murk_scene_desc *scene;
+    murk_stage *stage;
+    murk_traced *traced; /* NULL before the light is there */
+    murk_results results;
+    murk_run_facts run;
+    char identity[65]; /* of the results; "" before the scene is read */
+    double begun_s;
+} murk_session;
+
+void murk_session_end(murk_session *session);
+
+/* Refuse at once what would be refused when it is added: the names of a list
+ * that NULL ends, the resolved scene and what is exported; and the light with
+ * its ledger and tallies. Call them once all input is read. */
+murk_status murk_session_expect(murk_session *session, const char *const *names,
+                                murk_error *err);
+murk_status murk_session_expect_light(murk_session *session, murk_error *err);
+
+/* Adds light.murk and scene.resolved.yaml, the scene as resolved. */
+murk_status murk_session_add_light(murk_session *session, murk_error *err);
+
+/* The ledger as JSON, yet without `run`; and added as ledger.json. */
+cJSON *murk_session_ledger(const murk_session *session);
+murk_status murk_session_add_ledger(murk_session *session, murk_error *err);
+
+/* Ends the JSON with `run`, adds it under `name` as the main one, shows all
+ * files, and prints it with --format json. Deletes root. */
+murk_status murk_session_finish(murk_session *session, const char *name,
+                                cJSON *root, murk_error *err);
+
+/* Shows all files with this as the main JSON, as finishing would, and prints
+ * nothing: for what is not to be lost while more is worked on. Deletes root. */
+murk_status murk_session_keep(murk_session *session, const char *name,
+                              cJSON *root, murk_error *err);
+
+/* True where the summary is to be printed. */
+bool murk_session_speaks(const murk_session *session);
+
+/* Summary lines that several commands print. */
+void murk_print_light(const murk_session *session);
+void murk_print_files(const murk_session *session);
+
+#endif

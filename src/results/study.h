@@ -1,0 +1,17 @@
+/* A study's rows as table.csv, and as JSON. */
+#ifndef MURK_RESULTS_STUDY_H
+#define MURK_RESULTS_STUDY_H
+
+#include "cases/sweep.h"
+#include "results/results.h"
+
+/* Adds table.csv: rows that are done, in the study's order; a column an axis,
+ * then each value and its standard error, last `failed`. Empty cells: there is
+ * no such value. */
+murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
+                           murk_error *err);
+
+/* study.json, with what of `run` is known. */
+cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted);
+
+#endif

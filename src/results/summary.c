@@ -1,0 +1,181 @@
+#include "results/summary.h"
+
+#include "base/machine.h"
+#include "base/utf8.h"
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define COLUMNS 80
+#define LABEL   12
+
+/* What has been printed of a line that has not ended. */
+static struct {
+    char *text;
+    size_t size, room;
+} open_line;
+
+/* Where text goes on: under its own beginning. */
+static size_t indent_of(const char *line)
+{
+    const size_t lead = strspn(line, " ");
+    const bool has_label = lead == 0 && strlen(line) > LABEL &&
+                           line[LABEL - 1] == ' ' && line[LABEL] != ' ';
+    return has_label ? LABEL : lead > 0 ? lead : 2;
+}
+
+/* Prints one line, broken where it is too long. */
+static void show_wrapped(const char *line)
+{
+    const size_t indent = indent_of(line);
+    size_t begin = 0; /* of the columns, those of the indent */
+    while (strlen(line) + begin > COLUMNS) {
+        size_t cut = COLUMNS - begin;
+        while (cut > indent && line[cut] != ' ') {
+            --cut;
+        }
+        if (line[cut] != ' ' || cut <= (begin ? 0 : indent)) {
+            cut = strcspn(line + indent, " ") + indent; /* a word too long */
+            if (!line[cut]) {
+                break;
+            }
+        }
+        size_t end = cut; /* without the blanks before a column of a table */
+        while (end > 0 && line[end - 1] == ' ') {
+            --end;
+        }
+        printf("%*s%.*s\n", (int)begin, "", (int)end, line);
+        line += cut + strspn(line + cut, " ");
+        begin = indent;
+    }
+    printf("%*s%s\n", (int)begin, "", line);
+}
+
+/* Prints one line with control characters escaped, four bytes for one. */
+static void show(const char *line)
+{
+    const size_t size = 4 * strlen(line) + 1;
+    char *shown = malloc(size);
+    if (shown) {
+        murk_utf8_escape(shown, size, line);
+        show_wrapped(shown);
+    }
+    free(shown);
+}
+
+static bool make_room(size_t more)
+{
+    if (open_line.size + more < open_line.room) {
+        return true;
+    }
+    const size_t room = 2 * (open_line.size + more) + 256;
+    char *grown = realloc(open_line.text, room);
+    if (grown) {
+        open_line.text = grown;
+        open_line.room = room;
+    }
+    return grown != NULL;
+}
+
+/* Appends text to the open line, and shows each line that the byte `end` of
+ * the new text ends. */
+static void add_text(const char *format, char end, va_list args)
+{
+    va_list again;
+    va_copy(again, args);
+    const int n = vsnprintf(NULL, 0, format, args);
+    if (n > 0 && make_room((size_t)n + 1)) {
+        char *line = open_line.text, *from = line + open_line.size, *stop;
+        vsnprintf(from, (size_t)n + 1, format, again);
+        while ((stop = strchr(from, end))) {
+            *stop = '\0';
+            show(line);
+            line = from = stop + 1;
+        }
+        open_line.size = strlen(line);
+        memmove(open_line.text, line, open_line.size + 1);
+    }
+    va_end(again);
+}
+
+/* A line ends with the line feeds of `format`; those of names among the
+ * arguments are shown escaped. To tell them apart, the line feeds of `format`
+ * are replaced by a byte that `format` never has and text of UTF-8 neither. */
+void murk_print(const char *format, ...)
+{
+    static const char line_end = '\xff';
+    char *marked = strdup(format);
+    if (!marked) {
+        return;
+    }
+    for (char *c = marked; *c; ++c) {
+        *c = *c == '\n' ? line_end : *c;
+    }
+    va_list args;
+    va_start(args, format);
+    add_text(marked, line_end, args);
+    va_end(args);
+    free(marked);
+    if (open_line.size == 0) {
+        free(open_line.text);
+        open_line.text = NULL;
+        open_line.room = 0;
+    }
+}
+
+void murk_print_json(const char *text)
+{
+    bool has_end = false;
+    while (*text) {
+        const size_t length = murk_utf8_length(text);
+        /* U+FFFD stands for a byte that is no character */
+        const uint32_t control = length ? murk_utf8_control(text) : 0xfffd;
+        has_end = *text == '\n';
+        if (control && !has_end && *text != '\t') {
+            printf("\\u%04x", (unsigned)control);
+        } else {
+            fwrite(text, 1, length, stdout);
+        }
+        text += length ? length : 1;
+    }
+    if (!has_end) {
+        putchar('\n');
+    }
+}
+
+void murk_print_time(const murk_run_facts *run, const char *other,
+                     double other_s)
+{
+    const struct {
+        const char *name;
+        double seconds;
+    } part[] = {{"load", run->load_s},   {"trace", run->trace_s},
+                {"maps", run->map_s},    {"sense", run->sense_s},
+                {"place", run->place_s}, {other ? other : "", other_s}};
+    murk_print("time        %.2f s", run->total_s);
+    const char *between = ": ";
+    for (size_t i = 0; i < sizeof part / sizeof *part; ++i) {
+        if (part[i].seconds >= .005) {
+            murk_print("%s%s %.2f", between, part[i].name, part[i].seconds);
+            between = ", ";
+        }
+    }
+    murk_print("; memory %.2g GB\n", murk_machine_peak_bytes() / 1e9);
+}
+
+void murk_print_more(size_t n, const char *folder, const char *file)
+{
+    if (n <= MURK_PRINTED_ROWS) {
+        return;
+    }
+    if (folder) {
+        murk_print("            ... and %zu more in %s/%s\n",
+                   n - MURK_PRINTED_ROWS, folder, file);
+    } else {
+        murk_print("            ... and %zu more; -o DIR writes all to %s\n",
+                   n - MURK_PRINTED_ROWS, file);
+    }
+}

@@ -1,0 +1,346 @@
+#include "results/tallies.h"
+
+#include "base/log.h"
+#include "medium/grid_write.h"
+#include "results/field_files.h"
+#include "results/summary.h"
+#include "transport/tallies.h"
+#include "world/scene_tallies.h"
+#include "world/units.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define FILE_SIZE (MURK_TALLY_NAME_SIZE + 16)
+
+#define PRINTED_VALUES_MAX 4 /* of one tally */
+
+/* One tally of a run. */
+typedef struct tally {
+    const murk_traced *traced;
+    const murk_scene_desc *scene;
+    const murk_tally_desc *desc;
+    size_t number;
+    murk_units units;
+    bool is_error; /* of a grid's two files: that of the errors */
+    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX]; /* in those units */
+} tally;
+
+static tally tally_of(const murk_session *session, size_t i)
+{
+    const murk_scene_desc *scene = session->scene;
+    tally t = {.traced = session->traced,
+               .scene = scene,
+               .desc = murk_tallies_desc(session->traced->tallies, i),
+               .number = i,
+               .units = murk_units_of(scene->units)};
+    murk_units_packets(t.packet, scene->units, session->stage,
+                       session->traced->packet_w);
+    return t;
+}
+
+static murk_estimate read_cell(const tally *t, int band, size_t cell)
+{
+    return murk_tallies_read(t->traced->tallies, t->number, band, cell,
+                             t->traced->ledger->emitted, t->packet);
+}
+
+static const char *direction_of(const murk_tally_desc *desc, size_t direction)
+{
+    if (murk_tally_directions(desc) == 1) {
+        return "";
+    }
+    return desc->type == MURK_TALLY_PLANE ? direction ? "backward" : "forward"
+           : direction                    ? "down"
+                                          : "up";
+}
+
+static const char *unit_of(const murk_tally_desc *desc, const murk_units *units)
+{
+    return desc->type == MURK_TALLY_PLANE ? units->power : units->irradiance;
+}
+
+/* ---- tallies.csv ---- */
+
+static void write_rows(const tally *t, FILE *file)
+{
+    const murk_tally_desc *d = t->desc;
+    const bool is_plane = d->type == MURK_TALLY_PLANE;
+    const size_t bins_i = is_plane ? d->bins[0] : 1;
+    const size_t bins_j = is_plane ? d->bins[1] : 1;
+    const size_t bins = murk_tally_cells(d) / murk_tally_directions(d);
+    for (int band = 0; band < t->scene->bands; ++band) {
+        for (size_t c = 0; c < murk_tally_cells(d); ++c) {
+            const murk_estimate e = read_cell(t, band, c);
+            const size_t bin = c % bins;
+            fprintf(file, "%s,%.9g,%zu,%zu,%zu,%s,%.12g,%.6g,%s\n", d->name,
+                    t->scene->band_nm[band], bin % bins_i,
+                    bin / bins_i % bins_j, bin / bins_i / bins_j,
+                    direction_of(d, c / bins), e.value, e.standard_error,
+                    unit_of(d, &t->units));
+        }
+    }
+}
+
+static murk_status write_csv(const char *path, const void *context,
+                             murk_error *err)
+{
+    const murk_session *session = context;
+    murk_file *file = NULL;
+    murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    fputs("tally,band_nm,bin_i,bin_j,bin_k,direction,value,standard_error,"
+          "unit\n",
+          murk_file_stream(file));
+    for (size_t i = 0; i < murk_tallies_count(session->traced->tallies); ++i) {
+        const tally t = tally_of(session, i);
+        if (t.desc->type != MURK_TALLY_GRID) {
+            write_rows(&t, murk_file_stream(file));
+        }
+    }
+    status = murk_file_commit(&file, err); /* notices failed writes */
+    murk_file_discard(file);
+    return status;
+}
+
+/* ---- grids ---- */
+
+typedef char field_name[48];
+
+static void name_fields(const murk_scene_desc *scene, field_name *names)
+{
+    for (int band = 0; band < scene->bands; ++band) {
+        snprintf(names[band], sizeof names[band], "fluence_%.9gnm",
+                 scene->band_nm[band]);
+    }
+}
+
+static murk_affine cells_to_world(const murk_tally_desc *d)
+{
+    const murk_field_box box = {.box = d->box,
+                                .size = {d->size[0], d->size[1], d->size[2]}};
+    return murk_field_to_world(&box);
+}
+
+static murk_status write_grid(const char *path, const void *context,
+                              murk_error *err)
+{
+    const tally *t = context;
+    const size_t cells = murk_tally_cells(t->desc);
+    const int bands = t->scene->bands;
+    const char *quantity =
+        t->is_error ? "standard error of the fluence rate" : "fluence rate";
+    murk_grid_field fields[MURK_BANDS_MAX];
+    murk_field_notes notes[MURK_BANDS_MAX];
+    field_name names[MURK_BANDS_MAX];
+    float *value = malloc((size_t)bands * cells * sizeof *value);
+    if (!value) {
+        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    }
+    name_fields(t->scene, names);
+    for (int band = 0; band < bands; ++band) {
+        float *const field = value + (size_t)band * cells;
+        for (size_t c = 0; c < cells; ++c) {
+            const murk_estimate e = read_cell(t, band, c);
+            field[c] = (float)(t->is_error ? e.standard_error : e.value);
+        }
+        const murk_voxel_field facts = {
+            .unit = t->units.irradiance, .quantity = quantity, .band = band};
+        murk_field_notes_of(&notes[band], t->scene, &facts);
+        fields[band] = (murk_grid_field){names[band], field, notes[band].note};
+    }
+    murk_affine to_world = cells_to_world(t->desc);
+    to_world.shift = murk_scene_user(t->scene, to_world.shift);
+    const murk_status status = murk_grid_write(path, fields, (size_t)bands,
+                                               t->desc->size, &to_world, err);
+    free(value);
+    return status;
+}
+
+static murk_status add_grid(murk_results *results, tally *t, murk_error *err)
+{
+    char name[FILE_SIZE];
+    murk_status status = MURK_OK;
+    for (int i = 0; i < 2 && !status; ++i) {
+        t->is_error = i;
+        snprintf(name, sizeof name, "%s%s.vdb", t->desc->name,
+                 t->is_error ? "_error" : "");
+        status = murk_results_add(results, name, write_grid, t, err);
+    }
+    return status;
+}
+
+murk_status murk_add_tallies(murk_session *session, murk_error *err)
+{
+    const murk_tallies *tallies = session->traced->tallies;
+    if (!tallies) {
+        if (session->scene->n_tallies > 0) {
+            murk_warn(session->scene->tallies[0].where,
+                      "not measured: light from a file is not traced");
+        }
+        return MURK_OK;
+    }
+    murk_status status = murk_results_add(&session->results, "tallies.csv",
+                                          write_csv, session, err);
+    for (size_t i = 0; i < murk_tallies_count(tallies) && !status; ++i) {
+        tally t = tally_of(session, i);
+        if (t.desc->type == MURK_TALLY_GRID) {
+            status = add_grid(&session->results, &t, err);
+        }
+    }
+    return status;
+}
+
+/* ---- lines ---- */
+
+/* Of one value: its band, or "all bands" for -1. */
+static void print_value(const tally *t, int band, size_t cell, murk_estimate e)
+{
+    const murk_tally_desc *d = t->desc;
+    const size_t directions = murk_tally_directions(d);
+    const size_t bins = murk_tally_cells(d) / directions;
+    murk_print("tally       %s", d->name);
+    if (band < 0) {
+        murk_print(" all bands");
+    } else if (t->scene->bands > 1) {
+        murk_print(" %.6g nm", t->scene->band_nm[band]);
+    }
+    if (bins > 1) {
+        murk_print(" bin %zu", cell % bins);
+    }
+    murk_print("%s%s: %.5g +- %.2g %s\n", directions > 1 ? " " : "",
+               direction_of(d, cell / bins), e.value, e.standard_error,
+               unit_of(d, &t->units));
+}
+
+static void print_values(const tally *t)
+{
+    const size_t cells = murk_tally_cells(t->desc);
+    for (int band = 0; band < t->scene->bands; ++band) {
+        for (size_t c = 0; c < cells; ++c) {
+            print_value(t, band, c, read_cell(t, band, c));
+        }
+    }
+}
+
+static void print_sums(const tally *t)
+{
+    for (size_t c = 0; c < murk_tally_cells(t->desc); ++c) {
+        murk_estimate value[MURK_BANDS_MAX];
+        for (int band = 0; band < t->scene->bands; ++band) {
+            value[band] = read_cell(t, band, c);
+        }
+        print_value(t, -1, c, murk_units_sum(value, t->scene->bands));
+    }
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void print_errors(const tally *t)
+{
+    const size_t cells = murk_tally_cells(t->desc);
+    const size_t values = cells * (size_t)t->scene->bands;
+    double *share = malloc(values * sizeof *share);
+    size_t lit = 0;
+    for (int band = 0; share && band < t->scene->bands; ++band) {
+        for (size_t c = 0; c < cells; ++c) {
+            const murk_estimate e = read_cell(t, band, c);
+            if (e.value > 0) {
+                share[lit++] = e.standard_error / e.value;
+            }
+        }
+    }
+    if (share) {
+        qsort(share, lit, sizeof *share, by_size);
+        murk_print("tally       %s: %zu values, %zu of them lit", t->desc->name,
+                   values, lit);
+        if (lit > 0) {
+            const double percent = 100 * share[(lit - 1) / 2];
+            murk_print(percent < 99.5
+                           ? ", half of these known to %.2g %% or better"
+                           : ", half of these known to %.0f %% or better",
+                       percent);
+        }
+        murk_print("\n");
+    }
+    free(share);
+}
+
+void murk_print_tallies(const murk_session *session)
+{
+    const murk_tallies *tallies = session->traced->tallies;
+    for (size_t i = 0; tallies && i < murk_tallies_count(tallies); ++i) {
+        const tally t = tally_of(session, i);
+        if (murk_tally_cells(t.desc) * (size_t)t.scene->bands <=
+            PRINTED_VALUES_MAX) {
+            print_values(&t);
+        } else {
+            print_errors(&t);
+        }
+        if (t.scene->bands > 1 &&
+            murk_tally_cells(t.desc) <= PRINTED_VALUES_MAX) {
+            print_sums(&t);
+        }
+    }
+}
+
+/* ---- check ---- */
+
+static const char *const type_name[] = {[MURK_TALLY_PLANE] = "plane",
+                                        [MURK_TALLY_GRID] = "grid",
+                                        [MURK_TALLY_SPHERE] = "sphere"};
+
+void murk_json_tallies(cJSON *root, const murk_session *session)
+{
+    const murk_units units = murk_units_of(session->scene->units);
+    cJSON *list = cJSON_AddArrayToObject(root, "tallies");
+    for (size_t i = 0; i < session->scene->n_tallies; ++i) {
+        const murk_tally_desc *d = &session->stage->tally[i];
+        cJSON *item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", d->name);
+        cJSON_AddStringToObject(item, "type", type_name[d->type]);
+        cJSON_AddNumberToObject(item, "cells", (double)murk_tally_cells(d));
+        cJSON_AddStringToObject(item, "unit", unit_of(d, &units));
+        cJSON_AddItemToArray(list, item);
+    }
+}
+
+void murk_print_asked_tallies(const murk_session *session)
+{
+    const murk_units units = murk_units_of(session->scene->units);
+    for (size_t i = 0; i < session->scene->n_tallies; ++i) {
+        const murk_tally_desc *d = &session->stage->tally[i];
+        murk_print("tally       %s: ", d->name);
+        if (d->type == MURK_TALLY_PLANE) {
+            int axes[2];
+            murk_tally_axes(d, axes);
+            murk_print("plane, %zu x %zu bins along %c and %c, %zu by angle, "
+                       "forward and backward, %s\n",
+                       d->bins[0], d->bins[1], "xyz"[axes[0]], "xyz"[axes[1]],
+                       d -> angle_bins, units.power);
+        } else if (d->type == MURK_TALLY_GRID) {
+            const murk_affine a = cells_to_world(d);
+            murk_print("grid, %zu x %zu x %zu cells of %.4g x %.4g x %.4g m, "
+                       "%s\n",
+                       d->size[0], d->size[1], d->size[2], a.matrix[0][0],
+                       a.matrix[1][1], a.matrix[2][2], units.irradiance);
+        } else {
+            murk_print("sphere of %.4g m%s, %s\n", d->radius_m,
+                       d->hemispheres ? ", upward and downward light apart"
+                                      : "",
+                       units.irradiance);
+        }
+    }
+    if (session->scene->n_tallies > 0) {
+        murk_print(
+            "            %.3g MB for them and for writing them\n",
+            murk_tallies_bytes(session->stage, session->settings.threads) /
+                1e6);
+    }
+}

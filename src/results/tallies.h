@@ -1,0 +1,19 @@
+/* What the tallies measured, as files and as lines. */
+#ifndef MURK_RESULTS_TALLIES_H
+#define MURK_RESULTS_TALLIES_H
+
+#include "results/session.h"
+
+/* Adds tallies.csv and, of each grid, NAME.vdb and NAME_error.vdb; nothing
+ * where the scene has no tallies or the light came from a file. */
+murk_status murk_add_tallies(murk_session *session, murk_error *err);
+
+/* Summary lines: the values of small tallies, and of large ones how well they
+ * are known. */
+void murk_print_tallies(const murk_session *session);
+
+/* What check says of them. */
+void murk_json_tallies(cJSON *root, const murk_session *session);
+void murk_print_asked_tallies(const murk_session *session);
+
+#endif
