@@ -365,9 +365,9 @@ static void read_regret(murk_over *over, murk_plan_result *plan)
     place->ceiling = over->ceiling_of[at];
 }
 
-/* As the joint problem counts it, as do the bound and the curve: from the
- * conditions' own coverages it differs by what the rounding of weights moves,
- * which may be more than what is left to the bound. */
+/* As the problem of all scenarios counts it, as do the bound and the curve:
+ * from the conditions' own coverages it differs by what the rounding of weights
+ * moves, which may be more than what is left to the bound. */
 static void read_in_sample(murk_over *over, murk_plan_result *plan)
 {
     if (over->conditions->scene->placement.over == MURK_SCENE_OVER_REGRET) {

@@ -70,8 +70,8 @@ murk_status murk_over_prepare(murk_over *out, murk_plan_result *plan,
 
 /* The main job. Of the plan, in_sample, held_out and confirmed are the mean's,
  * or of the condition that is covered least; in_sample's total is the value of
- * the joint problem (cases/joint.h), which the bound is of, its error as
- * measured. Release both also after a failure. */
+ * the problem of all scenarios (cases/scenarios.h), which the bound is of, its
+ * error as measured. Release both also after a failure. */
 murk_status murk_over_make(murk_over *over, murk_plan_result *plan,
                            unsigned threads, murk_error *err);
 void murk_over_release(murk_over *over);

@@ -1,8 +1,7 @@
 #include "cases/over_choose.h"
 
 #include "base/progress.h"
-#include "cases/joint.h"
-#include "placement/worst.h"
+#include "cases/scenarios.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,12 +14,10 @@ _Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
                "every condition has a block");
 
 typedef struct choosing {
-    murk_blocks regret; /* the joint problem's, with references */
     murk_over *over;
     murk_plan_result *plan;
     const murk_scene_desc *scene;
-    murk_joint *joint;   /* of the conditions that have a say */
-    murk_matrix *matrix; /* of all these; NULL: unknown environment */
+    murk_scenarios *scenarios; /* the conditions that have a say */
     murk_place_desc desc;
 } choosing;
 
@@ -36,54 +33,11 @@ static murk_status join(choosing *ch, murk_error *err)
             share[n++] = all->condition[c].settings->weight;
         }
     }
-    murk_status status =
-        murk_joint_create(&ch->joint, sight, share, n, ch->plan->poses->pose,
-                          ch->plan->poses->count, err);
-    if (!status && ch->scene->placement.knowledge == MURK_SCENE_KNOWN) {
-        const double begun_s = murk_clock_s();
-        status = murk_matrix_create(&ch->matrix, &ch->joint->problem,
-                                    murk_plan_matrix_bytes(), err);
-        ch->plan->sense_s = murk_clock_s() - begun_s;
-    }
-    return status;
-}
-
-/* For the mean, or for the worst. */
-static murk_status place_over(choosing *ch, murk_place_result *out,
-                              murk_scene_over over, const murk_place_desc *desc,
-                              murk_error *err)
-{
-    const murk_problem *problem = &ch->joint->problem;
-    if (over != MURK_SCENE_OVER_MEAN) {
-        const murk_blocks *blocks =
-            over == MURK_SCENE_OVER_REGRET ? &ch->regret : &ch->joint->blocks;
-        return murk_place_worst(out, problem, ch->matrix, blocks, desc, err);
-    }
-    return ch->matrix ? murk_place_known(out, problem, ch->matrix, desc, err)
-                      : murk_place_unknown(out, problem, desc, err);
-}
-
-/* For a condition that is block `block` of the joint problem. */
-static murk_status place_block(choosing *ch, murk_place_result *out,
-                               size_t block, const murk_place_desc *desc,
-                               murk_error *err)
-{
-    murk_matrix *matrix = NULL;
-    murk_problem problem = ch->joint->problem;
-    /* of a reference, as the plan over all blocks counts them */
-    const bool is_reference =
-        ch->scene->placement.over == MURK_SCENE_OVER_REGRET;
-    uint32_t *weight = murk_joint_weights_of(ch->joint, block, is_reference);
-    murk_status status =
-        weight ? murk_matrix_reweigh(&matrix, ch->matrix, weight, err)
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu photons",
-                           problem.photons);
+    const murk_status status = murk_scenarios_create(
+        &ch->scenarios, ch->scene, sight, share, n, ch->plan->poses, err);
     if (!status) {
-        problem.weight = weight;
-        status = murk_place_known(out, &problem, matrix, desc, err);
+        ch->plan->sense_s = ch->scenarios->sense_s;
     }
-    murk_matrix_destroy(matrix);
-    free(weight);
     return status;
 }
 
@@ -124,19 +78,6 @@ static murk_status keep(choosing *ch, const char *made_for,
     return MURK_OK;
 }
 
-static murk_status choose_main(choosing *ch, murk_error *err)
-{
-    const murk_scene_desc *scene = ch->scene;
-    murk_place_desc *desc = &ch->desc;
-    if (scene->sensors.target > 0) {
-        desc->count = ch->plan->poses->count;
-        desc->target =
-            murk_joint_target(ch->joint, scene->sensors.target,
-                              scene->placement.over == MURK_SCENE_OVER_WORST);
-    }
-    return place_over(ch, &ch->plan->place, scene->placement.over, desc, err);
-}
-
 /* The others are to compare. */
 static void choose_to_compare(choosing *ch)
 {
@@ -160,7 +101,7 @@ static void refer(choosing *ch, size_t c, size_t block,
     const double whole = (double)place->whole;
     condition->best_known = (double)place->value / whole;
     condition->best_upper = (double)place->upper / whole;
-    ch->regret.reference[block] = place->value;
+    ch->scenarios->blocks.reference[block] = place->value;
     ch->over->ceiling_of[c] = murk_share_units(place->ceiling, place->whole);
 }
 
@@ -173,19 +114,20 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     const bool is_regret = over == MURK_SCENE_OVER_REGRET;
     murk_status status = MURK_OK;
     size_t block = 0;
-    ch->desc = murk_plan_desc(ch->scene);
-    ch->desc.constraints = murk_poses_constraints(ch->plan->poses);
-    const murk_place_desc asked = ch->desc;
+    ch->desc = murk_scenarios_desc(ch->scenarios, over);
+    murk_place_desc asked = ch->desc;
     if (!is_regret) {
-        status = choose_main(ch, err);
+        status = murk_scenarios_place(&ch->plan->place, ch->scenarios, over,
+                                      &asked, err);
     }
     choose_to_compare(ch);
     for (size_t c = 0; !status && c < all->n; ++c) {
         const murk_scene_condition *settings = all->condition[c].settings;
         const bool has_block = settings->weight > 0;
         murk_place_result place = {0};
-        status = has_block && ch->matrix
-                     ? place_block(ch, &place, block, &ch->desc, err)
+        status = has_block && ch->scenarios->matrix
+                     ? murk_scenarios_place_one(&place, ch->scenarios, block,
+                                                is_regret, &ch->desc, err)
                      : place_alone(ch, &place, c, &ch->desc, err);
         if (!status && is_regret && has_block) {
             refer(ch, c, block, &place);
@@ -204,9 +146,9 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     for (murk_scene_over k = MURK_SCENE_OVER_MEAN; !status && k <= last; ++k) {
         murk_place_result place = {0};
         if (k == over && is_regret) {
-            ch->desc = asked;
-            ch->desc.with_curve = false; /* references are of this count */
-            status = choose_main(ch, err);
+            asked.with_curve = false; /* references are of this count */
+            status = murk_scenarios_place(&ch->plan->place, ch->scenarios,
+                                          MURK_SCENE_OVER_REGRET, &asked, err);
         }
         if (status) {
             break;
@@ -214,8 +156,9 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         if (k == over) {
             ch->over->chosen = ch->over->plans;
             status = keep(ch, name[k], &ch->plan->place, err);
-        } else if (k == MURK_SCENE_OVER_MEAN || ch->matrix) {
-            status = place_over(ch, &place, k, &ch->desc, err);
+        } else if (k == MURK_SCENE_OVER_MEAN || ch->scenarios->matrix) {
+            status =
+                murk_scenarios_place(&place, ch->scenarios, k, &ch->desc, err);
             if (!status) {
                 status = keep(ch, name[k], &place, err);
             }
@@ -231,19 +174,12 @@ murk_status murk_over_choose(murk_over *over, murk_plan_result *plan,
     choosing ch = {
         .over = over, .plan = plan, .scene = over->conditions->scene};
     murk_status status = join(&ch, err);
-    if (!status) {
-        ch.regret = ch.joint->blocks;
-        ch.regret.measure = ch.scene->placement.relative_regret
-                                ? MURK_BLOCK_REGRET_RELATIVE
-                                : MURK_BLOCK_REGRET;
-    }
     const double begun_s = murk_clock_s();
     if (!status) {
         status = choose_all(&ch, err);
     }
     plan->place_s = murk_clock_s() - begun_s;
-    murk_matrix_destroy(ch.matrix);
-    murk_joint_destroy(ch.joint);
+    murk_scenarios_destroy(ch.scenarios);
     if (status && err && !err->where[0]) {
         snprintf(err->where, sizeof err->where, "%s",
                  over->conditions->scene->sensors.where);

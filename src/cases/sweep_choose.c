@@ -2,10 +2,9 @@
 
 #include "base/log.h"
 #include "base/machine.h"
-#include "cases/joint.h"
+#include "cases/scenarios.h"
 #include "cases/sweep_kept.h"
 #include "cases/sweep_looks.h"
-#include "placement/worst.h"
 #include "plan/plan.h"
 
 #include <math.h>
@@ -29,8 +28,7 @@ typedef struct choosing {
     chooser row[MURK_SWEEP_CHOOSERS_MAX]; /* as sweep->chooser */
     murk_candidates *candidates;
     murk_poses *poses;
-    murk_joint *joint;
-    murk_matrix *matrix; /* NULL: unknown environment */
+    murk_scenarios *scenarios; /* NULL: no row has anything to see */
 } choosing;
 
 /* The number among those that have a say; their count: it is none. */
@@ -177,34 +175,9 @@ static murk_status join(choosing *ch, murk_error *err)
             &ch->poses, stage[0]->scene, &stage[0]->world.domain,
             ch->candidates->position, ch->candidates->usable, err);
     }
-    if (!status) {
-        status = murk_joint_create(&ch->joint, sight, share, n, ch->poses->pose,
-                                   ch->poses->count, err);
-    }
-    if (!status && stage[0]->scene->placement.knowledge == MURK_SCENE_KNOWN) {
-        status = murk_matrix_create(&ch->matrix, &ch->joint->problem,
-                                    murk_plan_matrix_bytes(), err);
-    }
-    return status;
-}
-
-static murk_status place(choosing *ch, murk_place_result *out, bool is_worst,
-                         murk_error *err)
-{
-    const murk_scene_desc *scene = ch->row[0].stage->scene;
-    const murk_problem *problem = &ch->joint->problem;
-    murk_place_desc desc = murk_plan_desc(scene);
-    desc.constraints = murk_poses_constraints(ch->poses);
-    desc.with_curve = false;
-    if (scene->sensors.target > 0) {
-        desc.count = ch->poses->count;
-        desc.target =
-            murk_joint_target(ch->joint, scene->sensors.target, is_worst);
-    }
-    return is_worst     ? murk_place_worst(out, problem, ch->matrix,
-                                           &ch->joint->blocks, &desc, err)
-           : ch->matrix ? murk_place_known(out, problem, ch->matrix, &desc, err)
-                        : murk_place_unknown(out, problem, &desc, err);
+    return status ? status
+                  : murk_scenarios_create(&ch->scenarios, stage[0]->scene,
+                                          sight, share, n, ch->poses, err);
 }
 
 static murk_status tell(const choosing *ch, const murk_place_result *found,
@@ -240,7 +213,12 @@ static murk_status choose(choosing *ch, murk_study_row *out, int plan,
 {
     murk_place_result found = {0};
     murk_error why = {0};
-    murk_status status = place(ch, &found, plan == MURK_SWEEP_WORST, &why);
+    const murk_scene_over objective =
+        plan == MURK_SWEEP_WORST ? MURK_SCENE_OVER_WORST : MURK_SCENE_OVER_MEAN;
+    murk_place_desc desc = murk_scenarios_desc(ch->scenarios, objective);
+    desc.with_curve = false;
+    murk_status status =
+        murk_scenarios_place(&found, ch->scenarios, objective, &desc, &why);
     if (!status) {
         status = tell(ch, &found, out, &why);
     }
@@ -256,8 +234,7 @@ static murk_status choose(choosing *ch, murk_study_row *out, int plan,
 
 static void release(choosing *ch)
 {
-    murk_matrix_destroy(ch->matrix);
-    murk_joint_destroy(ch->joint);
+    murk_scenarios_destroy(ch->scenarios);
     murk_poses_destroy(ch->poses);
     murk_candidates_destroy(ch->candidates);
     for (size_t i = 0; i < ch->sweep->choosers; ++i) {
@@ -288,7 +265,7 @@ murk_status murk_sweep_choose(murk_isolated *apart, void *context,
         if (!sweep->plan[p].is_wanted || sweep->plan[p].is_kept) {
             continue;
         }
-        if (ch.joint) {
+        if (ch.scenarios) {
             status = choose(&ch, &plan, p, err);
         }
         if (!status) {

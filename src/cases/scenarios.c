@@ -1,5 +1,11 @@
-#include "cases/joint.h"
+/* Several scenarios as one placement problem: their photons side by side, in
+ * blocks whose weights are scaled to the weights of the scenarios. Plans for
+ * the mean are plans of that problem; plans for the worst scenario and for the
+ * least regret compare its blocks (placement/worst.h). */
+#include "cases/scenarios.h"
 
+#include "base/progress.h"
+#include "placement/worst.h"
 #include "plan/plan.h"
 
 #include <assert.h>
@@ -11,13 +17,13 @@
 #define WHOLE      0x1p47
 #define WEIGHT_MAX 4294967295.0
 
-/* Where one worker puts a look together. */
-typedef struct murk_joint_workspace {
+/* Memory in which one worker joins the rows of a candidate. */
+typedef struct murk_scenarios_workspace {
     uint32_t *photon;  /* [photons] */
     uint16_t *clarity; /* [photons] */
-} murk_joint_workspace;
+} murk_scenarios_workspace;
 
-static void append(murk_joint_workspace *workspace, size_t at, size_t first,
+static void append(murk_scenarios_workspace *workspace, size_t at, size_t first,
                    const murk_look *look)
 {
     for (size_t k = 0; k < look->seen; ++k) {
@@ -30,8 +36,8 @@ static void append(murk_joint_workspace *workspace, size_t at, size_t first,
 static void look(void *context, unsigned worker, size_t candidate,
                  murk_look *out)
 {
-    const murk_joint *j = context;
-    murk_joint_workspace *workspace = &j->workspace[worker];
+    const murk_scenarios *j = context;
+    murk_scenarios_workspace *workspace = &j->workspace[worker];
     bool is_clear = true;
     size_t seen = 0;
     for (size_t c = 0; c < j->blocks.n; ++c) {
@@ -48,7 +54,7 @@ static void look(void *context, unsigned worker, size_t candidate,
 
 /* The largest scale, for shares of it to each block's whole, at which sums and
  * single weights stay in range. */
-static double scale_of(const murk_joint *j, const double *shares,
+static double scale_of(const murk_scenarios *j, const double *shares,
                        const double *whole)
 {
     double all = 0, scale;
@@ -69,7 +75,7 @@ static double scale_of(const murk_joint *j, const double *shares,
     return scale;
 }
 
-static void weigh(murk_joint *j, const double *shares)
+static void weigh(murk_scenarios *j, const double *shares)
 {
     double whole[MURK_BLOCKS_MAX] = {0};
     for (size_t c = 0; c < j->blocks.n; ++c) {
@@ -92,7 +98,7 @@ static void weigh(murk_joint *j, const double *shares)
     }
 }
 
-static bool set_aside(murk_joint *j)
+static bool set_aside(murk_scenarios *j)
 {
     const size_t n = j->problem.photons + 1;
     const unsigned threads = j->problem.threads;
@@ -107,20 +113,26 @@ static bool set_aside(murk_joint *j)
     return has_memory;
 }
 
-murk_status murk_joint_create(murk_joint **out, murk_sight *const *sight,
-                              const double *shares, size_t n,
-                              const murk_pose *pose, size_t n_poses,
-                              murk_error *err)
+murk_status murk_scenarios_create(murk_scenarios **out,
+                                  const murk_scene_desc *scene,
+                                  murk_sight *const *sight,
+                                  const double *shares, size_t n,
+                                  const murk_poses *poses, murk_error *err)
 {
     assert(n >= 1 && n <= MURK_BLOCKS_MAX);
-    murk_joint *j = calloc(1, sizeof *j);
+    murk_scenarios *j = calloc(1, sizeof *j);
     if (!j) {
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for %zu conditions", n);
     }
+    j->scene = scene;
+    j->poses = poses;
+
+    /* The blocks lie behind one another. */
     j->blocks.n = n;
     for (size_t c = 0; c < n; ++c) {
-        murk_sight_problem_init(&j->part[c], sight[c], pose, n_poses);
+        murk_sight_problem_init(&j->part[c], sight[c], poses->pose,
+                                poses->count);
         j->blocks.first[c + 1] =
             j->blocks.first[c] + j->part[c].problem.photons;
     }
@@ -140,17 +152,27 @@ murk_status murk_joint_create(murk_joint **out, murk_sight *const *sight,
                            "no memory for %zu photons of %zu conditions",
                            j->problem.photons, n);
     }
+
+    /* Each candidate looks once where the environment is known. */
+    if (!status) {
+        weigh(j, shares);
+        j->problem.weight = j->weight;
+    }
+    if (!status && scene->placement.knowledge == MURK_SCENE_KNOWN) {
+        const double begun_s = murk_clock_s();
+        status = murk_matrix_create(&j->matrix, &j->problem,
+                                    murk_plan_matrix_bytes(), err);
+        j->sense_s = murk_clock_s() - begun_s;
+    }
     if (status) {
-        murk_joint_destroy(j);
+        murk_scenarios_destroy(j);
         return status;
     }
-    weigh(j, shares);
-    j->problem.weight = j->weight;
     *out = j;
     return MURK_OK;
 }
 
-void murk_joint_destroy(murk_joint *j)
+void murk_scenarios_destroy(murk_scenarios *j)
 {
     if (!j) {
         return;
@@ -161,24 +183,76 @@ void murk_joint_destroy(murk_joint *j)
     }
     free(j->workspace);
     free(j->weight);
+    murk_matrix_destroy(j->matrix);
     free(j);
 }
 
-uint32_t *murk_joint_weights_of(const murk_joint *j, size_t c, bool as_joint)
-{
-    uint32_t *out = calloc(j->problem.photons + 1, sizeof *out);
-    if (out) {
-        memcpy(out + j->blocks.first[c],
-               as_joint ? j->weight + j->blocks.first[c]
-                        : j->part[c].problem.weight,
-               j->part[c].problem.photons * sizeof *out);
-    }
-    return out;
-}
+/* ---- plans ---- */
 
-uint64_t murk_joint_target(const murk_joint *j, double share, bool is_worst)
+/* The value that a plan must have to cover a share, 0..1: of the mean in the
+ * units of the problem, of the worst scenario in units of a block's share,
+ * lowered by the rounding of that product. */
+static uint64_t target_value(const murk_scenarios *j, double share,
+                             bool is_worst)
 {
     return is_worst
                ? (uint64_t)ceil(share * (double)MURK_SHARE_ONE * (1 - 0x1p-51))
                : murk_plan_value_of(share, &j->problem);
+}
+
+murk_place_desc murk_scenarios_desc(const murk_scenarios *j,
+                                    murk_scene_over objective)
+{
+    murk_place_desc desc = murk_plan_desc(j->scene);
+    desc.constraints = murk_poses_constraints(j->poses);
+    if (j->scene->sensors.target > 0) {
+        desc.count = j->poses->count;
+        desc.target = target_value(j, j->scene->sensors.target,
+                                   objective == MURK_SCENE_OVER_WORST);
+    }
+    return desc;
+}
+
+murk_status murk_scenarios_place(murk_place_result *out,
+                                 const murk_scenarios *j,
+                                 murk_scene_over objective,
+                                 const murk_place_desc *desc, murk_error *err)
+{
+    if (objective == MURK_SCENE_OVER_MEAN) {
+        return j->matrix
+                   ? murk_place_known(out, &j->problem, j->matrix, desc, err)
+                   : murk_place_unknown(out, &j->problem, desc, err);
+    }
+    murk_blocks blocks = j->blocks;
+    blocks.measure = objective == MURK_SCENE_OVER_WORST ? MURK_BLOCK_SHARE
+                     : j->scene->placement.relative_regret
+                         ? MURK_BLOCK_REGRET_RELATIVE
+                         : MURK_BLOCK_REGRET;
+    return murk_place_worst(out, &j->problem, j->matrix, &blocks, desc, err);
+}
+
+murk_status murk_scenarios_place_one(murk_place_result *out,
+                                     const murk_scenarios *j, size_t block,
+                                     bool as_joint, const murk_place_desc *desc,
+                                     murk_error *err)
+{
+    murk_matrix *matrix = NULL;
+    murk_problem problem = j->problem;
+    const size_t first = j->blocks.first[block];
+    uint32_t *weight = calloc(problem.photons + 1, sizeof *weight);
+    if (!weight) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu photons",
+                         problem.photons);
+    }
+    memcpy(weight + first,
+           as_joint ? j->weight + first : j->part[block].problem.weight,
+           j->part[block].problem.photons * sizeof *weight);
+    murk_status status = murk_matrix_reweigh(&matrix, j->matrix, weight, err);
+    if (!status) {
+        problem.weight = weight;
+        status = murk_place_known(out, &problem, matrix, desc, err);
+    }
+    murk_matrix_destroy(matrix);
+    free(weight);
+    return status;
 }

@@ -1,0 +1,67 @@
+/* Several scenarios as one placement problem, and plans for them by any
+ * objective: the mean, the worst scenario, or the largest regret.
+ *
+ * A scenario is one state of the world (a condition of a scene, a row of a
+ * study) with its own light and sight. The photons of all scenarios lie side by
+ * side: each scenario is a block of photons, and a candidate sees in each block
+ * the photons that it sees in that scenario's air and light.
+ *
+ * The weights of the photons are scaled block by block, so that the sum over a
+ * block is the weight of its scenario in the mean, and then rounded. Rounding
+ * moves the weight of a photon by half a unit: less than 2^-20 of the mean
+ * photon of its scenario up to 2^25 photons in all, unless the weights of the
+ * scenarios or the photons of one scenario differ so much that the lightest
+ * photons lose digits to the 32 bits of the heaviest. A single scenario keeps
+ * its weights. */
+#ifndef MURK_CASES_SCENARIOS_H
+#define MURK_CASES_SCENARIOS_H
+
+#include "placement/blocks.h"
+#include "placement/place.h"
+#include "plan/poses.h"
+#include "sensing/sight.h"
+
+typedef struct murk_scenarios {
+    const murk_scene_desc *scene; /* borrowed: method, knowledge, target */
+    const murk_poses *poses;      /* borrowed: the candidates */
+    murk_problem problem;         /* of all photons, for the mean */
+    murk_blocks blocks;  /* blocks.reference: of the regret, filled by the
+                            caller before a plan for the least regret */
+    murk_matrix *matrix; /* of all photons; NULL: unknown environment */
+    double sense_s;      /* seconds that filling the matrix took */
+    uint32_t *weight;    /* [photons] of the mean: problem.weight */
+    murk_sight_problem part[MURK_BLOCKS_MAX];
+    struct murk_scenarios_workspace *workspace; /* [threads] */
+} murk_scenarios;
+
+/* Fills the coverage matrix where the environment is known. sight[n] and poses
+ * are borrowed and shares[n] > 0 are the weights of the scenarios. *out is the
+ * caller's: murk_scenarios_destroy(). */
+murk_status murk_scenarios_create(murk_scenarios **out,
+                                  const murk_scene_desc *scene,
+                                  murk_sight *const *sight,
+                                  const double *shares, size_t n,
+                                  const murk_poses *poses, murk_error *err);
+void murk_scenarios_destroy(murk_scenarios *scenarios); /* NULL is fine */
+
+/* Method, constraints and number or target of the sensors as the scene asks for
+ * them, for a plan by the objective. */
+murk_place_desc murk_scenarios_desc(const murk_scenarios *scenarios,
+                                    murk_scene_over objective);
+
+/* The plan for all scenarios by an objective: mean, worst or regret. */
+murk_status murk_scenarios_place(murk_place_result *out,
+                                 const murk_scenarios *scenarios,
+                                 murk_scene_over objective,
+                                 const murk_place_desc *desc, murk_error *err);
+
+/* The plan for the scenario of one block alone, in a known environment. Weights
+ * are those of the scenario's own sight, or with as_joint those of the problem
+ * of all scenarios, which references of a regret must be counted by. */
+murk_status murk_scenarios_place_one(murk_place_result *out,
+                                     const murk_scenarios *scenarios,
+                                     size_t block, bool as_joint,
+                                     const murk_place_desc *desc,
+                                     murk_error *err);
+
+#endif
