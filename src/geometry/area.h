@@ -1,7 +1,8 @@
-/* Points on surfaces, evenly by area: where a plan's targets lie that no light
- * chose.
+/* Random points on surfaces, uniform by area: the places of a plan's targets
+ * when the targets are given by material and not by light.
  *
- * Immutable after creation: any number of threads may ask. */
+ * A murk_area is immutable after creation, so any number of threads may use
+ * it. */
 #ifndef MURK_GEOMETRY_AREA_H
 #define MURK_GEOMETRY_AREA_H
 
@@ -9,14 +10,18 @@
 
 typedef struct murk_area murk_area;
 
-/* Of the materials wanted[murk_surfaces_materials()]; NULL: of all. Borrows the
- * surfaces. *out is the caller's: murk_area_destroy(). Fails with
- * MURK_BAD_VALUE at `where` when there is no area, or MURK_NO_MEMORY. */
+/* Prepares sampling of the surfaces whose material m has wanted[m] set;
+ * wanted[] has murk_surfaces_materials() entries, and NULL selects all
+ * materials. The surfaces are borrowed and must outlive *out. The caller
+ * owns *out and releases it with murk_area_destroy(). Fails with
+ * MURK_BAD_VALUE at `where` if the selected area is 0, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_area_create(murk_area **out, const murk_surfaces *surfaces,
                              const bool *wanted, const char *where,
                              murk_error *err);
 void murk_area_destroy(murk_area *area); /* NULL is fine */
 
+/* Total selected area. */
 double murk_area_m2(const murk_area *area);
 
 typedef struct murk_area_point {
@@ -25,8 +30,9 @@ typedef struct murk_area_point {
     uint8_t material;
 } murk_area_point;
 
-/* Evenly distributed over all the area when u[3] are independent and uniform in
- * (0, 1). Triangles of less than 2^-32 of it may never be met. */
+/* The point for three independent numbers u[3], uniform in (0, 1). Points
+ * are uniform over the selected area. A triangle with less than 2^-32 of the
+ * area may never be selected, because u[0] has 32 random bits. */
 murk_area_point murk_area_at(const murk_area *area, const double u[3]);
 
 #endif

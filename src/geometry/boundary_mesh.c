@@ -1,19 +1,24 @@
-/* Where a ray goes into and out of one closed mesh.
+/* Intersections of a ray with one closed mesh: at which distances the ray
+ * enters and leaves the mesh, and whether a point is inside.
  *
- * A triangle met well off its edges tells by its side whether the ray goes in
- * or out there. Near an edge rounding may add or lose a neighbour, so all that
- * a ray meets within a tolerance is taken together, and where that is not
- * plain, or belies what the ray was thought to be in, points before and beyond
- * are looked around from. */
+ * A triangle that the ray hits well inside its edges decides by the side of
+ * the triangle whether the ray enters or leaves. Near an edge, rounding may
+ * report a neighbouring triangle in addition or miss one. Therefore all hits
+ * within a tolerance are treated as one cluster. If the hits of a cluster
+ * disagree, are near an edge, or contradict the state the caller believed
+ * in, the state is decided by testing points before and beyond the cluster.
+ * Such a test casts rays in up to five directions and counts crossings (odd:
+ * inside); the majority decides. */
 #include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"
 
-/* Off an edge by more than this, a triangle is met without doubt: some times
- * what rays in single precision are off by. */
+/* A hit farther than this from every edge is certain, in float steps: some
+ * four times the error of a ray in single precision (geometry/ray_scene.h). */
 #define EDGE_UNITS 16
 
-/* Ways to look from a point until one meets no edge. */
+/* Directions tried from a point: the first that meets no edge decides, else
+ * the majority of all five. The number is odd, so there is no tie. */
 #define DIRECTIONS 5
 
 typedef struct gathering {
@@ -25,7 +30,8 @@ typedef struct gathering {
     void *told;
 } gathering;
 
-/* Tells the triangle and refuses it, so that the ray goes on. */
+/* Embree's filter: reports the triangle and rejects the hit, so that Embree
+ * continues along the ray. */
 static void tell(const struct RTCFilterFunctionNArguments *args)
 {
     gathering *g = (gathering *)(void *)args->context;
@@ -34,7 +40,7 @@ static void tell(const struct RTCFilterFunctionNArguments *args)
     const murk_primitive p =
         murk_primitive_of(&g->boundary_mesh->shape->soup, hit);
     args->valid[0] = 0;
-    if (p.is_ball || g->boundary_mesh->is_copy[p.index]) {
+    if (p.is_sphere || g->boundary_mesh->is_copy[p.index]) {
         return;
     }
     murk_vec3 normal;
@@ -58,7 +64,7 @@ void murk_boundary_mesh_gather(const murk_boundary_mesh *b, murk_vec3 origin,
     }
 }
 
-/* ---- by counting ---- */
+/* ---- inside by counting crossings ---- */
 
 static void add_one(void *context, size_t triangle, double distance_m)
 {
@@ -75,16 +81,17 @@ static bool is_odd(const murk_boundary_mesh *b, murk_vec3 point,
     return odd;
 }
 
-/* ---- by sides ---- */
+/* ---- inside by the sides of the triangles ---- */
 
-/* What a ray meets within the tolerance of the first. */
+/* All hits of a ray within the tolerance of the first hit. */
 typedef struct cluster {
     const murk_boundary_mesh *boundary_mesh;
     murk_vec3 origin, direction;
     double after_m, to_m, nearest_m;
     size_t nearest;
     bool enters, leaves;
-    bool is_near_edge; /* rounding may have added or lost a neighbour */
+    bool is_near_edge; /* rounding may have added or lost a neighbouring
+                          triangle */
 } cluster;
 
 static bool is_near_edge(const cluster *c, const murk_triangle *t,
@@ -94,7 +101,8 @@ static bool is_near_edge(const cluster *c, const murk_triangle *t,
     const murk_vec3 p = murk_sub(
         murk_along(c->origin, distance_m, c->direction), s->soup.anchor);
     const murk_vec3 corner[3] = {t->a, t->b, t->c};
-    /* A slanting ray misses by as much more in the plane. */
+    /* The error of a slanting ray, measured in the plane of the triangle,
+     * grows by 1 / cosine of the angle of incidence. */
     const double limit = EDGE_UNITS * s->unit_m * murk_dot(normal, normal) /
                          fabs(murk_dot(normal, c->direction));
     for (int i = 0; i < 3; ++i) {
@@ -124,7 +132,8 @@ static void take_in(void *context, size_t triangle, double distance_m)
         c->leaves |= !enters;
         c->is_near_edge |= is_near_edge(c, &t, normal, distance_m);
     }
-    /* The lower number of equally near ones: no order of Embree's counts. */
+    /* Of equally near triangles the one with the lower number counts, so
+     * that the result does not depend on Embree's order. */
     if (distance_m < c->nearest_m ||
         (distance_m == c->nearest_m && triangle < c->nearest)) {
         c->nearest_m = distance_m;
@@ -132,7 +141,8 @@ static void take_in(void *context, size_t triangle, double distance_m)
     }
 }
 
-/* Distance of the first triangle after from_m; INFINITY: none up to max_m. */
+/* Distance of the first triangle beyond from_m; INFINITY if there is none up
+ * to max_m. */
 static double first_met(const murk_boundary_mesh *b, murk_vec3 origin,
                         murk_vec3 direction, double from_m, double max_m,
                         size_t *triangle)
@@ -154,7 +164,8 @@ static double first_met(const murk_boundary_mesh *b, murk_vec3 origin,
     return INFINITY;
 }
 
-/* False when nothing is met up to max_m. */
+/* Collects the first cluster of hits beyond from_m. False if there is no hit
+ * up to max_m. */
 static bool first_cluster(const murk_boundary_mesh *b, murk_vec3 origin,
                           murk_vec3 direction, double from_m, double max_m,
                           double tolerance_m, cluster *out)
@@ -179,7 +190,9 @@ static bool first_cluster(const murk_boundary_mesh *b, murk_vec3 origin,
 
 bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
 {
-    /* Directions that no edge is likely to lie along. */
+    /* Irregular directions: a modelled edge is unlikely to be parallel to
+     * one of them. They were chosen freely; any such set gives the same
+     * answers away from edges. */
     static const murk_vec3 way[DIRECTIONS] = {{0.53, 0.31, 0.79},
                                               {-0.37, 0.83, 0.41},
                                               {0.71, -0.43, -0.57},
@@ -189,6 +202,8 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
                            murk_sub(point, b->shape->soup.anchor))) {
         return false;
     }
+    /* The sides of the first certain cluster decide; otherwise each
+     * direction votes by the number of crossings. */
     int votes = 0;
     for (int i = 0; i < DIRECTIONS; ++i) {
         const murk_vec3 d = murk_unit(way[i]);
@@ -207,8 +222,9 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
     return votes > 0;
 }
 
-/* Whether the ray is inside between two distances, by a look around from the
- * middle, where it is least in doubt. */
+/* True if the middle of the segment between the two distances is inside the
+ * mesh. The middle is farthest from both ends, so rounding matters least
+ * there. */
 static bool holds_between(const cluster *c, double from_m, double to_m)
 {
     return to_m < INFINITY &&
@@ -217,8 +233,9 @@ static bool holds_between(const cluster *c, double from_m, double to_m)
                murk_along(c->origin, 0.5 * (from_m + to_m), c->direction));
 }
 
-/* What the sides tell where they are plain; else what a look around tells on
- * either hand. */
+/* Decides whether the ray is inside the mesh before and after a cluster:
+ * from the sides of the triangles if the cluster is certain and agrees with
+ * *before, otherwise by testing points on both sides of the cluster. */
 static void judge(const murk_boundary_mesh *b, const cluster *c, double from_m,
                   double tolerance_m, bool *before, bool *after)
 {

@@ -1,3 +1,10 @@
+/* All closed meshes that bound regions: creation, and the combination of the
+ * crossings of single meshes (geometry/boundary_mesh.h) into crossings of sets
+ * of regions.
+ *
+ * Each mesh is asked for the next crossing along the ray. Crossings within
+ * the tolerance of the nearest one are combined into one change of the set
+ * of regions. */
 #include "geometry/boundary_meshes.h"
 
 #include "geometry/boundary_mesh.h"
@@ -5,8 +12,15 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Twice what murk_surfaces_leave() moves by. */
+/* Tolerance in units of the step of murk_surfaces_leave(): 2, because both
+ * sides of a boundary may be off by one step. */
 #define TOLERANCE_LEAVES 2
+
+struct murk_boundary_meshes {
+    size_t n;
+    murk_boundary_mesh boundary_mesh[MURK_BOUNDARY_MESHES_MAX];
+    double tolerance_m;
+};
 
 static murk_status make_one(murk_boundary_mesh *b,
                             const murk_boundary_mesh_desc *d, murk_error *err)
@@ -38,6 +52,7 @@ murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
         return murk_fail(err, MURK_NO_MEMORY, "regions",
                          "no memory for %zu meshes", n);
     }
+    /* Build the ray scene of each mesh. */
     murk_status status = MURK_OK;
     for (size_t i = 0; i < n && !status; ++i) {
         assert(descs[i].region >= 0 &&
@@ -48,6 +63,7 @@ murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
         murk_boundary_meshes_destroy(made);
         return status;
     }
+    /* The mesh with the largest coordinates determines the tolerance of all. */
     for (size_t i = 0; i < n; ++i) {
         made->tolerance_m =
             fmax(made->tolerance_m,
@@ -95,7 +111,8 @@ bool murk_boundary_meshes_next(const murk_boundary_meshes *b, murk_vec3 origin,
         const murk_boundary_mesh *one = &b->boundary_mesh[i];
         bool is_inside = *inside & bit_of(one);
         murk_vec3 normal;
-        /* Those a little beyond the nearest belong to it. */
+        /* Crossings up to the tolerance beyond the nearest belong to the
+         * same change. */
         const double max = fmin(max_m, nearest + b->tolerance_m);
         if (!murk_boundary_mesh_next(one, origin, direction, from_m, max,
                                      b->tolerance_m, &is_inside, &distance[i],
@@ -109,6 +126,7 @@ bool murk_boundary_meshes_next(const murk_boundary_meshes *b, murk_vec3 origin,
             crossing->normal = normal;
         }
     }
+    /* Combine all crossings within the tolerance of the nearest. */
     if (!(nearest < INFINITY)) {
         return false;
     }

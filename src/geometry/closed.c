@@ -1,12 +1,22 @@
+/* Closed parts and orientable patches of a triangle mesh.
+ *
+ * Vertices at equal coordinates are merged by sorting. All edges are sorted,
+ * so that the triangles around one edge are neighbours in the list, and a
+ * union-find structure joins them (Tarjan, J. ACM 22 (1975) 215,
+ * doi:10.1145/321879.321884). For patches the union-find also stores whether
+ * the winding of a triangle agrees with the winding of the root. */
 #include "geometry/closed.h"
 
 #include <stdlib.h>
 
+/* A vertex position, to be sorted. */
 typedef struct place {
     float x, y, z;
     uint32_t vertex;
 } place;
 
+/* One edge of one triangle: both end vertices in rising order, the third
+ * vertex of the triangle, and the triangle. */
 typedef struct edge {
     uint32_t low, high, opposite, triangle;
 } edge;
@@ -36,7 +46,8 @@ static int order_edges(const void *left, const void *right)
                          : order(a->triangle, b->triangle);
 }
 
-/* same[v] is one vertex for all of the same coordinates. */
+/* Sets same[v] to one representative of all vertices with the coordinates of
+ * v. */
 static bool weld(uint32_t *same, const float *vertex, size_t vertices)
 {
     place *places = malloc((vertices ? vertices : 1) * sizeof *places);
@@ -59,6 +70,8 @@ static bool weld(uint32_t *same, const float *vertex, size_t vertices)
     return true;
 }
 
+/* Lists the edges of all triangles, sorted by end vertices, then by the
+ * opposite vertex: the copies of a triangle are adjacent. */
 static void list_edges(edge *edges, const uint32_t *corner,
                        const uint32_t *same, size_t n)
 {
@@ -74,6 +87,7 @@ static void list_edges(edge *edges, const uint32_t *corner,
     qsort(edges, 3 * n, sizeof *edges, order_edges);
 }
 
+/* Representative of a set; shortens the path by halving. */
 static uint32_t root(uint32_t *parent, uint32_t i)
 {
     while (parent[i] != i) {
@@ -83,8 +97,9 @@ static uint32_t root(uint32_t *parent, uint32_t i)
     return i;
 }
 
-/* Joins the triangles around each edge; open[root] where an edge has an odd
- * number of them (even: the faces bound something, also where four meet). */
+/* Joins the triangles around each edge, and sets odd[] for one triangle of
+ * each edge with an odd number of triangles. An even number closes the
+ * surface, also if four triangles meet at the edge. */
 static void join(uint32_t *parent, bool *odd, const edge *edges, size_t n_edges)
 {
     for (size_t i = 0; i < n_edges;) {
@@ -120,6 +135,7 @@ murk_status murk_closed_parts(const float *vertex, size_t vertices,
                            n);
         goto done;
     }
+    /* Each triangle starts as a part of its own; then edges join parts. */
     for (size_t i = 0; i < n; ++i) {
         parent[i] = (uint32_t)i;
         is_closed[i] = true;
@@ -127,6 +143,8 @@ murk_status murk_closed_parts(const float *vertex, size_t vertices,
     list_edges(edges, corner, same, n);
     join(parent, odd, edges, 3 * n);
     for (size_t i = 0; i < n; ++i) {
+        /* One edge with an odd number of triangles makes the whole part
+         * open. */
         if (odd[i]) {
             is_closed[root(parent, (uint32_t)i)] = false;
         }
@@ -142,11 +160,11 @@ done:
     return status;
 }
 
-/* Union-find in which each triangle knows whether its winding agrees with that
- * of its root. */
+/* Union-find in which each triangle stores whether the winding is opposite
+ * to that of the parent. */
 typedef struct turns {
     uint32_t *parent;
-    bool *against; /* the parent's winding */
+    bool *against; /* winding opposite to the parent's */
 } turns;
 
 static uint32_t root_turned(const turns *t, uint32_t i, bool *turned)
@@ -154,8 +172,8 @@ static uint32_t root_turned(const turns *t, uint32_t i, bool *turned)
     *turned = false;
     while (t->parent[i] != i) {
         const uint32_t up = t->parent[i];
-        /* Halve the way: two steps become one, their turns add. A root's is
-         * false. */
+        /* Path halving: two steps become one and their reversals add up. The
+         * entry of a root is false. */
         t->against[i] ^= t->against[up];
         t->parent[i] = t->parent[up];
         *turned ^= t->against[i];
@@ -164,7 +182,8 @@ static uint32_t root_turned(const turns *t, uint32_t i, bool *turned)
     return i;
 }
 
-/* Whether the triangle's winding goes through its edge from low to high. */
+/* True if the winding of the triangle runs along the edge from the low to
+ * the high vertex. */
 static bool rises(const edge *e, const uint32_t *corner, const uint32_t *same)
 {
     const uint32_t *c = corner + 3 * (size_t)e->triangle;
@@ -176,8 +195,11 @@ static bool rises(const edge *e, const uint32_t *corner, const uint32_t *same)
     return false;
 }
 
-/* Neighbours wind alike when they go through their edge in opposite ways;
- * copies of one triangle when in the same. False: they cannot. */
+/* Joins the patches of two triangles at an edge. Neighbours have the same
+ * orientation if their windings run along the edge in opposite directions;
+ * copies of one triangle if the windings run in the same direction. Returns
+ * false if the two are already in one patch and the orientations contradict
+ * each other. */
 static bool unite(const turns *t, const edge *a, const edge *b, bool are_copies,
                   const uint32_t *corner, const uint32_t *same)
 {
@@ -203,6 +225,8 @@ static void join_patches(murk_patches *p, const turns *t, const edge *edges,
     for (size_t i = 0; i < n_edges;) {
         const size_t first = i;
         size_t around = 0, last_other = i;
+        /* Go through the triangles around one edge: copies join their
+         * original, the others are counted. */
         for (; i < n_edges && edges[i].low == edges[first].low &&
                edges[i].high == edges[first].high;
              ++i) {
@@ -215,6 +239,7 @@ static void join_patches(murk_patches *p, const turns *t, const edge *edges,
                 last_other = i;
             }
         }
+        /* Only an edge of exactly two triangles continues the patch. */
         p->open_edges += around % 2;
         if (around == 2) {
             p->are_orientable &= unite(t, &edges[first], &edges[last_other],
@@ -223,7 +248,8 @@ static void join_patches(murk_patches *p, const turns *t, const edge *edges,
     }
 }
 
-/* Roots are the lowest of their patch, so they are numbered before the rest. */
+/* Numbers the patches. A root is the lowest triangle of the patch, so the
+ * root has a number before all others. */
 static void number_patches(murk_patches *p, const turns *t, size_t n)
 {
     for (size_t i = 0; i < n; ++i) {
@@ -251,9 +277,11 @@ murk_status murk_patches_find(murk_patches *p, const float *vertex,
                       "no memory to look for the sides of %zu triangles", n);
         goto done;
     }
+    /* Each triangle starts as a patch of its own. */
     for (size_t i = 0; i < n; ++i) {
         t.parent[i] = (uint32_t)i;
     }
+    /* Join patches along the sorted edges, then number the patches. */
     list_edges(edges, corner, p->same, n);
     join_patches(p, &t, edges, 3 * n, corner);
     number_patches(p, &t, n);

@@ -1,4 +1,5 @@
-/* Which parts of a triangle mesh enclose something. */
+/* Topology of triangle meshes: which parts are closed, and which triangles
+ * have the same side. */
 #ifndef MURK_GEOMETRY_CLOSED_H
 #define MURK_GEOMETRY_CLOSED_H
 
@@ -8,29 +9,34 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* is_closed[i] for each of n triangles: whether the connected part that it
- * belongs to is closed, that is, each edge of it joins exactly two triangles.
- * Vertices of equal coordinates are one; winding means nothing; triangles
- * listed twice count once. Parts are connected by edges: two closed boxes that
- * touch at a corner stay two. vertex[3 * vertices], corner[3 * n]. */
+/* Sets is_closed[i] for each of n triangles: true if the connected part that
+ * contains the triangle is closed, that is, if every edge of the part
+ * belongs to an even number of triangles. Vertices of equal coordinates are
+ * one vertex. The winding is ignored. Triangles listed twice count once.
+ * Parts are connected by edges: two closed boxes that touch at a corner are
+ * two parts. vertex[3 * vertices], corner[3 * n]. */
 murk_status murk_closed_parts(const float *vertex, size_t vertices,
                               const uint32_t *corner, size_t n, bool *is_closed,
                               murk_error *err);
 
-/* How the triangles of a mesh hang together. A patch is what edges of exactly
- * two triangles join; within one, all normals can be turned to one side. */
+/* Connectivity of a mesh. A patch is a maximal set of triangles that are
+ * connected by edges which belong to exactly two triangles. In an orientable
+ * patch all normals can be oriented to the same side. */
 typedef struct murk_patches {
-    size_t open_edges; /* with an odd number of triangles around */
+    size_t open_edges; /* edges that belong to an odd number of triangles */
     size_t patches;
-    bool are_orientable; /* false: some patch has no two sides */
+    bool are_orientable; /* false: some patch is one-sided (like a Moebius
+                            strip) */
     uint32_t *patch;     /* [n] 0..patches - 1 */
-    bool *is_turned;     /* [n] normal by winding against the patch's own */
-    bool *is_copy;       /* [n] of a triangle listed before it */
-    uint32_t *same;      /* [vertices] one number for vertices of one place */
+    bool *is_turned;     /* [n] the winding's normal is opposite to the patch's
+                            orientation */
+    bool *is_copy;       /* [n] the triangle repeats an earlier one */
+    uint32_t *same; /* [vertices] index of the representative vertex at the same
+                       place */
 } murk_patches;
 
-/* Same input and meanings as above. murk_patches_release() afterwards, also
- * when it fails. */
+/* Finds the patches; the input is that of murk_closed_parts(). The caller
+ * calls murk_patches_release() afterwards, also after a failure. */
 murk_status murk_patches_find(murk_patches *out, const float *vertex,
                               size_t vertices, const uint32_t *corner, size_t n,
                               murk_error *err);

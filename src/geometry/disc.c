@@ -1,20 +1,27 @@
+/* Area of a disc that is covered by flat triangles.
+ *
+ * The area of the intersection of a triangle and a circle is the sum over
+ * the three edges of a signed area: the triangle between the circle's centre
+ * and the part of the edge inside the circle, and circular sectors for the
+ * parts outside. Embree's point query finds all primitives near the disc. */
 #include "geometry/disc.h"
 
+#include "geometry/ray_scene.h"
 #include "geometry/triangle.h"
-#include "geometry/world.h"
 
 #include <float.h>
 
-/* What the area may be off by, as a share, for rounding of places that lie in
- * the plane. */
+/* Allowed relative error of the covered area: rounding of vertices in the
+ * plane stays well below it. */
 #define FILLED 1e-3
 
-/* Cosine of planes that are taken for one: above what packing a record's normal
- * turns it by. */
+/* Planes whose normals have a larger cosine count as one plane: 1.4e-3 rad,
+ * above the error of the packed normal of a photon record. */
 #define PARALLEL 0.999999
 
-/* Area between the origin and the part of an edge within the circle, and of
- * the circle's sectors where the edge is outside; signed by the way round. */
+/* Signed area between the origin and an edge p-q within the circle: a
+ * triangle for the part of the edge inside the circle, sectors for the rest.
+ * The sign is that of the direction around the origin. */
 static double edge_area(const double p[2], const double q[2], double radius)
 {
     const double d[2] = {q[0] - p[0], q[1] - p[1]};
@@ -25,7 +32,8 @@ static double edge_area(const double p[2], const double q[2], double radius)
     const double b = p[0] * d[0] + p[1] * d[1];
     const double c = p[0] * p[0] + p[1] * p[1] - radius * radius;
     const double root = b * b - a * c;
-    double first = 1, last = 1; /* along the edge, what is in the circle */
+    double first = 1, last = 1; /* the part of the edge inside the circle, as
+                                   fractions of its length */
     if (root > 0) {
         first = fmin(fmax((-b - sqrt(root)) / a, 0), 1);
         last = fmin(fmax((-b + sqrt(root)) / a, 0), 1);
@@ -58,22 +66,25 @@ typedef struct filling {
     murk_vec3 center, normal, across[2];
     double radius, slack;
     double area;
-    bool is_crowded; /* something else is there */
+    bool is_crowded; /* another surface is near */
 } filling;
 
+/* Embree's point query: adds the area of a triangle in the plane of the
+ * disc, and notes any other surface within the radius. */
 static bool look_at(struct RTCPointQueryFunctionArguments *args)
 {
     filling *f = args->userPtr;
     const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
     const murk_primitive p = murk_primitive_of(&f->s->soup, &hit);
-    if (p.is_ball) {
-        const murk_ball *b = &f->s->soup.ball[p.index];
+    if (p.is_sphere) {
+        const murk_stored_sphere *b = &f->s->soup.sphere[p.index];
         const double off = murk_length(murk_sub(f->center, b->center));
         f->is_crowded |= fabs(off - b->radius) < f->radius;
     } else {
         const murk_triangle t = murk_soup_triangle(&f->s->soup, p.index);
         const murk_vec3 vertex[3] = {t.a, t.b, t.c};
         const murk_vec3 normal = murk_unit(murk_triangle_normal(&t));
+        /* Project the triangle into the plane of the disc. */
         const bool is_flat =
             fabs(murk_dot(normal, f->normal)) > PARALLEL &&
             fabs(murk_dot(normal, murk_sub(t.a, f->center))) <= f->slack;
@@ -91,7 +102,7 @@ static bool look_at(struct RTCPointQueryFunctionArguments *args)
         }
     }
     if (f->is_crowded) {
-        args->query->radius = 0; /* nothing further needs a look */
+        args->query->radius = 0; /* ends the query */
     }
     return f->is_crowded;
 }
@@ -103,13 +114,15 @@ bool murk_surfaces_fill_disc(const murk_surfaces *s, murk_vec3 center,
         !murk_ray_is_sound(center, normal)) {
         return false;
     }
+    /* Find all surfaces within the radius. */
     filling f = {.s = s,
                  .center = murk_sub(center, s->soup.anchor),
                  .normal = normal,
                  .radius = radius_m,
                  .slack = s->leave_m};
     murk_frame(normal, &f.across[0], &f.across[1]);
-    /* Float rounding of the query must not lose a surface at the rim. */
+    /* The query is in single precision: enlarge the radius so that rounding
+     * loses no surface at the rim. */
     const double size =
         fabs(f.center.x) + fabs(f.center.y) + fabs(f.center.z) + radius_m;
     struct RTCPointQuery query = {
@@ -120,6 +133,7 @@ bool murk_surfaces_fill_disc(const murk_surfaces *s, murk_vec3 center,
     struct RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(s->scene, &query, &context, look_at, &f);
+    /* Covered once: the sum of the areas equals the area of the disc. */
     const double whole = MURK_PI * radius_m * radius_m;
     return !f.is_crowded && fabs(f.area - whole) < FILLED * whole;
 }

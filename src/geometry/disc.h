@@ -1,20 +1,21 @@
-/* Whether a flat disc lies wholly on the surfaces, with nothing else about it:
- * what the kernel of a density estimate asks before it takes the disc's area
- * for that of the surface. */
+/* Tests whether a flat disc lies entirely on surfaces with no other surface
+ * nearby. A density estimate on a surface photon map uses the answer before
+ * it takes the area of the disc for the area of the surface. */
 #ifndef MURK_GEOMETRY_DISC_H
 #define MURK_GEOMETRY_DISC_H
 
 #include "geometry/surfaces.h"
 
-/* True only where flat triangles in the disc's plane fill it, once, to one part
- * in a thousand of its area, and no other surface reaches into the ball around
- * it. normal: unit. False is no answer: so it is on spheres, and where a mesh
- * is not quite flat. */
+/* True only if flat triangles in the plane of the disc cover it exactly
+ * once, to one part in a thousand of the area, and no other surface reaches
+ * into the ball around the disc. `normal` is a unit vector. False means
+ * unknown: on spheres, and on meshes that are not quite flat, the answer is
+ * always false. */
 bool murk_surfaces_fill_disc(const murk_surfaces *surfaces, murk_vec3 center,
                              murk_vec3 normal, double radius_m);
 
-/* Area of a triangle within a circle about the origin of its plane, by its
- * corners there. */
+/* Area of the intersection of a triangle and a circle about the origin; the
+ * corners are given in the plane of the circle. */
 double murk_disc_area_in_triangle(double corner[3][2], double radius);
 
 #endif

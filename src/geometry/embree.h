@@ -1,14 +1,14 @@
-/* Embree 3 and 4 under one set of names: the few calls that differ.
+/* One set of names for the calls that differ between Embree 3 and 4.
  *
- * Only this room includes it. Embree 4 calls the context a ray query context
- * and takes it inside an argument struct. */
+ * Only this room includes the file. Embree 4 calls the context a ray query
+ * context and takes it inside an argument struct. */
 #ifndef MURK_GEOMETRY_EMBREE_H
 #define MURK_GEOMETRY_EMBREE_H
 
 #if __has_include(<embree3/rtcore.h>)
 #include <embree3/rtcore.h>
 
-/* Robust, and a filter may come with each query. */
+/* Robust traversal, and a filter function may be given with each query. */
 #define MURK_EMBREE_FLAGS \
     (RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION)
 

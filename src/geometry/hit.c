@@ -1,21 +1,30 @@
-/* The nearest hit, and the start of the next ray. */
+/* Nearest intersection of a ray with the surfaces, and the start of the ray
+ * that leaves a surface.
+ *
+ * Embree names the nearest primitive; distance and normal are computed in
+ * double precision from that primitive (geometry/walk.h). In corners of
+ * opaque surfaces the hit is moved back along the ray, so that the next ray
+ * starts inside the room. */
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 
-/* Nearer to an edge than EDGE_UNITS, rounding may have chosen the wrong one of
- * two opaque triangles that meet there at an angle. The hit is then drawn back
- * along the ray by the larger length, into the space that the ray came
- * through, so that the ray which leaves it does not start behind the
- * neighbour. A neighbour tilted by less than EDGE_SINE needs no such care: the
- * step of murk_surfaces_leave() clears it. Costs: in a room of ten metres one
- * hit in a million, in a corner, lies up to 1e-5 of the largest coordinate
- * before its surface. */
+/* Within EDGE_UNITS float steps of an edge, rounding may have chosen the
+ * wrong one of two opaque triangles that meet there at an angle. Then the
+ * hit is moved back along the ray by DRAW_BACK_UNITS, into the space that
+ * the ray has passed, so that the ray which leaves the hit does not start
+ * behind the neighbouring triangle. A neighbour tilted by less than
+ * EDGE_SINE (14 degrees) needs no such care: the step of
+ * murk_surfaces_leave() clears it. EDGE_UNITS exceeds the few float steps by
+ * which Embree's hit may be off (geometry/ray_scene.h); DRAW_BACK_UNITS is
+ * twice EDGE_UNITS / EDGE_SINE. Cost: in a room of ten metres one hit in a
+ * million, in a corner, lies up to 1e-5 of the largest coordinate before the
+ * surface. */
 #define EDGE_UNITS      8
 #define DRAW_BACK_UNITS 64
 #define EDGE_SINE       0.25
 
-/* Whether Embree's point is within EDGE_UNITS of an edge: a barycentric
- * coordinate times the height over its side. */
+/* True if Embree's hit point is within EDGE_UNITS of an edge. The distance
+ * to an edge is a barycentric coordinate times the height over that side. */
 static bool is_near_edge(const murk_walk *w, const murk_triangle *t,
                          murk_vec3 normal)
 {
@@ -40,12 +49,14 @@ typedef struct corner_search {
     bool is_corner;
 } corner_search;
 
+/* Embree's point query: finds an opaque or solid triangle near the point
+ * that is tilted against the hit triangle. */
 static bool look_for_corner(struct RTCPointQueryFunctionArguments *args)
 {
     corner_search *search = args->userPtr;
     const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
     const murk_primitive p = murk_primitive_of(search->soup, &hit);
-    if (p.is_ball || search->is_corner) {
+    if (p.is_sphere || search->is_corner) {
         return false;
     }
     const murk_triangle t = murk_soup_triangle(search->soup, p.index);
@@ -59,6 +70,7 @@ static bool look_for_corner(struct RTCPointQueryFunctionArguments *args)
     return false;
 }
 
+/* True if a tilted triangle is within twice EDGE_UNITS of the point. */
 static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
 {
     corner_search search = {.soup = &w->s->soup,
@@ -75,11 +87,13 @@ static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
     return search.is_corner;
 }
 
+/* The distance of the hit, moved back if an opaque triangle was hit in a
+ * corner. */
 static double drawn_back(const murk_walk *w, murk_primitive p, murk_vec3 normal,
                          double distance)
 {
     const murk_soup *soup = &w->s->soup;
-    if (p.is_ball || p.index >= soup->first_triangle[MURK_FACE_SOLID]) {
+    if (p.is_sphere || p.index >= soup->first_triangle[MURK_FACE_SOLID]) {
         return distance;
     }
     const murk_triangle t = murk_soup_triangle(soup, p.index);
@@ -98,6 +112,8 @@ bool murk_surfaces_hit(const murk_surfaces *s, murk_vec3 origin,
     if (!murk_walk_begin(&w, s, origin, direction, max_m, MURK_MASK_ALL)) {
         return false;
     }
+    /* Skip candidates that lie behind the true origin: Embree's ray starts
+     * slightly before it. */
     murk_vec3 normal;
     murk_primitive p;
     double distance;
@@ -108,18 +124,22 @@ bool murk_surfaces_hit(const murk_surfaces *s, murk_vec3 origin,
         p = murk_primitive_of(&s->soup, &w.ray.hit);
         distance = murk_walk_locate(&w, p, &normal);
     } while (!(distance > 0));
+    /* The distance in double precision decides whether the hit is within
+     * range. */
     if (!(distance <= max_m)) {
         return false;
     }
+    /* The reported normal points against the ray. */
     const double side = murk_dot(normal, direction) > 0 ? -1 : 1;
-    *hit = (murk_hit){
-        .distance_m = drawn_back(&w, p, normal, distance),
-        .normal = murk_scale(side / murk_length(normal), normal),
-        .triangle = p.is_ball ? (uint32_t)s->soup.triangles + p.index : p.index,
-        .material = p.is_ball ? s->soup.ball[p.index].material
-                              : s->soup.material[p.index],
-        .solid =
-            p.is_ball ? s->soup.ball[p.index].solid : s->soup.solid[p.index]};
+    *hit = (murk_hit){.distance_m = drawn_back(&w, p, normal, distance),
+                      .normal = murk_scale(side / murk_length(normal), normal),
+                      .triangle = p.is_sphere
+                                      ? (uint32_t)s->soup.triangles + p.index
+                                      : p.index,
+                      .material = p.is_sphere ? s->soup.sphere[p.index].material
+                                              : s->soup.material[p.index],
+                      .solid = p.is_sphere ? s->soup.sphere[p.index].solid
+                                           : s->soup.solid[p.index]};
     return true;
 }
 

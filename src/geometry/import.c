@@ -1,11 +1,16 @@
-/* Assimp's scene is a tree of nodes that place meshes. It is walked three
- * times (count, vertices, triangles), so that nothing is held twice.
+/* Import of a mesh file by Assimp, inside the subprocess.
  *
- * Axes and units, as Assimp 5.2 leaves them: Collada, IFC, 3DS, ASE and DXF
- * scenes it turns y up; glTF and X3D are y up by format, FBX says; the others
- * know no up axis and are taken as z up. Collada and IFC it scales to metres
- * (Collada by the root node, so its unit can be read there); FBX says its unit
- * and is not scaled; glTF is in metres; the others say nothing. */
+ * Assimp's scene is a tree of nodes that place meshes. The tree is traversed
+ * four times (count, vertices, triangles, materials) and the arrays are sent in
+ * blocks, so that nothing is in memory twice.
+ *
+ * Axes and units, as Assimp 5.2 delivers them: Collada, IFC, 3DS, ASE and
+ * DXF scenes are rotated to y up by Assimp; glTF and X3D are y up by format;
+ * FBX files state their up axis; the other formats know no up axis and are
+ * taken as z up. Assimp scales Collada and IFC to metres (Collada by the
+ * root node, so that the file's unit can be read there). FBX states a unit
+ * and is not scaled by Assimp; glTF is in metres; the other formats state no
+ * unit. */
 #include "geometry/import.h"
 
 #include "geometry/import_files.h"
@@ -22,11 +27,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BLOCK 4096 /* vertices or triangles handed over at a time */
+#define BLOCK \
+    4096 /* vertices or triangles sent at a time: blocks of some 50 kB */
 
 /* ---- axes and units ---- */
 
-/* Rotations that bring an up axis to z. */
+/* Rotation that turns the given up axis to z. */
 static murk_affine up_to_z(char up)
 {
     switch (up) {
@@ -56,8 +62,9 @@ static double length_scale(const murk_affine *a)
     return cbrt(fabs(murk_dot(x, murk_cross(y, z))));
 }
 
-static const struct aiMetadataEntry *
-note(const struct aiScene *scene, const char *key, enum aiMetadataType type)
+static const struct aiMetadataEntry *metadata_entry(const struct aiScene *scene,
+                                                    const char *key,
+                                                    enum aiMetadataType type)
 {
     const struct aiMetadata *notes = scene->mMetaData;
     for (unsigned i = 0; notes && i < notes->mNumProperties; ++i) {
@@ -69,35 +76,37 @@ note(const struct aiScene *scene, const char *key, enum aiMetadataType type)
     return NULL;
 }
 
-/* A number; Assimp 5.2 keeps FBX's unit in single precision. */
-static double number_noted(const struct aiScene *scene, const char *key,
-                           double otherwise)
+/* A number from the metadata. Assimp 5.2 stores FBX's unit in single
+ * precision. */
+static double metadata_number(const struct aiScene *scene, const char *key,
+                              double otherwise)
 {
-    const struct aiMetadataEntry *wide = note(scene, key, AI_DOUBLE);
-    const struct aiMetadataEntry *narrow = note(scene, key, AI_FLOAT);
+    const struct aiMetadataEntry *wide = metadata_entry(scene, key, AI_DOUBLE);
+    const struct aiMetadataEntry *narrow = metadata_entry(scene, key, AI_FLOAT);
     return wide     ? *(const double *)wide->mData
            : narrow ? (double)*(const float *)narrow->mData
                     : otherwise;
 }
 
-/* What Assimp's coordinates are, as the file says: up axis; metres a unit;
- * the up axis of the file itself where Assimp has turned it; and metres a unit
- * of the file itself where Assimp has scaled it. */
-typedef struct customs {
+/* The conventions of Assimp's coordinates: up axis and metres per unit; and
+ * those of the file itself (own_), if Assimp has rotated or scaled the
+ * coordinates. */
+typedef struct conventions {
     char up, own_up;
     double unit_m, own_unit_m;
-} customs;
+} conventions;
 
-static customs customs_of(const struct aiScene *scene)
+static conventions conventions_of(const struct aiScene *scene)
 {
-    customs c = {.up = 'z', .own_up = 'z', .unit_m = 1, .own_unit_m = 1};
+    conventions c = {.up = 'z', .own_up = 'z', .unit_m = 1, .own_unit_m = 1};
     const struct aiMetadataEntry *format =
-        note(scene, AI_METADATA_SOURCE_FORMAT, AI_AISTRING);
+        metadata_entry(scene, AI_METADATA_SOURCE_FORMAT, AI_AISTRING);
     const char *name =
         format ? ((const struct aiString *)format->mData)->data : "";
     if (strstr(name, "Collada")) {
         const murk_affine root = affine_of(&scene->mRootNode->mTransformation);
-        c.up = c.own_up = 'y'; /* own_up: see read_scene */
+        c.up = c.own_up =
+            'y'; /* own_up: read_scene() makes Assimp keep the file's axes */
         c.own_unit_m = length_scale(&root);
     } else if (strstr(name, "IFC") || strstr(name, "3DS") ||
                strstr(name, "ASE") || strstr(name, "DXF")) {
@@ -105,23 +114,25 @@ static customs customs_of(const struct aiScene *scene)
     } else if (strstr(name, "glTF") || strstr(name, "X3D")) {
         c.up = c.own_up = 'y';
     } else if (strstr(name, "FBX")) {
-        const struct aiMetadataEntry *up = note(scene, "UpAxis", AI_INT32);
+        const struct aiMetadataEntry *up =
+            metadata_entry(scene, "UpAxis", AI_INT32);
         const int32_t axis = up ? *(const int32_t *)up->mData : 1;
         c.up = c.own_up = axis == 0 ? 'x' : axis == 2 ? 'z' : 'y';
         c.unit_m = c.own_unit_m =
-            0.01 * number_noted(scene, "UnitScaleFactor", 1);
+            0.01 * metadata_number(scene, "UnitScaleFactor", 1);
     }
     return c;
 }
 
-/* From Assimp's coordinates to metres with z up. */
+/* Transformation from Assimp's coordinates to metres with z up. */
 static murk_affine to_metres(const struct aiScene *scene,
                              const murk_mesh_import *import)
 {
-    const customs c = customs_of(scene);
+    const conventions c = conventions_of(scene);
     murk_affine out = up_to_z(c.up);
     if (import->up) {
-        /* Back to the file's own axes first; turned ones were z up. */
+        /* The user's up axis refers to the axes of the file: undo Assimp's
+         * rotation first. Formats that Assimp rotates are z up. */
         const murk_affine own =
             c.up == c.own_up ? murk_affine_identity() : up_to_z(c.up);
         const murk_affine turn = up_to_z(import->up);
@@ -138,7 +149,7 @@ static murk_affine to_metres(const struct aiScene *scene,
     return out;
 }
 
-/* ---- walking the tree ---- */
+/* ---- traversing the tree ---- */
 
 typedef enum purpose {
     COUNT,
@@ -147,19 +158,20 @@ typedef enum purpose {
     SEND_MATERIALS
 } purpose;
 
-typedef struct tour {
-    murk_subprocess *child;
-    const murk_import_order *order;
+typedef struct traversal {
+    murk_subprocess *subprocess;
+    const murk_import_request *request;
     const struct aiScene *scene;
     purpose purpose;
     murk_import_head head;
-    uint64_t first_vertex; /* of the mesh at hand, in the whole */
+    uint64_t first_vertex; /* number of the current mesh's first vertex among
+                              all vertices */
     uint64_t bad_vertices, bad_indices, bad_vertex_at, bad_index_at;
     float vertex[3 * BLOCK];
     uint32_t index[3 * BLOCK];
-} tour;
+} traversal;
 
-static murk_status send_vertices(tour *t, const struct aiMesh *mesh,
+static murk_status send_vertices(traversal *t, const struct aiMesh *mesh,
                                  const murk_affine *place)
 {
     murk_status status = MURK_OK;
@@ -173,13 +185,13 @@ static murk_status send_vertices(tour *t, const struct aiMesh *mesh,
             t->vertex[3 * n + 1] = (float)p.y;
             t->vertex[3 * n + 2] = (float)p.z;
         }
-        status =
-            murk_subprocess_send(t->child, t->vertex, n * 3 * sizeof(float));
+        status = murk_subprocess_send(t->subprocess, t->vertex,
+                                      n * 3 * sizeof(float));
     }
     return status;
 }
 
-static murk_status send_triangles(tour *t, const struct aiMesh *mesh)
+static murk_status send_triangles(traversal *t, const struct aiMesh *mesh)
 {
     const size_t each = t->purpose == SEND_CORNERS ? 3 : 1;
     murk_status status = MURK_OK;
@@ -198,13 +210,13 @@ static murk_status send_triangles(tour *t, const struct aiMesh *mesh)
             }
             ++n;
         }
-        status = murk_subprocess_send(t->child, t->index,
+        status = murk_subprocess_send(t->subprocess, t->index,
                                       n * each * sizeof(uint32_t));
     }
     return status;
 }
 
-static void count_mesh(tour *t, const struct aiMesh *mesh)
+static void count_mesh(traversal *t, const struct aiMesh *mesh)
 {
     for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
         const struct aiVector3D *v = &mesh->mVertices[i];
@@ -229,12 +241,13 @@ static void count_mesh(tour *t, const struct aiMesh *mesh)
     t->head.vertices += mesh->mNumVertices;
 }
 
-static murk_status visit(tour *t, const struct aiNode *node,
+static murk_status visit(traversal *t, const struct aiNode *node,
                          const murk_affine *parent)
 {
     const murk_affine own = affine_of(&node->mTransformation);
     const murk_affine place = murk_affine_compose(parent, &own);
     murk_status status = MURK_OK;
+    /* Handle the meshes of this node in world coordinates. */
     for (unsigned i = 0; i < node->mNumMeshes && !status; ++i) {
         const struct aiMesh *mesh = t->scene->mMeshes[node->mMeshes[i]];
         switch (t->purpose) {
@@ -251,15 +264,18 @@ static murk_status visit(tour *t, const struct aiNode *node,
             break;
         }
     }
+    /* The children are placed relative to this node. */
     for (unsigned i = 0; i < node->mNumChildren && !status; ++i) {
         status = visit(t, node->mChildren[i], &place);
     }
     return status;
 }
 
-static murk_status check_counts(const tour *t, murk_error *err)
+static murk_status check_counts(const traversal *t, murk_error *err)
 {
-    const char *where = t->order->where, *path = t->order->path;
+    const char *where = t->request->where, *path = t->request->path;
+    /* Refuse an empty mesh, coordinates that are not finite, indices out of
+     * range, and more elements than a 32-bit index can name. */
     if (t->head.triangles == 0) {
         return murk_fail(err, MURK_BAD_FILE, where, "%s holds no triangles",
                          path);
@@ -287,7 +303,7 @@ static murk_status check_counts(const tour *t, murk_error *err)
     return MURK_OK;
 }
 
-static murk_status send_names(const tour *t)
+static murk_status send_names(const traversal *t)
 {
     murk_status status = MURK_OK;
     for (unsigned i = 0; i < t->scene->mNumMaterials && !status; ++i) {
@@ -297,12 +313,12 @@ static murk_status send_names(const tour *t)
                                 &own) == aiReturn_SUCCESS) {
             memcpy(name, own.data, strnlen(own.data, MURK_NAME_SIZE - 1));
         }
-        status = murk_subprocess_send(t->child, name, sizeof name);
+        status = murk_subprocess_send(t->subprocess, name, sizeof name);
     }
     return status;
 }
 
-static const struct aiScene *read_scene(const murk_import_order *order,
+static const struct aiScene *read_scene(const murk_import_request *request,
                                         murk_import_source *source)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
@@ -310,17 +326,19 @@ static const struct aiScene *read_scene(const murk_import_order *order,
     if (!settings) {
         return NULL;
     }
-    if (order->import.up) {
-        /* Collada then keeps its own axes, whatever it says they are. */
+    if (request->import.up) {
+        /* The user states the up axis: Assimp must keep Collada's axes as
+         * they are, whatever the file says. */
         aiSetImportPropertyInteger(
             settings, AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
     }
     const struct aiScene *scene = aiImportFileExWithProperties(
-        order->path, aiProcess_Triangulate, &files, settings);
+        request->path, aiProcess_Triangulate, &files, settings);
     aiReleasePropertyStore(settings);
     return scene;
 }
 
+/* Replaces control characters in Assimp's message, so that it is one line. */
 static void one_line(char *text)
 {
     for (; *text; ++text) {
@@ -330,46 +348,51 @@ static void one_line(char *text)
     }
 }
 
-murk_status murk_import_work(murk_subprocess *child, void *context,
+murk_status murk_import_work(murk_subprocess *subprocess, void *context,
                              murk_error *err)
 {
-    const murk_import_order *order = context;
+    const murk_import_request *request = context;
     murk_import_source source;
-    murk_import_source_of(&source, order->path, order->import.allow);
-    const struct aiScene *scene = read_scene(order, &source);
-    if (source.reach.refused[0]) { /* also where the mesh could do without it */
-        return murk_fail(err, MURK_BAD_FILE, order->where,
+    murk_import_source_of(&source, request->path, request->import.allow);
+    const struct aiScene *scene = read_scene(request, &source);
+    if (source.access.refused[0]) { /* also an error if the mesh could be read
+                                       without that file */
+        return murk_fail(err, MURK_BAD_FILE, request->where,
                          "%s names %s, which is outside its folder: "
                          "geometry.*.allow: DIR lets meshes open files in DIR",
-                         order->path, source.reach.refused);
+                         request->path, source.access.refused);
     }
     if (!scene || !scene->mRootNode) {
         char why[256];
         snprintf(why, sizeof why, "%s", aiGetErrorString());
         one_line(why);
-        return murk_fail(err, MURK_BAD_FILE, order->where,
-                         "%s is no mesh that can be read: %s", order->path,
+        return murk_fail(err, MURK_BAD_FILE, request->where,
+                         "%s is no mesh that can be read: %s", request->path,
                          why);
     }
-    tour *t = calloc(1, sizeof *t);
+    traversal *t = calloc(1, sizeof *t);
     if (!t) {
-        return murk_fail(err, MURK_NO_MEMORY, order->where,
-                         "no memory to read %s", order->path);
+        return murk_fail(err, MURK_NO_MEMORY, request->where,
+                         "no memory to read %s", request->path);
     }
-    t->child = child;
-    t->order = order;
+    t->subprocess = subprocess;
+    t->request = request;
     t->scene = scene;
-    const murk_affine place = to_metres(scene, &order->import);
+    /* Origin of the vertices in metres: the shift that was subtracted from
+     * the file's vertices. */
+    const murk_affine place = to_metres(scene, &request->import);
     const murk_vec3 origin = murk_affine_direction(
         &place, murk_vec(source.shift[0], source.shift[1], source.shift[2]));
     t->head.origin_m[0] = origin.x;
     t->head.origin_m[1] = origin.y;
     t->head.origin_m[2] = origin.z;
+    /* First traversal: count and check. Then send the header and, in one
+     * traversal each, the arrays. */
     visit(t, scene->mRootNode, &place);
     t->head.materials = scene->mNumMaterials;
     murk_status status = check_counts(t, err);
     if (!status) {
-        status = murk_subprocess_send(child, &t->head, sizeof t->head);
+        status = murk_subprocess_send(subprocess, &t->head, sizeof t->head);
     }
     for (int p = SEND_VERTICES; p <= SEND_MATERIALS && !status; ++p) {
         t->purpose = (purpose)p;

@@ -1,7 +1,8 @@
-/* The child's half of reading a mesh: the one door to Assimp.
+/* The part of reading a mesh that runs in a subprocess: the only file of murk
+ * that calls Assimp.
  *
- * What it hands over, in order: murk_import_head, then float[3 * vertices],
- * uint32_t[3 * triangles], uint32_t[triangles] (material), then
+ * The subprocess sends, in this order: murk_import_head, float[3 *
+ * vertices], uint32_t[3 * triangles], uint32_t[triangles] (material),
  * char[materials][MURK_NAME_SIZE]. */
 #ifndef MURK_GEOMETRY_IMPORT_H
 #define MURK_GEOMETRY_IMPORT_H
@@ -11,16 +12,16 @@
 
 typedef struct murk_import_head {
     uint64_t vertices, triangles, materials;
-    double origin_m[3]; /* that the vertices count from */
+    double origin_m[3]; /* origin of the vertices */
 } murk_import_head;
 
-typedef struct murk_import_order {
+typedef struct murk_import_request {
     const char *path, *where;
     murk_mesh_import import;
-} murk_import_order;
+} murk_import_request;
 
-/* A murk_subprocess_work; context is a murk_import_order. */
-murk_status murk_import_work(murk_subprocess *child, void *context,
+/* A murk_subprocess_work function; `context` is a murk_import_request. */
+murk_status murk_import_work(murk_subprocess *subprocess, void *context,
                              murk_error *err);
 
 #endif

@@ -1,3 +1,8 @@
+/* File access for Assimp (aiFileIO): restricts which files a mesh may open, and
+ * serves the mesh's own file from memory if its vertices were shifted.
+ *
+ * Paths are compared after realpath(), so that links cannot lead outside of
+ * the allowed folders. */
 #include "geometry/import_files.h"
 
 #include "base/inputs.h"
@@ -14,13 +19,15 @@
 typedef struct source {
     struct aiFile file;
     FILE *stream;
-    size_t size; /* of a source in memory; else 0 */
+    size_t size; /* size of a source in memory, otherwise 0 */
     unsigned empty_reads;
 } source;
 
-/* Assimp's PLY reader asks for ever when a header is cut short. A parser that
- * goes on at the end of the file is stuck: the child ends, and the parent
- * calls the file malformed. */
+/* Assimp's PLY reader loops for ever if a header is truncated. A parser that
+ * continues to read at the end of the file is stuck: the subprocess aborts,
+ * and the parent reports a malformed file. Sound files need a handful of
+ * such reads; the limit is far above that and is reached within
+ * milliseconds. */
 #define EMPTY_READS_MAX 1000
 
 static FILE *stream_of(struct aiFile *file)
@@ -77,7 +84,7 @@ static void file_flush(struct aiFile *file)
     (void)file;
 }
 
-/* A regular file on the disk; NULL for all else. */
+/* Opens a regular file; NULL for anything else. */
 static FILE *open_regular(const char *path)
 {
     struct stat is;
@@ -94,7 +101,8 @@ static FILE *open_regular(const char *path)
     return stream;
 }
 
-/* Both without links; an empty folder holds nothing. */
+/* True if `path` lies in `folder`; both have no links. An empty folder
+ * contains nothing. */
 static bool is_in(const char *path, const char *folder)
 {
     const size_t n = strlen(folder);
@@ -103,29 +111,32 @@ static bool is_in(const char *path, const char *folder)
            (is_root || path[n] == '/');
 }
 
-static bool may_open(murk_import_reach *reach, const char *real)
+/* True if the access rules allow the file; remembers the first refused file
+ * for the message. */
+static bool may_open(murk_import_access *access, const char *real)
 {
-    if (strcmp(real, reach->mesh) == 0 || is_in(real, reach->folder) ||
-        is_in(real, reach->allowed)) {
+    if (strcmp(real, access->mesh) == 0 || is_in(real, access->folder) ||
+        is_in(real, access->allowed)) {
         return true;
     }
-    if (!reach->refused[0]) {
-        memcpy(reach->refused, real, strlen(real) + 1);
+    if (!access->refused[0]) {
+        memcpy(access->refused, real, strlen(real) + 1);
     }
     return false;
 }
 
-static void reach_of(murk_import_reach *out, const char *mesh,
-                     const char *allow)
+static void access_of(murk_import_access *out, const char *mesh,
+                      const char *allow)
 {
-    *out = (murk_import_reach){0};
+    *out = (murk_import_access){0};
     char folder[PATH_MAX];
     const char *slash = strrchr(mesh, '/');
     const size_t n = slash ? (size_t)(slash - mesh) : 0;
     if (n >= sizeof folder) {
         return;
     }
-    /* the folder in which the user named the mesh, which may be a link */
+    /* The folder of the path as the user wrote it; the mesh itself may be a
+     * link into another folder. */
     memcpy(folder, mesh, n);
     folder[n] = '\0';
     if (!realpath(n > 0 ? folder : slash ? "/" : ".", out->folder)) {
@@ -139,12 +150,13 @@ static void reach_of(murk_import_reach *out, const char *mesh,
     }
 }
 
-/* Of what a mesh names: NULL where it is not there or not allowed. */
-static FILE *open_named(murk_import_reach *reach, const char *path)
+/* Opens a file that a mesh names; NULL if it does not exist or is not
+ * allowed. */
+static FILE *open_named(murk_import_access *access, const char *path)
 {
     char real[PATH_MAX];
-    return realpath(path, real) && may_open(reach, real) ? open_regular(real)
-                                                         : NULL;
+    return realpath(path, real) && may_open(access, real) ? open_regular(real)
+                                                          : NULL;
 }
 
 static struct aiFile *file_open(struct aiFileIO *io, const char *path,
@@ -152,18 +164,20 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path,
 {
     (void)mode;
     murk_import_source *own = (void *)io->UserData;
+    /* A rewritten mesh is served from memory, any other file from the disk. */
     const bool is_own = own->bytes && strcmp(path, own->path) == 0;
     source *from = calloc(1, sizeof *from);
     if (!from) {
         return NULL;
     }
     from->stream = is_own ? fmemopen(own->bytes, own->size, "rb")
-                          : open_named(&own->reach, path);
+                          : open_named(&own->access, path);
     from->size = is_own ? own->size : 0;
     if (!from->stream) {
         free(from);
         return NULL;
     }
+    /* Assimp works with a table of functions. */
     from->file = (struct aiFile){.ReadProc = file_read,
                                  .WriteProc = file_write,
                                  .TellProc = file_tell,
@@ -181,7 +195,7 @@ static void file_close(struct aiFileIO *io, struct aiFile *file)
     free(file->UserData);
 }
 
-/* All of a regular file; NULL where it cannot be had. */
+/* Reads a whole regular file; NULL if that fails. */
 static char *read_whole(const char *path, size_t *size)
 {
     struct stat is;
@@ -205,7 +219,7 @@ void murk_import_source_of(murk_import_source *out, const char *path,
                            const char *allow)
 {
     *out = (murk_import_source){.path = path};
-    reach_of(&out->reach, path, allow);
+    access_of(&out->access, path, allow);
     size_t size = 0;
     char *bytes = murk_import_may_shift(path) ? read_whole(path, &size) : NULL;
     if (bytes && !murk_import_shift(path, bytes, size, &out->bytes, &out->size,

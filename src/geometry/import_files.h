@@ -1,7 +1,7 @@
-/* The files that Assimp may open: regular ones, for reading, and of those that
- * a mesh names only what lies in the mesh's folder or in one that the user
- * allows, by any path or link. A pipe or device named in a mesh cannot make the
- * reader wait. */
+/* The files that Assimp may open: regular files, for reading only. Of the
+ * files that a mesh names, only those in the mesh's own folder or in a
+ * folder that the user allows may be opened, whatever path or link leads
+ * there. A pipe or device named in a mesh cannot make the reader wait. */
 #ifndef MURK_GEOMETRY_IMPORT_FILES_H
 #define MURK_GEOMETRY_IMPORT_FILES_H
 
@@ -10,29 +10,33 @@
 #include <limits.h>
 #include <stddef.h>
 
-/* Paths are without links; what cannot be resolved is empty, allows nothing. */
-typedef struct murk_import_reach {
+/* Paths after resolution of links. A path that cannot be resolved is empty
+ * and allows nothing. */
+typedef struct murk_import_access {
     char mesh[PATH_MAX], folder[PATH_MAX];
-    char allowed[PATH_MAX]; /* empty: no other folder */
-    char refused[PATH_MAX]; /* the first file outside that was asked for */
-} murk_import_reach;
+    char allowed[PATH_MAX]; /* empty: no further folder is allowed */
+    char refused[PATH_MAX]; /* the first file outside of the allowed folders
+                               that was requested */
+} murk_import_access;
 
-/* The mesh's own file, where it is read from memory instead, and where others
- * may be. */
+/* The mesh file itself, possibly rewritten in memory, and the access rules
+ * for other files. */
 typedef struct murk_import_source {
     const char *path;
-    char *bytes; /* NULL: from the disk */
+    char *bytes; /* NULL: read from the disk */
     size_t size;
-    double shift[3]; /* subtracted from its vertices, in its own units */
-    murk_import_reach reach;
+    double shift[3]; /* subtracted from the vertices, in the file's units */
+    murk_import_access access;
 } murk_import_source;
 
-/* Its vertices are brought near 0 where they are far (import_shift.h). Nothing
- * is freed: a child process reads one mesh and ends. allow: a folder beside the
- * mesh's own that may be opened, or NULL. */
+/* Prepares the mesh file at `path`. Vertices far from the origin are shifted
+ * towards 0 (geometry/import_shift.h). `allow` is a folder beside the mesh's
+ * own folder that may be opened, or NULL. The memory is never freed: a
+ * subprocess reads one mesh and ends. */
 void murk_import_source_of(murk_import_source *out, const char *path,
                            const char *allow);
 
+/* Assimp's file interface for the source, which must outlive it. */
 struct aiFileIO murk_import_files(murk_import_source *source);
 
 #endif

@@ -1,6 +1,11 @@
 /* Rewrites OBJ and PLY files with their vertices near 0; see
- * geometry/import_shift.h. Sources of the formats: Wavefront, Advanced
- * Visualizer appendix B1; G. Turk, The PLY polygon file format, 1994. */
+ * geometry/import_shift.h.
+ *
+ * The first pass reads all vertices and finds their bounding box; the second
+ * writes the file with the shift subtracted from the three numbers of each
+ * vertex and everything else unchanged. Sources of the formats: Wavefront,
+ * Advanced Visualizer appendix B1; G. Turk, The PLY polygon file format,
+ * 1994. */
 #include "geometry/import_shift.h"
 
 #include <ctype.h>
@@ -11,13 +16,15 @@
 #include <string.h>
 #include <strings.h>
 
-/* As of scenes: scene/origin.h. */
+/* Middle divided by half of the extent from which a mesh is far: the same as
+ * for scenes (scene/origin.h). */
 #define FAR 32
 
-/* A number and a blank, with the digits that single precision can use. */
+/* A number with nine significant digits, enough for single precision, and a
+ * blank. */
 #define NUMBER_BYTES 24
 
-/* Properties of a vertex that are looked at. */
+/* Properties of a PLY vertex that are read; usual files have some ten. */
 #define PROPERTIES_MAX 64
 
 /* ---- the shift ---- */
@@ -36,8 +43,10 @@ static void take(extent *e, const double x[3])
     ++e->n;
 }
 
-/* The middle, on each axis a multiple of twice the power of two at or above
- * the longest edge. */
+/* The shift: the middle of the box, rounded on each axis to a multiple of
+ * twice the smallest power of two that is not below the longest edge.
+ * Subtracting a round number loses no digits. False if the mesh is not far
+ * from 0. */
 static bool choose(const extent *e, double shift[3])
 {
     double longest = 0, farthest = 0;
@@ -89,8 +98,8 @@ static const char *line_end(const char *at, const char *end)
     return stop ? stop + 1 : end;
 }
 
-/* Finds column `want` of a line: *first its first byte. Returns the byte behind
- * it; NULL where there are fewer. */
+/* Finds column `want` of a line: sets *first to the first byte of the word
+ * and returns the byte behind the word; NULL if there are fewer columns. */
 static const char *column(const char *at, const char *end, size_t want,
                           const char **first)
 {
@@ -109,7 +118,7 @@ static const char *column(const char *at, const char *end, size_t want,
     return NULL;
 }
 
-/* The three numbers in the given columns of a line. */
+/* Reads the three numbers in the given columns of a line. */
 static bool numbers(const char *at, const char *end, const size_t columns[3],
                     double x[3])
 {
@@ -131,7 +140,7 @@ static bool numbers(const char *at, const char *end, const size_t columns[3],
     return true;
 }
 
-/* Writes the line with those numbers less the shift. */
+/* Writes the line with the shift subtracted from those three numbers. */
 static void put_shifted(text *out, const char *at, const char *end,
                         const size_t columns[3], const double shift[3])
 {
@@ -165,7 +174,8 @@ static bool is_vertex(const char *at, const char *end)
     return end - at > 2 && at[0] == 'v' && (at[1] == ' ' || at[1] == '\t');
 }
 
-/* A weight (a fourth number alone) or a line that goes on is not understood. */
+/* False for a vertex with a weight (a fourth number without a fifth) and for
+ * a line that continues on the next: such files are not rewritten. */
 static bool is_plain(const char *at, const char *end)
 {
     const char *first = NULL;
@@ -180,6 +190,7 @@ static bool shift_obj(const char *bytes, size_t size, text *out,
     static const size_t columns[3] = {1, 2, 3};
     const char *end = bytes + size;
     extent e = {.n = 0};
+    /* First pass: the bounding box of the vertices. */
     for (const char *at = bytes; at < end; at = line_end(at, end)) {
         const char *stop = line_end(at, end);
         double x[3];
@@ -191,6 +202,7 @@ static bool shift_obj(const char *bytes, size_t size, text *out,
         }
         take(&e, x);
     }
+    /* Second pass: copy the file, with the vertices shifted. */
     if (!choose(&e, shift)) {
         return false;
     }
@@ -210,11 +222,11 @@ static bool shift_obj(const char *bytes, size_t size, text *out,
 typedef struct ply {
     bool is_ascii, is_big;
     uint64_t vertices;
-    size_t header, bytes; /* of the header, of a binary vertex */
-    size_t column[3];     /* of x, y, z */
-    size_t offset[3];     /* likewise, in a binary vertex */
+    size_t header, bytes; /* bytes of the header and of one binary vertex */
+    size_t column[3];     /* of x, y and z in a text vertex */
+    size_t offset[3];     /* offset of x, y and z in a binary vertex */
     bool is_double[3];
-    unsigned found; /* bits of x, y, z */
+    unsigned found; /* one bit for each of x, y and z */
 } ply;
 
 static size_t type_bytes(const char *name)
@@ -253,7 +265,8 @@ static bool add_property(ply *p, size_t *columns, const char *type,
     return true;
 }
 
-/* The vertices must be the first element. */
+/* Reads the header. The vertices must be the first element, else the file is
+ * not rewritten. */
 static bool read_ply_header(ply *p, const char *bytes, size_t size)
 {
     const char *end = bytes + size;
@@ -264,7 +277,7 @@ static bool read_ply_header(ply *p, const char *bytes, size_t size)
         char line[256], word[4][64] = {"", "", "", ""};
         const size_t n = (size_t)(stop - at);
         if (n >= sizeof line) {
-            continue; /* a long comment */
+            continue; /* a long comment line */
         }
         memcpy(line, at, n);
         line[n] = '\0';
@@ -314,10 +327,13 @@ static bool shift_binary(const ply *p, const char *bytes, size_t size,
                          text *out, double shift[3])
 {
     extent e = {.n = 0};
+    /* Only doubles can hold coordinates that lose digits in single
+     * precision. */
     const bool fits = p->vertices <= (size - p->header) / p->bytes;
     if (!fits || !p->is_double[0] || !p->is_double[1] || !p->is_double[2]) {
         return false;
     }
+    /* First pass: the bounding box of the vertices. */
     for (uint64_t i = 0; i < p->vertices; ++i) {
         const char *at = bytes + p->header + i * p->bytes;
         double x[3];
@@ -332,6 +348,7 @@ static bool shift_binary(const ply *p, const char *bytes, size_t size,
     if (!choose(&e, shift)) {
         return false;
     }
+    /* Second pass: copy the file and shift the vertices in place. */
     put(out, bytes, size);
     for (uint64_t i = 0; i < p->vertices && !out->failed; ++i) {
         char *at = out->bytes + p->header + i * p->bytes;

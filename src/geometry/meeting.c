@@ -1,20 +1,19 @@
-/* Whether two closed meshes cross.
+/* Test whether two closed meshes intersect.
  *
- * They do when one of them has points of its surface inside the other and
- * points outside. Such points are looked for among the corners and middles of
- * its triangles, and between the places where its edges pass through the other
- * mesh; those nearer to the other's surface than the tolerance are touching,
- * and say nothing. Two meshes whose surfaces cross have an edge of one that
- * passes through a triangle of the other, so both are held against each
- * other. */
+ * They do if one of them has points of its surface inside and outside of the
+ * other. Such points are looked for among the corners and centroids of the
+ * triangles, and between the places where an edge passes through the other
+ * mesh. Points closer to the other surface than the tolerance are touching
+ * and do not count. If two surfaces intersect, an edge of one of them passes
+ * through a triangle of the other, so each mesh is tested against the other. */
 #include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"
 
 #include <stdlib.h>
 
-/* Places on one edge that are told apart; more are passed over, for their
- * neighbours' edges tell the same. */
+/* Intersections considered on one edge. More are ignored: neighbouring edges
+ * give the same answer. */
 #define PLACES_MAX 64
 
 typedef struct sampling {
@@ -29,6 +28,8 @@ static bool is_decided(const sampling *s)
     return s->any_inside && s->any_outside;
 }
 
+/* Notes whether a point of the surface is inside or outside of the other
+ * mesh, unless it is on that mesh within the tolerance. */
 static void sample(sampling *s, murk_vec3 point)
 {
     if (is_decided(s) ||
@@ -63,6 +64,8 @@ static int order(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
+/* Samples the middles of the parts into which the other mesh divides an
+ * edge. */
 static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
 {
     const murk_vec3 way = murk_sub(to, from);

@@ -1,12 +1,15 @@
-/* Whether a closed mesh crosses a half space, box or sphere: some triangle
- * reaches into the shape, some corner lies out of it. As the shapes are convex,
- * corners settle the second, and for triangles and boxes separating axes the
- * first (Akenine-Moeller, J. Graph. Tools 6 (2001) 29,
+/* Test whether a closed mesh intersects a half space, box or sphere.
+ *
+ * They intersect if some triangle reaches into the shape and some corner
+ * lies outside of it. The shapes are convex, so corners suffice for the
+ * second condition. For triangles and boxes the first is the separating axis
+ * test (Akenine-Moeller, J. Graph. Tools 6 (2001) 29,
  * doi:10.1080/10867651.2001.10487535). */
 #include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"
 
+/* True if `axis` separates the triangle from the open box. */
 static bool is_apart(const murk_triangle *t, murk_vec3 half, murk_vec3 axis)
 {
     const double a = murk_dot(t->a, axis), b = murk_dot(t->b, axis),
@@ -16,8 +19,8 @@ static bool is_apart(const murk_triangle *t, murk_vec3 half, murk_vec3 axis)
     return fmin(a, fmin(b, c)) >= reach || fmax(a, fmax(b, c)) <= -reach;
 }
 
-/* Whether part of the triangle, given from the middle of the box, lies in the
- * open box. */
+/* True if part of the triangle, given relative to the middle of the box, is
+ * in the open box. */
 static bool reaches_box(const murk_triangle *t, murk_vec3 half)
 {
     const murk_vec3 own[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -52,6 +55,8 @@ static murk_vec3 middle_of(const murk_box *box)
     return murk_scale(0.5, murk_add(box->min, box->max));
 }
 
+/* True if part of the triangle is inside the shape by more than the
+ * tolerance. */
 static bool reaches_in(const murk_plain_shape *s, const murk_triangle *t,
                        double tolerance)
 {
@@ -71,6 +76,7 @@ static bool reaches_in(const murk_plain_shape *s, const murk_triangle *t,
     return false;
 }
 
+/* True if the point is outside of the shape by more than the tolerance. */
 static bool is_out(const murk_plain_shape *s, murk_vec3 p, double tolerance)
 {
     const murk_vec3 half = half_of(&s->box, tolerance);
@@ -92,6 +98,7 @@ bool murk_boundary_mesh_meets_plain(const murk_boundary_mesh *boundary_mesh,
                                     double tolerance_m, murk_vec3 *place)
 {
     const murk_soup *soup = &boundary_mesh->shape->soup;
+    /* Work in the coordinates of the shape; the tolerance is scaled to them. */
     murk_affine to_local = murk_affine_identity();
     if (shape->plain != MURK_PLAIN_BELOW &&
         !murk_affine_invert(&shape->to_world, &to_local)) {
@@ -108,6 +115,7 @@ bool murk_boundary_mesh_meets_plain(const murk_boundary_mesh *boundary_mesh,
             murk_affine_point(&to_local, a),
             murk_affine_point(&to_local, murk_add(t.b, soup->anchor)),
             murk_affine_point(&to_local, murk_add(t.c, soup->anchor))};
+        /* Look for a part inside and a corner outside. */
         const bool in = reaches_in(shape, &local, tolerance);
         const bool out = is_out(shape, local.a, tolerance) ||
                          is_out(shape, local.b, tolerance) ||

@@ -1,9 +1,10 @@
 /* Triangle meshes from files of any format that Assimp reads (OBJ, PLY, STL,
  * glTF, Collada, FBX, IFC, ...).
  *
- * The file is parsed in a child process with limits (base/subprocess.h),
+ * The file is parsed in a subprocess with limits (base/subprocess.h),
  * checked (finite coordinates, indices in range), and handed over as plain
- * arrays in metres with z up. Call before any thread or ray device exists. */
+ * arrays in metres with z up. Call murk_mesh_read() before any thread or
+ * Embree device exists, because it forks. */
 #ifndef MURK_GEOMETRY_MESH_H
 #define MURK_GEOMETRY_MESH_H
 
@@ -17,32 +18,34 @@
 
 typedef struct murk_mesh {
     size_t vertices, triangles, materials;
-    murk_vec3 origin_m; /* that the vertices count from: 0, unless an OBJ or PLY
-                           file has them far from 0 (geometry/import_shift.h) */
-    double step_m;      /* of single precision at the farthest vertex: how far
-                           off the vertices may be */
+    murk_vec3 origin_m; /* origin of the vertices: 0, unless an OBJ or PLY file
+                           has vertices far from 0 (geometry/import_shift.h) */
+    double step_m;      /* step of single precision at the farthest vertex: the
+                           accuracy of the vertices */
     float *vertex_m;    /* 3 * vertices: x y z x y z ... */
     uint32_t *corner;   /* 3 * triangles: indices of vertices */
     uint32_t *material; /* triangles: index into material_name */
-    char (*material_name)[MURK_NAME_SIZE]; /* as the file calls them */
-    size_t degenerate; /* triangles of no area: counted, left out */
-    murk_box bounds_m; /* with the origin */
+    char (*material_name)[MURK_NAME_SIZE]; /* the names in the file */
+    size_t degenerate; /* number of triangles without area; they are removed */
+    murk_box bounds_m; /* in world coordinates: origin included */
 } murk_mesh;
 
 typedef struct murk_mesh_import {
-    /* Length of the file's unit; 0: what the file says (Collada, glTF, FBX,
-     * IFC), else 1. */
+    /* Length of the file's unit [m]. 0: the unit that the file states
+     * (Collada, glTF, FBX, IFC), otherwise 1. */
     double unit_m;
-    /* 'x', 'y', 'z': the file's up axis; 0: what the file or its format says
-     * (Collada, glTF, FBX, IFC, 3DS, ASE, DXF, X3D), else z. */
+    /* 'x', 'y' or 'z': the file's up axis. 0: the up axis that the file or
+     * the format states (Collada, glTF, FBX, IFC, 3DS, ASE, DXF, X3D),
+     * otherwise z. */
     char up;
-    /* A folder in which the mesh may name other files (glTF's buffers, OBJ's
-     * mtllib), beside its own; NULL: its own alone. */
+    /* A folder, beside the mesh's own, in which the mesh may name other
+     * files (glTF's buffers, OBJ's mtllib). NULL: no other folder. */
     const char *allow;
 } murk_mesh_import;
 
-/* *out is the caller's: murk_mesh_destroy(). Fails with MURK_BAD_FILE (missing,
- * malformed, no triangles, not finite, an index out of range) at `where`. */
+/* The caller owns *out and releases it with murk_mesh_destroy(). Fails with
+ * MURK_BAD_FILE at `where` if the file is missing, malformed, without
+ * triangles, not finite, or has an index out of range. */
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);

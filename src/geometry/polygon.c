@@ -1,3 +1,5 @@
+/* Clips triangles by planes (Sutherland & Hodgman, Commun. ACM 17 (1974) 32,
+ * doi:10.1145/360767.360802). */
 #include "geometry/polygon.h"
 
 static void add(murk_polygon *p, murk_vec3 corner)
@@ -7,10 +9,9 @@ static void add(murk_polygon *p, murk_vec3 corner)
     }
 }
 
-/* Leaves what is not below a plane, which each corner's height above it is
- * known of (Sutherland & Hodgman, Commun. ACM 17 (1974) 32,
- * doi:10.1145/360767.360802). New corners lie in the plane to the last bit
- * where it is that of an axis (else -1) at `bound`. */
+/* Keeps the part of a polygon that is not below a plane, given the height of
+ * each corner above the plane. If the plane is perpendicular to `axis` (else
+ * -1) at `bound`, new corners lie in it to the last bit. */
 static murk_polygon cut(const murk_polygon *p, const double *height, int axis,
                         double bound)
 {

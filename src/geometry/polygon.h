@@ -1,15 +1,16 @@
-/* Convex polygons cut from triangles by a box. Internal to the room. */
+/* Intersections of triangles with boxes and half spaces: convex polygons.
+ * Internal to the room. */
 #ifndef MURK_GEOMETRY_POLYGON_H
 #define MURK_GEOMETRY_POLYGON_H
 
 #include "geometry/triangle.h"
 
-/* A triangle has three corners, and each of six planes adds one; rounding may
- * add a few to slivers, of which the rest is left out. */
+/* A triangle has three corners and each of the six planes of a box adds one:
+ * nine. Rounding may add a few to slivers; corners beyond 16 are left out. */
 #define MURK_POLYGON_MAX 16
 
 typedef struct murk_polygon {
-    size_t n; /* 0: nothing is left */
+    size_t n; /* 0: the intersection is empty */
     murk_vec3 corner[MURK_POLYGON_MAX];
 } murk_polygon;
 
@@ -23,8 +24,8 @@ static inline void murk_component_set(murk_vec3 *v, int axis, double value)
     *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
 }
 
-/* The part of a triangle in a closed box. What lies in a face of the box is
- * kept, so that a flat box leaves segments and points. */
+/* The part of a triangle in a closed box. Points on a face of the box are
+ * kept, so a flat box leaves segments and points. */
 murk_polygon murk_triangle_in_box(const murk_triangle *t, const murk_box *box);
 
 /* The part of a triangle at `normal` . x >= height. */

@@ -1,25 +1,28 @@
-/* The shadow that a triangle throws from a point: all points that it hides
- * for certain.
+/* The shadow of a triangle as seen from a point: a region in which every point
+ * is certainly occluded by the triangle.
  *
- * Neighbouring sightlines to one sensor are mostly stopped by the same few
- * triangles; four dot products then answer what Embree would take some
- * hundred nanoseconds for. The shadow is drawn in by margins well above
- * Embree's own rounding, so a point inside is one for which Embree says
- * blocked, too, whatever its kernel; all others are left to Embree. */
+ * Neighbouring sightlines to one sensor are mostly blocked by the same few
+ * triangles. Four dot products then answer a question for which Embree takes
+ * some hundred nanoseconds. The shadow is reduced by margins well above
+ * Embree's own rounding, so Embree would report any point inside as occluded
+ * too, whichever of Embree's kernels runs. All other points are left to
+ * Embree. */
 #ifndef MURK_GEOMETRY_SHADOW_H
 #define MURK_GEOMETRY_SHADOW_H
 
 #include "geometry/triangle.h"
 
-/* Four planes: a point is inside when normal . point + offset > 0 for all:
- * three through the eye and an edge, one the triangle's own. */
+/* Four planes: a point is inside if normal . point + offset > 0 for all of
+ * them. Three planes pass through the eye and an edge; the fourth is the
+ * plane of the triangle. */
 typedef struct murk_shadow {
     murk_vec3 normal[4];
     double offset[4];
 } murk_shadow;
 
-/* False when the triangle throws none that is certain. unit_m: spacing of
- * floats in the scene; farthest_m: of any point asked, from the eye. */
+/* Computes the shadow; false if the triangle has none that is certain.
+ * unit_m: spacing of floats in the scene; farthest_m: the largest distance
+ * of any queried point from the eye. */
 bool murk_shadow_make(murk_shadow *shadow, const murk_triangle *triangle,
                       murk_vec3 eye, double unit_m, double farthest_m);
 

@@ -1,33 +1,35 @@
-/* Which side of each triangle of a closed mesh is outside.
+/* Finds the outer side of each triangle of a closed mesh.
  *
- * Patches of neighbouring triangles are turned to one side each, and one ray
- * from the largest triangle of a patch tells whether that side is out: the
- * number of crossings ahead is then even. That answers for the whole patch
- * only where the mesh does not cross itself, so all edges are held against all
- * triangles first. */
+ * Patches of neighbouring triangles are oriented to one side each
+ * (geometry/closed.h). One ray from the largest triangle of a patch then
+ * tells whether that side is outside: the number of crossings ahead is even.
+ * The answer holds for the whole patch only if the mesh does not cross
+ * itself, so all edges are first tested against all triangles. */
 #include "base/log.h"
 #include "base/position.h"
 #include "geometry/boundary_mesh.h"
-#include "geometry/gather.h"
+#include "geometry/placed_shapes.h"
 #include "geometry/triangle.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Nearer to the middle of a triangle than this, a ray from there meets the
- * triangle itself. */
+/* Hits closer to a ray's start than this, in float steps, are the triangle
+ * on which the ray starts; above the error of Embree's distance. */
 #define OWN_UNITS 4
 
-/* ---- does it cross itself? ---- */
+/* ---- self-intersection ---- */
 
 typedef struct piercing {
     const murk_soup *soup;
     const uint32_t *same;
     murk_vec3 from, to;
-    uint32_t ends[2]; /* vertices, welded */
+    uint32_t ends[2]; /* the end vertices of the edge, after merging */
     bool is_pierced;
 } piercing;
 
+/* Notes whether an edge passes through a triangle that does not share a
+ * vertex with it: its ends are then on different sides. */
 static void look_for_piercing(void *context, size_t triangle, double distance_m)
 {
     piercing *p = context;
@@ -46,8 +48,9 @@ static void look_for_piercing(void *context, size_t triangle, double distance_m)
                      0;
 }
 
-/* Each edge belongs to two triangles: counted by halves, and at the first
- * place found. */
+/* Counts edges that pass through triangles of the same mesh; *first is the
+ * middle of the first such edge. Each edge belongs to two triangles and is
+ * found twice, so halves are counted. */
 static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
                             murk_vec3 *first)
 {
@@ -57,6 +60,7 @@ static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
         for (size_t k = 0; k < 3 && !b->is_copy[i]; ++k) {
             const uint32_t from = soup->corner[3 * i + k];
             const uint32_t to = soup->corner[3 * i + (k + 1) % 3];
+            /* Trace a ray along the edge and test each triangle it meets. */
             piercing p = {.soup = soup,
                           .same = same,
                           .from = murk_vertex(soup->vertex, from),
@@ -75,7 +79,7 @@ static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
     b->crossings = (halves + 1) / 2;
 }
 
-/* ---- which side is out? ---- */
+/* ---- outer sides ---- */
 
 typedef struct tally {
     double beyond_m;
@@ -89,8 +93,9 @@ static void add_one(void *context, size_t triangle, double distance_m)
     t->is_odd ^= distance_m > t->beyond_m;
 }
 
-/* Whether a triangle's normal by winding points inside: by three rays to that
- * side, none likely to meet an edge. */
+/* True if the winding's normal of a triangle points into the mesh: the
+ * majority of three rays that start on that side, in irregular directions
+ * that are unlikely to hit an edge. */
 static bool points_inside(const murk_boundary_mesh *b, size_t triangle)
 {
     const double tilt[3][2] = {{0.31, 0.17}, {-0.23, 0.29}, {0.13, -0.37}};
@@ -127,6 +132,7 @@ static murk_status learn_sides(murk_boundary_mesh *b, const murk_patches *p,
                            soup->triangles);
         goto done;
     }
+    /* The largest triangle of each patch, where rounding matters least. */
     for (size_t i = 0; i < soup->triangles; ++i) {
         const murk_triangle t = murk_soup_triangle(soup, i);
         const double own = murk_triangle_area(&t);
@@ -137,7 +143,7 @@ static murk_status learn_sides(murk_boundary_mesh *b, const murk_patches *p,
     }
     for (size_t k = 0; k < p->patches; ++k) {
         const uint32_t i = largest[k];
-        /* The patch's own side, under its largest triangle's number. */
+        /* The orientation of the patch, stored at its largest triangle. */
         is_inward[i] = points_inside(b, i) != p->is_turned[i];
     }
     for (size_t k = 0; k < p->patches; ++k) {
@@ -165,6 +171,7 @@ murk_status murk_boundary_mesh_find_sides(murk_boundary_mesh *b,
     if (status) {
         goto done;
     }
+    /* An open mesh bounds nothing. */
     if (p.open_edges > 0) {
         status = murk_fail(
             err, MURK_BAD_VALUE, where,
@@ -173,9 +180,12 @@ murk_status murk_boundary_mesh_find_sides(murk_boundary_mesh *b,
             p.open_edges, soup->triangles);
         goto done;
     }
+    /* Repeated triangles do not count; they are known before rays are
+     * traced. */
     b->is_copy = p.is_copy;
     p.is_copy = NULL;
     murk_vec3 first = {0, 0, 0};
+    /* A mesh that crosses itself, or is one-sided, keeps no sides. */
     count_crossings(b, p.same, &first);
     if (b->crossings > 0) {
         murk_warn(where,

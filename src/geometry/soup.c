@@ -1,26 +1,30 @@
-/* The anchor is chosen, the vertices are rounded to float once, and from then
- * on the floats are the truth. */
+/* Builds the triangle soup: chooses the anchor, rounds the vertices to single
+ * precision, finds solids and sheets, and sorts by kind of face.
+ *
+ * Vertices are rounded once. From then on the float vertices define the
+ * geometry, and all later computations in double precision start from them. */
 #include "geometry/soup.h"
 
 #include "base/log.h"
 #include "geometry/closed.h"
-#include "geometry/gather.h"
+#include "geometry/placed_shapes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* A scene whose middle is further than this many times its half size from the
- * origin is stored about its own middle. */
+/* A scene is stored relative to its own middle if the middle is farther from
+ * the origin than this many times half of the size. With 4, at most 2 to 3
+ * of 24 bits of precision are lost to the distance. */
 #define FAR_AWAY 4.0
 
-static murk_box bounds(const murk_gathering *g)
+static murk_box bounds(const murk_placed_shapes *g)
 {
     murk_box box = murk_box_empty();
     for (size_t i = 0; i < g->vertices; ++i) {
         box = murk_box_with(box, g->vertex[i]);
     }
-    for (size_t i = 0; i < g->balls; ++i) {
-        const murk_ball *b = &g->ball[i];
+    for (size_t i = 0; i < g->spheres; ++i) {
+        const murk_stored_sphere *b = &g->sphere[i];
         const murk_vec3 r = murk_vec(b->radius, b->radius, b->radius);
         box = murk_box_with(murk_box_with(box, murk_add(b->center, r)),
                             murk_sub(b->center, r));
@@ -33,8 +37,9 @@ static double largest(murk_vec3 v)
     return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
 }
 
-/* 0 unless the scene is far from the origin; then its middle, on a grid as
- * coarse as the scene, so that subtracting it loses nothing in double. */
+/* The anchor: 0 unless the scene is far from the origin. Otherwise the
+ * middle of the scene, rounded to a power of two near the size of the scene,
+ * so that subtracting it loses no digits in double precision. */
 static murk_vec3 choose_anchor(const murk_box *box)
 {
     const murk_vec3 middle = murk_scale(0.5, murk_add(box->min, box->max));
@@ -48,7 +53,7 @@ static murk_vec3 choose_anchor(const murk_box *box)
                     grid * nearbyint(middle.z / grid));
 }
 
-static murk_status store_vertices(murk_soup *soup, const murk_gathering *g,
+static murk_status store_vertices(murk_soup *soup, const murk_placed_shapes *g,
                                   murk_error *err)
 {
     const murk_box box = bounds(g);
@@ -66,14 +71,14 @@ static murk_status store_vertices(murk_soup *soup, const murk_gathering *g,
         soup->vertex[3 * i + 2] = (float)p.z;
     }
     memset(soup->vertex + 3 * g->vertices, 0, 3 * sizeof *soup->vertex);
-    for (size_t i = 0; i < g->balls; ++i) {
-        g->ball[i].center = murk_sub(g->ball[i].center, soup->anchor);
+    for (size_t i = 0; i < g->spheres; ++i) {
+        g->sphere[i].center = murk_sub(g->sphere[i].center, soup->anchor);
     }
     return MURK_OK;
 }
 
-/* After rounding some triangles may have no area left. */
-static void drop_degenerate(murk_soup *soup, murk_gathering *g)
+/* Removes triangles that have no area after rounding. */
+static void drop_degenerate(murk_soup *soup, murk_placed_shapes *g)
 {
     size_t kept = 0;
     soup->degenerate = g->degenerate;
@@ -113,10 +118,12 @@ static murk_status number_solid(murk_soup *soup, const char *where,
     return MURK_OK;
 }
 
-/* The triangles of one description and one material: its closed parts together
- * are one solid, so that a hollow shape (two shells) is one thing. */
-static murk_status find_solid(murk_soup *soup, murk_gathering *g, size_t first,
-                              size_t last, uint8_t material,
+/* Finds the solid made of the triangles first..last-1 of one description
+ * that have one material. All closed parts together are one solid, so that a
+ * hollow shape of two closed surfaces is one object. Triangles that are not
+ * closed are reported in a warning. */
+static murk_status find_solid(murk_soup *soup, murk_placed_shapes *g,
+                              size_t first, size_t last, uint8_t material,
                               const murk_surface_desc *d,
                               const char *material_name, murk_error *err)
 {
@@ -130,6 +137,8 @@ static murk_status find_solid(murk_soup *soup, murk_gathering *g, size_t first,
                            "no memory to look for closed parts");
         goto done;
     }
+    /* Collect the triangles of this material, with vertices numbered from
+     * the lowest one used. */
     uint32_t low = UINT32_MAX, high = 0;
     for (size_t i = first; i < last; ++i) {
         if (g->material[i] == material) {
@@ -150,6 +159,7 @@ static murk_status find_solid(murk_soup *soup, murk_gathering *g, size_t first,
     if (status) {
         goto done;
     }
+    /* Closed triangles become the boundary of a new solid. */
     for (size_t i = 0; i < n; ++i) {
         n_closed += is_closed[i];
     }
@@ -162,6 +172,7 @@ static murk_status find_solid(murk_soup *soup, murk_gathering *g, size_t first,
             g->face[index[i]] = MURK_FACE_SOLID;
         }
     }
+    /* The open rest does not refract. */
     if (n_closed < n) {
         murk_warn(murk_place_of(d),
                   "material %s has an ior, but %zu of its %zu triangles are "
@@ -175,15 +186,18 @@ done:
     return status;
 }
 
-static murk_status classify(murk_soup *soup, murk_gathering *g,
+static murk_status classify(murk_soup *soup, murk_placed_shapes *g,
                             const murk_surface_desc *surfaces,
                             const murk_material *materials, size_t n_materials,
                             murk_error *err)
 {
+    /* Without an index of refraction a face is opaque or a sheet. */
     for (size_t i = 0; i < g->triangles; ++i) {
         g->face[i] = transmits(&materials[g->material[i]]) ? MURK_FACE_SHEET
                                                            : MURK_FACE_OPAQUE;
     }
+    /* Each description and each of its materials with an index of refraction
+     * may form a solid. */
     for (size_t first = 0, last; first < g->triangles; first = last) {
         bool has[MURK_MATERIALS_MAX] = {false};
         for (last = first;
@@ -201,8 +215,9 @@ static murk_status classify(murk_soup *soup, murk_gathering *g,
             }
         }
     }
-    for (size_t i = 0; i < g->balls; ++i) {
-        murk_ball *b = &g->ball[i];
+    /* A sphere is always closed. */
+    for (size_t i = 0; i < g->spheres; ++i) {
+        murk_stored_sphere *b = &g->sphere[i];
         const murk_material *m = &materials[b->material];
         b->face = transmits(m) ? MURK_FACE_SHEET : MURK_FACE_OPAQUE;
         if (m->ior > 0) {
@@ -217,18 +232,20 @@ static murk_status classify(murk_soup *soup, murk_gathering *g,
     return MURK_OK;
 }
 
-/* A stable sort into the three faces. */
-static murk_status store_faces(murk_soup *soup, const murk_gathering *g,
+/* Stores triangles and spheres sorted by kind of face; the order within a
+ * kind is kept. */
+static murk_status store_faces(murk_soup *soup, const murk_placed_shapes *g,
                                murk_error *err)
 {
     soup->corner = malloc((3 * g->triangles + 1) * sizeof *soup->corner);
     soup->material = malloc(g->triangles + 1);
     soup->solid = malloc((g->triangles + 1) * sizeof *soup->solid);
-    soup->ball = malloc((g->balls + 1) * sizeof *soup->ball);
-    if (!soup->corner || !soup->material || !soup->solid || !soup->ball) {
+    soup->sphere = malloc((g->spheres + 1) * sizeof *soup->sphere);
+    if (!soup->corner || !soup->material || !soup->solid || !soup->sphere) {
         return murk_fail(err, MURK_NO_MEMORY, "geometry",
                          "no memory for %zu triangles", g->triangles);
     }
+    /* One pass for each kind of face. */
     for (int face = 0; face < MURK_FACES; ++face) {
         soup->first_triangle[face] = soup->triangles;
         for (size_t i = 0; i < g->triangles; ++i) {
@@ -240,15 +257,15 @@ static murk_status store_faces(murk_soup *soup, const murk_gathering *g,
                 soup->solid[k] = g->solid[i];
             }
         }
-        soup->first_ball[face] = soup->balls;
-        for (size_t i = 0; i < g->balls; ++i) {
-            if ((int)g->ball[i].face == face) {
-                soup->ball[soup->balls++] = g->ball[i];
+        soup->first_sphere[face] = soup->spheres;
+        for (size_t i = 0; i < g->spheres; ++i) {
+            if ((int)g->sphere[i].face == face) {
+                soup->sphere[soup->spheres++] = g->sphere[i];
             }
         }
     }
     soup->first_triangle[MURK_FACES] = soup->triangles;
-    soup->first_ball[MURK_FACES] = soup->balls;
+    soup->first_sphere[MURK_FACES] = soup->spheres;
     return MURK_OK;
 }
 
@@ -259,13 +276,13 @@ static void measure(murk_soup *soup)
         soup->box = murk_box_with(soup->box,
                                   murk_vertex(soup->vertex, soup->corner[i]));
     }
-    for (size_t i = 0; i < soup->balls; ++i) {
-        const murk_ball *b = &soup->ball[i];
+    for (size_t i = 0; i < soup->spheres; ++i) {
+        const murk_stored_sphere *b = &soup->sphere[i];
         const murk_vec3 r = murk_vec(b->radius, b->radius, b->radius);
         soup->box = murk_box_with(soup->box, murk_add(b->center, r));
         soup->box = murk_box_with(soup->box, murk_sub(b->center, r));
     }
-    soup->extent = soup->triangles + soup->balls == 0
+    soup->extent = soup->triangles + soup->spheres == 0
                        ? 0
                        : fmax(largest(soup->box.min), largest(soup->box.max));
 }
@@ -275,9 +292,9 @@ murk_status murk_soup_build(murk_soup *soup, const murk_surface_desc *surfaces,
                             size_t n_materials, murk_error *err)
 {
     *soup = (murk_soup){0};
-    murk_gathering g;
-    murk_status status = murk_gather_triangles(&g, surfaces, n_surfaces,
-                                               materials, n_materials, err);
+    murk_placed_shapes g;
+    murk_status status = murk_placed_shapes_build(&g, surfaces, n_surfaces,
+                                                  materials, n_materials, err);
     if (!status) {
         status = store_vertices(soup, &g, err);
     }
@@ -291,7 +308,7 @@ murk_status murk_soup_build(murk_soup *soup, const murk_surface_desc *surfaces,
     if (!status) {
         measure(soup);
     }
-    murk_gathering_release(&g);
+    murk_placed_shapes_release(&g);
     return status;
 }
 
@@ -301,7 +318,7 @@ void murk_soup_release(murk_soup *soup)
     free(soup->corner);
     free(soup->material);
     free(soup->solid);
-    free(soup->ball);
+    free(soup->sphere);
     *soup = (murk_soup){0};
 }
 
@@ -310,5 +327,5 @@ size_t murk_soup_bytes(const murk_soup *soup)
     return 3 * (soup->vertices + 1) * sizeof *soup->vertex +
            soup->triangles * (3 * sizeof *soup->corner +
                               sizeof *soup->material + sizeof *soup->solid) +
-           soup->balls * sizeof *soup->ball;
+           soup->spheres * sizeof *soup->sphere;
 }

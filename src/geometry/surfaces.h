@@ -1,19 +1,21 @@
-/* All surfaces of a world: what a ray meets, and whether one is in the way.
+/* All surfaces of a scene: the nearest intersection of a ray, and whether a
+ * sightline is blocked.
  *
- * Immutable after creation, so any number of threads may ask. Every answer
- * depends on the ray alone: not on other rays asked with it, nor on threads.
+ * Immutable after creation, so any number of threads may use it. Every answer
+ * depends on the ray alone: not on other rays traced with it, nor on threads.
  *
- * A material splits light that meets it, per band: diffuse + specular +
- * transmit <= 1, the rest is absorbed. Open geometry that transmits is a thin
- * sheet and does not bend. A closed mesh (or box, or sphere) whose material
- * has an index of refraction is a solid: Snell and Fresnel act at its boundary
- * (there specular + transmit is the share not absorbed, split by Fresnel), and
- * no medium is inside. Closed: each edge of a connected part of the triangles
- * of one description and one material belongs to an even number of them, once
- * vertices of equal place are one; all closed parts together are one solid, so
- * a hollow shape of two shells is one. Where such a material's surface is open
- * it does not bend, and a warning says so. Winding means nothing: a normal
- * faces the side that the ray came from. */
+ * A material divides incident light per band: diffuse + specular + transmit
+ * <= 1, the rest is absorbed. Open geometry that transmits is a thin sheet
+ * and does not refract. A closed mesh (or box, or sphere) whose material has
+ * an index of refraction is a solid: Snell's law and Fresnel's equations
+ * apply at its boundary (specular + transmit is then the share that is not
+ * absorbed, divided by Fresnel), and no medium is inside. Closed means that
+ * every edge of a connected part, made of the triangles of one description
+ * and one material, belongs to an even number of them after vertices at
+ * equal places are merged. All closed parts together are one solid, so a
+ * hollow shape of two closed surfaces is one solid. Open surfaces of such a
+ * material do not refract, and a warning says so. The winding of triangles
+ * is ignored: a normal faces the side from which the ray came. */
 #ifndef MURK_GEOMETRY_SURFACES_H
 #define MURK_GEOMETRY_SURFACES_H
 
@@ -43,22 +45,23 @@ typedef enum murk_shape {
 
 typedef struct murk_surface_desc {
     murk_shape shape;
-    const murk_mesh *mesh;          /* borrowed during creation */
+    const murk_mesh *mesh;          /* borrowed until creation returns */
     murk_box box;                   /* box */
     murk_vec3 corner, edge1, edge2; /* rect */
     murk_vec3 center;               /* sphere */
     double radius_m;
-    murk_affine to_world; /* meshes: after unit and up axis; others too, spheres
-                             by similarity only */
-    int material; /* index; -1: by the mesh's own names, `default` (index
-                     0) where the scene does not name them */
+    murk_affine to_world; /* meshes: applied after the conversion of unit and up
+                             axis; spheres: a similarity only */
+    int material; /* index; -1: by the names in the mesh file, `default` (index
+                     0) for names that the scene does not define */
     const char *where;
 } murk_surface_desc;
 
 typedef struct murk_surfaces murk_surfaces;
 
-/* materials[0] is `default`; n_materials >= 1. n_surfaces may be 0. Geometry
- * outside the domain is kept: rays do not get there. *out is the caller's:
+/* Builds the surfaces. materials[0] is `default`; n_materials >= 1;
+ * n_surfaces may be 0. Geometry outside of the domain is kept, because no
+ * ray gets there. The caller owns *out and releases it with
  * murk_surfaces_destroy(). */
 murk_status murk_surfaces_create(murk_surfaces **out,
                                  const murk_surface_desc *surfaces,
@@ -69,86 +72,93 @@ void murk_surfaces_destroy(murk_surfaces *surfaces);
 
 const murk_material *murk_surfaces_material(const murk_surfaces *surfaces,
                                             size_t material);
-size_t murk_surfaces_materials(const murk_surfaces *surfaces); /* how many */
+size_t murk_surfaces_materials(
+    const murk_surfaces *surfaces); /* the number of materials */
 
 typedef struct murk_hit {
     double distance_m;
-    murk_vec3 normal;  /* unit, geometric, faces the side the ray came from */
-    uint32_t triangle; /* a number of the triangle or sphere, for replay */
+    murk_vec3
+        normal; /* unit geometric normal, on the side from which the ray came */
+    uint32_t triangle; /* number of the triangle or sphere, for replay */
     uint8_t material;
-    uint16_t solid; /* 1.. for the boundary of a solid, else 0 */
+    uint16_t solid; /* number of the solid from 1 for the boundary of a solid,
+                       else 0 */
 } murk_hit;
 
-/* The nearest surface strictly ahead within max_m (may be INFINITY). For a ray
- * that leaves a surface, start from murk_surfaces_leave(). In a corner of
- * opaque surfaces, within 1e-6 of the largest coordinate, distance_m is short
- * by 8e-6 of it, so that the next ray starts in the room. */
+/* The nearest intersection strictly ahead and within max_m (may be
+ * INFINITY). A ray that leaves a surface must start at
+ * murk_surfaces_leave(). In a corner of opaque surfaces, within 1e-6 of the
+ * largest coordinate, distance_m is shortened by 8e-6 of that coordinate, so
+ * that the next ray starts inside the room. */
 bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit);
 
-/* A point just off the surface at `point`, on the side that `normal` points
- * to: far enough that no ray from it meets that surface again through
- * rounding: 9.5e-7 of the largest coordinate (counted from the middle of a
- * scene that is far from the origin). Surfaces nearer to each other than this
- * are not told apart. */
+/* A point slightly off the surface at `point`, on the side to which `normal`
+ * points, so that rounding cannot make a ray from it hit that surface again.
+ * The distance is 9.5e-7 of the largest coordinate (relative to the middle
+ * of a scene that is far from the origin). Surfaces closer to each other
+ * than this are not told apart. */
 murk_vec3 murk_surfaces_leave(const murk_surfaces *surfaces, murk_vec3 point,
                               murk_vec3 normal);
 
-/* The solid that encloses a point, the innermost of several: 1.., or 0. For
- * where a lamp stands. */
+/* The number (from 1) of the innermost solid that encloses a point, or 0. It
+ * tells in which solid a light source is. */
 uint16_t murk_surfaces_solid_at(const murk_surfaces *surfaces, murk_vec3 point);
 
-/* Whether anything but a thin transmitting sheet (or, if !through_sheets,
- * anything) stands between two points. Both may lie on surfaces: the ends
- * themselves do not block when moved off as murk_surfaces_leave() does. */
+/* True if a surface blocks the segment between two points. Thin transmitting
+ * sheets do not block if through_sheets is set. Both points may lie on
+ * surfaces: the ends themselves do not block if they are moved off as
+ * murk_surfaces_leave() does. */
 bool murk_surfaces_blocked(const murk_surfaces *surfaces, murk_vec3 from,
                            murk_vec3 to, bool through_sheets);
 
-/* blocked[i] = murk_surfaces_blocked(from[i], to, ...), faster: the rays share
- * one end, and neighbours in the array should be neighbours in space. Equal to
- * the single call bit for bit. */
+/* Sets blocked[i] = murk_surfaces_blocked(from[i], to, ...), bit for bit,
+ * but faster: the rays share one end. Neighbours in the array should be
+ * neighbours in space. */
 void murk_surfaces_blocked_many(const murk_surfaces *surfaces,
                                 const murk_vec3 *from, size_t n, murk_vec3 to,
                                 bool through_sheets, bool *blocked);
 
-/* Product of the transmittances of the thin sheets between two points: 1 where
- * there are none. The material's transmit holds at any angle; sheets nearer to
- * each other than murk_surfaces_leave() moves count once. */
+/* Product of the transmittances of the thin sheets between two points; 1 if
+ * there are none. The material's transmit applies at any angle. Sheets
+ * closer to each other than the distance of murk_surfaces_leave() count
+ * once. */
 double murk_surfaces_sheet_transmittance(const murk_surfaces *surfaces,
                                          murk_vec3 from, murk_vec3 to,
                                          int band);
 
-/* True when any surface, sheets too, is nearer than radius_m. */
+/* True if any surface, sheets included, is closer than radius_m. */
 bool murk_surfaces_near(const murk_surfaces *surfaces, murk_vec3 point,
                         double radius_m);
 
 typedef struct murk_surfaces_facts {
     size_t triangles, spheres, degenerate, solids, sheets;
     double area_m2;
-    murk_box bounds_m; /* empty when there are none */
+    murk_box bounds_m; /* empty if there are no surfaces */
     size_t memory_bytes;
 } murk_surfaces_facts;
 
 murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *surfaces);
 
-/* The i-th of murk_surfaces_describe().triangles, in no order that means
- * anything: its corners in the world [m]; and of the spheres. */
+/* The corners [m] in world coordinates of triangle i of
+ * murk_surfaces_describe().triangles, in no particular order; and the same
+ * for spheres. */
 void murk_surfaces_triangle(const murk_surfaces *surfaces, size_t i,
                             murk_vec3 corner[3]);
 void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,
                           murk_vec3 *center, double *radius_m);
 
-/* The material of triangle i, or of sphere i - triangles: numbers as in
- * murk_hit. */
+/* The material of triangle i, or of sphere i - triangles; the numbers are
+ * those of murk_hit. */
 uint8_t murk_surfaces_material_of(const murk_surfaces *surfaces, size_t i);
 
-/* The material that triangles get by a mesh's own name for theirs; where the
- * scene has none of that name (whatever its case and blanks), *is_named is
- * false and it is 0, `default`. */
+/* The material that a name in a mesh file refers to, ignoring case and
+ * blanks. If the scene has no such name, *is_named is false and the result
+ * is 0, `default`. */
 size_t murk_surfaces_material_named(const murk_surfaces *surfaces,
                                     const char *name, bool *is_named);
 
-/* Area [m2] of one material. */
+/* Area [m2] of all surfaces of one material. */
 double murk_surfaces_material_area(const murk_surfaces *surfaces,
                                    size_t material);
 

@@ -1,5 +1,8 @@
+/* Distances to triangles, and intersections of lines with spheres, in double
+ * precision. */
 #include "geometry/triangle.h"
 
+/* See murk_triangle_is_degenerate(). */
 #define DEGENERATE_SINE 0x1p-31
 
 bool murk_triangle_is_degenerate(const murk_triangle *t)
@@ -42,8 +45,8 @@ double murk_triangle_distance2(const murk_triangle *t, murk_vec3 p)
 bool murk_sphere_roots(murk_vec3 center, double radius, murk_vec3 o,
                        murk_vec3 d, double t[2])
 {
-    /* By way of the point of closest approach, which keeps digits where the
-     * sphere is small and far. */
+    /* Computed from the point of closest approach, which keeps digits if the
+     * sphere is small and far away. */
     const murk_vec3 from = murk_sub(o, center);
     const double d2 = murk_dot(d, d);
     const double middle = -murk_dot(from, d) / d2;

@@ -1,5 +1,6 @@
-/* Triangles and spheres in double precision, relative to the anchor of a soup
- * (geometry/soup.h). The stored float vertices are the truth. */
+/* Geometry of triangles and spheres in double precision, relative to the
+ * anchor of a soup (geometry/soup.h). The stored float vertices define the
+ * geometry. */
 #ifndef MURK_GEOMETRY_TRIANGLE_H
 #define MURK_GEOMETRY_TRIANGLE_H
 
@@ -27,7 +28,7 @@ static inline murk_triangle murk_triangle_at(const float *vertex,
                            murk_vertex(vertex, corner[2])};
 }
 
-/* Normal by the winding, twice the area long. */
+/* Normal by the winding; the length is twice the area. */
 static inline murk_vec3 murk_triangle_normal(const murk_triangle *t)
 {
     return murk_cross(murk_sub(t->b, t->a), murk_sub(t->c, t->a));
@@ -38,15 +39,16 @@ static inline double murk_triangle_area(const murk_triangle *t)
     return 0.5 * murk_length(murk_triangle_normal(t));
 }
 
-/* Collinear to rounding: the sine of the angle at a corner is below
- * 2^-31, where 2^-51 of rounding in the normal turns it by 1e-6 rad. */
+/* True if the corners are collinear to rounding: the sine of the angle at
+ * the first corner is at most 2^-31. At that angle the rounding of 2^-51 in
+ * the normal turns it by 1e-6 rad. */
 bool murk_triangle_is_degenerate(const murk_triangle *t);
 
 /* Squared distance from a point to the nearest point of the triangle. */
 double murk_triangle_distance2(const murk_triangle *t, murk_vec3 p);
 
-/* Where the line o + t d meets a sphere: t[0] <= t[1]; false where it passes
- * by. d need not be a unit vector. */
+/* Intersections of the line o + t d with a sphere: t[0] <= t[1]; false if
+ * there are none. d need not be a unit vector. */
 bool murk_sphere_roots(murk_vec3 center, double radius, murk_vec3 o,
                        murk_vec3 d, double t[2]);
 

@@ -1,17 +1,22 @@
+/* Visits the surfaces along a ray, nearest first: Embree finds the next
+ * primitive in single precision, and the distance is computed in double
+ * precision from the plane or sphere. */
 #include "geometry/walk.h"
 
 #include "geometry/triangle.h"
 
 #include <float.h>
 
-/* A ray starts this much early, so that an origin which rounding pushed
- * through a nearby surface still meets it; what then lies behind the true
- * origin is passed over. */
+/* A ray starts this many float steps early, so that an origin which rounding
+ * pushed through a nearby surface still hits it. Hits behind the true origin
+ * are skipped by the caller. 2 exceeds the 0.9 steps by which rounding moves
+ * an origin. */
 #define BACK_UNITS 2
 
-/* A plane's distance in double is believed when it agrees with Embree's to
- * this much; otherwise the ray all but lies in the plane, and Embree's point
- * is at least inside the triangle. */
+/* The distance of a plane in double precision is accepted if it agrees with
+ * Embree's to this many float steps, which is far above Embree's own error.
+ * Otherwise the ray is almost parallel to the plane, and Embree's point is
+ * at least inside the triangle. */
 #define AGREE_UNITS 64
 
 bool murk_walk_begin(murk_walk *w, const murk_surfaces *s, murk_vec3 origin,
@@ -36,7 +41,8 @@ bool murk_walk_begin(murk_walk *w, const murk_surfaces *s, murk_vec3 origin,
         !murk_ray_is_sound(w->context.origin, direction)) {
         return false;
     }
-    /* Infinite max_m stays so; else rounding must not lose the last hit. */
+    /* An infinite max_m stays infinite; otherwise it is enlarged so that
+     * rounding loses no hit at the end. */
     const double reach_m = (max_m - w->start_m) * (1 + (double)FLT_EPSILON);
     murk_ray_set(&w->ray.ray, w->context.origin, direction, (float)reach_m,
                  mask);
@@ -58,12 +64,12 @@ bool murk_walk_next(murk_walk *w)
     return true;
 }
 
-static double ball_distance(const murk_walk *w, const murk_ball *ball,
-                            double about)
+static double sphere_distance(const murk_walk *w,
+                              const murk_stored_sphere *sphere, double about)
 {
     double t[2];
-    if (!murk_sphere_roots(ball->center, ball->radius, w->origin, w->direction,
-                           t)) {
+    if (!murk_sphere_roots(sphere->center, sphere->radius, w->origin,
+                           w->direction, t)) {
         return about;
     }
     return fabs(t[0] - about) <= fabs(t[1] - about) ? t[0] : t[1];
@@ -73,11 +79,11 @@ double murk_walk_locate(const murk_walk *w, murk_primitive p, murk_vec3 *normal)
 {
     const murk_soup *soup = &w->s->soup;
     const double about = (double)w->ray.ray.tfar + w->start_m;
-    if (p.is_ball) {
-        const murk_ball *ball = &soup->ball[p.index];
-        const double distance = ball_distance(w, ball, about);
+    if (p.is_sphere) {
+        const murk_stored_sphere *sphere = &soup->sphere[p.index];
+        const double distance = sphere_distance(w, sphere, about);
         *normal = murk_sub(murk_along(w->origin, distance, w->direction),
-                           ball->center);
+                           sphere->center);
         return distance;
     }
     const murk_triangle t = murk_soup_triangle(soup, p.index);

@@ -1,3 +1,5 @@
+/* Zones of space. A point is transformed into the coordinates of each box
+ * and sphere; closed meshes are tested by murk_boundary_meshes_at(). */
 #include "geometry/zones.h"
 
 #include <assert.h>
@@ -12,7 +14,7 @@ typedef struct plain {
 } plain;
 
 struct murk_zones {
-    plain *plain; /* [plains] */
+    plain *plain; /* boxes and spheres: [plains] */
     size_t plains;
     murk_boundary_meshes *boundary_meshes; /* NULL: no zone is a mesh */
 };
@@ -36,6 +38,7 @@ static murk_status fill(murk_zones *made, const murk_zone *zones, size_t n,
 {
     murk_boundary_mesh_desc desc[MURK_ZONE_MESHES_MAX];
     size_t meshes = 0;
+    /* Boxes and spheres are stored directly; meshes are collected. */
     for (size_t i = 0; i < n; ++i) {
         if (zones[i].shape != MURK_ZONE_MESH) {
             const murk_status status = add_plain(made, &zones[i], err);
@@ -56,6 +59,8 @@ static murk_status fill(murk_zones *made, const murk_zone *zones, size_t n,
                                                  .where = zones[i].where};
         ++meshes;
     }
+    /* All meshes share one set of boundary meshes, each as a region of its
+     * own. */
     return meshes > 0 ? murk_boundary_meshes_create(&made->boundary_meshes,
                                                     desc, meshes, err)
                       : MURK_OK;

@@ -34,7 +34,7 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
     0.70710678118654752 /* cos 45 degrees: up, down or side \
                          */
 
-static void face(const murk_scene_mount *settings, murk_lay *lay,
+static void face(const murk_scene_mount *settings, murk_mount_search *lay,
                  murk_candidate_mount *mount)
 {
     mount->min_up = -1;
@@ -58,19 +58,21 @@ static void face(const murk_scene_mount *settings, murk_lay *lay,
 }
 
 /* All of one mount but its feet, which are *foot, the caller's to free. */
-static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
+static murk_status lay_mount(murk_candidate_mount *mount,
+                             murk_mount_site **foot,
                              const murk_scene_mount *settings,
                              const murk_stage *stage, murk_error *err)
 {
-    const double min_m = murk_lay_min_m(stage->surfaces);
+    const double min_m = murk_mount_spacing_min_m(stage->surfaces);
     bool material[MURK_MATERIALS_MAX] = {false};
     for (size_t i = 0; i < settings->materials.n; ++i) {
         material[settings->materials.index[i]] = true;
     }
-    murk_lay lay = {.spacing_m = settings->spacing_m,
-                    .within = stage->world.domain.box,
-                    .materials = settings->materials.n > 0 ? material : NULL,
-                    .max = MURK_CANDIDATES_MAX / 2};
+    murk_mount_search lay = {.spacing_m = settings->spacing_m,
+                             .within = stage->world.domain.box,
+                             .materials =
+                                 settings->materials.n > 0 ? material : NULL,
+                             .max = MURK_CANDIDATES_MAX / 2};
     if (settings->has_band) {
         lay.within.min.z = fmax(lay.within.min.z, settings->band_m[0]);
         lay.within.max.z = fmin(lay.within.max.z, settings->band_m[1]);
@@ -83,7 +85,7 @@ static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
     }
     mount->offset_m = settings->offset_m;
     face(settings, &lay, mount);
-    const murk_status status = murk_surfaces_lay(
+    const murk_status status = murk_surfaces_mount_sites(
         foot, &mount->feet, stage->surfaces, &lay, settings->where, err);
     if (!status && mount->feet == 0) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
@@ -99,7 +101,7 @@ static murk_status lay_mount(murk_candidate_mount *mount, murk_foot **foot,
 typedef struct asking {
     murk_candidate_desc desc;
     murk_vec3 *point;
-    murk_foot **foot; /* [mounts] */
+    murk_mount_site **foot; /* [mounts] */
     murk_candidate_mount *mount;
     murk_zones *avoid, *within;
     murk_vec3 *lamp;

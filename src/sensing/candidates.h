@@ -15,7 +15,7 @@
  * them to a reached point of the grid (the nearest 1000 are tried, among the
  * 32768 points of the grid that are nearest), or to what reaches the grid. A
  * mount's way from its foot must be open, too, and the surface that it is on
- * does not count for clearance (geometry/lay.h).
+ * does not count for clearance (geometry/mount_sites.h).
  *
  * Solids block ways as they block sightlines, but not out of a lamp: one that
  * stands in a solid of transmitting material, or in its hollow, counts from
@@ -29,7 +29,7 @@
 
 #include "base/status.h"
 #include "base/vector.h"
-#include "geometry/lay.h"
+#include "geometry/mount_sites.h"
 #include "geometry/surfaces.h"
 #include "geometry/zones.h"
 
@@ -64,7 +64,7 @@ typedef struct murk_reach {
 
 /* Feet with a sensor on either side of each, as far as its normal allows. */
 typedef struct murk_candidate_mount {
-    const murk_foot *foot; /* [feet] */
+    const murk_mount_site *foot; /* [feet] */
     size_t feet;
     double offset_m;       /* along the normal, > 0 */
     double min_up, max_up; /* of normal.z: -1 and 1 take all */

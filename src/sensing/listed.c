@@ -49,8 +49,8 @@ static double wrapped(double x, double min, double max)
     return x < min ? x + (max - min) : x > max ? x - (max - min) : x;
 }
 
-static murk_vec3 stand(const murk_foot *foot, murk_vec3 normal, double offset_m,
-                       const murk_domain *domain)
+static murk_vec3 stand(const murk_mount_site *foot, murk_vec3 normal,
+                       double offset_m, const murk_domain *domain)
 {
     const murk_box *box = &domain->box;
     murk_vec3 p = murk_along(foot->position, offset_m, normal);
@@ -287,7 +287,7 @@ static bool is_mounted(const murk_listed *site)
 
 /* Something else is between a mount and its foot. */
 static bool is_cut_off(const judging *j, const murk_listed *site,
-                       const murk_foot *foot)
+                       const murk_mount_site *foot)
 {
     const murk_surfaces *s = j->ways.surfaces;
     return murk_surfaces_blocked(
@@ -297,10 +297,10 @@ static bool is_cut_off(const judging *j, const murk_listed *site,
 
 static murk_verdict judge(const judging *j, const murk_listed *site)
 {
-    const murk_foot foot = {
+    const murk_mount_site foot = {
         murk_along(site->position, -site->offset_m, site->normal),
         site->normal};
-    const murk_foot *mounted_on = is_mounted(site) ? &foot : NULL;
+    const murk_mount_site *mounted_on = is_mounted(site) ? &foot : NULL;
     if (!murk_box_contains(&j->reach->domain.box, site->position)) {
         return MURK_SITE_UNREACHED;
     }

@@ -62,7 +62,7 @@ bool murk_way_leads_out(const murk_ways *w, murk_vec3 point)
 }
 
 static bool is_near(const murk_ways *w, murk_vec3 point, double radius_m,
-                    const murk_foot *foot)
+                    const murk_mount_site *foot)
 {
     if (!foot) {
         return murk_surfaces_near(w->surfaces, point, radius_m);
@@ -74,7 +74,8 @@ static bool is_near(const murk_ways *w, murk_vec3 point, double radius_m,
 }
 
 murk_closeness murk_ways_closeness(const murk_ways *w, murk_vec3 point,
-                                   double clearance_m, const murk_foot *foot)
+                                   double clearance_m,
+                                   const murk_mount_site *foot)
 {
     const double tolerance = w->tolerance_m;
     if (murk_surfaces_near(w->surfaces, point, tolerance)) {

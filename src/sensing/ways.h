@@ -8,7 +8,7 @@
 #ifndef MURK_SENSING_WAYS_H
 #define MURK_SENSING_WAYS_H
 
-#include "geometry/lay.h"
+#include "geometry/mount_sites.h"
 #include "sensing/candidates.h"
 
 typedef enum murk_closeness {
@@ -38,6 +38,7 @@ bool murk_way_leads_out(const murk_ways *ways, murk_vec3 point);
 /* foot: what the point is mounted on and does not count for clearance, its
  * normal towards the point; NULL: nothing. */
 murk_closeness murk_ways_closeness(const murk_ways *ways, murk_vec3 point,
-                                   double clearance_m, const murk_foot *foot);
+                                   double clearance_m,
+                                   const murk_mount_site *foot);
 
 #endif

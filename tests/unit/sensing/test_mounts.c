@@ -47,14 +47,14 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
     murk_candidate_desc desc = a->desc;
     murk_candidate_mount mount = {
         .offset_m = a->offset_m, .min_up = a->min_up, .max_up = a->max_up};
-    murk_foot *foot = NULL;
+    murk_mount_site *foot = NULL;
     if (a->spacing_m > 0) {
-        const murk_lay lay = {.spacing_m = a->spacing_m,
-                              .within = a->domain.box,
-                              .max_rise = 1,
-                              .max = 1000000};
-        CHECK(murk_surfaces_lay(&foot, &mount.feet, surfaces, &lay, "here",
-                                NULL) == MURK_OK);
+        const murk_mount_search lay = {.spacing_m = a->spacing_m,
+                                       .within = a->domain.box,
+                                       .max_rise = 1,
+                                       .max = 1000000};
+        CHECK(murk_surfaces_mount_sites(&foot, &mount.feet, surfaces, &lay,
+                                        "here", NULL) == MURK_OK);
         mount.foot = foot;
         desc.mount = &mount;
         desc.mounts = 1;

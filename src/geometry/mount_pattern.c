@@ -1,37 +1,50 @@
-/* The pattern: each face is looked at along the axis that its normal is
- * longest along, and meets the lines of a square lattice along that axis. That
- * depends on where the face is and not on how it is cut into triangles, and is
- * up to sqrt(3) too sparse where the face slants. The gaps are then filled from
- * the middles of pieces that all faces are halved into. */
-#include "geometry/lay.h"
+/* Finds candidate sites on triangles (geometry/mount_sites.h).
+ *
+ * Lattice: each face is intersected with the lines of a square lattice along
+ * the axis closest to the face's normal. The sites then depend on the place of
+ * the face, not on the triangles it is cut into. On slanting faces they are up
+ * to sqrt(3) times too far apart. Gaps: all faces are halved into small pieces,
+ * and the middle of a piece becomes a site if no other site of the surface is
+ * near.
+ *
+ * Thinning by distance alone would take the far face of a thin wall for the
+ * near one; geometry/mount_builder.c therefore compares planes, too. */
+#include "geometry/mount_sites.h"
 
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "geometry/laying.h"
+#include "geometry/mount_builder.h"
 #include "geometry/polygon.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
-#define MIN_LEAVES     8 /* spacing, in steps off a surface */
+#define MIN_LEAVES                                                           \
+    8 /* smallest spacing in steps of murk_surfaces_leave(): below, rounding \
+         decides */
+/* An interrupt is checked for every 4096 faces, so that the check costs
+ * nothing. */
 #define INTERRUPT_MASK 0xfff
 
-/* Every place is within 3/4 + 1/3 of a spacing of a foot, so a foot stands for
- * up to 3.7 squares of the spacing, and twice that where folds turned by 60
- * degrees are one surface: more area cannot do with as few feet as allowed. */
+/* Every place is within 3/4 + 1/3 of a spacing of a site, so a site stands
+ * for up to pi (3/4 + 1/3)^2 = 3.7 squares of the spacing, and twice that if
+ * surfaces folded by 60 degrees count as one. A larger area cannot be served
+ * with the allowed number of sites, so the search is refused early. */
 #define SQUARES_A_FOOT 7.4
 
-double murk_lay_min_m(const murk_surfaces *surfaces)
+double murk_mount_spacing_min_m(const murk_surfaces *surfaces)
 {
     return MIN_LEAVES * surfaces->leave_m;
 }
 
-/* One triangle that is laid over, in the world; false where it is not. */
-static bool face_of(const murk_laying *l, size_t i, murk_triangle *t,
-                    murk_vec3 *normal, murk_polygon *part)
+/* Triangle i in world coordinates, its normal, and the part inside the box;
+ * false if the triangle is not searched or nothing is inside. */
+static bool searched_face(const murk_mount_builder *l, size_t i,
+                          murk_triangle *t, murk_vec3 *normal,
+                          murk_polygon *part)
 {
     const murk_soup *soup = &l->surfaces->soup;
-    if (l->lay->materials && !l->lay->materials[soup->material[i]]) {
+    if (l->search->materials && !l->search->materials[soup->material[i]]) {
         return false;
     }
     *t = murk_soup_triangle(soup, i);
@@ -40,10 +53,10 @@ static bool face_of(const murk_laying *l, size_t i, murk_triangle *t,
     t->c = murk_add(t->c, soup->anchor);
     *normal = murk_unit(murk_triangle_normal(t));
     const double rise = fabs(normal->z);
-    if (!(rise >= l->lay->min_rise && rise <= l->lay->max_rise)) {
+    if (!(rise >= l->search->min_rise && rise <= l->search->max_rise)) {
         return false;
     }
-    *part = murk_triangle_in_box(t, &l->lay->within);
+    *part = murk_triangle_in_box(t, &l->search->within);
     return part->n > 0;
 }
 
@@ -58,8 +71,9 @@ static double area_of(const murk_polygon *p)
     return 0.5 * murk_length(twice);
 }
 
-/* What a row of the pattern, at `row` along the axis `across`, meets of a
- * polygon along another axis; to[0] > to[1] where it meets nothing. */
+/* The interval to[0]..to[1] on the axis `along` in which a row of the
+ * lattice, at `row` on the axis `across`, intersects a polygon; to[0] >
+ * to[1] if they do not intersect. */
 static void meet_row(const murk_polygon *p, int along, int across, double row,
                      double slack, double to[2])
 {
@@ -83,13 +97,15 @@ static void meet_row(const murk_polygon *p, int along, int across, double row,
     }
 }
 
-static void lay_pattern(murk_laying *l, const murk_triangle *t,
+static void add_pattern(murk_mount_builder *l, const murk_triangle *t,
                         murk_vec3 normal, const murk_polygon *p)
 {
+    /* The axis closest to the normal, and the two axes of the lattice. */
     const double n[3] = {fabs(normal.x), fabs(normal.y), fabs(normal.z)};
     const int look = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
     const int along = (look + 1) % 3, across = (look + 2) % 3;
-    const double step = l->lay->spacing_m, slack = l->slack_m;
+    const double step = l->search->spacing_m, slack = l->slack_m;
+    /* The rows that the polygon spans. */
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < p->n; ++i) {
         low = fmin(low, murk_component(p->corner[i], across));
@@ -102,23 +118,27 @@ static void lay_pattern(murk_laying *l, const murk_triangle *t,
         double met[2];
         murk_component_set(&place, across, l->first[across] + row * step);
         meet_row(p, along, across, murk_component(place, across), slack, met);
+        /* The lattice points of the row that are inside the polygon. */
         const double stop = floor((met[1] + slack - l->first[along]) / step);
         for (double k = ceil((met[0] - slack - l->first[along]) / step);
              k <= stop && !l->status; ++k) {
             murk_component_set(&place, along, l->first[along] + k * step);
             murk_component_set(&place, look, murk_component(t->a, look));
+            /* Move the lattice point along the axis into the plane of the
+             * triangle. */
             const double off = murk_dot(murk_sub(place, t->a), normal);
             murk_component_set(&place, look,
                                murk_component(t->a, look) -
                                    off / murk_component(normal, look));
-            murk_laying_offer(l, place, normal);
+            murk_mount_builder_offer(l, place, normal);
         }
     }
 }
 
-/* Halves the longest side until all are short. */
-static void fill_gaps(murk_laying *l, murk_vec3 a, murk_vec3 b, murk_vec3 c,
-                      murk_vec3 normal)
+/* Halves the longest side of a triangle recursively until all sides are
+ * short; the middle of each piece is offered as a site. */
+static void fill_gaps(murk_mount_builder *l, murk_vec3 a, murk_vec3 b,
+                      murk_vec3 c, murk_vec3 normal)
 {
     const double ab = murk_length(murk_sub(b, a)),
                  bc = murk_length(murk_sub(c, b)),
@@ -126,9 +146,9 @@ static void fill_gaps(murk_laying *l, murk_vec3 a, murk_vec3 b, murk_vec3 c,
     if (l->status) {
         return;
     }
-    if (!(fmax(ab, fmax(bc, ca)) > MURK_LAY_PIECE * l->lay->spacing_m)) {
+    if (!(fmax(ab, fmax(bc, ca)) > MURK_MOUNT_PIECE * l->search->spacing_m)) {
         const murk_vec3 sum = murk_add(a, murk_add(b, c));
-        murk_laying_offer(l, murk_scale(1.0 / 3, sum), normal);
+        murk_mount_builder_offer(l, murk_scale(1.0 / 3, sum), normal);
     } else if (ab >= bc && ab >= ca) {
         fill_gaps(l, a, murk_middle(a, b), c, normal);
         fill_gaps(l, murk_middle(a, b), b, c, normal);
@@ -141,8 +161,10 @@ static void fill_gaps(murk_laying *l, murk_vec3 a, murk_vec3 b, murk_vec3 c,
     }
 }
 
-/* A flat box leaves a segment or a point of some. */
-static void fill_part(murk_laying *l, const murk_polygon *p, murk_vec3 normal)
+/* Fills the part of a triangle in the box, fan by fan. A flat box may leave
+ * only a segment or a point of a triangle. */
+static void fill_part(murk_mount_builder *l, const murk_polygon *p,
+                      murk_vec3 normal)
 {
     if (p->n < 3) {
         fill_gaps(l, p->corner[0], p->corner[0], p->corner[p->n - 1], normal);
@@ -152,7 +174,9 @@ static void fill_part(murk_laying *l, const murk_polygon *p, murk_vec3 normal)
     }
 }
 
-static bool goes_on(murk_laying *l, size_t i)
+/* Advances the progress and checks for an interrupt; false if the search has
+ * ended. */
+static bool goes_on(murk_mount_builder *l, size_t i)
 {
     murk_progress_add(1);
     if (!l->status && (i & INTERRUPT_MASK) == 0 && murk_interrupted()) {
@@ -161,17 +185,18 @@ static bool goes_on(murk_laying *l, size_t i)
     return !l->status;
 }
 
-/* Box and area of all that is laid over; false: nothing is. */
-static bool measure(murk_laying *l)
+/* Measures bounding box and area of all searched faces and centres the
+ * lattice in the box. False if nothing is searched. */
+static bool measure(murk_mount_builder *l)
 {
     const murk_soup *soup = &l->surfaces->soup;
-    const double square = l->lay->spacing_m * l->lay->spacing_m;
+    const double square = l->search->spacing_m * l->search->spacing_m;
     murk_box box = murk_box_empty();
     for (size_t i = 0; i < soup->triangles && goes_on(l, i); ++i) {
         murk_triangle t;
         murk_vec3 normal;
         murk_polygon part;
-        if (face_of(l, i, &t, &normal, &part)) {
+        if (searched_face(l, i, &t, &normal, &part)) {
             l->squares += area_of(&part) / square;
             for (size_t k = 0; k < part.n; ++k) {
                 box = murk_box_with(box, part.corner[k]);
@@ -181,68 +206,73 @@ static bool measure(murk_laying *l)
     const double min[3] = {box.min.x, box.min.y, box.min.z};
     const double max[3] = {box.max.x, box.max.y, box.max.z};
     for (int axis = 0; axis < 3 && box.min.x <= box.max.x; ++axis) {
-        /* no last line that rounding alone makes room for */
+        /* The number of lines that fit, without a last one that fits only by
+         * rounding. */
         const double steps =
-            (max[axis] - min[axis] - l->slack_m) / l->lay->spacing_m;
+            (max[axis] - min[axis] - l->slack_m) / l->search->spacing_m;
         const double lines = fmax(1, ceil(steps));
         l->first[axis] =
             min[axis] +
-            (max[axis] - min[axis] - (lines - 1) * l->lay->spacing_m) / 2;
+            (max[axis] - min[axis] - (lines - 1) * l->search->spacing_m) / 2;
     }
-    return box.min.x <= box.max.x || murk_laying_any_ball(l);
+    return box.min.x <= box.max.x || murk_mount_builder_any_sphere(l);
 }
 
-static void lay_all(murk_laying *l)
+static void add_all_sites(murk_mount_builder *l)
 {
     const murk_soup *soup = &l->surfaces->soup;
     murk_triangle t;
     murk_vec3 normal;
     murk_polygon part;
     for (size_t i = 0; i < soup->triangles && goes_on(l, i); ++i) {
-        if (face_of(l, i, &t, &normal, &part)) {
-            lay_pattern(l, &t, normal, &part);
+        if (searched_face(l, i, &t, &normal, &part)) {
+            add_pattern(l, &t, normal, &part);
         }
     }
-    murk_laying_poles(l);
+    /* Lattice points on triangles come first, then poles of spheres, then
+     * the gaps. */
+    murk_mount_builder_poles(l);
     for (size_t i = 0; i < soup->triangles && goes_on(l, i); ++i) {
-        if (face_of(l, i, &t, &normal, &part)) {
+        if (searched_face(l, i, &t, &normal, &part)) {
             fill_part(l, &part, normal);
         }
     }
-    murk_laying_balls(l);
+    murk_mount_builder_spheres(l);
 }
 
-murk_status murk_surfaces_lay(murk_foot **out, size_t *n,
-                              const murk_surfaces *surfaces,
-                              const murk_lay *lay, const char *where,
-                              murk_error *err)
+murk_status murk_surfaces_mount_sites(murk_mount_site **out, size_t *n,
+                                      const murk_surfaces *surfaces,
+                                      const murk_mount_search *search,
+                                      const char *where, murk_error *err)
 {
-    assert(out && n && surfaces && lay && where);
-    assert(lay->spacing_m > murk_lay_min_m(surfaces));
-    murk_laying l = {.surfaces = surfaces,
-                     .lay = lay,
-                     .where = where,
-                     .err = err,
-                     .slack_m = 2 * surfaces->leave_m};
-    l.status = murk_cells_create(&l.cells, lay->spacing_m, err);
+    assert(out && n && surfaces && search && where);
+    assert(search->spacing_m > murk_mount_spacing_min_m(surfaces));
+    murk_mount_builder l = {.surfaces = surfaces,
+                            .search = search,
+                            .where = where,
+                            .err = err,
+                            .slack_m = 2 * surfaces->leave_m};
+    /* The grid of cells finds neighbours of a site. */
+    l.status = murk_cells_create(&l.cells, search->spacing_m, err);
     if (l.status) {
         return l.status;
     }
     murk_progress_begin("mounts", 3 * (uint64_t)surfaces->soup.triangles,
                         "faces");
+    /* Refuse an area that is too large, then search. */
     if (measure(&l)) {
-        if (l.squares > SQUARES_A_FOOT * (double)lay->max) {
-            l.status = murk_laying_refuse(&l);
+        if (l.squares > SQUARES_A_FOOT * (double)search->max) {
+            l.status = murk_mount_builder_refuse(&l);
         }
-        lay_all(&l);
+        add_all_sites(&l);
     }
     murk_progress_end();
     murk_cells_destroy(l.cells);
     if (l.status) {
-        free(l.foot);
+        free(l.site);
         return l.status;
     }
-    *out = l.foot;
+    *out = l.site;
     *n = l.n;
     return MURK_OK;
 }

@@ -1,18 +1,22 @@
-/* The soup as an Embree scene: one triangle geometry and one ball geometry for
- * each face, told apart by ray masks. */
-#include "geometry/world.h"
+/* Builds an Embree scene from the soup: one triangle geometry and one user
+ * geometry of spheres for each kind of face, selected by ray masks.
+ *
+ * Spheres are intersected in double precision by callbacks. Shared buffers
+ * are used for triangles, so the soup must outlive the scene. */
+#include "geometry/ray_scene.h"
 
 #include "geometry/triangle.h"
 
-/* One thread and no pinning: Embree must not start threads of its own. */
+/* One thread and no pinning: Embree must not start threads, because murk
+ * forks and has a thread pool of its own. */
 #define DEVICE_SETTINGS "threads=1,user_threads=1,set_affinity=0"
 
-static void ball_bounds(const struct RTCBoundsFunctionArguments *args)
+static void sphere_bounds(const struct RTCBoundsFunctionArguments *args)
 {
-    const murk_ball *b =
-        (const murk_ball *)args->geometryUserPtr + args->primID;
-    /* Two float steps of the largest magnitude, so that rounding cannot cut
-     * the ball off. */
+    const murk_stored_sphere *b =
+        (const murk_stored_sphere *)args->geometryUserPtr + args->primID;
+    /* Enlarge the box by two float steps (2^-22) of the largest magnitude,
+     * so that rounding cannot cut off a part of the sphere. */
     const double x = fabs(b->center.x), y = fabs(b->center.y),
                  z = fabs(b->center.z);
     const double r = b->radius + (x + y + z + b->radius) * 0x1p-22;
@@ -24,13 +28,13 @@ static void ball_bounds(const struct RTCBoundsFunctionArguments *args)
                                          .upper_z = (float)(b->center.z + r)};
 }
 
-/* The first crossing inside (tnear, tfar]; infinite when there is none. */
-static float ball_crossing(const murk_ball *ball, const void *context,
-                           float tnear, float tfar)
+/* The first intersection in (tnear, tfar]; infinite if there is none. */
+static float sphere_crossing(const murk_stored_sphere *sphere,
+                             const void *context, float tnear, float tfar)
 {
     const murk_ray_context *ray = context;
     double t[2];
-    if (murk_sphere_roots(ball->center, ball->radius, ray->origin,
+    if (murk_sphere_roots(sphere->center, sphere->radius, ray->origin,
                           ray->direction, t)) {
         for (int i = 0; i < 2; ++i) {
             const float crossing = (float)t[i];
@@ -42,15 +46,15 @@ static float ball_crossing(const murk_ball *ball, const void *context,
     return INFINITY;
 }
 
-static void ball_intersect(const struct RTCIntersectFunctionNArguments *args)
+static void sphere_intersect(const struct RTCIntersectFunctionNArguments *args)
 {
     struct RTCRayHit *ray = (struct RTCRayHit *)args->rayhit;
     if (!args->valid[0]) {
         return;
     }
-    const float t =
-        ball_crossing((const murk_ball *)args->geometryUserPtr + args->primID,
-                      args->context, ray->ray.tnear, ray->ray.tfar);
+    const float t = sphere_crossing(
+        (const murk_stored_sphere *)args->geometryUserPtr + args->primID,
+        args->context, ray->ray.tnear, ray->ray.tfar);
     if (t < INFINITY) {
         ray->ray.tfar = t;
         ray->hit.u = ray->hit.v = 0;
@@ -60,12 +64,13 @@ static void ball_intersect(const struct RTCIntersectFunctionNArguments *args)
     }
 }
 
-static void ball_occluded(const struct RTCOccludedFunctionNArguments *args)
+static void sphere_occluded(const struct RTCOccludedFunctionNArguments *args)
 {
     struct RTCRay *ray = (struct RTCRay *)args->ray;
     if (args->valid[0] &&
-        ball_crossing((const murk_ball *)args->geometryUserPtr + args->primID,
-                      args->context, ray->tnear, ray->tfar) < INFINITY) {
+        sphere_crossing((const murk_stored_sphere *)args->geometryUserPtr +
+                            args->primID,
+                        args->context, ray->tnear, ray->tfar) < INFINITY) {
         ray->tfar = -INFINITY;
     }
 }
@@ -99,29 +104,29 @@ static void attach_triangles(murk_surfaces *s, murk_face face)
     attach(s, geometry, face, face);
 }
 
-static void attach_balls(murk_surfaces *s, murk_face face)
+static void attach_spheres(murk_surfaces *s, murk_face face)
 {
     const murk_soup *soup = &s->soup;
-    const size_t first = soup->first_ball[face];
-    const size_t n = soup->first_ball[face + 1] - first;
+    const size_t first = soup->first_sphere[face];
+    const size_t n = soup->first_sphere[face + 1] - first;
     RTCGeometry geometry =
         n > 0 ? rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER) : NULL;
     if (!geometry) {
         return;
     }
     rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)n);
-    rtcSetGeometryUserData(geometry, soup->ball + first);
-    rtcSetGeometryBoundsFunction(geometry, ball_bounds, NULL);
-    rtcSetGeometryIntersectFunction(geometry, ball_intersect);
-    rtcSetGeometryOccludedFunction(geometry, ball_occluded);
-    attach(s, geometry, face, MURK_GEOMETRY_OF_BALLS(face));
+    rtcSetGeometryUserData(geometry, soup->sphere + first);
+    rtcSetGeometryBoundsFunction(geometry, sphere_bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, sphere_intersect);
+    rtcSetGeometryOccludedFunction(geometry, sphere_occluded);
+    attach(s, geometry, face, MURK_GEOMETRY_OF_SPHERES(face));
 }
 
 static bool count_memory(void *context, ssize_t bytes, bool post)
 {
     (void)post;
     size_t *total = context;
-    *total += (size_t)bytes; /* negative when memory is given back */
+    *total += (size_t)bytes; /* negative if memory is released */
     return true;
 }
 
@@ -143,8 +148,9 @@ static murk_status embree_failed(murk_surfaces *s, murk_error *err)
     }
 }
 
-murk_status murk_world_commit(murk_surfaces *s, murk_error *err)
+murk_status murk_ray_scene_commit(murk_surfaces *s, murk_error *err)
 {
+    /* The device, which must support ray masks. */
     s->device = rtcNewDevice(DEVICE_SETTINGS);
     if (!s->device) {
         return murk_fail(err, MURK_NO_MEMORY, "geometry",
@@ -158,20 +164,22 @@ murk_status murk_world_commit(murk_surfaces *s, murk_error *err)
     }
     rtcSetDeviceMemoryMonitorFunction(s->device, count_memory,
                                       &s->embree_bytes);
+    /* The scene, with one geometry for triangles and one for spheres of each
+     * kind of face. */
     s->scene = rtcNewScene(s->device);
     if (s->scene) {
         rtcSetSceneFlags(s->scene, MURK_EMBREE_FLAGS);
         rtcSetSceneBuildQuality(s->scene, RTC_BUILD_QUALITY_MEDIUM);
         for (int face = 0; face < MURK_FACES; ++face) {
             attach_triangles(s, (murk_face)face);
-            attach_balls(s, (murk_face)face);
+            attach_spheres(s, (murk_face)face);
         }
         rtcCommitScene(s->scene);
     }
     return embree_failed(s, err);
 }
 
-void murk_world_release(murk_surfaces *s)
+void murk_ray_scene_release(murk_surfaces *s)
 {
     if (s->scene) {
         rtcReleaseScene(s->scene);

@@ -1,16 +1,25 @@
-/* Sightlines. */
+/* Sightlines: whether anything blocks the segment between two points, one by
+ * one or many to one point, and how much the thin sheets along it transmit.
+ *
+ * Embree is asked one ray at a time, since its wide occlusion queries change
+ * a few grazing answers with the other rays of a packet. Many sightlines to
+ * one point use an occlusion cache: the shadows of the last occluding
+ * triangles (geometry/shadow.h). A point inside a cached shadow is certainly
+ * occluded; every other point is left to Embree, so that the answers are
+ * those of the single query. */
 #include "geometry/shadow.h"
 #include "geometry/walk.h"
 
 #include <string.h>
 
-/* Shadows kept at a time, tested side by side. Measured in a furnished
- * interior. */
+/* Shadows in the cache, tested side by side in one wide register. Four was
+ * the fastest number in a furnished interior. */
 #define SHADOWS 4
 
-/* The same code, compiled also for wider registers and chosen when the program
- * starts; products are not fused, so all copies compute the same. Clang and the
- * sanitizers get the plain copy. */
+/* Compiles the function for wider registers, too; the program selects a
+ * version when it starts. Products are not fused (-ffp-contract=off), so all
+ * versions give the same results. Clang and the sanitizers get the plain
+ * version only. */
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define WIDE_CLONES \
@@ -20,12 +29,13 @@
 #define WIDE_CLONES
 #endif
 
-/* Into each copy of murk_surfaces_blocked_many(), compiled for its registers:
- * some 5 % more sightlines a second. */
+/* Inlines into each version of murk_surfaces_blocked_many(), compiled for
+ * its registers: some 5 % more sightlines a second. */
 #define INTO_COPIES inline __attribute__((always_inline))
 
-/* The open segment between two points less leave_m at either end, relative to
- * the anchor; false when nothing is left of it. */
+/* The segment between two points, shortened by leave_m at either end and
+ * clipped to the scene, relative to the anchor; false if nothing is left of
+ * it. */
 static INTO_COPIES bool segment_between(const murk_surfaces *s, murk_vec3 from,
                                         murk_vec3 to, murk_vec3 *origin,
                                         murk_vec3 *along)
@@ -49,14 +59,15 @@ static INTO_COPIES bool segment_between(const murk_surfaces *s, murk_vec3 from,
     return murk_ray_is_sound(*origin, *along);
 }
 
-/* One sightline asked of Embree, which also tells a triangle in the way. */
+/* A query to Embree, which also reports an occluding triangle. */
 typedef struct sightline {
     murk_ray_context context;
     struct RTCRay ray;
-    unsigned geometry, primitive; /* RTC_INVALID_GEOMETRY_ID: not known */
+    unsigned geometry,
+        primitive; /* of the occluder; RTC_INVALID_GEOMETRY_ID: not known */
 } sightline;
 
-static void note_blocker(const struct RTCFilterFunctionNArguments *args)
+static void record_occluder(const struct RTCFilterFunctionNArguments *args)
 {
     sightline *line = (sightline *)(void *)args->context;
     const struct RTCHit *hit = (const struct RTCHit *)(const void *)args->hit;
@@ -64,7 +75,7 @@ static void note_blocker(const struct RTCFilterFunctionNArguments *args)
     line->primitive = hit->primID;
 }
 
-/* The ray runs from `to`, the end that sightlines share. */
+/* Asks Embree. The ray starts at `to`, the common end of many sightlines. */
 static INTO_COPIES bool is_blocked(const murk_surfaces *s, sightline *line,
                                    murk_vec3 from, murk_vec3 to, unsigned mask)
 {
@@ -74,7 +85,8 @@ static INTO_COPIES bool is_blocked(const murk_surfaces *s, sightline *line,
         return false;
     }
     murk_ray_set(&line->ray, context->origin, context->direction, 1, mask);
-    murk_embree_occluded(s->scene, &context->embree, &line->ray, note_blocker);
+    murk_embree_occluded(s->scene, &context->embree, &line->ray,
+                         record_occluder);
     return line->ray.tfar < 0;
 }
 
@@ -90,18 +102,23 @@ bool murk_surfaces_blocked(const murk_surfaces *s, murk_vec3 from, murk_vec3 to,
                       through_sheets ? MURK_MASK_BLOCKS : MURK_MASK_ALL);
 }
 
-/* Shadows of triangles that were in the way of rays to one point: plane by
- * plane, so that one point is held against all of them in a few wide steps. */
-typedef struct shadows {
+/* The occlusion cache: shadows of triangles that have blocked rays to one
+ * point, stored plane by plane, so that one point is tested against all of
+ * them in a few wide operations. */
+typedef struct occlusion_cache {
     double x[4][SHADOWS], y[4][SHADOWS], z[4][SHADOWS], offset[4][SHADOWS];
-    murk_vec3 eye; /* as all here, relative to the anchor */
+    murk_vec3 eye; /* relative to the anchor, like everything here */
     double farthest_m;
-    size_t oldest;  /* the next to be replaced */
-    size_t blocker; /* the last that Embree told; its shadow is drawn when it
-                       is told again, so that scattered lines cost little */
-} shadows;
+    size_t oldest;        /* the shadow that is replaced next */
+    size_t last_occluder; /* the last occluder that Embree reported. A shadow is
+                             constructed only if the same triangle is reported
+                             twice in succession, so that scattered sightlines
+                             cost little */
+} occlusion_cache;
 
-static inline bool hidden_by_any(const shadows *known, murk_vec3 p)
+/* True if the point is inside one of the cached shadows. */
+static inline bool is_occluded_by_cached(const occlusion_cache *cache,
+                                         murk_vec3 p)
 {
     int64_t inside[SHADOWS];
     for (int k = 0; k < SHADOWS; ++k) {
@@ -110,9 +127,9 @@ static inline bool hidden_by_any(const shadows *known, murk_vec3 p)
     for (int i = 0; i < 4; ++i) {
         int64_t any = 0;
         for (int k = 0; k < SHADOWS; ++k) {
-            const double height = known->x[i][k] * p.x + known->y[i][k] * p.y +
-                                  known->z[i][k] * p.z;
-            inside[k] &= height + known->offset[i][k] > 0 ? -1 : 0;
+            const double height = cache->x[i][k] * p.x + cache->y[i][k] * p.y +
+                                  cache->z[i][k] * p.z;
+            inside[k] &= height + cache->offset[i][k] > 0 ? -1 : 0;
             any |= inside[k];
         }
         if (!any) {
@@ -122,31 +139,35 @@ static inline bool hidden_by_any(const shadows *known, murk_vec3 p)
     return true;
 }
 
-static void remember(shadows *known, const murk_surfaces *s,
-                     const sightline *line)
+/* Adds the shadow of the reported occluder to the cache. */
+static void cache_occluder(occlusion_cache *cache, const murk_surfaces *s,
+                           const sightline *line)
 {
     murk_shadow shadow;
+    /* Spheres have no shadow planes. */
     if (line->geometry >= MURK_FACES) {
         return;
     }
     const size_t index =
         s->soup.first_triangle[line->geometry] + line->primitive;
-    if (index != known->blocker) {
-        known->blocker = index;
+    /* Wait for the second report of the same triangle. */
+    if (index != cache->last_occluder) {
+        cache->last_occluder = index;
         return;
     }
+    /* Replace the oldest shadow. */
     const murk_triangle t = murk_soup_triangle(&s->soup, index);
-    if (!murk_shadow_make(&shadow, &t, known->eye, s->unit_m,
-                          known->farthest_m)) {
+    if (!murk_shadow_make(&shadow, &t, cache->eye, s->unit_m,
+                          cache->farthest_m)) {
         return;
     }
-    const size_t k = known->oldest;
-    known->oldest = (k + 1) % SHADOWS;
+    const size_t k = cache->oldest;
+    cache->oldest = (k + 1) % SHADOWS;
     for (int i = 0; i < 4; ++i) {
-        known->x[i][k] = shadow.normal[i].x;
-        known->y[i][k] = shadow.normal[i].y;
-        known->z[i][k] = shadow.normal[i].z;
-        known->offset[i][k] = shadow.offset[i];
+        cache->x[i][k] = shadow.normal[i].x;
+        cache->y[i][k] = shadow.normal[i].y;
+        cache->z[i][k] = shadow.normal[i].z;
+        cache->offset[i][k] = shadow.offset[i];
     }
 }
 
@@ -156,26 +177,28 @@ void murk_surfaces_blocked_many(const murk_surfaces *s, const murk_vec3 *from,
                                 bool *blocked)
 {
     const unsigned mask = through_sheets ? MURK_MASK_BLOCKS : MURK_MASK_ALL;
-    shadows known;
-    memset(&known, 0, sizeof known);
+    occlusion_cache cache;
+    memset(&cache, 0, sizeof cache);
     for (int k = 0; k < SHADOWS; ++k) {
-        known.offset[0][k] = -INFINITY; /* hides nothing */
+        cache.offset[0][k] = -INFINITY; /* an empty shadow: contains no point */
     }
-    known.blocker = SIZE_MAX;
-    known.eye = murk_sub(to, s->soup.anchor);
-    known.farthest_m = murk_length(murk_sub(s->reach.max, s->reach.min));
-    const bool may_know = murk_box_contains(&s->reach, known.eye);
+    cache.last_occluder = SIZE_MAX;
+    cache.eye = murk_sub(to, s->soup.anchor);
+    cache.farthest_m = murk_length(murk_sub(s->reach.max, s->reach.min));
+    const bool may_know = murk_box_contains(&s->reach, cache.eye);
     sightline line;
     murk_embree_context_init(&line.context.embree);
     for (size_t i = 0; i < n; ++i) {
+        /* A certain answer from the cache, else ask Embree. */
         const murk_vec3 p = murk_sub(from[i], s->soup.anchor);
-        if (hidden_by_any(&known, p) && murk_box_contains(&s->reach, p)) {
+        if (is_occluded_by_cached(&cache, p) &&
+            murk_box_contains(&s->reach, p)) {
             blocked[i] = true;
             continue;
         }
         blocked[i] = s->scene && is_blocked(s, &line, from[i], to, mask);
         if (blocked[i] && may_know) {
-            remember(&known, s, &line);
+            cache_occluder(&cache, s, &line);
         }
     }
 }
@@ -185,7 +208,7 @@ double murk_surfaces_sheet_transmittance(const murk_surfaces *s, murk_vec3 from,
 {
     const murk_soup *soup = &s->soup;
     if (soup->first_triangle[MURK_FACE_SHEET] == soup->triangles &&
-        soup->first_ball[MURK_FACE_SHEET] == soup->balls) {
+        soup->first_sphere[MURK_FACE_SHEET] == soup->spheres) {
         return 1;
     }
     const murk_vec3 along = murk_sub(to, from);
@@ -196,16 +219,18 @@ double murk_surfaces_sheet_transmittance(const murk_surfaces *s, murk_vec3 from,
                          MURK_MASK(MURK_FACE_SHEET))) {
         return 1;
     }
-    /* Two triangles of one pane meet a ray through their common edge; so hits
-     * nearer together than surfaces can be told apart are one. */
+    /* A ray through the common edge of two triangles of one pane hits both.
+     * Hits closer together than surfaces can be told apart are therefore
+     * one. */
     double transmittance = 1, last = s->leave_m;
     while (transmittance > 0 && murk_walk_next(&w)) {
         const murk_primitive p = murk_primitive_of(soup, &w.ray.hit);
         murk_vec3 normal;
         const double distance = murk_walk_locate(&w, p, &normal);
         if (distance > last && distance < length - s->leave_m) {
-            const uint8_t material = p.is_ball ? soup->ball[p.index].material
-                                               : soup->material[p.index];
+            const uint8_t material = p.is_sphere
+                                         ? soup->sphere[p.index].material
+                                         : soup->material[p.index];
             transmittance *= s->material[material].transmit.band[band];
             last = distance + s->leave_m;
         }

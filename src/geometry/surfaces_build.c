@@ -1,16 +1,18 @@
-/* Making, describing and releasing surfaces; the questions that rays ask are
- * in hit.c and blocked.c. */
+/* Creates, describes and releases murk_surfaces. The functions that rays use
+ * are in hit.c, occlusion.c and point_queries.c. */
 #include "geometry/surfaces.h"
 
-#include "geometry/gather.h"
+#include "geometry/placed_shapes.h"
+#include "geometry/ray_scene.h"
 #include "geometry/triangle.h"
-#include "geometry/world.h"
 
 #include <assert.h>
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* Areas, the lengths that rounding makes necessary, and the box that rays
+ * are clipped to. */
 static void measure(murk_surfaces *s)
 {
     const murk_soup *soup = &s->soup;
@@ -18,8 +20,8 @@ static void measure(murk_surfaces *s)
         const murk_triangle t = murk_soup_triangle(soup, i);
         s->material_area_m2[soup->material[i]] += murk_triangle_area(&t);
     }
-    for (size_t i = 0; i < soup->balls; ++i) {
-        const murk_ball *b = &soup->ball[i];
+    for (size_t i = 0; i < soup->spheres; ++i) {
+        const murk_stored_sphere *b = &soup->sphere[i];
         s->material_area_m2[b->material] += 4 * MURK_PI * b->radius * b->radius;
     }
     for (size_t i = 0; i < s->n_materials; ++i) {
@@ -50,8 +52,9 @@ static murk_status prepare(murk_surfaces *s, const murk_surface_desc *surfaces,
         return status;
     }
     measure(s);
-    return s->soup.triangles + s->soup.balls > 0 ? murk_world_commit(s, err)
-                                                 : MURK_OK;
+    return s->soup.triangles + s->soup.spheres > 0
+               ? murk_ray_scene_commit(s, err)
+               : MURK_OK;
 }
 
 murk_status murk_surfaces_create(murk_surfaces **out,
@@ -61,6 +64,7 @@ murk_status murk_surfaces_create(murk_surfaces **out,
                                  size_t n_materials, murk_error *err)
 {
     assert(out && materials && n_materials >= 1);
+    /* Material numbers have 8 bits. */
     if (n_materials > MURK_MATERIALS_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, "materials",
                          "%zu materials, must be at most %d", n_materials,
@@ -71,6 +75,7 @@ murk_status murk_surfaces_create(murk_surfaces **out,
         return murk_fail(err, MURK_NO_MEMORY, "geometry",
                          "no memory for surfaces");
     }
+    /* Copy the materials, store the shapes and build the ray scene. */
     s->n_materials = n_materials;
     const murk_status status = prepare(s, surfaces, n_surfaces, materials, err);
     if (status) {
@@ -86,7 +91,7 @@ void murk_surfaces_destroy(murk_surfaces *s)
     if (!s) {
         return;
     }
-    murk_world_release(s);
+    murk_ray_scene_release(s);
     murk_soup_release(&s->soup);
     free(s->material_area_m2);
     free(s->material);
@@ -108,16 +113,16 @@ size_t murk_surfaces_materials(const murk_surfaces *s)
 murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *s)
 {
     const murk_soup *soup = &s->soup;
-    const bool is_empty = soup->triangles + soup->balls == 0;
+    const bool is_empty = soup->triangles + soup->spheres == 0;
     murk_surfaces_facts facts = {
         .triangles = soup->triangles,
-        .spheres = soup->balls,
+        .spheres = soup->spheres,
         .degenerate = soup->degenerate,
         .solids = soup->solids,
         .sheets = soup->first_triangle[MURK_FACES] -
                   soup->first_triangle[MURK_FACE_SHEET] +
-                  soup->first_ball[MURK_FACES] -
-                  soup->first_ball[MURK_FACE_SHEET],
+                  soup->first_sphere[MURK_FACES] -
+                  soup->first_sphere[MURK_FACE_SHEET],
         .area_m2 = s->area_m2,
         .bounds_m = murk_box_empty(),
         .memory_bytes = sizeof *s + s->n_materials * sizeof *s->material +
@@ -142,17 +147,17 @@ void murk_surfaces_triangle(const murk_surfaces *s, size_t i,
 void murk_surfaces_sphere(const murk_surfaces *s, size_t i, murk_vec3 *center,
                           double *radius_m)
 {
-    assert(i < s->soup.balls);
-    *center = murk_add(s->soup.ball[i].center, s->soup.anchor);
-    *radius_m = s->soup.ball[i].radius;
+    assert(i < s->soup.spheres);
+    *center = murk_add(s->soup.sphere[i].center, s->soup.anchor);
+    *radius_m = s->soup.sphere[i].radius;
 }
 
 uint8_t murk_surfaces_material_of(const murk_surfaces *s, size_t i)
 {
     const murk_soup *soup = &s->soup;
-    assert(i < soup->triangles + soup->balls);
+    assert(i < soup->triangles + soup->spheres);
     return i < soup->triangles ? soup->material[i]
-                               : soup->ball[i - soup->triangles].material;
+                               : soup->sphere[i - soup->triangles].material;
 }
 
 size_t murk_surfaces_material_named(const murk_surfaces *s, const char *name,

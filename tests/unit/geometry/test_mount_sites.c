@@ -1,12 +1,12 @@
-/* Feet are laid over surfaces as even as geometry/lay.h says: rows and columns
- * on walls along the axes, however these are cut into triangles; elsewhere none
- * nearer than 3/4 of the spacing and no place farther than 1.1 of it. And what
- * stands near a mount is asked without the surface that it is mounted on.
- * Places whose answers are known exactly, and random ones that must all hold;
- * no false alarms. */
+/* Sites are spread over surfaces as evenly as geometry/mount_sites.h says: rows
+ * and columns on walls along the axes, however these are cut into triangles;
+ * elsewhere none nearer than 3/4 of the spacing and no place farther than 1.1
+ * of it. And what stands near a mount is asked without the surface that it is
+ * mounted on. Places whose answers are known exactly, and random ones that must
+ * all hold; no false alarms. */
 #include "check.h"
 #include "closed_mesh.h"
-#include "geometry/lay.h"
+#include "geometry/mount_sites.h"
 
 #define SEED 11
 
@@ -40,29 +40,31 @@ static murk_surface_desc sheet(murk_vec3 corner, murk_vec3 edge1,
                                .to_world = murk_affine_identity()};
 }
 
-static murk_lay lay_of(double spacing_m)
+static murk_mount_search lay_of(double spacing_m)
 {
-    return (murk_lay){.spacing_m = spacing_m,
-                      .within = EVERYWHERE,
-                      .max_rise = 1,
-                      .max = 1000000};
+    return (murk_mount_search){.spacing_m = spacing_m,
+                               .within = EVERYWHERE,
+                               .max_rise = 1,
+                               .max = 1000000};
 }
 
-static murk_foot *feet_of(const murk_surfaces *s, const murk_lay *lay,
-                          size_t *n)
+static murk_mount_site *feet_of(const murk_surfaces *s,
+                                const murk_mount_search *search, size_t *n)
 {
-    murk_foot *foot = NULL;
+    murk_mount_site *site = NULL;
     murk_error err = {0};
     *n = 0;
-    CHECK(murk_surfaces_lay(&foot, n, s, lay, "here", &err) == MURK_OK);
+    CHECK(murk_surfaces_mount_sites(&site, n, s, search, "here", &err) ==
+          MURK_OK);
     CHECK_TEXT(err.text, "");
-    return foot;
+    return site;
 }
 
-static bool has(const murk_foot *foot, size_t n, murk_vec3 p, double within)
+static bool has(const murk_mount_site *site, size_t n, murk_vec3 p,
+                double within)
 {
     for (size_t i = 0; i < n; ++i) {
-        if (murk_length(murk_sub(foot[i].position, p)) <= within) {
+        if (murk_length(murk_sub(site[i].position, p)) <= within) {
             return true;
         }
     }
@@ -70,14 +72,14 @@ static bool has(const murk_foot *foot, size_t n, murk_vec3 p, double within)
 }
 
 /* Smallest distance between any two. */
-static double min_gap(const murk_foot *foot, size_t n)
+static double min_gap(const murk_mount_site *site, size_t n)
 {
     double minimum = INFINITY;
     for (size_t i = 0; i < n; ++i) {
         for (size_t k = 0; k < i; ++k) {
             minimum =
                 fmin(minimum,
-                     murk_length(murk_sub(foot[i].position, foot[k].position)));
+                     murk_length(murk_sub(site[i].position, site[k].position)));
         }
     }
     return minimum;
@@ -87,16 +89,16 @@ static double min_gap(const murk_foot *foot, size_t n)
  * the edges, on six walls: 2 (8 x 6 + 8 x 5 + 6 x 5). */
 static void check_room(const murk_surfaces *s)
 {
-    const murk_lay lay = lay_of(.5);
+    const murk_mount_search search = lay_of(.5);
     size_t n;
-    murk_foot *foot = feet_of(s, &lay, &n);
+    murk_mount_site *site = feet_of(s, &search, &n);
     CHECK(n == 236);
     for (size_t i = 0; i < n; ++i) {
-        const double p[3] = {foot[i].position.x, foot[i].position.y,
-                             foot[i].position.z};
+        const double p[3] = {site[i].position.x, site[i].position.y,
+                             site[i].position.z};
         const double size[3] = {4, 3, 2.5};
-        const double normal[3] = {foot[i].normal.x, foot[i].normal.y,
-                                  foot[i].normal.z};
+        const double normal[3] = {site[i].normal.x, site[i].normal.y,
+                                  site[i].normal.z};
         int walls = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const bool is_wall = p[axis] == 0 || p[axis] == size[axis];
@@ -106,14 +108,14 @@ static void check_room(const murk_surfaces *s)
         }
         CHECK(walls == 1);
     }
-    free(foot);
+    free(site);
 }
 
 static void test_walls_get_rows_and_columns(void)
 {
-    const murk_surface_desc room =
+    const murk_surface_desc capacity =
         box_of(murk_vec(0, 0, 0), murk_vec(4, 3, 2.5));
-    murk_surfaces *s = create(&room, 1);
+    murk_surfaces *s = create(&capacity, 1);
     check_room(s);
     murk_surfaces_destroy(s);
 }
@@ -160,23 +162,23 @@ static void test_how_walls_are_cut_changes_nothing(void)
     murk_mesh_destroy(m);
 }
 
-/* Packing and covering of one smooth surface, and so its number of feet: each
+/* Packing and covering of one smooth surface, and so its number of sites: each
  * stands for no more than a disc of 1.1 spacings, and discs of half of 3/4 do
  * not overlap (at most .9069 of the area). */
 static void check_even(const murk_surfaces *s, double spacing_m, double area_m2,
                        const murk_vec3 *place, size_t places)
 {
-    const murk_lay lay = lay_of(spacing_m);
+    const murk_mount_search search = lay_of(spacing_m);
     size_t n;
-    murk_foot *foot = feet_of(s, &lay, &n);
-    CHECK(min_gap(foot, n) >= .75 * spacing_m);
+    murk_mount_site *site = feet_of(s, &search, &n);
+    CHECK(min_gap(site, n) >= .75 * spacing_m);
     for (size_t i = 0; i < places; ++i) {
-        CHECK(has(foot, n, place[i], 1.1 * spacing_m));
+        CHECK(has(site, n, place[i], 1.1 * spacing_m));
     }
     const double squares = area_m2 / (spacing_m * spacing_m);
     CHECK((double)n >= squares / 3.8);
     CHECK((double)n <= .9069 * squares / (MURK_PI * .375 * .375) * 1.05);
-    free(foot);
+    free(site);
 }
 
 static void test_slanting_sheets_are_laid_evenly(void)
@@ -227,8 +229,8 @@ static void test_round_surfaces_are_laid_evenly(void)
     murk_mesh_destroy(m);
 }
 
-/* Two faces 5 cm apart, and shelves 20 cm apart, each get their own feet
- * though the spacing is a metre; a beam of 10 cm gets feet along it. */
+/* Two faces 5 cm apart, and shelves 20 cm apart, each get their own sites
+ * though the spacing is a metre; a beam of 10 cm gets sites along it. */
 static void test_neighbours_and_small_parts_get_feet(void)
 {
     const murk_vec3 x = {4, 0, 0}, z = {0, 0, 4}, y = {0, 4, 0};
@@ -236,33 +238,33 @@ static void test_neighbours_and_small_parts_get_feet(void)
         sheet(murk_vec(0, 0, 0), x, z), sheet(murk_vec(0, .05, 0), x, z),
         sheet(murk_vec(0, 1, 9), x, y), sheet(murk_vec(0, 1, 9.2), x, y)};
     murk_surfaces *s = create(desc, 4);
-    const murk_lay lay = lay_of(1);
+    const murk_mount_search search = lay_of(1);
     size_t n;
-    murk_foot *foot = feet_of(s, &lay, &n);
+    murk_mount_site *site = feet_of(s, &search, &n);
     size_t on[4] = {0};
     for (size_t i = 0; i < n; ++i) {
-        on[0] += foot[i].position.y == 0;
-        on[1] += fabs(foot[i].position.y - .05) < 1e-7;
-        on[2] += foot[i].position.z == 9;
-        on[3] += fabs(foot[i].position.z - 9.2) < 1e-6;
+        on[0] += site[i].position.y == 0;
+        on[1] += fabs(site[i].position.y - .05) < 1e-7;
+        on[2] += site[i].position.z == 9;
+        on[3] += fabs(site[i].position.z - 9.2) < 1e-6;
     }
     for (int k = 0; k < 4; ++k) {
         CHECK(on[k] >= 16 && on[k] <= 25);
     }
     CHECK(on[0] + on[1] + on[2] + on[3] == n);
-    free(foot);
+    free(site);
     murk_surfaces_destroy(s);
 
     const murk_surface_desc beam =
         box_of(murk_vec(.31, .31, 3), murk_vec(8, .41, 3.1));
     s = create(&beam, 1);
-    foot = feet_of(s, &lay, &n);
+    site = feet_of(s, &search, &n);
     size_t under = 0;
     for (size_t i = 0; i < n; ++i) {
-        under += foot[i].position.z == 3;
+        under += site[i].position.z == 3;
     }
     CHECK(under >= 6 && under <= 11);
-    free(foot);
+    free(site);
     murk_surfaces_destroy(s);
 }
 
@@ -274,36 +276,36 @@ static void test_what_is_not_wanted_gets_none(void)
     desc[1].material = 1;
     murk_surfaces *s = create(desc, 2);
     const bool other[2] = {false, true};
-    murk_lay lay = lay_of(.5);
+    murk_mount_search search = lay_of(.5);
     size_t n;
-    lay.materials = other;
-    free(feet_of(s, &lay, &n));
+    search.materials = other;
+    free(feet_of(s, &search, &n));
     CHECK(n == 4);
-    lay = lay_of(.5);
-    lay.min_rise = .8; /* floor, ceiling and sheet */
-    free(feet_of(s, &lay, &n));
+    search = lay_of(.5);
+    search.min_rise = .8; /* floor, ceiling and sheet */
+    free(feet_of(s, &search, &n));
     CHECK(n == 2 * 48 + 4);
-    lay = lay_of(.5);
-    lay.max_rise = .6; /* walls, from 2 m on: one row */
-    lay.within.min.z = 2;
-    free(feet_of(s, &lay, &n));
+    search = lay_of(.5);
+    search.max_rise = .6; /* walls, from 2 m on: one row */
+    search.within.min.z = 2;
+    free(feet_of(s, &search, &n));
     CHECK(n == 2 * (8 + 6));
-    lay.within.min.z = lay.within.max.z = 1.5; /* a height */
-    murk_foot *foot = feet_of(s, &lay, &n);
+    search.within.min.z = search.within.max.z = 1.5; /* a height */
+    murk_mount_site *site = feet_of(s, &search, &n);
     CHECK(n == 2 * (8 + 6));
     for (size_t i = 0; i < n; ++i) {
-        CHECK(foot[i].position.z == 1.5);
+        CHECK(site[i].position.z == 1.5);
     }
-    free(foot);
-    lay = lay_of(.5);
-    lay.within.min.z = 7;
-    foot = feet_of(s, &lay, &n);
-    CHECK(n == 0 && foot == NULL);
+    free(site);
+    search = lay_of(.5);
+    search.within.min.z = 7;
+    site = feet_of(s, &search, &n);
+    CHECK(n == 0 && site == NULL);
     murk_surfaces_destroy(s);
 }
 
 /* Ground of a ten thousand square kilometres, of which a hundred metres squared
- * are asked; and too many feet. */
+ * are asked; and too many sites. */
 static void test_great_surfaces_are_cut_off(void)
 {
     const murk_surface_desc desc[2] = {sheet(murk_vec(-5e4, -5e4, 0),
@@ -314,31 +316,31 @@ static void test_great_surfaces_are_cut_off(void)
                                         .radius_m = 9e4 + 20,
                                         .to_world = murk_affine_identity()}};
     murk_surfaces *s = create(desc, 2);
-    murk_lay lay = lay_of(2);
-    lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
+    murk_mount_search search = lay_of(2);
+    search.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
     size_t n;
-    free(feet_of(s, &lay, &n));
+    free(feet_of(s, &search, &n));
     CHECK(n == 25);
-    lay.within = (murk_box){{-5, -5, 19}, {5, 5, 21}};
-    free(feet_of(s, &lay, &n));
+    search.within = (murk_box){{-5, -5, 19}, {5, 5, 21}};
+    free(feet_of(s, &search, &n));
     CHECK(n >= 9 && n <= 49);
-    murk_foot *foot = NULL;
+    murk_mount_site *site = NULL;
     murk_error err = {0};
-    lay.within = EVERYWHERE;
-    CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", &err) ==
+    search.within = EVERYWHERE;
+    CHECK(murk_surfaces_mount_sites(&site, &n, s, &search, "here", &err) ==
           MURK_BAD_VALUE);
-    CHECK(foot == NULL);
+    CHECK(site == NULL);
     CHECK_TEXT(err.where, "here");
     CHECK_MENTIONS(err.text, "spacing_m is 2 m");
-    lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
-    lay.max = 24;
-    CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", &err) ==
+    search.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
+    search.max = 24;
+    CHECK(murk_surfaces_mount_sites(&site, &n, s, &search, "here", &err) ==
           MURK_BAD_VALUE);
     murk_surfaces_destroy(s);
 }
 
-/* Floors that lie in one place share their feet. Each floor is 10 m squared of
- * a larger triangle, so 25 squares of the spacing, and gets 25 feet; 25 feet
+/* Floors that lie in one place share their sites. Each floor is 10 m squared of
+ * a larger triangle, so 25 squares of the spacing, and gets 25 sites; 25 sites
  * may stand for 7.4 times as many squares, which is 7 floors and not 8. */
 static void test_area_beyond_all_feet_is_refused(void)
 {
@@ -356,21 +358,21 @@ static void test_area_beyond_all_feet_is_refused(void)
     }
     for (size_t floors = FLOORS - 1; floors <= FLOORS; ++floors) {
         murk_surfaces *s = create(desc, floors);
-        murk_lay lay = lay_of(2);
-        lay.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
-        lay.max = 25;
-        murk_foot *foot = NULL;
+        murk_mount_search search = lay_of(2);
+        search.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
+        search.max = 25;
+        murk_mount_site *site = NULL;
         size_t n = 0;
-        CHECK(murk_surfaces_lay(&foot, &n, s, &lay, "here", NULL) ==
+        CHECK(murk_surfaces_mount_sites(&site, &n, s, &search, "here", NULL) ==
               (floors == FLOORS ? MURK_BAD_VALUE : MURK_OK));
         CHECK(n == (floors == FLOORS ? 0 : 25));
-        free(foot);
+        free(site);
         murk_surfaces_destroy(s);
     }
     murk_mesh_destroy(m);
 }
 
-/* Of a stack of small sheets within one spacing, each gets a foot until one
+/* Of a stack of small sheets within one spacing, each gets a site until one
  * would have to be compared with more than 4096 others. */
 static void test_stacks_are_cut_off(void)
 {
@@ -387,9 +389,9 @@ static void test_stacks_are_cut_off(void)
                                     .mesh = m,
                                     .to_world = murk_affine_identity()};
     murk_surfaces *s = create(&desc, 1);
-    const murk_lay lay = lay_of(1);
+    const murk_mount_search search = lay_of(1);
     size_t n;
-    free(feet_of(s, &lay, &n));
+    free(feet_of(s, &search, &n));
     CHECK(n == MAX);
     murk_surfaces_destroy(s);
     murk_mesh_destroy(m);
@@ -400,9 +402,9 @@ static void test_stacks_are_cut_off(void)
 static bool is_near(const murk_surfaces *s, murk_vec3 at, murk_vec3 normal,
                     double radius_m)
 {
-    const murk_foot foot = {at, normal};
+    const murk_mount_site site = {at, normal};
     return murk_surfaces_near_mount(s, murk_along(at, .05, normal), radius_m,
-                                    &foot, .025);
+                                    &site, .025);
 }
 
 static void test_own_wall_does_not_count(void)
@@ -451,14 +453,14 @@ static void test_own_curved_wall_does_not_count(void)
     for (int i = -4; i <= 4; ++i) {
         const double turn = 2 * MURK_PI * (.5 + i) / SIDES;
         const murk_vec3 out = {sin(turn), 0, -cos(turn)};
-        const murk_vec3 foot = murk_scale(-low, out);
-        CHECK(!is_near(s, foot, murk_scale(-1, out), .6));
-        CHECK(!is_near(s, foot, out, .6));
+        const murk_vec3 site = murk_scale(-low, out);
+        CHECK(!is_near(s, site, murk_scale(-1, out), .6));
+        CHECK(!is_near(s, site, out, .6));
     }
     const double turn = MURK_PI / SIDES;
     const murk_vec3 out = {sin(turn), 0, -cos(turn)};
-    const murk_vec3 foot = murk_add(murk_scale(-low, out), murk_vec(0, 3.6, 0));
-    CHECK(is_near(s, foot, murk_scale(-1, out), .6));
+    const murk_vec3 site = murk_add(murk_scale(-low, out), murk_vec(0, 3.6, 0));
+    CHECK(is_near(s, site, murk_scale(-1, out), .6));
     murk_surfaces_destroy(s);
     murk_mesh_destroy(m);
 }
@@ -474,12 +476,12 @@ static void test_own_sphere_does_not_count(void)
                                         .radius_m = .5,
                                         .to_world = murk_affine_identity()}};
     murk_surfaces *s = create(desc, 2);
-    const murk_vec3 foot = {0, 0, -2}, up = {0, 0, 1}, down = {0, 0, -1};
-    CHECK(!is_near(s, foot, down, 9));
+    const murk_vec3 site = {0, 0, -2}, up = {0, 0, 1}, down = {0, 0, -1};
+    CHECK(!is_near(s, site, down, 9));
     /* from (0, 0, -1.95) to the other's center less its radius */
     const double gap = hypot(1, .95) - .5;
-    CHECK(!is_near(s, foot, up, gap - 1e-5));
-    CHECK(is_near(s, foot, up, gap + 1e-5));
+    CHECK(!is_near(s, site, up, gap - 1e-5));
+    CHECK(is_near(s, site, up, gap + 1e-5));
     /* on the small one, to its side: of the great one what is beyond counts */
     CHECK(is_near(s, murk_vec(0, 1.5, -1), murk_vec(0, 1, 0), .5));
     murk_surfaces_destroy(s);

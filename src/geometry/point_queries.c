@@ -1,13 +1,21 @@
-/* What lies around a point: the solid it is in, the nearest surface. */
-#include "geometry/mounting.h"
+/* Questions about a single point: which solid encloses the point, and whether a
+ * surface is near.
+ *
+ * The enclosing solid is found by casting rays and counting crossings (odd:
+ * inside), by majority of three directions. Nearness is Embree's point
+ * query, with exact distances in double precision. */
+#include "geometry/mount_clearance.h"
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 
 #include <float.h>
 
-/* Solids that the walk is in the middle of, nearest exit first. */
+/* Solids that a ray may be inside of at the same time. More would need 64
+ * nested solids; those beyond are ignored. */
 #define OPEN_SOLIDS_MAX 64
 
+/* Removes the solid from the list if it is there, otherwise appends it.
+ * Returns the new length. */
 static size_t toggle(uint16_t *open, size_t n, uint16_t solid)
 {
     for (size_t i = 0; i < n; ++i) {
@@ -24,7 +32,9 @@ static size_t toggle(uint16_t *open, size_t n, uint16_t solid)
     return n;
 }
 
-/* The solid left in by a walk that way: an odd number of crossings. */
+/* The innermost solid around `point`, found along one direction: solids
+ * crossed an odd number of times enclose the point, and the first of them
+ * crossed is the innermost. */
 static uint16_t solid_along(const murk_surfaces *s, murk_vec3 point,
                             murk_vec3 direction)
 {
@@ -40,8 +50,8 @@ static uint16_t solid_along(const murk_surfaces *s, murk_vec3 point,
         murk_vec3 normal;
         if (murk_walk_locate(&w, p, &normal) > 0) {
             n = toggle(open, n,
-                       p.is_ball ? s->soup.ball[p.index].solid
-                                 : s->soup.solid[p.index]);
+                       p.is_sphere ? s->soup.sphere[p.index].solid
+                                   : s->soup.solid[p.index]);
         }
     }
     return n > 0 ? open[0] : 0;
@@ -52,8 +62,9 @@ uint16_t murk_surfaces_solid_at(const murk_surfaces *s, murk_vec3 point)
     if (s->soup.solids == 0) {
         return 0;
     }
-    /* Three directions that no edge is likely to lie along; where a crossing
-     * of an edge counts twice in one, the other two outvote it. */
+    /* Three irregular directions: a modelled edge is unlikely to be parallel
+     * to one of them. If a ray hits an edge and counts a crossing twice, the
+     * other two directions outvote it. */
     const uint16_t a =
         solid_along(s, point, murk_unit(murk_vec(0.53, 0.31, 0.79)));
     const uint16_t b =
@@ -70,10 +81,11 @@ typedef struct nearness {
     const murk_surfaces *s;
     murk_vec3 point;
     double radius_m;
-    const murk_mounting *mounting; /* NULL: every surface counts */
+    const murk_mount_clearance *clearance; /* NULL: every surface counts */
     bool is_near;
 } nearness;
 
+/* Embree's point query: computes the exact distance to a primitive. */
 static bool look_near(struct RTCPointQueryFunctionArguments *args)
 {
     nearness *near = args->userPtr;
@@ -81,29 +93,30 @@ static bool look_near(struct RTCPointQueryFunctionArguments *args)
     const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
     const murk_primitive p = murk_primitive_of(soup, &hit);
     double distance;
-    if (p.is_ball) {
-        const murk_ball *b = &soup->ball[p.index];
-        distance = near->mounting
-                       ? murk_mounting_from_ball(near->mounting, b, near->point)
+    if (p.is_sphere) {
+        const murk_stored_sphere *b = &soup->sphere[p.index];
+        distance = near->clearance
+                       ? murk_mount_clearance_to_sphere(near->clearance, b,
+                                                        near->point)
                        : fabs(murk_length(murk_sub(near->point, b->center)) -
                               b->radius);
     } else {
         const murk_triangle t = murk_soup_triangle(soup, p.index);
         distance =
-            near->mounting
-                ? murk_mounting_from_face(near->mounting, &t, near->point)
+            near->clearance
+                ? murk_mount_clearance_to_face(near->clearance, &t, near->point)
                 : sqrt(murk_triangle_distance2(&t, near->point));
     }
     if (!near->is_near && distance < near->radius_m) {
         near->is_near = true;
-        args->query->radius = 0; /* nothing further needs a look */
+        args->query->radius = 0; /* ends the query */
         return true;
     }
     return false;
 }
 
 static bool any_near(const murk_surfaces *s, murk_vec3 point, double radius_m,
-                     const murk_mounting *mounting)
+                     const murk_mount_clearance *clearance)
 {
     const double radius = fmin(radius_m, MURK_RAY_MAX_M);
     if (!s->scene || !(radius_m > 0) ||
@@ -113,8 +126,9 @@ static bool any_near(const murk_surfaces *s, murk_vec3 point, double radius_m,
     nearness near = {.s = s,
                      .point = murk_sub(point, s->soup.anchor),
                      .radius_m = radius_m,
-                     .mounting = mounting};
-    /* Float rounding of the query must not lose a surface at the rim. */
+                     .clearance = clearance};
+    /* The query is in single precision: enlarge the radius so that rounding
+     * loses no surface at the rim. */
     const double size =
         fabs(near.point.x) + fabs(near.point.y) + fabs(near.point.z) + radius;
     struct RTCPointQuery query = {
@@ -135,13 +149,13 @@ bool murk_surfaces_near(const murk_surfaces *s, murk_vec3 point,
 }
 
 bool murk_surfaces_near_mount(const murk_surfaces *s, murk_vec3 point,
-                              double radius_m, const murk_foot *foot,
+                              double radius_m, const murk_mount_site *site,
                               double above_m)
 {
-    const murk_mounting mounting = {
-        .foot = murk_sub(foot->position, s->soup.anchor),
-        .normal = foot->normal,
+    const murk_mount_clearance clearance = {
+        .site = murk_sub(site->position, s->soup.anchor),
+        .normal = site->normal,
         .above_m = above_m,
         .slack_m = 2 * s->leave_m};
-    return any_near(s, point, radius_m, &mounting);
+    return any_near(s, point, radius_m, &clearance);
 }

@@ -1,3 +1,8 @@
+/* Reads a mesh: checks the request, runs the importer in a subprocess, and
+ * checks and unpacks the result.
+ *
+ * The subprocess parses untrusted input, so nothing it sends is believed:
+ * sizes, coordinates and indices are checked again. */
 #include "geometry/mesh.h"
 
 #include "geometry/import.h"
@@ -11,6 +16,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* Checks that the path is a readable regular file and gets the size of the
+ * file. */
 static murk_status look_at_file(const char *path, uint64_t *bytes,
                                 const char *where, murk_error *err)
 {
@@ -68,7 +75,8 @@ static bool allocate(murk_mesh *mesh, const murk_import_head *head)
            mesh->material_name;
 }
 
-/* The child's word is not taken for it: a broken file may have broken it. */
+/* Checks coordinates and indices again: a malformed file may have taken over
+ * the subprocess. */
 static bool is_sound(const murk_mesh *mesh)
 {
     for (size_t i = 0; i < 3 * mesh->vertices; ++i) {
@@ -97,6 +105,7 @@ static void drop_degenerate(murk_mesh *mesh)
     size_t kept = 0;
     mesh->bounds_m = murk_box_empty();
     for (size_t i = 0; i < mesh->triangles; ++i) {
+        /* Keep triangles with an area, and measure the bounding box. */
         const murk_triangle t =
             murk_triangle_at(mesh->vertex_m, mesh->corner + 3 * i);
         if (murk_triangle_is_degenerate(&t)) {
@@ -111,6 +120,7 @@ static void drop_degenerate(murk_mesh *mesh)
         mesh->bounds_m = murk_box_with(mesh->bounds_m, t.c);
     }
     mesh->triangles = kept;
+    /* The step of single precision at the largest coordinate. */
     const murk_box *b = &mesh->bounds_m;
     const double farthest = fmax(fmax(fmax(fabs(b->min.x), fabs(b->max.x)),
                                       fmax(fabs(b->min.y), fabs(b->max.y))),
@@ -120,7 +130,7 @@ static void drop_degenerate(murk_mesh *mesh)
                                 murk_add(b->max, mesh->origin_m)};
 }
 
-/* Copies and moves on. */
+/* Copies from the received bytes and advances. */
 static void take(void *to, size_t size, const unsigned char **bytes)
 {
     memcpy(to, *bytes, size);
@@ -131,6 +141,8 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
                           size_t size, const char *path, const char *where,
                           murk_error *err)
 {
+    /* The header must agree with the number of bytes received. size / 4
+     * bounds each count, so that the products below cannot overflow. */
     murk_import_head head;
     const size_t maximum = size / 4;
     bool fits = size >= sizeof head;
@@ -146,6 +158,7 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
         return murk_fail(err, MURK_BAD_FILE, where,
                          "%s is malformed: its reader lost count", path);
     }
+    /* Copy the arrays and check each value. */
     if (!allocate(mesh, &head)) {
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for the %zu triangles of %s",
@@ -161,6 +174,7 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
         return murk_fail(err, MURK_BAD_FILE, where,
                          "%s: coordinates or indices out of range", path);
     }
+    /* Remove triangles without area. */
     drop_degenerate(mesh);
     if (mesh->triangles == 0) {
         return murk_fail(err, MURK_BAD_FILE, where,
@@ -174,27 +188,31 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err)
 {
-    murk_import_order order = {.path = path, .where = where};
+    murk_import_request request = {.path = path, .where = where};
     if (import) {
-        order.import = *import;
+        request.import = *import;
     }
     uint64_t file_bytes = 0;
     unsigned char *bytes = NULL;
     size_t size = 0;
     murk_mesh *mesh = NULL;
-    murk_status status = check_import(&order.import, where, err);
+    /* Check the request and the file. */
+    murk_status status = check_import(&request.import, where, err);
     if (!status) {
         status = look_at_file(path, &file_bytes, where, err);
     }
     if (!status) {
+        /* Import in a subprocess, with limits that follow the size of the
+         * file. */
         const murk_subprocess_limits limits =
             murk_subprocess_limits_for(file_bytes);
-        status = murk_subprocess_run(&bytes, &size, murk_import_work, &order,
+        status = murk_subprocess_run(&bytes, &size, murk_import_work, &request,
                                      &limits, where, err);
     }
     if (status) {
         goto done;
     }
+    /* Unpack and check the result. */
     mesh = calloc(1, sizeof *mesh);
     if (!mesh) {
         status =

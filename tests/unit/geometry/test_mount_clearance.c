@@ -1,17 +1,17 @@
 /* What a mount stands near to, face by face and sphere by sphere, against
  * points drawn on them. Nothing here is random. */
-#include "geometry/mounting.h"
+#include "geometry/mount_clearance.h"
 
 #include "check.h"
 
 #define FINE 200 /* points along each side */
 
-static murk_mounting upright(double above_m, double slack_m)
+static murk_mount_clearance upright(double above_m, double slack_m)
 {
-    return (murk_mounting){.foot = {0, 0, 0},
-                           .normal = {0, 0, 1},
-                           .above_m = above_m,
-                           .slack_m = slack_m};
+    return (murk_mount_clearance){.site = {0, 0, 0},
+                                  .normal = {0, 0, 1},
+                                  .above_m = above_m,
+                                  .slack_m = slack_m};
 }
 
 /* A face that rises with `slope` from its low edge, which is at height `rise`
@@ -42,19 +42,19 @@ static void test_smooth_surfaces_go_on(void)
         {1.01, 0.1, 0, true},  {30, 0.1, 0, true},
     };
     for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
-        const murk_mounting m = upright(0, table[i].slack_m);
+        const murk_mount_clearance m = upright(0, table[i].slack_m);
         for (int way = 0; way < 4; ++way) {
             const murk_triangle t =
                 rising(table[i].slope, table[i].rise, way & 1, way & 2);
             const double got =
-                murk_mounting_from_face(&m, &t, murk_vec(0, 0, 0));
+                murk_mount_clearance_to_face(&m, &t, murk_vec(0, 0, 0));
             const double edge = hypot(1, table[i].rise);
             CHECK(table[i].counts ? fabs(got - edge) < 1e-12 : isinf(got));
         }
     }
 }
 
-static double min_of_face(const murk_mounting *m, const murk_triangle *t,
+static double min_of_face(const murk_mount_clearance *m, const murk_triangle *t,
                           murk_vec3 point)
 {
     double min = INFINITY;
@@ -80,22 +80,22 @@ static void test_faces_by_points_on_them(void)
                                {2, -4, 0.5}, {3, 0, 5},  {2.1, 0, 0.25},
                                {5, 1, 1},    {2, 0, -3}, {2, 2, -0.5}};
     for (size_t i = 0; i < sizeof above_m / sizeof *above_m; ++i) {
-        const murk_mounting m = upright(above_m[i], 1e-9);
+        const murk_mount_clearance m = upright(above_m[i], 1e-9);
         for (size_t k = 0; k < sizeof point / sizeof *point; ++k) {
             const double min = min_of_face(&m, &t, point[k]);
-            const double got = murk_mounting_from_face(&m, &t, point[k]);
+            const double got = murk_mount_clearance_to_face(&m, &t, point[k]);
             CHECK(got <= min + 1e-12 && got >= min - 0.025);
             const murk_triangle turned = {t.c, t.b, t.a};
-            CHECK(fabs(murk_mounting_from_face(&m, &turned, point[k]) - got) <
-                  1e-12);
+            CHECK(fabs(murk_mount_clearance_to_face(&m, &turned, point[k]) -
+                       got) < 1e-12);
         }
     }
-    const murk_mounting over = upright(3.01, 1e-9);
-    CHECK(isinf(murk_mounting_from_face(&over, &t, point[0])));
+    const murk_mount_clearance over = upright(3.01, 1e-9);
+    CHECK(isinf(murk_mount_clearance_to_face(&over, &t, point[0])));
 }
 
-static double min_of_ball(const murk_mounting *m, const murk_ball *b,
-                          murk_vec3 point)
+static double min_of_ball(const murk_mount_clearance *m,
+                          const murk_stored_sphere *b, murk_vec3 point)
 {
     double min = INFINITY;
     for (int i = 0; i <= FINE; ++i) {
@@ -115,28 +115,31 @@ static double min_of_ball(const murk_mounting *m, const murk_ball *b,
 /* So it does of a sphere on which the mount does not stand. */
 static void test_balls_by_points_on_them(void)
 {
-    const murk_ball b = {.center = {0.5, -0.25, 1}, .radius = 1.5};
+    const murk_stored_sphere b = {.center = {0.5, -0.25, 1}, .radius = 1.5};
     const double above_m[] = {-1, -0.25, 0.25, 1, 1.75, 2.25};
     const murk_vec3 point[] = {{0, 0, 0},        {0.5, -0.25, 1}, {4, 2, 1},
                                {0.5, -0.25, -3}, {0, 3, -1},      {1, 0, 5},
                                {0.5, 0.25, 1.5}, {2.25, 0, 0.5}};
     for (size_t i = 0; i < sizeof above_m / sizeof *above_m; ++i) {
-        const murk_mounting m = upright(above_m[i], 1e-9);
+        const murk_mount_clearance m = upright(above_m[i], 1e-9);
         for (size_t k = 0; k < sizeof point / sizeof *point; ++k) {
             const double min = min_of_ball(&m, &b, point[k]);
-            const double got = murk_mounting_from_ball(&m, &b, point[k]);
+            const double got = murk_mount_clearance_to_sphere(&m, &b, point[k]);
             CHECK(fabs(got - min) < 0.025);
         }
     }
-    const murk_mounting over = upright(2.51, 1e-9);
-    CHECK(isinf(murk_mounting_from_ball(&over, &b, point[0])));
-    const murk_ball own[] = {{.center = {0, 0, -2}, .radius = 2},
-                             {.center = {0, 0, -2}, .radius = 2.099},
-                             {.center = {0, 0, -2}, .radius = 2.101}};
-    const murk_mounting slack = upright(-1, 0.1);
-    CHECK(isinf(murk_mounting_from_ball(&slack, &own[0], murk_vec(0, 0, 1))));
-    CHECK(isinf(murk_mounting_from_ball(&slack, &own[1], murk_vec(0, 0, 1))));
-    CHECK(fabs(murk_mounting_from_ball(&slack, &own[2], murk_vec(0, 0, 1)) -
+    const murk_mount_clearance over = upright(2.51, 1e-9);
+    CHECK(isinf(murk_mount_clearance_to_sphere(&over, &b, point[0])));
+    const murk_stored_sphere own[] = {{.center = {0, 0, -2}, .radius = 2},
+                                      {.center = {0, 0, -2}, .radius = 2.099},
+                                      {.center = {0, 0, -2}, .radius = 2.101}};
+    const murk_mount_clearance slack = upright(-1, 0.1);
+    CHECK(isinf(
+        murk_mount_clearance_to_sphere(&slack, &own[0], murk_vec(0, 0, 1))));
+    CHECK(isinf(
+        murk_mount_clearance_to_sphere(&slack, &own[1], murk_vec(0, 0, 1))));
+    CHECK(fabs(murk_mount_clearance_to_sphere(&slack, &own[2],
+                                              murk_vec(0, 0, 1)) -
                0.899) < 1e-12);
 }
 

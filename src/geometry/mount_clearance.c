@@ -1,8 +1,18 @@
-#include "geometry/mounting.h"
+/* Distance between a mounted sensor and surfaces, without the surface that
+ * carries the sensor.
+ *
+ * That surface is recognised by place and not by connectivity, because
+ * meshes have seams and T-junctions: everything behind or less than above_m
+ * over the plane of the site belongs to it, and so does a face that rises no
+ * steeper than it is tilted (up to 45 degrees), as a smoothly curved wall
+ * does. */
+#include "geometry/mount_clearance.h"
 
 #include "geometry/polygon.h"
 
-#define OWN_COSINE 0.70710678118654752 /* cos 45 degrees */
+#define OWN_COSINE                                                          \
+    0.70710678118654752 /* cosine of 45 degrees: the largest tilt of a face \
+                           that continues a curved wall */
 
 static murk_vec3 nearest_on_segment(murk_vec3 a, murk_vec3 b, murk_vec3 p)
 {
@@ -13,7 +23,8 @@ static murk_vec3 nearest_on_segment(murk_vec3 a, murk_vec3 b, murk_vec3 p)
     return murk_along(a, fmin(1, fmax(0, share)), ab);
 }
 
-/* Of a convex polygon that lies in the plane of `normal` (of any length). */
+/* The nearest point of a convex polygon in the plane with the given normal
+ * (of any length). */
 static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
                             murk_vec3 p)
 {
@@ -40,23 +51,24 @@ static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
     return murk_along(p, -height, normal);
 }
 
-/* A smooth surface goes on so: over the way to its place, its slope came from
- * 0 to what the face has. */
-static bool goes_on_to(const murk_mounting *m, murk_vec3 normal,
+/* True if the face may continue a smooth surface: along the way from the
+ * site to `place` the slope of such a surface changes from 0 to that of the
+ * face, so the rise is at most slope times length. */
+static bool goes_on_to(const murk_mount_clearance *m, murk_vec3 normal,
                        murk_vec3 place)
 {
     const double cosine = fabs(murk_dot(m->normal, murk_unit(normal)));
     const double slope = sqrt(fmax(0, 1 - cosine * cosine)) / cosine;
-    const murk_vec3 off = murk_sub(place, m->foot);
+    const murk_vec3 off = murk_sub(place, m->site);
     const double rise = murk_dot(off, m->normal);
     const double along = murk_length(murk_along(off, -rise, m->normal));
     return cosine > OWN_COSINE && rise <= slope * along + m->slack_m;
 }
 
-double murk_mounting_from_face(const murk_mounting *m,
-                               const murk_triangle *face, murk_vec3 point)
+double murk_mount_clearance_to_face(const murk_mount_clearance *m,
+                                    const murk_triangle *face, murk_vec3 point)
 {
-    const double floor_m = murk_dot(m->normal, m->foot) + m->above_m;
+    const double floor_m = murk_dot(m->normal, m->site) + m->above_m;
     const murk_polygon part = murk_triangle_above(face, m->normal, floor_m);
     if (part.n == 0) {
         return INFINITY;
@@ -68,16 +80,18 @@ double murk_mounting_from_face(const murk_mounting *m,
                : murk_length(murk_sub(nearest, point));
 }
 
-double murk_mounting_from_ball(const murk_mounting *m, const murk_ball *b,
-                               murk_vec3 point)
+double murk_mount_clearance_to_sphere(const murk_mount_clearance *m,
+                                      const murk_stored_sphere *b,
+                                      murk_vec3 point)
 {
-    const murk_vec3 off = murk_sub(m->foot, b->center);
+    const murk_vec3 off = murk_sub(m->site, b->center);
     if (fabs(murk_length(off) - b->radius) <= m->slack_m) {
         return INFINITY;
     }
     const murk_vec3 from = murk_sub(point, b->center);
     const double distance = murk_length(from);
-    /* heights are over the center, along the foot's normal */
+    /* Heights are measured from the centre of the sphere along the normal of
+     * the site. */
     const double floor_m = murk_dot(off, m->normal) + m->above_m;
     const double height = murk_dot(from, m->normal);
     if (!(floor_m < b->radius)) {
@@ -86,8 +100,9 @@ double murk_mounting_from_ball(const murk_mounting *m, const murk_ball *b,
     if (distance > 0 && b->radius * height / distance >= floor_m) {
         return fabs(distance - b->radius);
     }
-    /* nearest is on the circle that the floor cuts out, or none if that is all
-     * of the sphere */
+    /* The nearest point of the sphere is below the limit: then the nearest
+     * counted point is on the circle at that height, or the sphere is
+     * counted as a whole. */
     const double aside = sqrt(fmax(0, distance * distance - height * height));
     const double circle =
         sqrt(fmax(0, b->radius * b->radius - floor_m * floor_m));

@@ -1,6 +1,10 @@
-#include "geometry/gather.h"
+/* Converts descriptions of surfaces (mesh, box, rectangle, sphere) into
+ * triangles and spheres in world coordinates, resolves the material names of
+ * meshes, and refuses shapes without extent and coordinates out of range. */
+#include "geometry/placed_shapes.h"
 
 #include "base/position.h"
+#include "geometry/triangle.h"
 
 #include <assert.h>
 #include <ctype.h>
@@ -8,12 +12,17 @@
 #include <string.h>
 #include <strings.h>
 
-/* Embree's own limit is 1.8e18; float resolves 60 m there already. */
+/* Embree's own limit is 1.8e18. At 1e9 m single precision already has steps
+ * of 60 m, so a larger scene is a mistake in units. */
 #define COORDINATE_MAX_M 1e9
 
-/* Relative departure from rotation times scale that a sphere may have. */
+/* Allowed relative deviation of a sphere's transformation from a similarity:
+ * some 1e6 times the rounding of double precision, far below any shape that
+ * is meant. */
 #define SIMILAR 1e-9
 
+/* Triangles of a box, by corner numbers whose bits 0, 1 and 2 select the
+ * maximum of x, y and z; and of a rectangle, by corner numbers around it. */
 static const uint32_t BOX_CORNER[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6,
                                         0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3,
                                         0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
@@ -21,6 +30,7 @@ static const uint32_t RECT_CORNER[6] = {0, 1, 2, 0, 2, 3};
 
 static murk_status check_shape(const murk_surface_desc *d, murk_error *err)
 {
+    /* Each kind of shape must have an extent. */
     const char *where = murk_place_of(d);
     const murk_box *b = &d->box;
     if (d->shape == MURK_SHAPE_BOX &&
@@ -50,7 +60,7 @@ static murk_status check_shape(const murk_surface_desc *d, murk_error *err)
     return MURK_OK;
 }
 
-/* The factor by which a similarity lengthens; NaN when it is none. */
+/* Scale factor of a similarity; NaN if the transformation is not one. */
 static double similarity_scale(const murk_affine *a)
 {
     murk_vec3 axis[3];
@@ -67,8 +77,10 @@ static double similarity_scale(const murk_affine *a)
     return is_similar && scale > 0 ? scale : NAN;
 }
 
-static void count_shape(const murk_surface_desc *d, murk_gathering *g)
+static void count_shape(const murk_surface_desc *d, murk_placed_shapes *g)
 {
+    /* Numbers of vertices, triangles and spheres, so that memory is reserved
+     * once. */
     switch (d->shape) {
     case MURK_SHAPE_MESH:
         g->vertices += d->mesh->vertices;
@@ -84,12 +96,12 @@ static void count_shape(const murk_surface_desc *d, murk_gathering *g)
         g->triangles += 2;
         break;
     case MURK_SHAPE_SPHERE:
-        g->balls += 1;
+        g->spheres += 1;
         break;
     }
 }
 
-static murk_status allocate(murk_gathering *g, murk_error *err)
+static murk_status allocate(murk_placed_shapes *g, murk_error *err)
 {
     g->vertex = malloc((g->vertices + 1) * sizeof *g->vertex);
     g->corner = malloc((3 * g->triangles + 1) * sizeof *g->corner);
@@ -97,13 +109,13 @@ static murk_status allocate(murk_gathering *g, murk_error *err)
     g->material = malloc(g->triangles + 1);
     g->solid = calloc(g->triangles + 1, sizeof *g->solid);
     g->face = calloc(g->triangles + 1, 1);
-    g->ball = malloc((g->balls + 1) * sizeof *g->ball);
+    g->sphere = malloc((g->spheres + 1) * sizeof *g->sphere);
     if (!g->vertex || !g->corner || !g->item || !g->material || !g->solid ||
-        !g->face || !g->ball) {
+        !g->face || !g->sphere) {
         return murk_fail(err, MURK_NO_MEMORY, "geometry",
                          "no memory for %zu triangles", g->triangles);
     }
-    g->vertices = g->triangles = g->balls = 0;
+    g->vertices = g->triangles = g->spheres = 0;
     return MURK_OK;
 }
 
@@ -156,7 +168,7 @@ size_t murk_material_named(const char *name, const murk_material *materials,
     return 0;
 }
 
-static murk_status add_mesh(murk_gathering *g, const murk_surface_desc *d,
+static murk_status add_mesh(murk_placed_shapes *g, const murk_surface_desc *d,
                             uint32_t item, const murk_material *materials,
                             size_t n_materials, murk_error *err)
 {
@@ -175,8 +187,9 @@ static murk_status add_mesh(murk_gathering *g, const murk_surface_desc *d,
                                                 n_materials, &is_named));
     }
     const uint32_t base = (uint32_t)g->vertices;
-    /* The mesh's own origin and the place's translation are both large where
-     * the mesh is far away: first they are added, then the vertices. */
+    /* The origin of the mesh and the translation of the shape are both large
+     * for a mesh far from the origin. They are added first, then the small
+     * vertices, so that no digits are lost. */
     murk_affine to_world = d->to_world;
     to_world.shift = murk_affine_point(&d->to_world, m->origin_m);
     for (size_t i = 0; i < m->vertices; ++i) {
@@ -197,7 +210,7 @@ static murk_status add_mesh(murk_gathering *g, const murk_surface_desc *d,
     return MURK_OK;
 }
 
-static void add_flat(murk_gathering *g, const murk_surface_desc *d,
+static void add_flat(murk_placed_shapes *g, const murk_surface_desc *d,
                      uint32_t item, const murk_vec3 *point, size_t points,
                      const uint32_t *corner, size_t triangles)
 {
@@ -215,7 +228,7 @@ static void add_flat(murk_gathering *g, const murk_surface_desc *d,
     }
 }
 
-static void add_box(murk_gathering *g, const murk_surface_desc *d,
+static void add_box(murk_placed_shapes *g, const murk_surface_desc *d,
                     uint32_t item)
 {
     murk_vec3 point[8];
@@ -227,7 +240,7 @@ static void add_box(murk_gathering *g, const murk_surface_desc *d,
     add_flat(g, d, item, point, 8, BOX_CORNER, 12);
 }
 
-static void add_rect(murk_gathering *g, const murk_surface_desc *d,
+static void add_rect(murk_placed_shapes *g, const murk_surface_desc *d,
                      uint32_t item)
 {
     const murk_vec3 along = murk_add(d->corner, d->edge1);
@@ -236,7 +249,7 @@ static void add_rect(murk_gathering *g, const murk_surface_desc *d,
     add_flat(g, d, item, point, 4, RECT_CORNER, 2);
 }
 
-static murk_status add_sphere(murk_gathering *g, const murk_surface_desc *d,
+static murk_status add_sphere(murk_placed_shapes *g, const murk_surface_desc *d,
                               murk_error *err)
 {
     const double scale = similarity_scale(&d->to_world);
@@ -245,15 +258,15 @@ static murk_status add_sphere(murk_gathering *g, const murk_surface_desc *d,
                          "a sphere can be rotated, scaled alike in x, y, z, "
                          "and moved, nothing else");
     }
-    g->ball[g->balls++] =
-        (murk_ball){.center = murk_affine_point(&d->to_world, d->center),
-                    .radius = scale * d->radius_m,
-                    .material = (uint8_t)(d->material > 0 ? d->material : 0)};
+    g->sphere[g->spheres++] = (murk_stored_sphere){
+        .center = murk_affine_point(&d->to_world, d->center),
+        .radius = scale * d->radius_m,
+        .material = (uint8_t)(d->material > 0 ? d->material : 0)};
     return MURK_OK;
 }
 
-static murk_status check_coordinates(const murk_gathering *g,
-                                     size_t first_vertex, size_t first_ball,
+static murk_status check_coordinates(const murk_placed_shapes *g,
+                                     size_t first_vertex, size_t first_sphere,
                                      const char *where, murk_error *err)
 {
     const murk_vec3 limit =
@@ -263,10 +276,10 @@ static murk_status check_coordinates(const murk_gathering *g,
     for (size_t i = first_vertex; i < g->vertices && !bad; ++i) {
         bad = murk_box_contains(&world, g->vertex[i]) ? NULL : &g->vertex[i];
     }
-    for (size_t i = first_ball; i < g->balls && !bad; ++i) {
-        const bool fits = murk_box_contains(&world, g->ball[i].center) &&
-                          g->ball[i].radius <= COORDINATE_MAX_M;
-        bad = fits ? NULL : &g->ball[i].center;
+    for (size_t i = first_sphere; i < g->spheres && !bad; ++i) {
+        const bool fits = murk_box_contains(&world, g->sphere[i].center) &&
+                          g->sphere[i].radius <= COORDINATE_MAX_M;
+        bad = fits ? NULL : &g->sphere[i].center;
     }
     if (bad) {
         return murk_fail(
@@ -278,14 +291,17 @@ static murk_status check_coordinates(const murk_gathering *g,
     return MURK_OK;
 }
 
-static murk_status add_all(murk_gathering *g, const murk_surface_desc *surfaces,
-                           size_t n, const murk_material *materials,
-                           size_t n_materials, murk_error *err)
+static murk_status add_all(murk_placed_shapes *g,
+                           const murk_surface_desc *surfaces, size_t n,
+                           const murk_material *materials, size_t n_materials,
+                           murk_error *err)
 {
     murk_status status = MURK_OK;
     for (size_t i = 0; i < n && !status; ++i) {
         const murk_surface_desc *d = &surfaces[i];
-        const size_t first_vertex = g->vertices, first_ball = g->balls;
+        /* Remember the first vertex and sphere of this shape for the check
+         * of coordinates. */
+        const size_t first_vertex = g->vertices, first_sphere = g->spheres;
         switch (d->shape) {
         case MURK_SHAPE_MESH:
             status = add_mesh(g, d, (uint32_t)i, materials, n_materials, err);
@@ -301,21 +317,22 @@ static murk_status add_all(murk_gathering *g, const murk_surface_desc *surfaces,
             break;
         }
         if (!status) {
-            status = check_coordinates(g, first_vertex, first_ball,
+            status = check_coordinates(g, first_vertex, first_sphere,
                                        murk_place_of(d), err);
         }
     }
     return status;
 }
 
-murk_status murk_gather_triangles(murk_gathering *g,
-                                  const murk_surface_desc *surfaces,
-                                  size_t n_surfaces,
-                                  const murk_material *materials,
-                                  size_t n_materials, murk_error *err)
+murk_status murk_placed_shapes_build(murk_placed_shapes *g,
+                                     const murk_surface_desc *surfaces,
+                                     size_t n_surfaces,
+                                     const murk_material *materials,
+                                     size_t n_materials, murk_error *err)
 {
-    *g = (murk_gathering){0};
+    *g = (murk_placed_shapes){0};
     murk_status status = MURK_OK;
+    /* Check each description and count vertices, triangles and spheres. */
     for (size_t i = 0; i < n_surfaces && !status; ++i) {
         assert(surfaces[i].material >= -1 &&
                surfaces[i].material < (int)n_materials);
@@ -324,14 +341,16 @@ murk_status murk_gather_triangles(murk_gathering *g,
             count_shape(&surfaces[i], g);
         }
     }
-    if (!status &&
-        (g->vertices >= UINT32_MAX || g->triangles + g->balls >= UINT32_MAX)) {
+    /* Indices have 32 bits. */
+    if (!status && (g->vertices >= UINT32_MAX ||
+                    g->triangles + g->spheres >= UINT32_MAX)) {
         status = murk_fail(err, MURK_BAD_VALUE, "geometry",
                            "%zu triangles with %zu vertices, must be fewer "
                            "than %u",
                            g->triangles, g->vertices, UINT32_MAX);
     }
     if (!status) {
+        /* Reserve memory and convert the shapes. */
         status = allocate(g, err);
     }
     return status
@@ -339,7 +358,7 @@ murk_status murk_gather_triangles(murk_gathering *g,
                : add_all(g, surfaces, n_surfaces, materials, n_materials, err);
 }
 
-void murk_gathering_release(murk_gathering *g)
+void murk_placed_shapes_release(murk_placed_shapes *g)
 {
     free(g->vertex);
     free(g->corner);
@@ -347,5 +366,5 @@ void murk_gathering_release(murk_gathering *g)
     free(g->material);
     free(g->solid);
     free(g->face);
-    free(g->ball);
+    free(g->sphere);
 }

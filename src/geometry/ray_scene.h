@@ -1,0 +1,111 @@
+/* The Embree scene behind murk_surfaces, shared by the files of this room.
+ *
+ * Embree works in single precision and names the primitive that a ray hits. The
+ * exact place is then computed in double precision from that primitive, whose
+ * float vertices define the geometry.
+ *
+ * Lengths that rounding makes necessary are multiples of `unit_m`, the
+ * spacing of floats at the largest stored coordinate. Rounding a ray's
+ * origin moves the ray by at most 0.9 units, rounding its direction by some
+ * 2 units at the far side, and Embree's distance to a plane is off by a few
+ * units. */
+#ifndef MURK_GEOMETRY_RAY_SCENE_H
+#define MURK_GEOMETRY_RAY_SCENE_H
+
+#include "geometry/embree.h"
+#include "geometry/soup.h"
+#include "geometry/surfaces.h"
+
+/* Distance by which a ray's start is moved off a surface. 8 units are 1e-6
+ * of the largest coordinate and exceed the sum of the errors above. Cost:
+ * surfaces closer to each other than this are not told apart. */
+#define MURK_LEAVE_UNITS 8
+
+struct murk_surfaces {
+    murk_soup soup;
+    murk_material *material;
+    size_t n_materials;
+    double *material_area_m2; /* [n_materials] */
+    double area_m2;
+    double unit_m, leave_m;
+    murk_box reach; /* the bounding box of the soup, enlarged by leave_m */
+    RTCDevice device;
+    RTCScene scene; /* NULL if the scene is empty */
+    size_t embree_bytes;
+};
+
+/* Kinds of faces as Embree's ray masks. */
+#define MURK_MASK(face) (1u << (unsigned)(face))
+#define MURK_MASK_BLOCKS \
+    (MURK_MASK(MURK_FACE_OPAQUE) | MURK_MASK(MURK_FACE_SOLID))
+#define MURK_MASK_ALL (MURK_MASK_BLOCKS | MURK_MASK(MURK_FACE_SHEET))
+
+/* Numbers of Embree's geometries: triangles of each kind of face, then
+ * spheres of each kind. */
+#define MURK_GEOMETRY_OF_SPHERES(face) ((unsigned)(face) + (unsigned)MURK_FACES)
+
+/* The ray in double precision beside Embree's, so that spheres are
+ * intersected exactly. */
+typedef struct murk_ray_context {
+    murk_embree_context
+        embree; /* must be first: Embree passes its address to callbacks */
+    murk_vec3 origin, direction;
+} murk_ray_context;
+
+/* The primitive that Embree's hit names. */
+typedef struct murk_primitive {
+    bool is_sphere;
+    uint32_t index; /* index into the triangles or spheres of the soup */
+} murk_primitive;
+
+static inline murk_primitive murk_primitive_of(const murk_soup *soup,
+                                               const struct RTCHit *hit)
+{
+    const bool is_sphere = hit->geomID >= MURK_FACES;
+    const size_t first =
+        is_sphere ? soup->first_sphere[hit->geomID - (unsigned)MURK_FACES]
+                  : soup->first_triangle[hit->geomID];
+    return (murk_primitive){is_sphere, (uint32_t)first + hit->primID};
+}
+
+/* Largest coordinate of a ray. Embree's own limit is 1.8e18; beyond it, and
+ * for values that are not finite, some builds of Embree stop the program. */
+#define MURK_RAY_MAX_M 1e17
+
+/* True if Embree can trace the ray: finite coordinates within the limit and
+ * a direction other than 0. */
+static inline bool murk_ray_is_sound(murk_vec3 origin, murk_vec3 direction)
+{
+    const murk_vec3 v[2] = {origin, direction};
+    for (int i = 0; i < 2; ++i) {
+        if (!(fabs(v[i].x) < MURK_RAY_MAX_M && fabs(v[i].y) < MURK_RAY_MAX_M &&
+              fabs(v[i].z) < MURK_RAY_MAX_M)) {
+            return false;
+        }
+    }
+    return murk_dot(direction, direction) > 0;
+}
+
+static inline void murk_ray_set(struct RTCRay *ray, murk_vec3 origin,
+                                murk_vec3 direction, float tfar, unsigned mask)
+{
+    ray->org_x = (float)origin.x;
+    ray->org_y = (float)origin.y;
+    ray->org_z = (float)origin.z;
+    ray->tnear = 0;
+    ray->dir_x = (float)direction.x;
+    ray->dir_y = (float)direction.y;
+    ray->dir_z = (float)direction.z;
+    ray->time = 0;
+    ray->tfar = tfar;
+    ray->mask = mask;
+    ray->id = 0;
+    ray->flags = 0;
+}
+
+/* Creates Embree's device and scene from the soup, which must not be empty.
+ * The caller calls murk_ray_scene_release() also after a failure. */
+murk_status murk_ray_scene_commit(murk_surfaces *surfaces, murk_error *err);
+void murk_ray_scene_release(murk_surfaces *surfaces);
+
+#endif
