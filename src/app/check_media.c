@@ -184,8 +184,7 @@ static void print_phase(const murk_stage *stage, size_t medium, int band)
 
 static bool is_same(const murk_phase *a, const murk_phase *b)
 {
-    return a->kind == b->kind && a->g == b->g && a->g2 == b->g2 &&
-           a->weight == b->weight && a->table == b->table;
+    return a->table == b->table && murk_phase_is_same(a, b);
 }
 
 /* One phase, or one a band where they differ. */

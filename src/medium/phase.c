@@ -1,7 +1,14 @@
+/* Phase functions: one row of functions for each kind (ROWS).
+ *
+ * Density, inverse distribution function, share within an angle and mean cosine
+ * of Henyey-Greenstein, of two such terms and of Rayleigh are closed forms; the
+ * sources are in phase.h. Kinds without a closed inverse are computed as a
+ * table (phase_table.h). */
 #include "medium/phase.h"
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #define FOUR_PI 12.566370614359172
 
@@ -27,28 +34,179 @@ double murk_hg_sample(double g, double u)
     return mu > 1 ? 1 : mu < -1 ? -1 : mu; /* rounding near the ends of u */
 }
 
-/* The inverse CDF: the one real root of mu^3 + 3 mu = 8 u - 4 (Cardano). */
-static double rayleigh_sample(double u)
+/* u chooses the term; how far u lies in the share of the term is uniform again.
+ */
+static double two_hg_sample(const murk_phase *p, double u)
 {
+    const double weight = p->value[2];
+    if (u < weight) {
+        return murk_hg_sample(p->value[0], u / weight);
+    }
+    const double rest = (u - weight) / (1 - weight);
+    return murk_hg_sample(p->value[1], fmax(rest, 0x1p-54)); /* u == weight */
+}
+
+static double two_hg_density(const murk_phase *p, double mu)
+{
+    return p->value[2] * murk_hg_density(p->value[0], mu) +
+           (1 - p->value[2]) * murk_hg_density(p->value[1], mu);
+}
+
+/* s is 1 - mu, root^2 is 1 + g^2 - 2 g mu: nothing cancels, for any g. */
+static double hg_share(double g, double s)
+{
+    const double root = sqrt((1 - g) * (1 - g) + 2 * g * s);
+    return (1 + g) * s / (root * (root + 1 - g));
+}
+
+static double two_hg_share(const murk_phase *p, double s)
+{
+    return p->value[2] * hg_share(p->value[0], s) +
+           (1 - p->value[2]) * hg_share(p->value[1], s);
+}
+
+static double two_hg_mean(const murk_phase *p)
+{
+    return p->value[2] * p->value[0] + (1 - p->value[2]) * p->value[1];
+}
+
+static double one_hg_density(const murk_phase *p, double mu)
+{
+    return murk_hg_density(p->value[0], mu);
+}
+
+static double one_hg_sample(const murk_phase *p, double u)
+{
+    return murk_hg_sample(p->value[0], u);
+}
+
+static double one_hg_share(const murk_phase *p, double s)
+{
+    return hg_share(p->value[0], s);
+}
+
+static double one_hg_mean(const murk_phase *p)
+{
+    return p->value[0];
+}
+
+static double rayleigh_density(const murk_phase *p, double mu)
+{
+    (void)p;
+    return .75 * (1 + mu * mu) / FOUR_PI;
+}
+
+/* The inverse CDF: the one real root of mu^3 + 3 mu = 8 u - 4 (Cardano). */
+static double rayleigh_sample(const murk_phase *p, double u)
+{
+    (void)p;
     const double q = fabs(4 * u - 2);
     const double root = cbrt(q + sqrt(q * q + 1));
     const double mu = fmin(1, root - 1 / root);
     return u < .5 ? -mu : mu;
 }
 
-/* u chooses the term; how far it lies in that term's share is uniform again. */
-static double two_hg_sample(const murk_phase *p, double u)
+static double rayleigh_share(const murk_phase *p, double s)
 {
-    if (u < p->weight) {
-        return murk_hg_sample(p->g, u / p->weight);
+    (void)p;
+    return .125 * s * (6 - s * (3 - s));
+}
+
+static double rayleigh_mean(const murk_phase *p)
+{
+    (void)p;
+    return 0; /* forward and backward are alike */
+}
+
+static double table_density(const murk_phase *p, double mu)
+{
+    return murk_phase_table_density(p->table, mu);
+}
+
+static double table_sample(const murk_phase *p, double u)
+{
+    return murk_phase_table_sample(p->table, u);
+}
+
+static double table_share(const murk_phase *p, double s)
+{
+    return murk_phase_table_share(p->table, s);
+}
+
+static double table_mean(const murk_phase *p)
+{
+    return murk_phase_table_facts(p->table)->mean_cosine;
+}
+
+static murk_status fournier_forand_table(murk_phase_table **out,
+                                         const double *value, const char *where,
+                                         murk_error *err)
+{
+    return murk_phase_table_fournier_forand(out, value[0], value[1], where,
+                                            err);
+}
+
+/* The accepted range of one number. */
+typedef struct phase_number {
+    const char *name;
+    double min, max;
+    bool is_open;        /* min and max themselves are refused */
+    const char *allowed; /* for the message */
+} phase_number;
+
+#define MEAN_COSINE                                                     \
+    {                                                                   \
+        "mean cosine g", -1, 1, true, "between -1 and 1, both excluded" \
     }
-    const double rest = (u - p->weight) / (1 - p->weight);
-    return murk_hg_sample(p->g2, fmax(rest, 0x1p-54)); /* u may be the weight */
+
+/* A kind of phase functions. A kind has either the four functions of a closed
+ * form, or `tabulate`, which computes a table from the numbers. */
+typedef struct phase_row {
+    phase_number number[MURK_PHASE_NUMBERS_MAX];
+    double (*density)(const murk_phase *p, double mu); /* 1/sr */
+    double (*sample)(const murk_phase *p, double u);   /* inverse CDF */
+    /* share of the light that is scattered by less than the angle of 1 - s */
+    double (*share)(const murk_phase *p, double s);
+    double (*mean_cosine)(const murk_phase *p);
+    murk_status (*tabulate)(murk_phase_table **out, const double *value,
+                            const char *where, murk_error *err);
+} phase_row;
+
+static const phase_row ROWS[] = {
+    [MURK_PHASE_HG] = {.number = {MEAN_COSINE},
+                       .density = one_hg_density,
+                       .sample = one_hg_sample,
+                       .share = one_hg_share,
+                       .mean_cosine = one_hg_mean},
+    [MURK_PHASE_RAYLEIGH] = {.density = rayleigh_density,
+                             .sample = rayleigh_sample,
+                             .share = rayleigh_share,
+                             .mean_cosine = rayleigh_mean},
+    [MURK_PHASE_TWO_HG] = {.number = {MEAN_COSINE,
+                                      MEAN_COSINE,
+                                      {"weight of g1", 0, 1, false, "0..1"}},
+                           .density = two_hg_density,
+                           .sample = two_hg_sample,
+                           .share = two_hg_share,
+                           .mean_cosine = two_hg_mean},
+    [MURK_PHASE_FOURNIER_FORAND] = {.tabulate = fournier_forand_table},
+    [MURK_PHASE_TABLE] = {.density = table_density,
+                          .sample = table_sample,
+                          .share = table_share,
+                          .mean_cosine = table_mean},
+};
+
+murk_phase murk_phase_of(murk_phase_kind kind,
+                         const double value[MURK_PHASE_NUMBERS_MAX])
+{
+    murk_phase phase = {.kind = kind};
+    memcpy(phase.value, value, sizeof phase.value);
+    return phase;
 }
 
 murk_phase murk_phase_hg(double g)
 {
-    return (murk_phase){.kind = MURK_PHASE_HG, .g = g};
+    return (murk_phase){.kind = MURK_PHASE_HG, .value = {g}};
 }
 
 murk_phase murk_phase_rayleigh(void)
@@ -58,8 +216,7 @@ murk_phase murk_phase_rayleigh(void)
 
 murk_phase murk_phase_two_hg(double g1, double g2, double weight1)
 {
-    return (murk_phase){
-        .kind = MURK_PHASE_TWO_HG, .g = g1, .g2 = g2, .weight = weight1};
+    return (murk_phase){.kind = MURK_PHASE_TWO_HG, .value = {g1, g2, weight1}};
 }
 
 murk_phase murk_phase_tabulated(const murk_phase_table *table)
@@ -67,23 +224,34 @@ murk_phase murk_phase_tabulated(const murk_phase_table *table)
     return (murk_phase){.kind = MURK_PHASE_TABLE, .table = table};
 }
 
+bool murk_phase_is_tabulated(murk_phase_kind kind)
+{
+    return ROWS[kind].tabulate != NULL;
+}
+
+murk_status murk_phase_tabulate(murk_phase_table **out, murk_phase_kind kind,
+                                const double value[MURK_PHASE_NUMBERS_MAX],
+                                const char *where, murk_error *err)
+{
+    return ROWS[kind].tabulate(out, value, where, err);
+}
+
 /* The negated comparisons also refuse NaN. */
 murk_status murk_phase_check(const murk_phase *phase, int band,
                              const char *where, murk_error *err)
 {
-    const double g[] = {phase->g, phase->g2};
-    for (int i = 0; i < 2; ++i) {
-        if (!(g[i] > -1 && g[i] < 1)) {
+    const phase_number *number = ROWS[phase->kind].number;
+    for (int i = 0; i < MURK_PHASE_NUMBERS_MAX && number[i].name; ++i) {
+        const double value = phase->value[i];
+        const bool is_within =
+            number[i].is_open
+                ? value > number[i].min && value < number[i].max
+                : value >= number[i].min && value <= number[i].max;
+        if (!is_within) {
             return murk_fail(err, MURK_BAD_VALUE, where,
-                             "mean cosine g is %g (band %d), must be between "
-                             "-1 and 1, both excluded",
-                             g[i], band);
+                             "%s is %g (band %d), must be %s", number[i].name,
+                             value, band, number[i].allowed);
         }
-    }
-    if (!(phase->weight >= 0 && phase->weight <= 1)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "weight of g1 is %g (band %d), must be 0..1",
-                         phase->weight, band);
     }
     if ((phase->kind == MURK_PHASE_TABLE) != (phase->table != NULL)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -95,40 +263,12 @@ murk_status murk_phase_check(const murk_phase *phase, int band,
 
 double murk_phase_density(const murk_phase *phase, double mu)
 {
-    switch (phase->kind) {
-    case MURK_PHASE_RAYLEIGH:
-        return .75 * (1 + mu * mu) / FOUR_PI;
-    case MURK_PHASE_TWO_HG:
-        return phase->weight * murk_hg_density(phase->g, mu) +
-               (1 - phase->weight) * murk_hg_density(phase->g2, mu);
-    case MURK_PHASE_TABLE:
-        return murk_phase_table_density(phase->table, mu);
-    case MURK_PHASE_HG:
-        break;
-    }
-    return murk_hg_density(phase->g, mu);
+    return ROWS[phase->kind].density(phase, mu);
 }
 
 double murk_phase_sample(const murk_phase *phase, double u)
 {
-    switch (phase->kind) {
-    case MURK_PHASE_RAYLEIGH:
-        return rayleigh_sample(u);
-    case MURK_PHASE_TWO_HG:
-        return two_hg_sample(phase, u);
-    case MURK_PHASE_TABLE:
-        return murk_phase_table_sample(phase->table, u);
-    case MURK_PHASE_HG:
-        break;
-    }
-    return murk_hg_sample(phase->g, u);
-}
-
-/* s is 1 - mu, root^2 is 1 + g^2 - 2 g mu: nothing cancels, for any g. */
-static double hg_share(double g, double s)
-{
-    const double root = sqrt((1 - g) * (1 - g) + 2 * g * s);
-    return (1 + g) * s / (root * (root + 1 - g));
+    return ROWS[phase->kind].sample(phase, u);
 }
 
 double murk_phase_share_within(const murk_phase *phase, double angle_rad)
@@ -136,33 +276,12 @@ double murk_phase_share_within(const murk_phase *phase, double angle_rad)
     assert(angle_rad >= 0 && angle_rad <= 3.1415926535897936);
     const double half = sin(.5 * angle_rad);
     const double s = 2 * half * half; /* 1 - cos(angle) */
-    switch (phase->kind) {
-    case MURK_PHASE_RAYLEIGH:
-        return .125 * s * (6 - s * (3 - s));
-    case MURK_PHASE_TWO_HG:
-        return phase->weight * hg_share(phase->g, s) +
-               (1 - phase->weight) * hg_share(phase->g2, s);
-    case MURK_PHASE_TABLE:
-        return murk_phase_table_share(phase->table, s);
-    case MURK_PHASE_HG:
-        break;
-    }
-    return hg_share(phase->g, s);
+    return ROWS[phase->kind].share(phase, s);
 }
 
 double murk_phase_mean_cosine(const murk_phase *phase)
 {
-    switch (phase->kind) {
-    case MURK_PHASE_RAYLEIGH:
-        return 0;
-    case MURK_PHASE_TWO_HG:
-        return phase->weight * phase->g + (1 - phase->weight) * phase->g2;
-    case MURK_PHASE_TABLE:
-        return murk_phase_table_facts(phase->table)->mean_cosine;
-    case MURK_PHASE_HG:
-        break;
-    }
-    return phase->g;
+    return ROWS[phase->kind].mean_cosine(phase);
 }
 
 bool murk_phase_is_same(const murk_phase *a, const murk_phase *b)
@@ -170,7 +289,11 @@ bool murk_phase_is_same(const murk_phase *a, const murk_phase *b)
     if (a->kind != b->kind) {
         return false;
     }
+    bool are_equal = true;
+    for (int i = 0; i < MURK_PHASE_NUMBERS_MAX; ++i) {
+        are_equal = are_equal && a->value[i] == b->value[i];
+    }
     return a->kind == MURK_PHASE_TABLE
                ? murk_phase_table_is_same(a->table, b->table)
-               : a->g == b->g && a->g2 == b->g2 && a->weight == b->weight;
+               : are_equal;
 }

@@ -12,30 +12,37 @@
 #ifndef MURK_MEDIUM_PHASE_H
 #define MURK_MEDIUM_PHASE_H
 
+#include "base/phase_kind.h"
 #include "base/status.h"
 #include "medium/phase_table.h"
 
 #include <stdbool.h>
 
-typedef enum murk_phase_kind {
-    MURK_PHASE_HG,       /* Henyey-Greenstein; isotropic where g is 0 */
-    MURK_PHASE_RAYLEIGH, /* 3 (1 + mu^2) / (16 pi) */
-    MURK_PHASE_TWO_HG,   /* weight HG(g) + (1 - weight) HG(g2) */
-    MURK_PHASE_TABLE
-} murk_phase_kind;
-
 /* One phase function, held by value. All zero: isotropic. */
 typedef struct murk_phase {
     murk_phase_kind kind;
-    double g, g2;  /* mean cosines, more than -1 and less than 1 */
-    double weight; /* of g, 0..1 */
-    const murk_phase_table *table; /* borrowed */
+    double value[MURK_PHASE_NUMBERS_MAX]; /* in the order of the scene's keys */
+    const murk_phase_table *table;        /* borrowed; NULL: a closed form */
 } murk_phase;
 
 murk_phase murk_phase_hg(double g);
 murk_phase murk_phase_rayleigh(void);
 murk_phase murk_phase_two_hg(double g1, double g2, double weight1);
 murk_phase murk_phase_tabulated(const murk_phase_table *table);
+
+/* A phase function of closed form. */
+murk_phase murk_phase_of(murk_phase_kind kind,
+                         const double value[MURK_PHASE_NUMBERS_MAX]);
+
+/* True for a kind that has no closed inverse of the distribution function: a
+ * table is computed from the numbers and stands for the function. */
+bool murk_phase_is_tabulated(murk_phase_kind kind);
+
+/* The table of such a kind. *out is the caller's: murk_phase_table_destroy().
+ * MURK_BAD_VALUE at `where` when a number is outside of its range. */
+murk_status murk_phase_tabulate(murk_phase_table **out, murk_phase_kind kind,
+                                const double value[MURK_PHASE_NUMBERS_MAX],
+                                const char *where, murk_error *err);
 
 /* MURK_BAD_VALUE at `where` when a member is outside of its range; the band is
  * for the message. */

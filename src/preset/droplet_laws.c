@@ -163,7 +163,7 @@ static void read_off(murk_law_result *out, size_t i, double nm,
         phase[k] = to_a * a->phase[k] + to_b * b->phase[k];
     }
     out->phase[i] = (murk_preset_phase){
-        .kind = MURK_PRESET_TABLE, .angles = out->made, .column = i};
+        .kind = MURK_PHASE_TABLE, .angles = out->made, .column = i};
 }
 
 static murk_status run(murk_law_result *out, const murk_law_call *call,

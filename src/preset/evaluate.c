@@ -87,7 +87,7 @@ static void read_table(murk_law_result *out, const murk_preset_table *table,
         }
         if (table->mean_cosine) {
             out->phase[i] =
-                (murk_preset_phase){.kind = MURK_PRESET_HG,
+                (murk_preset_phase){.kind = MURK_PHASE_HG,
                                     .value = {murk_preset_table_at(
                                         table, table->mean_cosine, at->nm[i])}};
         }

@@ -9,12 +9,11 @@ static bool is_same(const murk_preset_phase *a, const murk_preset_phase *b)
     if (a->kind != b->kind) {
         return false;
     }
-    if (a->kind == MURK_PRESET_TABLE) {
+    if (a->kind == MURK_PHASE_TABLE) {
         return a->angles == b->angles && a->column == b->column;
     }
-    return a->kind == MURK_PRESET_RAYLEIGH ||
-           (a->value[0] == b->value[0] && a->value[1] == b->value[1] &&
-            a->value[2] == b->value[2]);
+    return a->value[0] == b->value[0] && a->value[1] == b->value[1] &&
+           a->value[2] == b->value[2];
 }
 
 void murk_mixing_add(murk_mixing *mixing, const murk_preset_phase *phase,
@@ -40,7 +39,7 @@ void murk_mixing_add_angles(murk_mixing *mixing,
                             const murk_preset_angles *angles,
                             double wavelength_nm, double weight)
 {
-    murk_preset_phase phase = {.kind = MURK_PRESET_TABLE, .angles = angles};
+    murk_preset_phase phase = {.kind = MURK_PHASE_TABLE, .angles = angles};
     const double *at = angles->wavelength_nm;
     if (!at || angles->columns == 1) {
         murk_mixing_add(mixing, &phase, weight);
@@ -95,7 +94,7 @@ murk_status murk_mixing_finish(murk_mixture **out, const murk_mixing *mixing,
             part->share = mixing->weight[i] / sum;
             part->kind = mixing->phase[i].kind;
             memcpy(part->value, mixing->phase[i].value, sizeof part->value);
-            is_whole = part->kind != MURK_PRESET_TABLE ||
+            is_whole = part->kind != MURK_PHASE_TABLE ||
                        copy_angles(part, &mixing->phase[i]);
         }
     }

@@ -14,6 +14,7 @@
 #define MURK_PRESET_PRESET_H
 
 #include "base/bands.h"
+#include "base/phase_kind.h"
 #include "base/status.h"
 #include "preset/words.h"
 
@@ -42,18 +43,10 @@ murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
                                       murk_error *err);
 void murk_preset_angles_destroy(murk_preset_angles *angles); /* NULL is fine */
 
-typedef enum murk_preset_phase_kind {
-    MURK_PRESET_HG, /* value: g; 0 is isotropic */
-    MURK_PRESET_RAYLEIGH,
-    MURK_PRESET_TWO_HG,          /* value: g1, g2, weight of g1 */
-    MURK_PRESET_FOURNIER_FORAND, /* value: n, mu */
-    MURK_PRESET_TABLE            /* column `column` of `angles` */
-} murk_preset_phase_kind;
-
 typedef struct murk_preset_phase {
-    murk_preset_phase_kind kind;
-    double value[3];
-    const murk_preset_angles *angles;
+    murk_phase_kind kind;
+    double value[MURK_PHASE_NUMBERS_MAX];
+    const murk_preset_angles *angles; /* of a table: the column `column` */
     size_t column;
 } murk_preset_phase;
 
@@ -112,9 +105,9 @@ void murk_preset_destroy(murk_preset *preset); /* NULL is fine */
 /* How a band's light turns: phase functions by their share of scattering. */
 typedef struct murk_mixture_part {
     double share;
-    murk_preset_phase_kind kind;
-    double value[3];
-    size_t angles; /* MURK_PRESET_TABLE */
+    murk_phase_kind kind;
+    double value[MURK_PHASE_NUMBERS_MAX];
+    size_t angles; /* MURK_PHASE_TABLE */
     double *angle_deg, *phase_per_sr;
 } murk_mixture_part;
 

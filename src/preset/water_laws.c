@@ -44,7 +44,7 @@ static murk_status turn_as_molecules(murk_law_result *out,
     }
     for (size_t i = 0; i < call->n; ++i) {
         out->phase[i] =
-            (murk_preset_phase){.kind = MURK_PRESET_TABLE, .angles = out->made};
+            (murk_preset_phase){.kind = MURK_PHASE_TABLE, .angles = out->made};
     }
     out->has_phase = true;
     return MURK_OK;
@@ -105,7 +105,7 @@ static murk_status with_chlorophyll(murk_law_result *out,
     if (status) {
         return status;
     }
-    murk_preset_phase phase = {.kind = MURK_PRESET_FOURNIER_FORAND};
+    murk_preset_phase phase = {.kind = MURK_PHASE_FOURNIER_FORAND};
     murk_forand_of_backward(murk_chlorophyll_backward(chlorophyll),
                             &phase.value[0], &phase.value[1]);
     for (size_t i = 0; i < call->n; ++i) {

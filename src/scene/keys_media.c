@@ -34,11 +34,11 @@ static murk_status choose_phase(murk_key_reader *walk, const murk_yaml *map,
                                 int *variant)
 {
     (void)walk;
-    *variant = murk_yaml_get(map, "two_hg") ? MURK_SCENE_PHASE_TWO_HG
-               : murk_yaml_get(map, "fournier_forand")
-                   ? MURK_SCENE_PHASE_FOURNIER_FORAND
-               : murk_yaml_get(map, "table") ? MURK_SCENE_PHASE_TABLE
-                                             : MURK_SCENE_PHASE_HG;
+    for (int i = 0; murk_phase_kinds[i].name; ++i) {
+        if (murk_yaml_get(map, murk_phase_kinds[i].name)) {
+            *variant = i;
+        }
+    }
     return MURK_OK;
 }
 
@@ -61,9 +61,9 @@ static const murk_key PHASE_ROWS[] = {
     ROW("hg", SPECTRUM, .group = 1, NEEDED, COSINE,
         AT(murk_scene_phase, mean_cosine)),
     ROW("two_hg", NUMBERS, .group = 1, NEEDED, .items = TWO_HG_ITEMS,
-        AT(murk_scene_phase, two_hg)),
+        AT(murk_scene_phase, value)),
     ROW("fournier_forand", NUMBERS, .group = 1, NEEDED,
-        .items = FOURNIER_FORAND_ITEMS, AT(murk_scene_phase, fournier_forand)),
+        .items = FOURNIER_FORAND_ITEMS, AT(murk_scene_phase, value)),
     ROW("table", PATH, .group = 1, NEEDED, AT(murk_scene_phase, table)),
     END,
 };
@@ -194,8 +194,8 @@ static const murk_word INTERPOLATION_WORDS[] = {
 };
 
 static const murk_word PHASE_WORDS[] = {
-    {"isotropic", MURK_SCENE_PHASE_HG},
-    {"rayleigh", MURK_SCENE_PHASE_RAYLEIGH},
+    {"isotropic", MURK_PHASE_HG},
+    {"rayleigh", MURK_PHASE_RAYLEIGH},
     WORDS_END,
 };
 

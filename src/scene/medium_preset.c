@@ -134,35 +134,27 @@ static murk_spectrum same_in_all(double g)
     return murk_spectrum_flat(g, MURK_BANDS_MAX);
 }
 
-/* A mixture in the plainest form that says the same; takes it where it stays
- * one. */
+/* A mixture in the plainest form that describes the same function: one kind
+ * with its numbers, or two terms of Henyey-Greenstein. A mixture that has no
+ * such form moves from *mixture into the phase function. */
 static void fill_phase(murk_scene_phase *out, murk_mixture **mixture)
 {
     const murk_mixture_part *part = (*mixture)->part;
     const size_t n = (*mixture)->n;
-    const bool are_hg = part[0].kind == MURK_PRESET_HG &&
-                        (n == 1 || part[1].kind == MURK_PRESET_HG);
-    if (n == 1 && are_hg) {
-        out->kind = MURK_SCENE_PHASE_HG;
-        out->mean_cosine = same_in_all(part[0].value[0]);
-    } else if (n == 2 && are_hg) {
-        out->kind = MURK_SCENE_PHASE_TWO_HG;
-        out->two_hg[0] = part[0].value[0];
-        out->two_hg[1] = part[1].value[0];
-        out->two_hg[2] = part[0].share;
-    } else if (n == 1 && part[0].kind == MURK_PRESET_RAYLEIGH) {
-        out->kind = MURK_SCENE_PHASE_RAYLEIGH;
-    } else if (n == 1 && part[0].kind == MURK_PRESET_TWO_HG) {
-        out->kind = MURK_SCENE_PHASE_TWO_HG;
-        memcpy(out->two_hg, part[0].value, sizeof out->two_hg);
-    } else if (n == 1 && part[0].kind == MURK_PRESET_FOURNIER_FORAND) {
-        out->kind = MURK_SCENE_PHASE_FOURNIER_FORAND;
-        memcpy(out->fournier_forand, part[0].value,
-               sizeof out->fournier_forand);
-    } else {
-        out->kind = MURK_SCENE_PHASE_MIXTURE;
+    out->kind = part[0].kind;
+    if (n == 2 && out->kind == MURK_PHASE_HG && part[1].kind == MURK_PHASE_HG) {
+        out->kind = MURK_PHASE_TWO_HG;
+        out->value[0] = part[0].value[0];
+        out->value[1] = part[1].value[0];
+        out->value[2] = part[0].share;
+    } else if (n > 1 || out->kind == MURK_PHASE_TABLE) {
+        out->kind = MURK_PHASE_TABLE;
         out->mixture = *mixture;
         *mixture = NULL;
+    } else if (out->kind == MURK_PHASE_HG) {
+        out->mean_cosine = same_in_all(part[0].value[0]);
+    } else {
+        memcpy(out->value, part[0].value, sizeof out->value);
     }
 }
 
@@ -236,7 +228,7 @@ static void put_mixture(FILE *out, const murk_mixture *mixture)
         }
         fprintf(out, " {%d", (int)part->kind);
         put_numbers(out, &part->share, 1);
-        put_numbers(out, part->value, 3);
+        put_numbers(out, part->value, MURK_PHASE_NUMBERS_MAX);
         fprintf(out, " %016" PRIx64 "%016" PRIx64 "}", sum[0][1] ^ sum[0][0],
                 sum[1][1] ^ sum[1][0]);
     }
@@ -249,10 +241,15 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
     put_numbers(out, medium->albedo.band, bands);
     for (size_t k = 0; k < medium->n_phases; ++k) {
         const murk_scene_phase *phase = &medium->phase[k];
-        fprintf(out, " %d", (int)phase->kind);
+        /* The columns are those of light.murk files that exist: a mixture is
+         * 5, and the numbers of fournier_forand follow those of two_hg. */
+        double value[MURK_PHASE_NUMBERS_MAX + 2] = {0};
+        const bool is_later = phase->kind == MURK_PHASE_FOURNIER_FORAND;
+        memcpy(value + (is_later ? MURK_PHASE_NUMBERS_MAX : 0), phase->value,
+               (is_later ? 2 : MURK_PHASE_NUMBERS_MAX) * sizeof *value);
+        fprintf(out, " %d", phase->mixture ? 5 : (int)phase->kind);
         put_numbers(out, phase->mean_cosine.band, bands);
-        put_numbers(out, phase->two_hg, 3);
-        put_numbers(out, phase->fournier_forand, 2);
+        put_numbers(out, value, MURK_PHASE_NUMBERS_MAX + 2);
         if (phase->mixture) {
             put_mixture(out, phase->mixture);
         }

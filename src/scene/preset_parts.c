@@ -1,6 +1,7 @@
 /* The parts of a preset's file: law or table, and phase function. */
 #include "scene/preset_walk.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,36 +73,59 @@ static murk_status read_law(const murk_preset_walk *walk, const murk_yaml *map,
 
 /* ---- phase functions ---- */
 
+/* True for a kind that is written as a map, {hg: .8}; others are words. */
+static bool is_map_key(murk_phase_kind kind)
+{
+    return murk_phase_kinds[kind].numbers > 0 || kind == MURK_PHASE_TABLE;
+}
+
+/* The kind of that name among the maps or among the words, or false. */
+static bool find_kind(murk_phase_kind *kind, const char *name, bool by_map)
+{
+    for (int i = 0; murk_phase_kinds[i].name; ++i) {
+        *kind = (murk_phase_kind)i;
+        if (is_map_key(*kind) == by_map &&
+            strcmp(murk_phase_kinds[i].name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static murk_status fail_map(const murk_preset_walk *walk, const murk_yaml *map)
+{
+    char names[256] = "";
+    size_t length = 0;
+    for (int i = 0; murk_phase_kinds[i].name; ++i) {
+        if (is_map_key((murk_phase_kind)i)) {
+            length +=
+                (size_t)snprintf(names + length, sizeof names - length, "%s%s",
+                                 length ? ", " : "", murk_phase_kinds[i].name);
+        }
+    }
+    return murk_preset_fail(walk, map, "must have one of %s", names);
+}
+
 static murk_status read_phase_map(const murk_preset_walk *walk,
                                   const murk_yaml *map, murk_preset_part *part)
 {
-    static const char *const known[] = {"hg", "two_hg", "fournier_forand",
-                                        "table", NULL};
-    murk_status status = murk_preset_check_keys(walk, map, known);
-    if (status) {
-        return status;
+    murk_preset_phase *phase = &part->phase;
+    for (size_t i = 0; i < map->n; ++i) {
+        if (!find_kind(&phase->kind, map->key[i], true)) {
+            return murk_preset_fail(walk, map->child[i], "unknown key %.60s",
+                                    map->key[i]);
+        }
     }
     if (map->n != 1) {
-        return murk_preset_fail(walk, map,
-                                "must have one of hg, two_hg, "
-                                "fournier_forand, table");
+        return fail_map(walk, map);
     }
-    const murk_yaml *node = map->child[0];
-    murk_preset_phase *phase = &part->phase;
-    if (strcmp(map->key[0], "hg") == 0) {
-        phase->kind = MURK_PRESET_HG;
-        return murk_preset_numbers(walk, node, 1, phase->value);
+    if (phase->kind != MURK_PHASE_TABLE) {
+        return murk_preset_numbers(
+            walk, map->child[0], (size_t)murk_phase_kinds[phase->kind].numbers,
+            phase->value);
     }
-    if (strcmp(map->key[0], "two_hg") == 0) {
-        phase->kind = MURK_PRESET_TWO_HG;
-        return murk_preset_numbers(walk, node, 3, phase->value);
-    }
-    if (strcmp(map->key[0], "fournier_forand") == 0) {
-        phase->kind = MURK_PRESET_FOURNIER_FORAND;
-        return murk_preset_numbers(walk, node, 2, phase->value);
-    }
-    phase->kind = MURK_PRESET_TABLE;
-    status = murk_preset_read_angles(walk, node, &part->angles);
+    const murk_status status =
+        murk_preset_read_angles(walk, map->child[0], &part->angles);
     phase->angles = part->angles;
     return status;
 }
@@ -114,9 +138,11 @@ static murk_status read_phase(const murk_preset_walk *walk,
         return read_phase_map(walk, node, part);
     }
     const char *word = node->kind == MURK_YAML_SCALAR ? node->text : "";
-    const bool is_rayleigh = strcmp(word, "rayleigh") == 0;
-    part->phase.kind = is_rayleigh ? MURK_PRESET_RAYLEIGH : MURK_PRESET_HG;
-    return is_rayleigh || strcmp(word, "isotropic") == 0
+    if (find_kind(&part->phase.kind, word, false)) {
+        return MURK_OK;
+    }
+    part->phase.kind = MURK_PHASE_HG; /* of mean cosine 0 */
+    return strcmp(word, "isotropic") == 0
                ? MURK_OK
                : murk_preset_fail(walk, node,
                                   "must be isotropic, rayleigh or a map");

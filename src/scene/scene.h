@@ -9,6 +9,7 @@
 
 #include "base/bands.h"
 #include "base/calendar.h"
+#include "base/phase_kind.h"
 #include "base/photometry.h"
 #include "base/status.h"
 #include "base/vector.h"
@@ -54,23 +55,13 @@ typedef struct murk_scene_material { /* [0] is `default` */
     double ior; /* 0: none */
 } murk_scene_material;
 
-typedef enum murk_scene_phase_kind {
-    MURK_SCENE_PHASE_HG, /* and isotropic: mean_cosine 0 */
-    MURK_SCENE_PHASE_RAYLEIGH,
-    MURK_SCENE_PHASE_TWO_HG,
-    MURK_SCENE_PHASE_FOURNIER_FORAND,
-    MURK_SCENE_PHASE_TABLE,
-    MURK_SCENE_PHASE_MIXTURE /* of presets */
-} murk_scene_phase_kind;
-
 typedef struct murk_scene_phase {
     murk_scene_where where; /* of a map; empty for words */
-    murk_scene_phase_kind kind;
-    murk_spectrum mean_cosine;
-    double two_hg[3];          /* g1, g2, weight of g1 */
-    double fournier_forand[2]; /* n, mu */
-    char *table;               /* CSV file as it is to be opened; or NULL */
-    murk_mixture *mixture;     /* or NULL */
+    murk_phase_kind kind;
+    murk_spectrum mean_cosine;            /* of MURK_PHASE_HG */
+    double value[MURK_PHASE_NUMBERS_MAX]; /* of all other kinds */
+    char *table; /* of MURK_PHASE_TABLE: CSV file as it is to be opened */
+    murk_mixture *mixture; /* or a sum of phase functions, by a preset */
 } murk_scene_phase;
 
 #define MURK_SCENE_LIST_MAX 65536

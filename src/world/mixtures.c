@@ -36,9 +36,8 @@ static murk_status table_of(murk_phase_table **out,
                             const murk_mixture_part *part, const char *where,
                             murk_error *err)
 {
-    if (part->kind == MURK_PRESET_FOURNIER_FORAND) {
-        return murk_phase_table_fournier_forand(out, part->value[0],
-                                                part->value[1], where, err);
+    if (part->kind != MURK_PHASE_TABLE) {
+        return murk_phase_tabulate(out, part->kind, part->value, where, err);
     }
     const murk_phase_rows rows = {.rows = part->angles,
                                   .angle_deg = part->angle_deg,
@@ -51,24 +50,13 @@ static murk_status make_part(mixing *m, size_t i, const char *where,
                              murk_error *err)
 {
     const murk_mixture_part *part = &m->mixture->part[i];
-    switch (part->kind) {
-    case MURK_PRESET_RAYLEIGH:
-        m->phase[i] = murk_phase_rayleigh();
-        return MURK_OK;
-    case MURK_PRESET_TWO_HG:
-        m->phase[i] =
-            murk_phase_two_hg(part->value[0], part->value[1], part->value[2]);
-        return murk_phase_check(&m->phase[i], 0, where, err);
-    case MURK_PRESET_HG:
-        m->phase[i] = murk_phase_hg(part->value[0]);
-        return murk_phase_check(&m->phase[i], 0, where, err);
-    case MURK_PRESET_FOURNIER_FORAND:
-    case MURK_PRESET_TABLE:
-        break;
+    if (part->kind == MURK_PHASE_TABLE || murk_phase_is_tabulated(part->kind)) {
+        const murk_status status = table_of(&m->table[i], part, where, err);
+        m->phase[i] = murk_phase_tabulated(m->table[i]);
+        return status;
     }
-    const murk_status status = table_of(&m->table[i], part, where, err);
-    m->phase[i] = murk_phase_tabulated(m->table[i]);
-    return status;
+    m->phase[i] = murk_phase_of(part->kind, part->value);
+    return murk_phase_check(&m->phase[i], 0, where, err);
 }
 
 static int compare(const void *a, const void *b)
@@ -133,7 +121,7 @@ murk_status murk_mixture_table(murk_phase_table **out,
                                const murk_mixture *mixture, const char *where,
                                murk_error *err)
 {
-    if (mixture->n == 1 && mixture->part[0].kind == MURK_PRESET_TABLE) {
+    if (mixture->n == 1 && mixture->part[0].kind == MURK_PHASE_TABLE) {
         return table_of(out, &mixture->part[0], where, err);
     }
     size_t max = STEPS_MAX;

@@ -94,34 +94,30 @@ static murk_status read_table(murk_phase_table **out, const char *path,
 
 static bool needs_table(const murk_scene_phase *phase)
 {
-    return phase->kind == MURK_SCENE_PHASE_TABLE ||
-           phase->kind == MURK_SCENE_PHASE_MIXTURE ||
-           phase->kind == MURK_SCENE_PHASE_FOURNIER_FORAND;
+    return phase->kind == MURK_PHASE_TABLE ||
+           murk_phase_is_tabulated(phase->kind);
 }
 
 static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
 {
-    if (a->kind == MURK_SCENE_PHASE_MIXTURE) {
+    if (a->mixture || b->mixture) {
         return a == b;
     }
-    return a->kind == b->kind &&
-           (a->kind == MURK_SCENE_PHASE_TABLE
-                ? strcmp(a->table, b->table) == 0
-                : a->fournier_forand[0] == b->fournier_forand[0] &&
-                      a->fournier_forand[1] == b->fournier_forand[1]);
+    const murk_phase of_a = murk_phase_of(a->kind, a->value);
+    const murk_phase of_b = murk_phase_of(b->kind, b->value);
+    return a->kind == b->kind && a->table ? strcmp(a->table, b->table) == 0
+                                          : murk_phase_is_same(&of_a, &of_b);
 }
 
 static murk_status make_table(murk_phase_table **out,
                               const murk_scene_phase *phase, murk_error *err)
 {
-    if (phase->kind == MURK_SCENE_PHASE_MIXTURE) {
+    if (phase->mixture) {
         return murk_mixture_table(out, phase->mixture, phase->where, err);
     }
-    return phase->kind == MURK_SCENE_PHASE_TABLE
-               ? read_table(out, phase->table, err)
-               : murk_phase_table_fournier_forand(
-                     out, phase->fournier_forand[0], phase->fournier_forand[1],
-                     phase->where, err);
+    return phase->table ? read_table(out, phase->table, err)
+                        : murk_phase_tabulate(out, phase->kind, phase->value,
+                                              phase->where, err);
 }
 
 /* The table of this phase: one that is there already, or a new one. NULL in
@@ -159,19 +155,9 @@ static murk_status find_table(const murk_phase_table **out, murk_phases *phases,
 static murk_phase phase_of(const murk_scene_phase *p, int band,
                            const murk_phase_table *table)
 {
-    switch (p->kind) {
-    case MURK_SCENE_PHASE_RAYLEIGH:
-        return murk_phase_rayleigh();
-    case MURK_SCENE_PHASE_TWO_HG:
-        return murk_phase_two_hg(p->two_hg[0], p->two_hg[1], p->two_hg[2]);
-    case MURK_SCENE_PHASE_FOURNIER_FORAND:
-    case MURK_SCENE_PHASE_TABLE:
-    case MURK_SCENE_PHASE_MIXTURE:
-        return murk_phase_tabulated(table);
-    case MURK_SCENE_PHASE_HG:
-        break;
-    }
-    return murk_phase_hg(p->mean_cosine.band[band]);
+    return table                      ? murk_phase_tabulated(table)
+           : p->kind == MURK_PHASE_HG ? murk_phase_hg(p->mean_cosine.band[band])
+                                      : murk_phase_of(p->kind, p->value);
 }
 
 static murk_status fill_medium(murk_phases *phases,
@@ -238,16 +224,9 @@ void murk_phases_destroy(murk_phases *phases)
 
 const char *murk_phases_kind(const murk_scene_medium *medium, int band)
 {
-    static const char *const names[] = {
-        [MURK_SCENE_PHASE_HG] = "hg",
-        [MURK_SCENE_PHASE_RAYLEIGH] = "rayleigh",
-        [MURK_SCENE_PHASE_TWO_HG] = "two_hg",
-        [MURK_SCENE_PHASE_FOURNIER_FORAND] = "fournier_forand",
-        [MURK_SCENE_PHASE_TABLE] = "table",
-        [MURK_SCENE_PHASE_MIXTURE] = "table"};
     const murk_scene_phase *p =
         &medium->phase[medium->n_phases == 1 ? 0 : band];
     const bool is_isotropic =
-        p->kind == MURK_SCENE_PHASE_HG && p->mean_cosine.band[band] == 0;
-    return is_isotropic ? "isotropic" : names[p->kind];
+        p->kind == MURK_PHASE_HG && p->mean_cosine.band[band] == 0;
+    return is_isotropic ? "isotropic" : murk_phase_kinds[p->kind].name;
 }

@@ -271,7 +271,7 @@ static void test_partner_by_extinction(void)
         CHECK_NEAR(c.distance_m, 0.5, 1e-15);
         CHECK(c.medium == want[i]);
         CHECK(c.albedo == media[want[i]].albedo.band[1]);
-        CHECK(c.phase->g == media[want[i]].phase[1].g);
+        CHECK(c.phase->value[0] == media[want[i]].phase[1].value[0]);
         CHECK_NEAR(c.scattering_per_m, 1.75, 1e-15);
     }
     murk_media_destroy(all);
@@ -369,7 +369,7 @@ static void test_bad_values_are_named(void)
     bad.albedo.band[0] = 1.2;
     refuses(&bad, &at, good.where, "albedo is 1.2 (band 0), must be 0..1");
     bad = good;
-    bad.phase[0].g = -1;
+    bad.phase[0].value[0] = -1;
     refuses(&bad, &at, good.where, "mean cosine g is -1");
 
     murk_region region = box(0, 2, 1);

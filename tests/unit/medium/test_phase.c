@@ -187,16 +187,16 @@ static void test_bad_members_are_refused(void)
         murk_phase phase;
         const char *text;
     } bad[] = {
-        {{.g = 1},
+        {{.value = {1}},
          "mean cosine g is 1 (band 3), must be between -1 and 1, "
          "both excluded"},
-        {{.g = NAN},
+        {{.value = {NAN}},
          "mean cosine g is nan (band 3), must be between -1 and 1, "
          "both excluded"},
-        {{.kind = MURK_PHASE_TWO_HG, .g2 = -1},
+        {{.kind = MURK_PHASE_TWO_HG, .value = {0, -1}},
          "mean cosine g is -1 (band 3), must be between -1 and 1, both "
          "excluded"},
-        {{.kind = MURK_PHASE_TWO_HG, .weight = 1.1},
+        {{.kind = MURK_PHASE_TWO_HG, .value = {0, 0, 1.1}},
          "weight of g1 is 1.1 (band 3), must be 0..1"},
         {{.kind = MURK_PHASE_TABLE}, "phase function misses a table (band 3)"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {

@@ -76,7 +76,7 @@ static void test_between_wavelengths(void)
         CHECK_NEAR(all.absorption[i] / one.absorption[0], 1, 5e-2);
         CHECK_NEAR(all.absorption[i] / all.scattering[i],
                    one.absorption[0] / one.scattering[0], 5e-5);
-        CHECK(all.phase[i].kind == MURK_PRESET_TABLE &&
+        CHECK(all.phase[i].kind == MURK_PHASE_TABLE &&
               all.phase[i].column == (size_t)i);
         murk_preset_angles_destroy(one.optics.made);
     }

@@ -31,7 +31,7 @@ static murk_preset two_parts(void)
                       .absorption_per_m = i ? fine_absorbing : absorbing,
                       .scattering_per_m = i ? fine_scattering : scattering},
             .has_phase = true,
-            .phase = {.kind = MURK_PRESET_HG, .value = {i ? .2 : .8}}};
+            .phase = {.kind = MURK_PHASE_HG, .value = {i ? .2 : .8}}};
     }
     return p;
 }
@@ -182,7 +182,7 @@ static void test_phase_columns_are_shared_by_wavelength(void)
     }
     p.parts = 1;
     p.part[0].angles = angles;
-    p.part[0].phase.kind = MURK_PRESET_TABLE;
+    p.part[0].phase.kind = MURK_PHASE_TABLE;
     const double line = 450;
     const murk_preset_bands bands = {.n = 1, .line_nm = &line};
     const murk_words none = {{0}, {{0}}};

@@ -239,7 +239,7 @@ static void test_chlorophyll_scatters_more_in_the_blue(void)
                1e-6);
     CHECK_NEAR(a.scattering[3] / a.scattering[2], pow(660. / 550, -.999485),
                1e-6);
-    CHECK(a.phase[0].kind == MURK_PRESET_FOURNIER_FORAND);
+    CHECK(a.phase[0].kind == MURK_PHASE_FOURNIER_FORAND);
 }
 
 /* The law inverts Kirk's: with what it gives, and with the water's own, the

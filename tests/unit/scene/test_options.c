@@ -95,8 +95,8 @@ static void test_options_apply(void)
     CHECK(scene->media[2].phase[0].mean_cosine.band[1] == 0.5);
     const murk_scene_medium *smoke = &scene->media[1];
     CHECK(smoke->n_phases == 2);
-    CHECK(smoke->phase[0].kind == MURK_SCENE_PHASE_TWO_HG);
-    CHECK(smoke->phase[0].two_hg[2] == .7);
+    CHECK(smoke->phase[0].kind == MURK_PHASE_TWO_HG);
+    CHECK(smoke->phase[0].value[2] == .7);
     CHECK(smoke->phase[1].mean_cosine.band[1] == .2);
     CHECK(scene->lights[1].power_w.band[0] == 11);
     CHECK(scene->lights[1].power_w.band[1] == 30);

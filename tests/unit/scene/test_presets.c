@@ -134,7 +134,7 @@ static void test_mixtures(void)
         if (mixture && mixture->n == 2) {
             const double air =
                 1.14871e-5 / (m->extinction_per_m.band[1] * m->albedo.band[1]);
-            CHECK(mixture->part[0].kind == MURK_PRESET_RAYLEIGH);
+            CHECK(mixture->part[0].kind == MURK_PHASE_RAYLEIGH);
             CHECK_NEAR(mixture->part[0].share, air, 1e-6);
         }
     }

@@ -11,8 +11,8 @@
 static void test_a_lobe_and_molecules(void)
 {
     murk_mixture_part part[] = {
-        {.share = .75, .kind = MURK_PRESET_HG, .value = {.85}},
-        {.share = .25, .kind = MURK_PRESET_RAYLEIGH}};
+        {.share = .75, .kind = MURK_PHASE_HG, .value = {.85}},
+        {.share = .25, .kind = MURK_PHASE_RAYLEIGH}};
     const murk_mixture mixture = {2, part};
     const murk_phase lobe = murk_phase_hg(.85), air = murk_phase_rayleigh();
     murk_phase_table *table = NULL;
@@ -39,7 +39,7 @@ static void test_a_table_alone(void)
 {
     double angle[] = {0, 90, 180}, value[] = {3, 1, 2};
     murk_mixture_part part = {.share = 1,
-                              .kind = MURK_PRESET_TABLE,
+                              .kind = MURK_PHASE_TABLE,
                               .angles = 3,
                               .angle_deg = angle,
                               .phase_per_sr = value};

@@ -78,15 +78,15 @@ static void test_kinds_and_bands(void)
     } cases[] = {
         {SCENE("isotropic"), {{0}, {0}}, {"isotropic", "isotropic"}},
         {SCENE("[rayleigh, {hg: .8}]"),
-         {{.kind = MURK_PHASE_RAYLEIGH}, {.g = .8}},
+         {{.kind = MURK_PHASE_RAYLEIGH}, {.value = {.8}}},
          {"rayleigh", "hg"}},
-        {SCENE("{hg: [0, -.5]}"), {{0}, {.g = -.5}}, {"isotropic", "hg"}},
+        {SCENE("{hg: [0, -.5]}"), {{0}, {.value = {-.5}}}, {"isotropic", "hg"}},
         {SCENE("{two_hg: [.9, -.4, .8]}"),
-         {{.kind = MURK_PHASE_TWO_HG, .g = .9, .g2 = -.4, .weight = .8},
-          {.kind = MURK_PHASE_TWO_HG, .g = .9, .g2 = -.4, .weight = .8}},
+         {{.kind = MURK_PHASE_TWO_HG, .value = {.9, -.4, .8}},
+          {.kind = MURK_PHASE_TWO_HG, .value = {.9, -.4, .8}}},
          {"two_hg", "two_hg"}},
         {SCENE("[{two_hg: [.9, -.4, .8]}, isotropic]"),
-         {{.kind = MURK_PHASE_TWO_HG, .g = .9, .g2 = -.4, .weight = .8}, {0}},
+         {{.kind = MURK_PHASE_TWO_HG, .value = {.9, -.4, .8}}, {0}},
          {"two_hg", "isotropic"}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_scene_desc *scene;

@@ -1,0 +1,37 @@
+/* The kinds of phase functions that scenes and presets describe by numbers.
+ *
+ * One list for all rooms: the scene and the presets read the numbers, and the
+ * room `medium` evaluates the function (medium/phase.c, one row a kind). The
+ * accepted range of each number is in the key table of the scene
+ * (scene/keys_media.c). */
+#ifndef MURK_BASE_PHASE_KIND_H
+#define MURK_BASE_PHASE_KIND_H
+
+/* X(enumerator, name in scenes, presets and results, count of numbers). The
+ * numbers are: the mean cosine g of Henyey-Greenstein, 0 being isotropic; g1,
+ * g2 and the weight of g1; n and mu of Fournier-Forand. A table is density by
+ * angle. */
+#define MURK_PHASE_KINDS(X)                  \
+    X(HG, "hg", 1)                           \
+    X(RAYLEIGH, "rayleigh", 0)               \
+    X(TWO_HG, "two_hg", 3)                   \
+    X(FOURNIER_FORAND, "fournier_forand", 2) \
+    X(TABLE, "table", 0)
+
+#define MURK_PHASE_NUMBERS_MAX 3
+
+#define MURK_PHASE_ENUMERATOR(id, name, numbers) MURK_PHASE_##id,
+typedef enum murk_phase_kind {
+    MURK_PHASE_KINDS(MURK_PHASE_ENUMERATOR)
+} murk_phase_kind;
+#undef MURK_PHASE_ENUMERATOR
+
+typedef struct murk_phase_kind_row {
+    const char *name; /* NULL ends the table */
+    int numbers;      /* count of numbers that describe such a function */
+} murk_phase_kind_row;
+
+/* Indexed by murk_phase_kind. */
+extern const murk_phase_kind_row murk_phase_kinds[];
+
+#endif
