@@ -8,21 +8,6 @@
 #include "world/taken_again.h"
 #include "world/units.h"
 
-static const char *name_of(murk_scene_light_type type)
-{
-    static const char *const names[] = {
-        [MURK_SCENE_LIGHT_SPHERE] = "sphere",
-        [MURK_SCENE_LIGHT_RECT] = "rect",
-        [MURK_SCENE_LIGHT_POINT] = "point",
-        [MURK_SCENE_LIGHT_BEAM] = "beam",
-        [MURK_SCENE_LIGHT_DIRECTIONAL] = "directional",
-        [MURK_SCENE_LIGHT_SUN] = "sun",
-        [MURK_SCENE_LIGHT_MOON] = "moon",
-        [MURK_SCENE_LIGHT_SKY] = "sky",
-        [MURK_SCENE_LIGHT_NIGHT_SKY] = "night_sky"};
-    return names[type];
-}
-
 static void print_time(const murk_stage *stage)
 {
     char text[MURK_TIME_SIZE];
@@ -90,18 +75,19 @@ void murk_print_lights(const murk_stage *stage)
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
         const murk_scene_light *l = &scene->lights[i];
-        if (l->type < MURK_SCENE_LIGHT_SUN) {
+        if (!murk_scene_light_is_of_sky(l)) {
             if (!facts->is_on) {
-                murk_print("light       %zu, %s: off\n", i, name_of(l->type));
+                murk_print("light       %zu, %s: off\n", i,
+                           murk_source_type_name(l->type));
             }
             continue;
         }
         murk_print("light       %zu, %s: %.4g %s in the bands", i,
-                   name_of(l->type), irradiance_of(stage, i),
+                   murk_source_type_name(l->type), irradiance_of(stage, i),
                    murk_units_of(scene->units).irradiance);
         if (isfinite(facts->elevation_deg)) {
             murk_print("; %s at azimuth %.2f, elevation %.2f degrees",
-                       l->type == MURK_SCENE_LIGHT_MOON ? "moon" : "sun",
+                       l->type == MURK_SOURCE_MOON ? "moon" : "sun",
                        facts->azimuth_deg, facts->elevation_deg);
         }
         murk_print("\n");
@@ -155,7 +141,8 @@ void murk_json_lights(cJSON *root, const murk_stage *stage)
         const murk_sky_facts *facts = &stage->sky[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddNumberToObject(item, "light", (double)i);
-        cJSON_AddStringToObject(item, "type", name_of(scene->lights[i].type));
+        cJSON_AddStringToObject(item, "type",
+                                murk_source_type_name(scene->lights[i].type));
         cJSON_AddBoolToObject(item, "on", facts->is_on);
         add_number(item, "azimuth_deg", facts->azimuth_deg);
         add_number(item, "elevation_deg", facts->elevation_deg);

@@ -38,7 +38,7 @@ void murk_warn_of_escape(const murk_stage *stage, double share)
     const murk_scene_desc *scene = stage->scene;
     bool is_outdoors = !(murk_surfaces_describe(stage->surfaces).area_m2 > 0);
     for (size_t i = 0; i < scene->n_lights; ++i) {
-        is_outdoors |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
+        is_outdoors |= murk_scene_light_is_distant(&scene->lights[i]);
     }
     if (!is_outdoors && share > ESCAPE_SHARE_MAX) {
         murk_warn(scene->where[0] ? scene->where : scene->path,

@@ -28,15 +28,6 @@
 
 /* ---- lights ---- */
 
-/* The largest extent of a lamp from its middle [m]. */
-static double extent_of(const murk_source *light)
-{
-    return light->type == MURK_SOURCE_RECT
-               ? 0.5 * (murk_length(light->edge1) + murk_length(light->edge2))
-           : light->type == MURK_SOURCE_POINT ? 0
-                                              : light->radius_m;
-}
-
 static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
 {
     if (domain->is_periodic) {
@@ -46,44 +37,6 @@ static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
         way.y -= y * round(way.y / y);
     }
     return way;
-}
-
-/* The irradiance that a lamp would bring, for way from the place to its
- * middle. */
-static double lamp_weight(const murk_source *light, int band, murk_vec3 way,
-                          bool has_images)
-{
-    const double extent = extent_of(light);
-    const double power = light->power_w.band[band];
-    const double square = fmax(murk_dot(way, way), extent * extent);
-    const double distance = sqrt(square);
-    if (!(square > 0)) {
-        return power;
-    }
-    if (light->type == MURK_SOURCE_RECT) {
-        const murk_vec3 face =
-            murk_unit(murk_cross(light->edge1, light->edge2));
-        const double before = -murk_dot(face, way);
-        /* behind its plane, where images lie in the same plane or the lamp has
-         * none */
-        if (!(before > 0) && (!has_images || fabs(face.z) == 1)) {
-            return 0;
-        }
-        const double cosine =
-            fmin(1, fmax(0, before + 0.5 * extent) / distance);
-        return power * cosine / (MURK_PI * square);
-    }
-    if (light->type == MURK_SOURCE_BEAM) {
-        const double ahead = -murk_dot(light->direction, way);
-        const double aside2 = fmax(0, murk_dot(way, way) - ahead * ahead);
-        const double radius =
-            light->radius_m +
-            fmax(0, ahead) * tan(fmin(1.5, light->divergence_rad));
-        return ahead > 0 && aside2 < radius * radius && radius > 0
-                   ? power / (MURK_PI * radius * radius)
-                   : 0;
-    }
-    return power / (4 * MURK_PI * square);
 }
 
 static double weight_of(const murk_scenery *scenery,
@@ -98,10 +51,11 @@ static double weight_of(const murk_scenery *scenery,
     const bool has_images = world->domain.is_periodic;
     const murk_vec3 way =
         to_nearest_image(&world->domain, murk_sub(middle, outlook->position));
-    double weight = lamp_weight(l, outlook->band, way, has_images);
+    double weight =
+        murk_source_irradiance_near(l, outlook->band, way, has_images);
     if (outlook->is_surface && !has_images) {
-        const double above =
-            murk_dot(outlook->normal, way) + extent_of(l) + scenery->margin_m;
+        const double above = murk_dot(outlook->normal, way) +
+                             murk_source_extent_m(l) + scenery->margin_m;
         const double distance = murk_length(way);
         weight *= above < distance ? fmax(0, above) / distance : 1;
     }
@@ -145,7 +99,7 @@ murk_source_images murk_images_of(const murk_scenery *scenery, size_t light,
     murk_source_images m = {
         .period_m = {box->max.x - box->min.x, box->max.y - box->min.y},
         .away_m = {away.x, away.y},
-        .size_m = fmax(extent_of(l), scenery->margin_m)};
+        .size_m = fmax(murk_source_extent_m(l), scenery->margin_m)};
     /* The plane of directions stays half a period away, or at a small height
      * hardly an image but the nearest would be drawn. */
     m.height_m = fmax(fabs(away.z), 0.5 * fmin(m.period_m[0], m.period_m[1]));

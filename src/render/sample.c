@@ -61,10 +61,7 @@ static void add(murk_sampler *s, part of, double radiance)
 static double slack_at(const murk_scenery *scenery, const murk_source *light,
                        murk_vec3 sight)
 {
-    const murk_vec3 face =
-        light->type == MURK_SOURCE_RECT
-            ? murk_unit(murk_cross(light->edge1, light->edge2))
-            : sight;
+    const murk_vec3 face = murk_source_face(light, sight);
     return scenery->margin_m / fmax(GRAZING, fabs(murk_dot(face, sight)));
 }
 

@@ -58,7 +58,7 @@ const char *murk_report_point_name(const murk_report_scene *scene)
 static bool any_lamps(const murk_scene_desc *scene)
 {
     for (size_t i = 0; scene && i < scene->n_lights; ++i) {
-        if (scene->lights[i].type <= MURK_SCENE_LIGHT_MOON) {
+        if (murk_source_type_group(scene->lights[i].type) != MURK_SOURCE_DOME) {
             return true;
         }
     }

@@ -98,31 +98,25 @@ static murk_vec3 travel_of(const murk_scene_desc *scene,
 
 static void add_lamp(murk_data *item, const murk_report_scene *s, size_t i)
 {
-    static const char *const kinds[] = {[MURK_SCENE_LIGHT_SPHERE] = "sphere",
-                                        [MURK_SCENE_LIGHT_RECT] = "rect",
-                                        [MURK_SCENE_LIGHT_POINT] = "point",
-                                        [MURK_SCENE_LIGHT_BEAM] = "beam",
-                                        [MURK_SCENE_LIGHT_DIRECTIONAL] =
-                                            "distant light",
-                                        [MURK_SCENE_LIGHT_SUN] = "sun",
-                                        [MURK_SCENE_LIGHT_MOON] = "moon"};
     const murk_scene_light *light = &s->scene->lights[i];
     const bool is_on = !s->stage || !s->stage->sky || s->stage->sky[i].is_on;
-    const bool is_sky = light->type == MURK_SCENE_LIGHT_SUN ||
-                        light->type == MURK_SCENE_LIGHT_MOON;
-    if (light->type > MURK_SCENE_LIGHT_MOON || !is_on ||
-        (is_sky && !(s->stage && s->stage->sky))) {
+    const murk_source_group group = murk_source_type_group(light->type);
+    const bool is_body = group == MURK_SOURCE_BODY;
+    if (group == MURK_SOURCE_DOME || !is_on ||
+        (is_body && !(s->stage && s->stage->sky))) {
         return; /* a sky has no place and no direction */
     }
     murk_data_begin(item, NULL, '{');
-    murk_data_text(item, "type", kinds[light->type]);
-    murk_data_bool(item, "distant",
-                   light->type >= MURK_SCENE_LIGHT_DIRECTIONAL);
+    murk_data_text(item, "type",
+                   group == MURK_SOURCE_DISTANT
+                       ? "distant light"
+                       : murk_source_type_name(light->type));
+    murk_data_bool(item, "distant", murk_scene_light_is_distant(light));
     murk_data_vector(item, "place", light->position);
     murk_data_vector(item, "direction",
-                     is_sky ? travel_of(s->scene, &s->stage->sky[i])
-                            : light->direction);
-    if (light->type == MURK_SCENE_LIGHT_RECT) {
+                     is_body ? travel_of(s->scene, &s->stage->sky[i])
+                             : light->direction);
+    if (murk_length(light->edge1) > 0) {
         murk_data_vector(item, "edge1", light->edge1);
         murk_data_vector(item, "edge2", light->edge2);
     }

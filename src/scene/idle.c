@@ -86,7 +86,7 @@ static bool asks_time(const murk_scene_desc *s)
 {
     for (size_t i = 0; i < s->n_lights; ++i) {
         const murk_scene_light *light = &s->lights[i];
-        if (light->type >= MURK_SCENE_LIGHT_SUN ||
+        if (murk_scene_light_is_of_sky(light) ||
             light->schedule.when == MURK_SCENE_NIGHT ||
             light->schedule.when == MURK_SCENE_BY_CLOCK) {
             return true;

@@ -5,7 +5,7 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     murk_scene_light *light = item;
-    if (light->type >= MURK_SCENE_LIGHT_SUN) {
+    if (murk_scene_light_is_of_sky(light)) {
         return murk_check_sky(walk, map, light);
     }
     if (light->schedule.when != MURK_SCENE_ALWAYS &&
@@ -17,11 +17,10 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
             "must have site.time (or site.date and "
             "site.clock)");
     }
-    if (light->type == MURK_SCENE_LIGHT_RECT) {
+    if (murk_yaml_get(map, "edge1_m")) {
         return murk_check_edges(walk, map, light->edge1, light->edge2);
     }
-    if ((light->type == MURK_SCENE_LIGHT_BEAM ||
-         light->type == MURK_SCENE_LIGHT_DIRECTIONAL) &&
+    if (murk_yaml_get(map, "direction") &&
         !(murk_length(light->direction) > 0)) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "direction is [0, 0, 0], must point somewhere");
@@ -29,34 +28,21 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-static const char *const LIGHT_VARIANTS[] = {
-    "sphere", "rect", "point", "beam",     "directional",
-    "sun",    "moon", "sky",   "night_sky"};
-
-#define SPHERE      BIT(MURK_SCENE_LIGHT_SPHERE)
-#define RECT        BIT(MURK_SCENE_LIGHT_RECT)
-#define POINT       BIT(MURK_SCENE_LIGHT_POINT)
-#define BEAM        BIT(MURK_SCENE_LIGHT_BEAM)
-#define DIRECTIONAL BIT(MURK_SCENE_LIGHT_DIRECTIONAL)
-#define SUN         BIT(MURK_SCENE_LIGHT_SUN)
-#define MOON        BIT(MURK_SCENE_LIGHT_MOON)
-#define SKY         BIT(MURK_SCENE_LIGHT_SKY)
-#define NIGHT_SKY   BIT(MURK_SCENE_LIGHT_NIGHT_SKY)
-#define BY_TIME     (SUN | MOON | SKY)
-#define LAMPS       (SPHERE | RECT | POINT | BEAM)
-
-static const murk_word TYPE_WORDS[] = {
-    {"sphere", MURK_SCENE_LIGHT_SPHERE},
-    {"rect", MURK_SCENE_LIGHT_RECT},
-    {"point", MURK_SCENE_LIGHT_POINT},
-    {"beam", MURK_SCENE_LIGHT_BEAM},
-    {"directional", MURK_SCENE_LIGHT_DIRECTIONAL},
-    {"sun", MURK_SCENE_LIGHT_SUN},
-    {"moon", MURK_SCENE_LIGHT_MOON},
-    {"sky", MURK_SCENE_LIGHT_SKY},
-    {"night_sky", MURK_SCENE_LIGHT_NIGHT_SKY},
-    WORDS_END,
+/* Bits of the variants that a key belongs to: one a type, and by group. */
+#define TYPE_BIT(id, name, group) id = BIT(MURK_SOURCE_##id),
+#define LAMP_BIT(id, name, group) \
+    | (MURK_SOURCE_##group == MURK_SOURCE_LAMP ? id : 0)
+enum {
+    MURK_SOURCE_TYPES(TYPE_BIT) /* */
+    LAMPS = 0 MURK_SOURCE_TYPES(LAMP_BIT),
+    BY_TIME = SUN | MOON | SKY,
 };
+
+#define TYPE_NAME(id, name, group) name,
+static const char *const LIGHT_VARIANTS[] = {MURK_SOURCE_TYPES(TYPE_NAME)};
+
+#define TYPE_WORD(id, name, group) {name, MURK_SOURCE_##id},
+static const murk_word TYPE_WORDS[] = {MURK_SOURCE_TYPES(TYPE_WORD) WORDS_END};
 
 static const murk_word COVER_WORDS[] = {
     {"clear", MURK_SCENE_CLEAR},

@@ -300,7 +300,7 @@ murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
 {
     inherit(&light->site, &walk->scene->site);
     murk_status status = MURK_OK;
-    if (light->type != MURK_SCENE_LIGHT_NIGHT_SKY) {
+    if (light->type != MURK_SOURCE_NIGHT_SKY) {
         status = check_place_and_time(walk, map, &light->site);
     }
     return status ? status : check_irradiance(walk, map, light);

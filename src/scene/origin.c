@@ -77,7 +77,7 @@ static murk_box stated(const murk_scene_desc *s)
     }
     for (size_t i = 0; i < s->n_lights; ++i) {
         const murk_scene_light *l = &s->lights[i];
-        if (l->type < MURK_SCENE_LIGHT_DIRECTIONAL) {
+        if (murk_source_type_group(l->type) == MURK_SOURCE_LAMP) {
             box = with_ball(box, l->position, l->radius_m);
         }
     }

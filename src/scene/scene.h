@@ -11,6 +11,7 @@
 #include "base/calendar.h"
 #include "base/phase_kind.h"
 #include "base/photometry.h"
+#include "base/source_type.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "preset/preset.h"
@@ -145,18 +146,6 @@ typedef struct murk_scene_site {
     double clock_s;
 } murk_scene_site;
 
-typedef enum murk_scene_light_type {
-    MURK_SCENE_LIGHT_SPHERE,
-    MURK_SCENE_LIGHT_RECT,
-    MURK_SCENE_LIGHT_POINT,
-    MURK_SCENE_LIGHT_BEAM,
-    MURK_SCENE_LIGHT_DIRECTIONAL,
-    MURK_SCENE_LIGHT_SUN, /* from here on of the sky */
-    MURK_SCENE_LIGHT_MOON,
-    MURK_SCENE_LIGHT_SKY,
-    MURK_SCENE_LIGHT_NIGHT_SKY
-} murk_scene_light_type;
-
 typedef enum murk_scene_shining {
     MURK_SCENE_ALWAYS,
     MURK_SCENE_NIGHT, /* while the sun is down */
@@ -186,7 +175,7 @@ typedef struct murk_scene_portal { /* light passes towards edge1 x edge2 */
 
 typedef struct murk_scene_light {
     murk_scene_where where;
-    murk_scene_light_type type;
+    murk_source_type type;
     murk_vec3 position; /* center, corner, position or origin */
     murk_vec3 edge1, edge2, direction;
     double radius_m, divergence_rad;
@@ -205,6 +194,18 @@ typedef struct murk_scene_light {
     uint64_t cie_type;      /* sky: 1..15; 0: by its cover */
     double mag_per_arcsec2; /* night sky, at the zenith */
 } murk_scene_light;
+
+/* Sun, moon and sky: by place and time. */
+static inline bool murk_scene_light_is_of_sky(const murk_scene_light *light)
+{
+    const murk_source_group group = murk_source_type_group(light->type);
+    return group == MURK_SOURCE_BODY || group == MURK_SOURCE_DOME;
+}
+
+static inline bool murk_scene_light_is_distant(const murk_scene_light *light)
+{
+    return murk_source_type_group(light->type) != MURK_SOURCE_LAMP;
+}
 
 typedef enum murk_scene_maps {
     MURK_SCENE_MAPS_BOTH,

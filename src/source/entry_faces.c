@@ -26,7 +26,7 @@ typedef struct opening {
 } opening;
 
 struct murk_entry_faces {
-    murk_source_type type;
+    bool is_dome;
     murk_vec3 direction;
     double disc; /* tangent of the angular radius */
     murk_box box;
@@ -172,7 +172,7 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
     const size_t room = light->portals > FACES ? light->portals : FACES;
     murk_entry_faces *o = calloc(1, sizeof *o);
     if (o) {
-        o->type = light->type;
+        o->is_dome = murk_source_type_group(light->type) == MURK_SOURCE_DOME;
         o->direction = light->direction;
         o->disc = tan(light->angular_radius_rad);
         o->box = domain->box;
@@ -196,7 +196,7 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
         lay_faces(o, domain->is_periodic);
     }
     murk_status status = MURK_OK;
-    if (light->type == MURK_SOURCE_DOME) {
+    if (o->is_dome) {
         status = open_to_sky(o, light, err);
     } else {
         open_to_disc(o);
@@ -318,9 +318,8 @@ murk_ray murk_entry_faces_emit(const murk_entry_faces *o,
     murk_ray ray = {.origin = murk_along(k->corner, u[1], k->edge1)};
     ray.origin = murk_along(ray.origin, u[2], k->edge2);
     ray.direction =
-        o->type == MURK_SOURCE_DOME
-            ? murk_scale(-1, murk_dome_table_draw(k->sky, u + 3))
-            : murk_disc_draw(o->direction, o->disc, k->inward, u + 3);
+        o->is_dome ? murk_scale(-1, murk_dome_table_draw(k->sky, u + 3))
+                   : murk_disc_draw(o->direction, o->disc, k->inward, u + 3);
     if (o->are_portals) {
         ray.is_spent =
             o->n > 1 && passes_before(o, i, ray.origin, ray.direction);

@@ -22,6 +22,10 @@ murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,
                                       const murk_domain *domain,
                                       double *power_scale, murk_error *err);
 
+/* The checked light of that index. */
+const murk_source_state *murk_sources_state(const murk_sources *lights,
+                                            size_t light);
+
 void murk_source_state_release(murk_source_state *s);
 
 /* A photon's start for uniform numbers, inside the domain's box. The first four

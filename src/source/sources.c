@@ -7,7 +7,7 @@
 #include "base/position.h"
 #include "base/rng.h"
 #include "source/deal.h"
-#include "source/source_state.h"
+#include "source/source_row.h"
 
 struct murk_sources {
     murk_domain domain;
@@ -226,7 +226,6 @@ double murk_sources_sky_level(const murk_sources *lights, size_t light)
 {
     assert(light < lights->n);
     const murk_source_state *source = &lights->sources[light];
-    assert(source->light.type == MURK_SOURCE_DOME);
     return murk_entry_faces_level(source->entry_faces);
 }
 
@@ -238,12 +237,16 @@ bool murk_sources_place(const murk_sources *lights, size_t light,
     if (murk_source_is_distant(l)) {
         return false;
     }
-    *out = l->position;
-    if (l->type == MURK_SOURCE_RECT) {
-        *out = murk_along(*out, 0.5, l->edge1);
-        *out = murk_along(*out, 0.5, l->edge2);
-    }
+    const murk_source_row *row = murk_source_row_of(l);
+    *out = row->middle ? row->middle(l) : l->position;
     return true;
+}
+
+const murk_source_state *murk_sources_state(const murk_sources *lights,
+                                            size_t light)
+{
+    assert(light < lights->n);
+    return &lights->sources[light];
 }
 
 size_t murk_sources_count(const murk_sources *lights)

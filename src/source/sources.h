@@ -7,6 +7,7 @@
 #define MURK_SOURCE_SOURCES_H
 
 #include "base/bands.h"
+#include "base/source_type.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "source/dome.h"
@@ -20,18 +21,6 @@
 
 /* Largest angular radius of a distant source: its radiance is even to 2 %. */
 #define MURK_DISC_RAD_MAX 0.1
-
-typedef enum murk_source_type {
-    MURK_SOURCE_SPHERE, /* every point of the surface shines by cosine law */
-    MURK_SOURCE_RECT,   /* cosine law, to the side of edge1 x edge2 */
-    MURK_SOURCE_POINT,  /* isotropic */
-    MURK_SOURCE_BEAM,   /* a disc of parallel rays, or spread evenly over the
-                          cone of half angle divergence */
-    MURK_SOURCE_DIRECTIONAL, /* distant: parallel rays onto the domain, or those
-                               of a disc such as the sun's */
-    MURK_SOURCE_DOME         /* distant: the sky, from all of the upper
-                               hemisphere */
-} murk_source_type;
 
 /* A parallelogram that distant light passes towards edge1 x edge2: a window. */
 typedef struct murk_portal {
@@ -59,9 +48,23 @@ typedef struct murk_source {
 /* From outside the domain: it starts on the domain's boundary. */
 static inline bool murk_source_is_distant(const murk_source *light)
 {
-    return light->type == MURK_SOURCE_DIRECTIONAL ||
-           light->type == MURK_SOURCE_DOME;
+    return murk_source_type_group(light->type) != MURK_SOURCE_LAMP;
 }
+
+/* The smallest box around a lamp; empty for distant light. */
+murk_box murk_source_box(const murk_source *light);
+
+/* The largest distance of a point of a lamp from the lamp's middle [m]. */
+double murk_source_extent_m(const murk_source *lamp);
+
+/* The unit normal of a flat lamp, or `otherwise`. */
+murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
+
+/* Estimate of the irradiance [W/m2] that a lamp gives to a place, in clear air
+ * and an open view; way: from the place to the middle of the lamp. has_images:
+ * the domain is periodic, and the estimate stands for the images, too. */
+double murk_source_irradiance_near(const murk_source *lamp, int band,
+                                   murk_vec3 way, bool has_images);
 
 typedef struct murk_sources murk_sources;
 

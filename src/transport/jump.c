@@ -30,22 +30,6 @@ static void add(double (*height)[2], size_t *n, double low, double high,
     }
 }
 
-static void add_lamp(double (*height)[2], size_t *n, const murk_source *light,
-                     double grow)
-{
-    const double z = light->position.z;
-    double low = z, high = z;
-    if (light->type == MURK_SOURCE_RECT) {
-        const double a = light->edge1.z, b = light->edge2.z;
-        low += fmin(0, a) + fmin(0, b);
-        high += fmax(0, a) + fmax(0, b);
-    } else if (light->type != MURK_SOURCE_POINT) {
-        low -= light->radius_m;
-        high += light->radius_m;
-    }
-    add(height, n, low, high, grow);
-}
-
 murk_status murk_jump_heights(double (**out)[2], size_t *n,
                               const murk_transport_world *world,
                               murk_error *err)
@@ -72,9 +56,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
     add(height, n, regions.min.z, regions.max.z, grow);
     for (size_t i = 0; i < lights; ++i) {
         const murk_source *light = murk_sources_get(world->lights, i);
-        if (!murk_source_is_distant(light)) {
-            add_lamp(height, n, light, grow);
-        }
+        const murk_box lamp = murk_source_box(light);
+        add(height, n, lamp.min.z, lamp.max.z, grow);
     }
     *out = height;
     return MURK_OK;

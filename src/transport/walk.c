@@ -247,10 +247,7 @@ static void start(murk_walker *w, murk_ray ray)
         murk_walker_enter(w);
         return;
     }
-    const murk_vec3 off =
-        light->type == MURK_SOURCE_RECT
-            ? murk_unit(murk_cross(light->edge1, light->edge2))
-            : ray.direction;
+    const murk_vec3 off = murk_source_face(light, ray.direction);
     w->probe = murk_surfaces_leave(r->world->surfaces, ray.origin, off);
     if (r->any_solids) {
         w->solids =

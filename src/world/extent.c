@@ -1,5 +1,7 @@
 #include "world/extent.h"
 
+#include "world/sky.h"
+
 #define DOMAIN_MARGIN 0.01 /* of the longest side (contract: 1 %) */
 
 static murk_box box_around(const murk_affine *placed, const murk_box *box)
@@ -148,22 +150,8 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
 
 static murk_box light_box(const murk_scene_light *light)
 {
-    switch (light->type) {
-    case MURK_SCENE_LIGHT_RECT:
-        return box_of_rect(light->position, light->edge1, light->edge2);
-    case MURK_SCENE_LIGHT_SPHERE:
-    case MURK_SCENE_LIGHT_BEAM:
-        return box_of_sphere(light->position, light->radius_m);
-    case MURK_SCENE_LIGHT_POINT:
-        return box_of_sphere(light->position, 0);
-    case MURK_SCENE_LIGHT_DIRECTIONAL:
-    case MURK_SCENE_LIGHT_SUN:
-    case MURK_SCENE_LIGHT_MOON:
-    case MURK_SCENE_LIGHT_SKY:
-    case MURK_SCENE_LIGHT_NIGHT_SKY:
-        break;
-    }
-    return murk_box_empty();
+    const murk_source lamp = murk_sky_lamp(light);
+    return murk_source_box(&lamp);
 }
 
 murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
@@ -192,7 +180,7 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
     }
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_scene_light *light = &scene->lights[i];
-        if (light->type >= MURK_SCENE_LIGHT_DIRECTIONAL && is_empty(&solid)) {
+        if (murk_scene_light_is_distant(light) && is_empty(&solid)) {
             return murk_fail(err, MURK_BAD_VALUE, light->where,
                              "distant light needs a domain or geometry");
         }

@@ -244,7 +244,6 @@ static murk_status look_up(daylight *out, const murk_scene_light *light,
 /* Where a light's rays go from a body at this place. */
 static void aim_from(murk_source *out, const murk_body *body, murk_vec3 north)
 {
-    out->type = MURK_SOURCE_DIRECTIONAL;
     out->direction = murk_scale(-1, towards(body, north));
     out->angular_radius_rad = body->diameter_deg / 2 * RAD;
 }
@@ -358,7 +357,6 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
     facts->azimuth_deg = day.sun.azimuth_deg;
     facts->elevation_deg = day.sun.elevation_deg;
-    out->type = MURK_SOURCE_DOME;
     out->dome = murk_dome_cie(light->cie_type > 0 ? (int)light->cie_type
                                                   : type_of[light->cover],
                               towards(brighter, scene->north));
@@ -368,41 +366,34 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
 
 /* Airglow is a layer: brighter towards the horizon, where more air dims it
  * again; an even sky of the same level irradiance stands for both. */
-static void night_light(murk_source *out, murk_sky_facts *facts,
-                        const murk_scene_desc *scene,
-                        const murk_scene_light *light)
+static murk_status night_light(murk_source *out, murk_sky_facts *facts,
+                               const murk_scene_desc *scene,
+                               const murk_scene_light *light, murk_error *err)
 {
+    (void)err;
     const double lux = murk_night_sky_lux(
         light->mag_per_arcsec2,
         murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
     facts->spectrum =
         spectrum_of(MURK_SPECTRUM_EXTRATERRESTRIAL, light, RIGHT_DEG);
-    out->type = MURK_SOURCE_DOME;
     out->power_w = spread(scene, light, &facts->spectrum,
                           lux / lumen_per_watt(&facts->spectrum));
+    return MURK_OK;
 }
 
 /* ---- all lights ---- */
 
-static murk_status lamp_light(murk_source *out, murk_sky_facts *facts,
-                              const murk_scene_desc *scene,
-                              const murk_scene_light *light, murk_error *err)
+murk_source murk_sky_lamp(const murk_scene_light *light)
 {
-    static const murk_source_type type_of[] = {
-        [MURK_SCENE_LIGHT_SPHERE] = MURK_SOURCE_SPHERE,
-        [MURK_SCENE_LIGHT_RECT] = MURK_SOURCE_RECT,
-        [MURK_SCENE_LIGHT_POINT] = MURK_SOURCE_POINT,
-        [MURK_SCENE_LIGHT_BEAM] = MURK_SOURCE_BEAM,
-        [MURK_SCENE_LIGHT_DIRECTIONAL] = MURK_SOURCE_DIRECTIONAL};
-    out->type = type_of[light->type];
-    out->position = light->position;
-    out->edge1 = light->edge1;
-    out->edge2 = light->edge2;
-    out->direction = light->direction;
-    out->radius_m = light->radius_m;
-    out->divergence_rad = light->divergence_rad;
-    out->power_w = light->power_w;
-    return shines(&facts->is_on, scene, light, err);
+    return (murk_source){.type = light->type,
+                         .position = light->position,
+                         .edge1 = light->edge1,
+                         .edge2 = light->edge2,
+                         .direction = light->direction,
+                         .radius_m = light->radius_m,
+                         .divergence_rad = light->divergence_rad,
+                         .power_w = light->power_w,
+                         .where = light->where};
 }
 
 static double sum(const murk_spectrum *spectrum, int bands)
@@ -418,31 +409,23 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
                            const murk_scene_desc *scene, size_t light,
                            murk_error *err)
 {
+    static murk_status (*const of_sky[])(
+        murk_source *, murk_sky_facts *, const murk_scene_desc *,
+        const murk_scene_light *,
+        murk_error *) = {[MURK_SOURCE_SUN] = sun_light,
+                         [MURK_SOURCE_MOON] = moon_light,
+                         [MURK_SOURCE_SKY] = sky_light,
+                         [MURK_SOURCE_NIGHT_SKY] = night_light};
     const murk_scene_light *l = &scene->lights[light];
-    murk_status status = MURK_OK;
+    murk_status status;
     *facts = (murk_sky_facts){
         .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
-    *out = (murk_source){.where = l->where};
-    switch (l->type) {
-    case MURK_SCENE_LIGHT_SUN:
-        status = sun_light(out, facts, scene, l, err);
-        break;
-    case MURK_SCENE_LIGHT_MOON:
-        status = moon_light(out, facts, scene, l, err);
-        break;
-    case MURK_SCENE_LIGHT_SKY:
-        status = sky_light(out, facts, scene, l, err);
-        break;
-    case MURK_SCENE_LIGHT_NIGHT_SKY:
-        night_light(out, facts, scene, l);
-        break;
-    case MURK_SCENE_LIGHT_SPHERE:
-    case MURK_SCENE_LIGHT_RECT:
-    case MURK_SCENE_LIGHT_POINT:
-    case MURK_SCENE_LIGHT_BEAM:
-    case MURK_SCENE_LIGHT_DIRECTIONAL:
-        status = lamp_light(out, facts, scene, l, err);
-        break;
+    if (murk_scene_light_is_of_sky(l)) {
+        *out = (murk_source){.type = l->type, .where = l->where};
+        status = of_sky[l->type](out, facts, scene, l, err);
+    } else {
+        *out = murk_sky_lamp(l);
+        status = shines(&facts->is_on, scene, l, err);
     }
     if (status) {
         return status;
@@ -450,9 +433,8 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     if (!facts->is_on) {
         out->power_w = murk_spectrum_flat(0, MURK_BANDS_MAX);
     }
-    facts->irradiance_w_per_m2 = l->type >= MURK_SCENE_LIGHT_DIRECTIONAL
-                                     ? sum(&out->power_w, scene->bands)
-                                     : NAN;
+    facts->irradiance_w_per_m2 =
+        murk_scene_light_is_distant(l) ? sum(&out->power_w, scene->bands) : NAN;
     facts->is_on = sum(&out->power_w, scene->bands) > 0;
     return MURK_OK;
 }

@@ -22,6 +22,10 @@ typedef struct murk_sky_facts {
                                      within a band */
 } murk_sky_facts;
 
+/* A light that is not of the sky, as the scene states it; it borrows from the
+ * scene. */
+murk_source murk_sky_lamp(const murk_scene_light *light);
+
 /* One light of the scene; it borrows from the scene. All of its power_w is 0
  * where it does not shine at the scene's time. Fails at the light's place
  * where its time is not one that the ephemeris knows. */

@@ -81,14 +81,13 @@ static void note_of_set(const murk_stage *stage)
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_scene_light *l = &scene->lights[i];
         const bool is_body =
-            l->type == MURK_SCENE_LIGHT_SUN || l->type == MURK_SCENE_LIGHT_MOON;
+            murk_source_type_group(l->type) == MURK_SOURCE_BODY;
         const double elevation = stage->sky[i].elevation_deg;
         if (is_body && !(elevation > 0)) {
             murk_note(l->where,
                       "the %s is %.3g degrees below the horizon: no light "
                       "from it",
-                      l->type == MURK_SCENE_LIGHT_SUN ? "sun" : "moon",
-                      -elevation);
+                      murk_source_type_name(l->type), -elevation);
         }
     }
 }
@@ -131,7 +130,7 @@ static void warn_of_lit_sides(const murk_stage *stage)
     const murk_scene_desc *scene = stage->scene;
     bool is_lit = false;
     for (size_t i = 0; i < scene->n_lights; ++i) {
-        is_lit |= scene->lights[i].type >= MURK_SCENE_LIGHT_DIRECTIONAL;
+        is_lit |= murk_scene_light_is_distant(&scene->lights[i]);
     }
     if (stage->world.domain.is_periodic || scene->continues || !is_lit ||
         !murk_media_any(stage->media)) {

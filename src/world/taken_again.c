@@ -208,11 +208,12 @@ murk_taken_again murk_taken_again_of(const murk_stage *stage, size_t light)
     for (int b = 0; b < world->bands; ++b) {
         power += l->power_w.band[b];
     }
+    const bool is_dome = murk_source_type_group(l->type) == MURK_SOURCE_DOME;
     if (!murk_source_is_distant(l) || !(power > 0) ||
-        (l->type == MURK_SOURCE_DIRECTIONAL && !(l->direction.z < 0))) {
+        (!is_dome && !(l->direction.z < 0))) {
         return out;
     }
-    if (l->type == MURK_SOURCE_DIRECTIONAL) {
+    if (!is_dome) {
         add_direction(&out, world, murk_unit(l->direction), BEAM_SQUARES, 1);
     } else {
         add_dome(&out, world);

@@ -123,7 +123,7 @@ static void test_fog_over_water(uint32_t seed)
 /* 2 E3(tau) = 2 integral of mu exp(-tau / mu). */
 static void test_an_even_sky(uint32_t seed)
 {
-    const murk_source light = {.type = MURK_SOURCE_DOME,
+    const murk_source light = {.type = MURK_SOURCE_SKY,
                                .dome = {0},
                                .power_w = {{1000}},
                                .where = "sky"};

@@ -74,7 +74,7 @@ static void test_a_closed_ball_glows_evenly(void)
 static void test_radiance_grows_by_the_square_of_the_index(void)
 {
     const double limit = murk_sidak_limit(1e-6, ZTESTS), n = 1.34;
-    const murk_source sky = {.type = MURK_SOURCE_DOME, .power_w = {{MURK_PI}}};
+    const murk_source sky = {.type = MURK_SOURCE_SKY, .power_w = {{MURK_PI}}};
     const murk_medium water = test_medium(0, 0, 0);
     const murk_region sea = {.shape = MURK_REGION_BELOW,
                              .below_z_m = 0,

@@ -100,14 +100,14 @@ static void test_lights(const murk_scene_desc *scene)
 {
     CHECK(scene->n_lights == 5);
     const murk_scene_light *light = scene->lights;
-    CHECK(light[0].type == MURK_SCENE_LIGHT_SPHERE && light[0].radius_m == 0.1);
+    CHECK(light[0].type == MURK_SOURCE_SPHERE && light[0].radius_m == 0.1);
     CHECK(light[0].power_w.band[0] == 50 && light[0].power_w.band[1] == 50);
-    CHECK(light[1].type == MURK_SCENE_LIGHT_RECT && light[1].edge1.y == 1);
+    CHECK(light[1].type == MURK_SOURCE_RECT && light[1].edge1.y == 1);
     CHECK(light[1].power_w.band[0] == 10 && light[1].power_w.band[1] == 30);
-    CHECK(light[2].type == MURK_SCENE_LIGHT_POINT && light[2].position.z == 1);
-    CHECK(light[3].type == MURK_SCENE_LIGHT_BEAM);
+    CHECK(light[2].type == MURK_SOURCE_POINT && light[2].position.z == 1);
+    CHECK(light[3].type == MURK_SOURCE_BEAM);
     CHECK(light[3].divergence_rad == MURK_PI / 2);
-    CHECK(light[4].type == MURK_SCENE_LIGHT_DIRECTIONAL);
+    CHECK(light[4].type == MURK_SOURCE_DIRECTIONAL);
     CHECK(light[4].direction.z == -1 && light[4].power_w.band[1] == 500);
 }
 

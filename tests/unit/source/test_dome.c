@@ -34,7 +34,7 @@ static murk_vec3 sun(void)
 
 static murk_source sky_of(int type)
 {
-    return (murk_source){.type = MURK_SOURCE_DOME,
+    return (murk_source){.type = MURK_SOURCE_SKY,
                          .dome = murk_dome_cie(type, sun()),
                          .power_w = {{100}},
                          .where = "a.yaml:3:5: lights.0"};

@@ -72,7 +72,7 @@ static bool is_on_boundary(murk_vec3 p)
  * on an upright plane, 2/3 of this sun's. */
 static void test_light_comes_through_its_portal(uint32_t seed)
 {
-    const murk_source light[2] = {aimed(MURK_SOURCE_DOME, &window, 1),
+    const murk_source light[2] = {aimed(MURK_SOURCE_SKY, &window, 1),
                                   aimed(MURK_SOURCE_DIRECTIONAL, &window, 1)};
     const double share[2] = {1. / 2, 2. / 3};
     for (int k = 0; k < 2; ++k) {
@@ -110,7 +110,7 @@ static void test_tilted_plane_sees_its_share_of_the_sky(void)
         /* Looks out to the tilted zenith, so light goes against it. */
         const murk_portal p = {
             {0, 0, 2}, {0, 1, 0}, {cos(tilt), 0, -sin(tilt)}};
-        const murk_source light = aimed(MURK_SOURCE_DOME, &p, 1);
+        const murk_source light = aimed(MURK_SOURCE_SKY, &p, 1);
         murk_sources *lights = made(&light);
         CHECK_NEAR(murk_sources_power_w(lights), 100 * (1 + cos(tilt)) / 2,
                    1e-9);
@@ -134,7 +134,7 @@ static void test_a_ray_belongs_to_the_first_portal(uint32_t seed)
         {{2, 0, 0.5}, {0, 1, 0}, {0, 0, 2}}, /* behind the window */
         window,
         {{3, 2, 1}, {0, 0, 2}, {0, 1, 0}}}; /* the other way round */
-    const murk_source light = aimed(MURK_SOURCE_DOME, p, 3);
+    const murk_source light = aimed(MURK_SOURCE_SKY, p, 3);
     murk_sources *lights = made(&light);
     CHECK_NEAR(murk_sources_power_w(lights), 100. / 2 * 6, 1e-9);
     double both = 0, spent = 0;
@@ -187,7 +187,7 @@ static void test_dark_portals_are_known(void)
     CHECK(murk_sources_lit(lights) == 0);
     murk_sources_destroy(lights);
     const murk_portal floor = {{1, 0, 1}, {1, 0, 0}, {0, 1, 0}};
-    light = aimed(MURK_SOURCE_DOME, &floor, 1);
+    light = aimed(MURK_SOURCE_SKY, &floor, 1);
     lights = made(&light);
     CHECK(!murk_sources_portal_is_lit(lights, 0, 0));
     CHECK(murk_sources_power_w(lights) == 0);
@@ -301,7 +301,7 @@ static void refused(const murk_source *light, const murk_domain *domain,
 static void test_bad_portals_are_named(void)
 {
     murk_portal p[2] = {window, window};
-    murk_source light = aimed(MURK_SOURCE_DOME, p, 2);
+    murk_source light = aimed(MURK_SOURCE_SKY, p, 2);
     refused(&light, &slab, "aimed at portals in a periodic domain");
     p[1].corner.z = 3.5;
     refused(&light, &hall,

@@ -62,7 +62,7 @@ static murk_source sun(void)
 
 static murk_source sky(void)
 {
-    return (murk_source){.type = MURK_SOURCE_DOME,
+    return (murk_source){.type = MURK_SOURCE_SKY,
                          .dome = murk_dome_cie(12, murk_vec(0, 1, 1)),
                          .power_w = {{100}}};
 }
@@ -184,7 +184,7 @@ static void test_power_is_what_arrives(void)
 static void test_a_window_lets_in_its_own_sky(void)
 {
     const murk_portal window = {{1, -2, 0}, {0, 0, 3}, {0, 4, 0}};
-    murk_source light = {.type = MURK_SOURCE_DOME,
+    murk_source light = {.type = MURK_SOURCE_SKY,
                          .portal = &window,
                          .portals = 1,
                          .power_w = {{100}}};

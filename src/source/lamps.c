@@ -1,0 +1,466 @@
+/* Lamps: light sources within the domain. One row of functions a type, at the
+ * end of the file.
+ *
+ * For each type: the check against the domain, the start of a photon for given
+ * uniform numbers, and the light as a place receives it (shine) and sees it
+ * (glare). Spheres and rectangles emit by Lambert's cosine law; a point is
+ * isotropic; a beam is a disc of parallel rays, or spread evenly over the solid
+ * angle of a cone. */
+#include "source/source_row.h"
+
+#include <math.h>
+
+#define TWO_PI (2 * MURK_PI)
+
+/* Watts of a lamp. */
+static double power_of(const murk_source *light, int band)
+{
+    return light->power_w.band[band];
+}
+
+/* From a point of the lamp to the place. */
+static bool come_from(murk_vec3 from, murk_vec3 place, murk_shine *shine)
+{
+    const murk_vec3 way = murk_sub(place, from);
+    shine->distance_m = murk_length(way);
+    shine->direction = murk_scale(1 / shine->distance_m, way);
+    return shine->distance_m > 0;
+}
+
+/* Of places drawn evenly on a flat lamp. */
+static double sheet_per_sr(double area_m2, double distance_m, double cosine)
+{
+    return distance_m * distance_m / (area_m2 * cosine);
+}
+
+static murk_vec3 isotropic(double u_mu, double u_phi)
+{
+    const double mu = 2 * u_mu - 1, phi = TWO_PI * u_phi;
+    const double s = sqrt(fmax(0, 1 - mu * mu));
+    return murk_unit(murk_vec(s * cos(phi), s * sin(phi), mu));
+}
+
+static murk_vec3 cosine_law(murk_vec3 normal, double u_mu, double u_phi)
+{
+    return murk_about(normal, sqrt(u_mu), TWO_PI * u_phi);
+}
+
+static double radius_of(const murk_source *l)
+{
+    return l->radius_m;
+}
+
+static murk_box ball_box(const murk_source *l)
+{
+    const murk_vec3 r = {l->radius_m, l->radius_m, l->radius_m};
+    return (murk_box){murk_sub(l->position, r), murk_add(l->position, r)};
+}
+
+/* ---- sphere ---- */
+
+static murk_status prepare_sphere(murk_source_state *s,
+                                  const murk_domain *domain, bool is_dark,
+                                  double *power_scale, murk_error *err)
+{
+    (void)is_dark;
+    (void)power_scale;
+    const murk_source *l = &s->light;
+    const double r = l->radius_m;
+    if (!(r > 0 && isfinite(r))) {
+        return murk_fail(err, MURK_BAD_VALUE, l->where,
+                         "radius_m is %g m, must be above 0 m", r);
+    }
+    return murk_source_check_inside(domain, l->position, murk_vec(r, r, r),
+                                    "the lamp", l->where, err);
+}
+
+static murk_ray emit_sphere(const murk_source_state *s, const murk_box *box,
+                            const double u[MURK_ENTRY_FACES_NUMBERS])
+{
+    (void)box;
+    const murk_source *l = &s->light;
+    const murk_vec3 normal = isotropic(u[0], u[1]);
+    return (murk_ray){.origin = murk_along(l->position, l->radius_m, normal),
+                      .direction = cosine_law(normal, u[2], u[3])};
+}
+
+static bool shine_sphere(const murk_source_state *s, int band, murk_vec3 place,
+                         const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
+{
+    const murk_source *l = &s->light;
+    const murk_vec3 to = murk_sub(l->position, place);
+    const double d2 = murk_dot(to, to), r2 = l->radius_m * l->radius_m;
+    if (!(d2 > r2)) {
+        return false; /* inside: it shines outwards */
+    }
+    const double sine2 = r2 / d2;
+    const double cone = sine2 / (1 + sqrt(1 - sine2)); /* 1 - cos */
+    const double part = cone * u[0];
+    const double distance = sqrt(d2);
+    const murk_vec3 sight =
+        murk_about(murk_scale(1 / distance, to), 1 - part, TWO_PI * u[1]);
+    const double rest = r2 - d2 * part * (2 - part);
+    shine->distance_m = distance * (1 - part) - sqrt(fmax(0, rest));
+    shine->direction = murk_scale(-1, sight);
+    shine->face = murk_unit(
+        murk_sub(murk_along(place, shine->distance_m, sight), l->position));
+    const double radiance = power_of(l, band) / (4 * MURK_PI * MURK_PI * r2);
+    shine->irradiance_w_per_m2 = radiance * TWO_PI * cone;
+    shine->per_sr = 1 / (TWO_PI * cone);
+    return true;
+}
+
+static murk_glare sphere_glare(const murk_source_state *s, int band,
+                               murk_vec3 place, murk_vec3 sight)
+{
+    const murk_source *l = &s->light;
+    const murk_vec3 to = murk_sub(l->position, place);
+    const double ahead = murk_dot(to, sight), d2 = murk_dot(to, to);
+    const murk_vec3 aside = murk_along(to, -ahead, sight);
+    const double r2 = l->radius_m * l->radius_m;
+    const double half = r2 - murk_dot(aside, aside);
+    const double distance = ahead - sqrt(fmax(0, half));
+    if (!(half > 0 && d2 > r2 && distance > 0)) {
+        return (murk_glare){0};
+    }
+    const double sine2 = r2 / d2;
+    const double cone = sine2 / (1 + sqrt(1 - sine2));
+    return (murk_glare){.radiance =
+                            power_of(l, band) / (4 * MURK_PI * MURK_PI * r2),
+                        .distance_m = distance,
+                        .per_sr = 1 / (TWO_PI * cone)};
+}
+
+/* ---- rectangle ---- */
+
+static murk_status prepare_rect(murk_source_state *s, const murk_domain *domain,
+                                bool is_dark, double *power_scale,
+                                murk_error *err)
+{
+    (void)is_dark;
+    (void)power_scale;
+    const murk_source *l = &s->light;
+    const murk_portal sheet = {l->position, l->edge1, l->edge2};
+    s->normal = murk_unit(murk_cross(l->edge1, l->edge2));
+    return murk_source_check_sheet(&sheet, domain, "the lamp's", l->where, err);
+}
+
+static murk_ray emit_rect(const murk_source_state *s, const murk_box *box,
+                          const double u[MURK_ENTRY_FACES_NUMBERS])
+{
+    (void)box;
+    const murk_source *l = &s->light;
+    const murk_vec3 p = murk_along(l->position, u[0], l->edge1);
+    return (murk_ray){.origin = murk_along(p, u[1], l->edge2),
+                      .direction = cosine_law(s->normal, u[2], u[3])};
+}
+
+/* Radiance. */
+static double rect_brightness(const murk_source *l, int band)
+{
+    const double area = murk_length(murk_cross(l->edge1, l->edge2));
+    return power_of(l, band) / (MURK_PI * area);
+}
+
+static bool shine_rect(const murk_source_state *s, int band, murk_vec3 place,
+                       const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
+{
+    const murk_source *l = &s->light;
+    murk_vec3 from = murk_along(l->position, u[0], l->edge1);
+    from = murk_along(from, u[1], l->edge2);
+    shine->face = murk_unit(murk_cross(l->edge1, l->edge2));
+    if (!come_from(from, place, shine)) {
+        return false;
+    }
+    const double cosine = murk_dot(shine->face, shine->direction);
+    if (!(cosine > 0)) {
+        return false;
+    }
+    shine->per_sr = sheet_per_sr(murk_length(murk_cross(l->edge1, l->edge2)),
+                                 shine->distance_m, cosine);
+    shine->irradiance_w_per_m2 = rect_brightness(l, band) / shine->per_sr;
+    return true;
+}
+
+static murk_glare rect_glare(const murk_source_state *s, int band,
+                             murk_vec3 place, murk_vec3 sight)
+{
+    const murk_source *l = &s->light;
+    const murk_portal sheet = {l->position, l->edge1, l->edge2};
+    double ahead_m, cosine;
+    /* Its light has passed it, on the way to the place, where it shines to. */
+    if (!murk_source_passes(&sheet, place, murk_scale(-1, sight), &ahead_m,
+                            &cosine) ||
+        !(ahead_m < 0)) {
+        return (murk_glare){0};
+    }
+    const double area = murk_length(murk_cross(l->edge1, l->edge2));
+    return (murk_glare){.radiance = rect_brightness(l, band),
+                        .distance_m = -ahead_m,
+                        .per_sr = sheet_per_sr(area, ahead_m, cosine)};
+}
+
+static murk_box rect_box(const murk_source *l)
+{
+    const murk_vec3 a = murk_add(l->position, l->edge1);
+    murk_box box = murk_box_with(murk_box_empty(), l->position);
+    box = murk_box_with(box, a);
+    box = murk_box_with(box, murk_add(l->position, l->edge2));
+    return murk_box_with(box, murk_add(a, l->edge2));
+}
+
+static double rect_extent(const murk_source *l)
+{
+    return 0.5 * (murk_length(l->edge1) + murk_length(l->edge2));
+}
+
+static murk_vec3 rect_middle(const murk_source *l)
+{
+    return murk_along(murk_along(l->position, 0.5, l->edge1), 0.5, l->edge2);
+}
+
+static murk_vec3 rect_normal(const murk_source *l)
+{
+    return murk_unit(murk_cross(l->edge1, l->edge2));
+}
+
+static double rect_near(const murk_source *l, int band, murk_vec3 way,
+                        bool has_images)
+{
+    const double extent = rect_extent(l);
+    const double square = fmax(murk_dot(way, way), extent * extent);
+    const murk_vec3 face = rect_normal(l);
+    const double before = -murk_dot(face, way);
+    /* behind its plane, where images lie in the same plane or the lamp has none
+     */
+    if (!(before > 0) && (!has_images || fabs(face.z) == 1)) {
+        return 0;
+    }
+    const double cosine =
+        fmin(1, fmax(0, before + 0.5 * extent) / sqrt(square));
+    return power_of(l, band) * cosine / (MURK_PI * square);
+}
+
+/* ---- beam ---- */
+
+/* 1 - cos(half angle), which keeps its digits in narrow beams. */
+static double cone_of(const murk_source *beam)
+{
+    const double s = sin(beam->divergence_rad / 2);
+    return 2 * s * s;
+}
+
+static murk_status prepare_beam(murk_source_state *s, const murk_domain *domain,
+                                bool is_dark, double *power_scale,
+                                murk_error *err)
+{
+    (void)is_dark;
+    (void)power_scale;
+    const murk_source *l = &s->light;
+    const double r = l->radius_m, half = l->divergence_rad;
+    if (!(r >= 0 && isfinite(r))) {
+        return murk_fail(err, MURK_BAD_VALUE, l->where,
+                         "radius_m is %g m, must be 0 m or more", r);
+    }
+    if (!(half >= 0 && half <= MURK_PI)) {
+        return murk_fail(err, MURK_BAD_VALUE, l->where,
+                         "divergence is %g rad, must be 0..pi rad", half);
+    }
+    const murk_status status = murk_source_prepare_direction(s, err);
+    if (status) {
+        return status;
+    }
+    s->cone = 2 * sin(half / 2) * sin(half / 2);
+    const murk_vec3 d = l->direction;
+    const murk_vec3 reach = {r * sqrt(d.y * d.y + d.z * d.z),
+                             r * sqrt(d.x * d.x + d.z * d.z),
+                             r * sqrt(d.x * d.x + d.y * d.y)};
+    return murk_source_check_inside(domain, l->position, reach,
+                                    "the beam's disc", l->where, err);
+}
+
+static murk_ray emit_beam(const murk_source_state *s, const murk_box *box,
+                          const double u[MURK_ENTRY_FACES_NUMBERS])
+{
+    (void)box;
+    const murk_source *l = &s->light;
+    murk_ray ray = {.origin = l->position, .direction = l->direction};
+    murk_vec3 t, b;
+    murk_frame(l->direction, &t, &b);
+    if (l->radius_m > 0) {
+        const double rho = l->radius_m * sqrt(u[0]), phi = TWO_PI * u[1];
+        ray.origin = murk_along(ray.origin, rho * cos(phi), t);
+        ray.origin = murk_along(ray.origin, rho * sin(phi), b);
+    }
+    if (s->cone > 0) {
+        /* By 1 - cos(angle), which keeps its digits in narrow beams. */
+        const double w = s->cone * u[2], phi = TWO_PI * u[3];
+        const double side = sqrt(fmax(0, w * (2 - w)));
+        murk_vec3 d = murk_scale(1 - w, l->direction);
+        d = murk_along(d, side * cos(phi), t);
+        ray.direction = murk_unit(murk_along(d, side * sin(phi), b));
+    }
+    return ray;
+}
+
+static bool shine_beam(const murk_source_state *s, int band, murk_vec3 place,
+                       const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
+{
+    const murk_source *l = &s->light;
+    const double cone = cone_of(l), r = l->radius_m;
+    shine->face = l->direction;
+    if (!(cone > 0)) {
+        const murk_vec3 way = murk_sub(place, l->position);
+        const double ahead = murk_dot(way, l->direction);
+        const murk_vec3 aside = murk_along(way, -ahead, l->direction);
+        shine->direction = l->direction;
+        shine->distance_m = ahead;
+        shine->irradiance_w_per_m2 = power_of(l, band) / (MURK_PI * r * r);
+        return r > 0 && ahead > 0 && murk_dot(aside, aside) < r * r;
+    }
+    murk_vec3 t, b, from = l->position;
+    murk_frame(l->direction, &t, &b);
+    const double rho = r * sqrt(u[0]), phi = TWO_PI * u[1];
+    from = murk_along(from, rho * cos(phi), t);
+    from = murk_along(from, rho * sin(phi), b);
+    if (!come_from(from, place, shine)) {
+        return false;
+    }
+    shine->irradiance_w_per_m2 =
+        power_of(l, band) /
+        (TWO_PI * cone * shine->distance_m * shine->distance_m);
+    shine->per_sr =
+        r > 0 ? sheet_per_sr(MURK_PI * r * r, shine->distance_m,
+                             fabs(murk_dot(shine->direction, l->direction)))
+              : INFINITY;
+    return 1 - murk_dot(shine->direction, l->direction) < cone;
+}
+
+/* Even over the cone's solid angle, so brighter aside. */
+static murk_glare beam_glare(const murk_source_state *s, int band,
+                             murk_vec3 place, murk_vec3 sight)
+{
+    const murk_source *l = &s->light;
+    const double cone = cone_of(l), r = l->radius_m;
+    const double cosine = -murk_dot(sight, l->direction);
+    if (!(cone > 0 && r > 0 && 1 - cosine < cone) || cosine == 0) {
+        return (murk_glare){0};
+    }
+    const murk_vec3 to = murk_sub(l->position, place);
+    const double distance = -murk_dot(to, l->direction) / cosine;
+    const murk_vec3 aside = murk_sub(murk_scale(distance, sight), to);
+    if (!(distance > 0 && murk_dot(aside, aside) < r * r)) {
+        return (murk_glare){0};
+    }
+    const double area = MURK_PI * r * r;
+    return (murk_glare){.radiance = power_of(l, band) /
+                                    (area * TWO_PI * cone * fabs(cosine)),
+                        .distance_m = distance,
+                        .per_sr = sheet_per_sr(area, distance, fabs(cosine))};
+}
+
+static bool beam_can_shine(const murk_source *l)
+{
+    return l->radius_m > 0 || l->divergence_rad > 0;
+}
+
+static double beam_near(const murk_source *l, int band, murk_vec3 way,
+                        bool has_images)
+{
+    (void)has_images;
+    const double ahead = -murk_dot(l->direction, way);
+    const double aside2 = fmax(0, murk_dot(way, way) - ahead * ahead);
+    const double radius =
+        l->radius_m + fmax(0, ahead) * tan(fmin(1.5, l->divergence_rad));
+    return ahead > 0 && aside2 < radius * radius && radius > 0
+               ? power_of(l, band) / (MURK_PI * radius * radius)
+               : 0;
+}
+
+/* ---- point ---- */
+
+static murk_status prepare_point(murk_source_state *s,
+                                 const murk_domain *domain, bool is_dark,
+                                 double *power_scale, murk_error *err)
+{
+    (void)is_dark;
+    (void)power_scale;
+    const murk_vec3 none = {0, 0, 0};
+    return murk_source_check_inside(domain, s->light.position, none, "the lamp",
+                                    s->light.where, err);
+}
+
+static murk_ray emit_point(const murk_source_state *s, const murk_box *box,
+                           const double u[MURK_ENTRY_FACES_NUMBERS])
+{
+    (void)box;
+    return (murk_ray){.origin = s->light.position,
+                      .direction = isotropic(u[0], u[1])};
+}
+
+static bool shine_point(const murk_source_state *s, int band, murk_vec3 place,
+                        const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
+{
+    (void)u;
+    const murk_source *l = &s->light;
+    if (!come_from(l->position, place, shine)) {
+        return false;
+    }
+    shine->face = shine->direction;
+    shine->irradiance_w_per_m2 =
+        power_of(l, band) /
+        (4 * MURK_PI * shine->distance_m * shine->distance_m);
+    return true;
+}
+
+static murk_box point_box(const murk_source *l)
+{
+    return (murk_box){l->position, l->position};
+}
+
+static double no_extent(const murk_source *l)
+{
+    (void)l;
+    return 0;
+}
+
+/* ---- the rows ---- */
+
+static const murk_source_row SPHERE = {.prepare = prepare_sphere,
+                                       .emit = emit_sphere,
+                                       .shine = shine_sphere,
+                                       .glare = sphere_glare,
+                                       .box = ball_box,
+                                       .extent_m = radius_of};
+
+static const murk_source_row RECT = {.prepare = prepare_rect,
+                                     .emit = emit_rect,
+                                     .shine = shine_rect,
+                                     .glare = rect_glare,
+                                     .box = rect_box,
+                                     .extent_m = rect_extent,
+                                     .middle = rect_middle,
+                                     .normal = rect_normal,
+                                     .irradiance_near = rect_near};
+
+static const murk_source_row BEAM = {.prepare = prepare_beam,
+                                     .emit = emit_beam,
+                                     .shine = shine_beam,
+                                     .glare = beam_glare,
+                                     .can_shine = beam_can_shine,
+                                     .box = ball_box,
+                                     .extent_m = radius_of,
+                                     .irradiance_near = beam_near};
+
+static const murk_source_row POINT = {.prepare = prepare_point,
+                                      .emit = emit_point,
+                                      .shine = shine_point,
+                                      .box = point_box,
+                                      .extent_m = no_extent};
+
+const murk_source_row *const murk_source_lamp_rows[] = {
+    [MURK_SOURCE_SPHERE] = &SPHERE,
+    [MURK_SOURCE_RECT] = &RECT,
+    [MURK_SOURCE_POINT] = &POINT,
+    [MURK_SOURCE_BEAM] = &BEAM,
+};
