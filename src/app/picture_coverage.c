@@ -70,13 +70,13 @@ static void look_by_sensor(void *context, unsigned worker, uint64_t batch)
         return;
     }
     const size_t first = s->first_row * s->picture->width;
-    murk_look look;
-    murk_sight_look(s->sight, worker, pose, &look);
-    for (size_t i = 0; i < look.seen; ++i) {
+    murk_sparse_row row;
+    murk_sight_row(s->sight, worker, pose, &row);
+    for (size_t i = 0; i < row.seen; ++i) {
         const size_t at =
-            murk_sight_photon(s->sight, look.photon[i])->emitted - first;
+            murk_sight_photon(s->sight, row.photon[i])->emitted - first;
         atomic_fetch_add_explicit(&s->count[at], 1, memory_order_relaxed);
-        raise(&s->clearest[at], look.clarity ? look.clarity[i] : MURK_CLEAR);
+        raise(&s->clearest[at], row.clarity ? row.clarity[i] : MURK_CLEAR);
     }
     murk_progress_add(1);
 }

@@ -219,19 +219,19 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
         return status;
     }
     for (size_t k = 0; k < n; ++k) {
-        murk_look look;
-        problem->look(problem->context, 0, p->place.sensor[k], &look);
-        for (size_t i = 0; i < look.seen; ++i) {
-            c->alone[k] += (uint64_t)m->weight[look.photon[i]] *
-                           (look.clarity ? look.clarity[i] : MURK_CLEAR);
+        murk_sparse_row row;
+        problem->get_row(problem->context, 0, p->place.sensor[k], &row);
+        for (size_t i = 0; i < row.seen; ++i) {
+            c->alone[k] += (uint64_t)m->weight[row.photon[i]] *
+                           (row.clarity ? row.clarity[i] : MURK_CLEAR);
         }
-        murk_views_add(&views, (uint32_t)k, &look);
+        murk_views_add(&views, (uint32_t)k, &row);
         c->sum += c->alone[k];
     }
     for (size_t k = 0; k < n && views.dose; ++k) {
-        murk_look look;
-        problem->look(problem->context, 0, p->place.sensor[k], &look);
-        c->only[k] = murk_views_only_of(&views, m->weight, &look);
+        murk_sparse_row row;
+        problem->get_row(problem->context, 0, p->place.sensor[k], &row);
+        c->only[k] = murk_views_only_of(&views, m->weight, &row);
     }
     if (!views.dose) {
         murk_views_only(&views, m->weight, c->only);

@@ -78,21 +78,21 @@ bool murk_sightlines_find(murk_sightlines *out,
                           const murk_sightlines_through *t, unsigned worker,
                           const murk_pose *pose, murk_sightlines_room *room)
 {
-    murk_look look;
-    murk_sight_look(t->sight, worker, pose, &look);
-    const int64_t max = (int64_t)(look.seen * bytes_each(t));
+    murk_sparse_row row;
+    murk_sight_row(t->sight, worker, pose, &row);
+    const int64_t max = (int64_t)(row.seen * bytes_each(t));
     murk_tally_add(&room->bytes, max);
     if ((double)murk_tally_read(&room->bytes) > room->max_bytes) {
         return false;
     }
     double *depth = malloc(CHUNK * t->media * sizeof *depth + 1);
-    if (!depth || !make_room(out, t, look.seen, false)) {
+    if (!depth || !make_room(out, t, row.seen, false)) {
         free(depth);
         return false;
     }
-    for (size_t i = 0; i < look.seen; i += CHUNK) {
-        const size_t left = look.seen - i;
-        keep(out, t, pose, look.photon + i, left < CHUNK ? left : CHUNK, depth);
+    for (size_t i = 0; i < row.seen; i += CHUNK) {
+        const size_t left = row.seen - i;
+        keep(out, t, pose, row.photon + i, left < CHUNK ? left : CHUNK, depth);
     }
     free(depth);
     out->contribution =

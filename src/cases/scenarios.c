@@ -24,17 +24,17 @@ typedef struct murk_scenarios_workspace {
 } murk_scenarios_workspace;
 
 static void append(murk_scenarios_workspace *workspace, size_t at, size_t first,
-                   const murk_look *look)
+                   const murk_sparse_row *get_row)
 {
-    for (size_t k = 0; k < look->seen; ++k) {
-        workspace->photon[at + k] = (uint32_t)(first + look->photon[k]);
+    for (size_t k = 0; k < get_row->seen; ++k) {
+        workspace->photon[at + k] = (uint32_t)(first + get_row->photon[k]);
         workspace->clarity[at + k] =
-            look->clarity ? look->clarity[k] : MURK_CLEAR;
+            get_row->clarity ? get_row->clarity[k] : MURK_CLEAR;
     }
 }
 
-static void look(void *context, unsigned worker, size_t candidate,
-                 murk_look *out)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
 {
     const murk_scenarios *j = context;
     murk_scenarios_workspace *workspace = &j->workspace[worker];
@@ -42,14 +42,14 @@ static void look(void *context, unsigned worker, size_t candidate,
     size_t seen = 0;
     for (size_t c = 0; c < j->blocks.n; ++c) {
         const murk_problem *part = &j->part[c].problem;
-        murk_look one;
-        part->look(part->context, worker, candidate, &one);
+        murk_sparse_row one;
+        part->get_row(part->context, worker, candidate, &one);
         append(workspace, seen, j->blocks.first[c], &one);
         is_clear = is_clear && !one.clarity;
         seen += one.seen;
     }
-    *out = (murk_look){seen, workspace->photon,
-                       is_clear ? NULL : workspace->clarity};
+    *out = (murk_sparse_row){seen, workspace->photon,
+                             is_clear ? NULL : workspace->clarity};
 }
 
 /* The largest scale, for shares of it to each block's whole, at which sums and
@@ -139,7 +139,7 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     j->problem = j->part[0].problem; /* how views combine, and threads */
     j->problem.photons = j->blocks.first[n];
     j->problem.is_reweighed = true;
-    j->problem.look = look;
+    j->problem.get_row = get_row;
     j->problem.context = j;
     murk_status status = MURK_OK;
     if (j->problem.photons > UINT32_MAX) {

@@ -14,7 +14,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "placement/incumbent.h"
-#include "placement/place_check.h"
+#include "placement/settings.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -27,15 +27,15 @@
 typedef struct run {
     const murk_place_desc *desc;
     const murk_evaluator *evaluator;
-    const murk_rulebook *book; /* NULL: no rules but a count */
-    size_t views;              /* that each photon is to have */
-    murk_incumbent mean;       /* plans by the mean */
-    murk_partial_plan partial; /* with rules: of what stands */
-    murk_cover cover;          /* of what stands */
-    murk_cover wanting;        /* one layer: full but where one view lacks */
-    uint32_t *open;            /* [candidates] that may join */
-    uint64_t *strict, *sum;    /* [candidates] what they add: S, and V */
-    uint32_t *plan, *trial;    /* [most sensors]; plan: the best of a count */
+    const murk_constraint_set *set; /* NULL: no rules but a count */
+    size_t views;                   /* that each photon is to have */
+    murk_incumbent mean;            /* plans by the mean */
+    murk_partial_plan partial;      /* with rules: of what stands */
+    murk_cover cover;               /* of what stands */
+    murk_cover one_missing; /* one layer: full but where one view lacks */
+    uint32_t *open;         /* [candidates] that may join */
+    uint64_t *strict, *sum; /* [candidates] what they add: S, and V */
+    uint32_t *plan, *trial; /* [most sensors]; plan: the best of a count */
     size_t size, trial_size;
     uint64_t value; /* strict, of plan */
     uint64_t rows, rows_max;
@@ -43,30 +43,30 @@ typedef struct run {
 } run;
 
 /* What a move is judged by: the strict weight, then the sum of views. */
-typedef struct worth {
+typedef struct objective {
     uint64_t strict, sum;
-} worth;
+} objective;
 
-static bool is_more(worth a, worth b)
+static bool is_greater(objective a, objective b)
 {
     return a.strict != b.strict ? a.strict > b.strict : a.sum > b.sum;
 }
 
 /* ---- the problem ---- */
 
-static void look_clearly(void *context, unsigned worker, size_t candidate,
-                         murk_look *look)
+static void binary_row(void *context, unsigned worker, size_t candidate,
+                       murk_sparse_row *entries)
 {
     const murk_at_least *p = context;
-    p->of->look(p->of->context, worker, candidate, look);
-    look->clarity = NULL;
+    p->of->get_row(p->of->context, worker, candidate, entries);
+    entries->clarity = NULL;
 }
 
 void murk_at_least_init(murk_at_least *out, const murk_problem *of,
                         unsigned at_least)
 {
     *out = (murk_at_least){.problem = *of, .of = of};
-    out->problem.look = look_clearly;
+    out->problem.get_row = binary_row;
     out->problem.context = out;
     out->problem.combining = MURK_COMBINE_CLEAREST;
     out->problem.redundancy = at_least;
@@ -81,7 +81,7 @@ static uint64_t strict_of(const murk_cover *cover, const murk_layout *layout)
     return murk_cover_value(&lowest, layout);
 }
 
-static void join(run *r, uint32_t candidate)
+static void add_candidate(run *r, uint32_t candidate)
 {
     const murk_row row = murk_evaluator_row(r->evaluator, 0, candidate);
     murk_cover_add(&r->cover, r->evaluator->layout, &row);
@@ -89,17 +89,17 @@ static void join(run *r, uint32_t candidate)
 }
 
 /* All of plan[size] but its entry `but` (size: all). */
-static void stand(run *r, const uint32_t *plan, size_t size, size_t but,
-                  size_t wanted)
+static void set_all_but(run *r, const uint32_t *plan, size_t size, size_t but,
+                        size_t wanted)
 {
     murk_cover_clear(&r->cover, r->evaluator->layout);
-    if (r->book) {
+    if (r->set) {
         murk_partial_plan_clear(&r->partial, wanted);
     }
     for (size_t k = 0; k < size; ++k) {
         if (k != but) {
-            join(r, plan[k]);
-            if (r->book) {
+            add_candidate(r, plan[k]);
+            if (r->set) {
                 murk_partial_plan_add(&r->partial, plan[k]);
             }
         }
@@ -110,7 +110,7 @@ static uint64_t strict_value(run *r, const uint32_t *plan, size_t size)
 {
     murk_cover_clear(&r->cover, r->evaluator->layout);
     for (size_t k = 0; k < size; ++k) {
-        join(r, plan[k]);
+        add_candidate(r, plan[k]);
     }
     return strict_of(&r->cover, r->evaluator->layout);
 }
@@ -128,8 +128,8 @@ static void keep_better(run *r, const uint32_t *plan, size_t size,
 
 /* ---- moves ---- */
 
-static bool holds(const uint32_t *plan, size_t size, size_t but,
-                  uint32_t candidate)
+static bool contains(const uint32_t *plan, size_t size, size_t but,
+                     uint32_t candidate)
 {
     for (size_t k = 0; k < size; ++k) {
         if (k != but && plan[k] == candidate) {
@@ -143,14 +143,14 @@ static bool holds(const uint32_t *plan, size_t size, size_t but,
  * without the entry `but`) most. Ties go to `now`, then to the lowest index.
  * False if the constraints allow no candidate. */
 static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
-                      uint32_t *now)
+                      uint32_t *present)
 {
     const murk_evaluator *o = r->evaluator;
     const size_t words = o->layout->words;
     size_t n = 0;
     for (uint32_t j = 0; j < o->candidates; ++j) {
-        if (!holds(plan, size, but, j) &&
-            (!r->book || murk_partial_plan_admits(&r->partial, j, true))) {
+        if (!contains(plan, size, but, j) &&
+            (!r->set || murk_partial_plan_can_add(&r->partial, j, true))) {
             r->open[n++] = j;
         }
     }
@@ -159,28 +159,28 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
         const uint64_t enough = r->cover.full[i];
         const uint64_t nearly =
             r->views > 1 ? r->cover.full[words + i] : UINT64_MAX;
-        r->wanting.full[i] = enough | ~nearly;
+        r->one_missing.full[i] = enough | ~nearly;
     }
     const unsigned threads = o->problem->threads;
-    murk_evaluator_gains(o, &r->wanting, r->open, n, threads, 0, r->strict);
+    murk_evaluator_gains(o, &r->one_missing, r->open, n, threads, 0, r->strict);
     murk_evaluator_gains(o, &r->cover, r->open, n, threads, 0, r->sum);
     r->rows += 2 * n;
     r->result->evaluations += n;
     size_t best = n;
     for (size_t k = 0; k < n; ++k) {
-        const worth w = {r->strict[k], r->sum[k]};
+        const objective w = {r->strict[k], r->sum[k]};
         bool is_better = best == n;
         if (!is_better) { /* of equals, the sensor that stands there stays */
-            const worth max = {r->strict[best], r->sum[best]};
-            is_better =
-                is_more(w, max) || (!is_more(max, w) && r->open[k] == *now);
+            const objective max = {r->strict[best], r->sum[best]};
+            is_better = is_greater(w, max) ||
+                        (!is_greater(max, w) && r->open[k] == *present);
         }
         if (is_better) {
             best = k;
         }
     }
     if (best < n) {
-        *now = r->open[best];
+        *present = r->open[best];
     }
     return best < n;
 }
@@ -189,7 +189,7 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
  * views, is more, until none moves or the work of searching is spent. */
 static void relocate(run *r)
 {
-    const size_t fixed = r->book ? r->book->constraints->fixed_count : 0;
+    const size_t fixed = r->set ? r->set->constraints->fixed_count : 0;
     const size_t n = r->trial_size, movers = n - fixed;
     size_t still = 0; /* sensors in a row that did not move */
     for (size_t at = 0; still < movers && !murk_interrupted();
@@ -200,7 +200,7 @@ static void relocate(run *r)
         }
         uint32_t *const moved = &r->trial[fixed + at];
         const uint32_t before = *moved;
-        stand(r, r->trial, n, fixed + at, n);
+        set_all_but(r, r->trial, n, fixed + at, n);
         still = find_best(r, r->trial, n, fixed + at, moved) && *moved != before
                     ? 1 /* the sensor just moved is at its best site */
                     : still + 1;
@@ -223,8 +223,8 @@ static void try_plan(run *r)
 
 /* Every plan whose sum of views is enough comes here; the first that meets the
  * target ends the search, as no plan has more views than all of them. */
-static uint64_t judge(void *context, const uint32_t *plan, size_t size,
-                      uint64_t known)
+static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
+                           uint64_t known)
 {
     run *r = context;
     keep_better(r, plan, size, strict_value(r, plan, size));
@@ -233,9 +233,9 @@ static uint64_t judge(void *context, const uint32_t *plan, size_t size,
 
 /* Under rules: the best plan, found with fewer than n, filled up by whoever may
  * join. Where one admits nobody, it stays short and does not count. */
-static void fill_up(run *r, size_t n)
+static void complete_plan(run *r, size_t n)
 {
-    murk_search *s = &r->mean.search;
+    murk_gain_scan *s = &r->mean.search;
     if (r->size == n) {
         return;
     }
@@ -250,7 +250,8 @@ static void fill_up(run *r, size_t n)
 
 /* Looks for a plan of n that meets the target among all whose sum of views,
  * `upper` at most, is enough; lowers *upper to what is left. */
-static murk_status prove(run *r, size_t n, uint64_t *upper, murk_error *err)
+static murk_status branch_and_bound(run *r, size_t n, uint64_t *upper,
+                                    murk_error *err)
 {
     const uint64_t below = r->desc->target * r->views - 1;
     const uint64_t left = r->desc->nodes > r->result->nodes
@@ -266,7 +267,7 @@ static murk_status prove(run *r, size_t n, uint64_t *upper, murk_error *err)
     if (bound <= below || !is_wanted || murk_interrupted()) {
         return MURK_OK;
     }
-    const murk_judge by = {judge, r};
+    const murk_exact_callback by = {check_plan, r};
     murk_exact exact;
     const murk_status status = murk_exact_search(
         &exact, &p->bound, p->plan, p->size, n, below, bound, left, &by, err);
@@ -274,7 +275,7 @@ static murk_status prove(run *r, size_t n, uint64_t *upper, murk_error *err)
         return status;
     }
     r->result->nodes += exact.nodes;
-    fill_up(r, n);
+    complete_plan(r, n);
     if (r->value < r->desc->target || r->size == 0) {
         r->result->is_cut = r->result->is_cut || exact.is_cut;
         *upper = exact.upper;
@@ -299,7 +300,7 @@ static murk_status find_count(run *r, size_t n, bool from,
     }
     if (from) { /* kept before r->plan is written over */
         memcpy(r->trial, r->plan, (n - 1) * sizeof *r->plan);
-        stand(r, r->trial, n - 1, n - 1, n);
+        set_all_but(r, r->trial, n - 1, n - 1, n);
         r->trial[n - 1] = UINT32_MAX;
         from = find_best(r, r->trial, n - 1, n - 1, &r->trial[n - 1]);
         r->trial_size = n;
@@ -316,7 +317,7 @@ static murk_status find_count(run *r, size_t n, bool from,
     }
     uint64_t upper = mean->upper;
     if (r->value < r->desc->target && upper / r->views >= r->desc->target) {
-        status = prove(r, n, &upper, err);
+        status = branch_and_bound(r, n, &upper, err);
     }
     upper /= r->views;
     *point =
@@ -332,7 +333,7 @@ static murk_status find_all(run *r, murk_error *err)
     const size_t first = p->first > r->views ? p->first : r->views;
     /* Fewer sensors see no more where each plan can be filled up: then what is
      * proven of a count is proven of all below. */
-    const bool may_fill = !(r->book && r->book->has_conflicts);
+    const bool may_fill = !(r->set && r->set->has_conflicts);
     murk_curve_point mean = {0}, point = {0};
     bool is_closed = true; /* no count so far was left open */
     result->fewest = first;
@@ -376,23 +377,23 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
     r->sum = malloc(n * sizeof *r->sum);
     r->plan = calloc(n, sizeof *r->plan);
     r->trial = calloc(n, sizeof *r->trial);
-    r->rows_max = murk_search_rows_max(o);
+    r->rows_max = murk_gain_scan_rows_max(o);
     if (!r->open || !r->strict || !r->sum || !r->plan || !r->trial ||
         !murk_cover_init(&r->cover, o->layout, true) ||
-        !murk_cover_init_single(&r->wanting, o->layout, true)) {
+        !murk_cover_init_single(&r->one_missing, o->layout, true)) {
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to search %zu candidates", o->candidates);
     }
-    if (r->book) {
+    if (r->set) {
         const murk_status status =
-            murk_partial_plan_init(&r->partial, r->book, err);
+            murk_partial_plan_init(&r->partial, r->set, err);
         if (status) {
             return status;
         }
     }
     /* what all see together */
     for (uint32_t j = 0; j < o->candidates; ++j) {
-        join(r, j);
+        add_candidate(r, j);
     }
     r->result->ceiling = strict_of(&r->cover, o->layout);
     r->result->whole = o->layout->whole / r->views;
@@ -410,14 +411,14 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
     desc->target = enough < o->ceiling ? enough : o->ceiling;
     desc->nodes = 0;
     const murk_status status =
-        murk_incumbent_init(&r->mean, o, r->book, desc, r->result, err);
-    if (!status && !r->book) {
+        murk_incumbent_init(&r->mean, o, r->set, desc, r->result, err);
+    if (!status && !r->set) {
         murk_incumbent_greedy(&r->mean);
     }
     return status;
 }
 
-static murk_status miss(const run *r, murk_error *err)
+static murk_status report_miss(const run *r, murk_error *err)
 {
     const double whole = (double)r->result->whole;
     const double target = (double)r->desc->target / whole;
@@ -446,7 +447,7 @@ static void release(run *r)
     murk_incumbent_release(&r->mean);
     murk_partial_plan_release(&r->partial);
     murk_cover_release(&r->cover);
-    murk_cover_release(&r->wanting);
+    murk_cover_release(&r->one_missing);
     free(r->open);
     free(r->strict);
     free(r->sum);
@@ -461,25 +462,24 @@ murk_status murk_place_at_least(murk_place_result *out,
 {
     assert(out && problem && matrix && desc && desc->target > 0);
     murk_evaluator evaluator = {0};
-    murk_rulebook rulebook = {0};
+    murk_constraint_set rulebook = {0};
     murk_place_result result = {.guarantee = "none"};
     murk_place_desc of_mean = *desc;
     run r = {.desc = desc,
              .evaluator = &evaluator,
-             .book = desc->constraints ? &rulebook : NULL,
+             .set = desc->constraints ? &rulebook : NULL,
              .views = murk_problem_layers(problem),
              .result = &result};
     murk_status status = murk_place_check(problem, true, desc, err);
-    if (!status && r.book) {
-        status =
-            murk_rulebook_init(&rulebook, desc->constraints,
-                               problem->candidates, desc->count, true, err);
+    if (!status && r.set) {
+        status = murk_constraint_set_init(&rulebook, desc->constraints,
+                                          problem->candidates, desc->count,
+                                          true, err);
     }
     if (!status) {
-        status =
-            murk_evaluator_init(&evaluator, problem, matrix, r.book,
-                                r.book ? rulebook.max_sensors : desc->count,
-                                desc->keep_dominated, err);
+        status = murk_evaluator_init(&evaluator, problem, matrix, r.set,
+                                     r.set ? rulebook.max_sensors : desc->count,
+                                     desc->keep_dominated, err);
     }
     evaluator.search_work = desc->search_work;
     if (!status) {
@@ -494,12 +494,13 @@ murk_status murk_place_at_least(murk_place_result *out,
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status && (result.count == 0 || result.value < desc->target)) {
-        status = miss(&r, err);
+        status = report_miss(&r, err);
     }
     if (!status) {
         for (size_t k = 0; k < result.count; ++k) {
             result.sensor[k] = r.plan[k];
-            result.cost += r.book ? murk_rulebook_cost(r.book, r.plan[k]) : 0;
+            result.cost +=
+                r.set ? murk_constraint_set_cost(r.set, r.plan[k]) : 0;
         }
         qsort(result.sensor, result.count, sizeof *result.sensor, by_number);
         result.proven_optimal = result.value == result.upper;
@@ -509,7 +510,7 @@ murk_status murk_place_at_least(murk_place_result *out,
     }
     release(&r);
     murk_evaluator_release(&evaluator);
-    murk_rulebook_release(&rulebook);
+    murk_constraint_set_release(&rulebook);
     murk_place_release(&result);
     return status;
 }

@@ -20,7 +20,7 @@
 #ifndef MURK_PLACEMENT_AT_LEAST_H
 #define MURK_PLACEMENT_AT_LEAST_H
 
-#include "placement/place.h"
+#include "placement/settings.h"
 
 /* `problem` as the strict question sees it: views are clear or none, and
  * at_least, 1..MURK_REDUNDANCY_MAX, of a photon count. Borrows `of`. */

@@ -7,12 +7,12 @@
 /* A value below 2^63 times 2^52. */
 __extension__ typedef unsigned __int128 wide;
 
-typedef struct gaining {
+typedef struct gain_task {
     const murk_block_views *views;
     const murk_cover *cover;
     const uint32_t *candidate;
     uint64_t *gain;
-} gaining;
+} gain_task;
 
 uint64_t murk_share_units(uint64_t part, uint64_t whole)
 {
@@ -27,7 +27,7 @@ uint64_t murk_block_worth(const murk_block_views *views, size_t c,
 
 static void gain_of_one(void *context, unsigned worker, uint64_t k)
 {
-    const gaining *g = context;
+    const gain_task *g = context;
     const size_t n = g->views->blocks->n;
     const murk_row row =
         murk_evaluator_row(g->views->evaluator, worker, g->candidate[k]);
@@ -40,7 +40,7 @@ static void gain_of_one(void *context, unsigned worker, uint64_t k)
 void murk_block_gains(const murk_block_views *views, const murk_cover *cover,
                       const uint32_t *candidate, size_t count, uint64_t *gain)
 {
-    gaining g = {views, cover, candidate, gain};
+    gain_task g = {views, cover, candidate, gain};
     const unsigned threads = murk_evaluator_threads(views->evaluator, count);
     if (threads > 1) {
         murk_pool_run_workers(threads, count, gain_of_one, &g);
@@ -78,12 +78,12 @@ static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
                            "nothing to see in condition %zu", c + 1);
 }
 
-static murk_status weigh(murk_block_views *v, murk_error *err)
+static murk_status find_gain_bounds(murk_block_views *v, murk_error *err)
 {
     const murk_evaluator *o = v->evaluator;
     murk_cover cover = {0};
     uint32_t *all = malloc((o->candidates + 1) * sizeof *all);
-    if (!all || !murk_cover_init(&cover, o->layout, o->all_clear)) {
+    if (!all || !murk_cover_init(&cover, o->layout, o->is_binary)) {
         free(all);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for the coverage of %zu photons",
@@ -126,7 +126,7 @@ murk_status murk_block_views_init(murk_block_views *out,
         status = view_block(out, c, weight, err);
     }
     free(weight);
-    return status ? status : weigh(out, err);
+    return status ? status : find_gain_bounds(out, err);
 }
 
 void murk_block_views_release(murk_block_views *views)

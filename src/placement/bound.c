@@ -25,8 +25,8 @@
 #define FALL            0.8
 
 /* Slopes count in these units where a sum must not depend on its order. */
-#define SLOPE_UNIT 0x1p-10F
-#define SLOPE_MAX  63.0F
+#define SUBGRADIENT_UNIT 0x1p-10F
+#define SUBGRADIENT_MAX  63.0F
 
 murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
                             murk_error *err)
@@ -34,27 +34,28 @@ murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
     const size_t slots = evaluator->layout->slots + 1;
     const size_t n = evaluator->candidates + 1;
     *out = (murk_bound){.evaluator = evaluator,
-                        .threshold = calloc(slots, sizeof *out->threshold),
+                        .multiplier = calloc(slots, sizeof *out->multiplier),
                         .lowest = calloc(slots, sizeof *out->lowest),
                         .mean = calloc(slots, sizeof *out->mean),
-                        .down = calloc(slots, sizeof *out->down),
+                        .subgradient = calloc(slots, sizeof *out->subgradient),
                         .gain = calloc(n, sizeof *out->gain),
                         .live = calloc(n, sizeof *out->live),
                         .top = calloc(n, sizeof *out->top)};
     murk_status status =
         murk_multipliers_init(&out->multipliers, evaluator, err);
-    if (!status && (!out->threshold || !out->lowest || !out->mean ||
-                    !out->down || !out->gain || !out->live || !out->top ||
-                    !murk_cover_init(&out->cover, evaluator->layout, false))) {
+    if (!status &&
+        (!out->multiplier || !out->lowest || !out->mean || !out->subgradient ||
+         !out->gain || !out->live || !out->top ||
+         !murk_cover_init(&out->cover, evaluator->layout, false))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to bound plans for %zu photons",
                            evaluator->layout->photons);
     }
-    if (!status && evaluator->book) {
-        status = murk_relaxed_init(&out->relaxed, evaluator->book, err);
+    if (!status && evaluator->set) {
+        status = murk_relaxation_init(&out->relaxed, evaluator->set, err);
     }
-    if (!status && evaluator->book) {
-        status = murk_partial_plan_init(&out->fixed, evaluator->book, err);
+    if (!status && evaluator->set) {
+        status = murk_partial_plan_init(&out->fixed, evaluator->set, err);
     }
     if (status) {
         murk_bound_release(out);
@@ -64,16 +65,16 @@ murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
 
 void murk_bound_release(murk_bound *bound)
 {
-    free(bound->threshold);
+    free(bound->multiplier);
     free(bound->lowest);
     free(bound->mean);
-    free(bound->down);
+    free(bound->subgradient);
     free(bound->gain);
     free(bound->live);
     free(bound->top);
     murk_multipliers_release(&bound->multipliers);
     murk_cover_release(&bound->cover);
-    murk_relaxed_release(&bound->relaxed);
+    murk_relaxation_release(&bound->relaxed);
     murk_partial_plan_release(&bound->fixed);
     *bound = (murk_bound){0};
 }
@@ -85,7 +86,7 @@ static void cover_plan(murk_bound *b, const uint32_t *plan, size_t n)
     murk_cover_clear(&b->cover, layout);
     for (size_t k = 0; k < n; ++k) {
         const murk_row row = murk_evaluator_row(b->evaluator, 0, plan[k]);
-        b->looks += b->evaluator->matrix ? 0 : 1;
+        b->queries += b->evaluator->matrix ? 0 : 1;
         murk_cover_add(&b->cover, layout, &row);
     }
 }
@@ -94,7 +95,7 @@ static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
 {
     cover_plan(b, plan, n);
     for (size_t i = 0; i < b->evaluator->layout->slots; ++i) {
-        b->threshold[i] = b->cover.best[i];
+        b->multiplier[i] = b->cover.best[i];
     }
 }
 
@@ -119,8 +120,8 @@ static size_t find_top(murk_bound *b, size_t n)
 
 /* Leaves out candidates that are in no plan worth more than `lower`: with j in
  * it, a plan has at most `base`, the best n - 1 others, and j's own. */
-static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
-                      uint64_t lower)
+static void fix_candidates(murk_bound *b, uint64_t base, size_t n,
+                           size_t chosen, uint64_t lower)
 {
     if (chosen < n) {
         return;
@@ -143,14 +144,14 @@ static void leave_out(murk_bound *b, uint64_t base, size_t n, size_t chosen,
 }
 
 /* The same under rules. */
-static void leave_out_by_constraints(murk_bound *b, uint64_t base,
-                                     uint64_t lower)
+static void fix_candidates_constrained(murk_bound *b, uint64_t base,
+                                       uint64_t lower)
 {
     const uint64_t grain = b->evaluator->grain;
     size_t kept = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
         const uint64_t others =
-            murk_relaxed_others(&b->relaxed, b->partial, b->live[k]);
+            murk_relaxation_others(&b->relaxed, b->partial, b->live[k]);
         const uint64_t with =
             murk_sum_saturated(base, murk_sum_saturated(others, b->gain[k]));
         if (with - with % grain > lower) {
@@ -178,58 +179,60 @@ static void begin_descent(murk_bound *b)
 }
 
 /* Takes the present slopes into their mean. */
-static void take_slopes(murk_bound *b, size_t chosen)
+static void update_mean(murk_bound *b, size_t chosen)
 {
     const size_t slots = b->evaluator->layout->slots;
     const float share = (float)share_of(b->round++);
-    b->looks += b->evaluator->matrix ? 0 : chosen;
-    murk_multipliers_slopes(&b->multipliers, b->top, chosen, b->down);
+    b->queries += b->evaluator->matrix ? 0 : chosen;
+    murk_multipliers_subgradient(&b->multipliers, b->top, chosen,
+                                 b->subgradient);
     for (size_t i = 0; i < slots; ++i) {
-        b->mean[i] += share * (b->down[i] - b->mean[i]);
+        b->mean[i] += share * (b->subgradient[i] - b->mean[i]);
     }
 }
 
 /* Where the mean leads out of a threshold's range it leads nowhere. */
-static inline float way_down(const murk_bound *b, size_t slot)
+static inline float projected_direction(const murk_bound *b, size_t slot)
 {
-    const float down = b->mean[slot], at = b->lowest[slot];
-    const bool is_out = down > 0 ? at < b->multipliers.floor[slot] + 0.5F
-                                 : at > MURK_CLEAR - 0.5F;
-    return is_out ? 0 : down;
+    const float subgradient = b->mean[slot], at = b->lowest[slot];
+    const bool is_out = subgradient > 0 ? at < b->multipliers.floor[slot] + 0.5F
+                                        : at > MURK_CLEAR - 0.5F;
+    return is_out ? 0 : subgradient;
 }
 
 /* sum w way_down^2, of whole numbers: the same for any order of the slots, and
  * however photons of equal views are put together. */
-static double square_of_way(const murk_bound *b)
+static double squared_norm(const murk_bound *b)
 {
     const murk_layout *layout = b->evaluator->layout;
     uint64_t low = 0, high = 0;
     for (size_t i = 0; i < layout->slots; ++i) {
-        float down = way_down(b, i) / SLOPE_UNIT;
-        down = down < 0 ? -down : down;
+        float subgradient = projected_direction(b, i) / SUBGRADIENT_UNIT;
+        subgradient = subgradient < 0 ? -subgradient : subgradient;
         const uint64_t whole =
-            (uint64_t)(down < SLOPE_MAX / SLOPE_UNIT ? down + 0.5F
-                                                     : SLOPE_MAX / SLOPE_UNIT);
+            (uint64_t)(subgradient < SUBGRADIENT_MAX / SUBGRADIENT_UNIT
+                           ? subgradient + 0.5F
+                           : SUBGRADIENT_MAX / SUBGRADIENT_UNIT);
         const uint64_t term = layout->weight[i] * (whole * whole);
         low += term & UINT32_MAX;
         high += term >> 32;
     }
     high += low >> 32;
     low &= UINT32_MAX;
-    return ((double)high * 0x1p32 + (double)low) * (double)SLOPE_UNIT *
-           (double)SLOPE_UNIT;
+    return ((double)high * 0x1p32 + (double)low) * (double)SUBGRADIENT_UNIT *
+           (double)SUBGRADIENT_UNIT;
 }
 
 /* One projected step from where the bound was lowest, in the metric of the
  * weights, so that merging equal photons changes nothing. */
-static void step_down(murk_bound *b, double excess)
+static void take_step(murk_bound *b, double excess)
 {
-    const double square = square_of_way(b);
+    const double square = squared_norm(b);
     const float length = square > 0 ? (float)(b->step * excess / square) : 0;
     for (size_t i = 0; i < b->evaluator->layout->slots; ++i) {
-        const float to = b->lowest[i] - length * way_down(b, i);
+        const float to = b->lowest[i] - length * projected_direction(b, i);
         const float min = b->multipliers.floor[i];
-        b->threshold[i] = to > MURK_CLEAR ? MURK_CLEAR : to > min ? to : min;
+        b->multiplier[i] = to > MURK_CLEAR ? MURK_CLEAR : to > min ? to : min;
     }
 }
 
@@ -238,8 +241,9 @@ static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 {
     if (b->partial) {
         return murk_sum_saturated(
-            b->base, murk_relaxed_top(&b->relaxed, b->partial, b->live, b->gain,
-                                      b->live_count, b->top, chosen));
+            b->base,
+            murk_relaxation_top(&b->relaxed, b->partial, b->live, b->gain,
+                                b->live_count, b->top, chosen));
     }
     *chosen = find_top(b, n);
     uint64_t sum = b->base;
@@ -252,20 +256,19 @@ static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 /* The bound at the present thresholds; b->top[chosen] make it. */
 static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
 {
-    b->base = murk_multipliers_take(&b->multipliers, b->threshold);
+    b->base = murk_multipliers_set(&b->multipliers, b->multiplier);
     murk_multipliers_gains(&b->multipliers, b->live, b->live_count, b->gain);
     b->evaluations += b->live_count;
-    b->looks += b->evaluator->matrix ? 0 : b->live_count;
+    b->queries += b->evaluator->matrix ? 0 : b->live_count;
     return sum_top(b, n, chosen);
 }
 
-static void drop_hopeless(murk_bound *b, size_t n, size_t chosen,
-                          uint64_t lower)
+static void fix_by_bound(murk_bound *b, size_t n, size_t chosen, uint64_t lower)
 {
     if (b->partial) {
-        leave_out_by_constraints(b, b->base, lower);
+        fix_candidates_constrained(b, b->base, lower);
     } else {
-        leave_out(b, b->base, n, chosen, lower);
+        fix_candidates(b, b->base, n, chosen, lower);
     }
 }
 
@@ -276,7 +279,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
     const size_t slots = o->layout->slots;
     uint64_t upper = o->ceiling, lowest = UINT64_MAX;
     size_t chosen = 0;
-    memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
+    memcpy(b->lowest, b->multiplier, slots * sizeof *b->lowest);
     for (size_t round = 0; round < rounds && upper > lower; ++round) {
         if (murk_interrupted() || (round > 0 && b->step < MIN_STEP)) {
             break;
@@ -286,7 +289,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             b->step *= lowest < UINT64_MAX ? GROW : 1;
             lowest = now;
             b->since_gain = 0;
-            memcpy(b->lowest, b->threshold, slots * sizeof *b->lowest);
+            memcpy(b->lowest, b->multiplier, slots * sizeof *b->lowest);
         } else if (++b->since_gain >= PATIENCE) {
             b->step *= SHRINK;
             b->since_gain = 0;
@@ -298,30 +301,30 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (upper <= lower) {
             break;
         }
-        if (round + 1 == rounds && !b->multipliers.stand) {
+        if (round + 1 == rounds && !b->multipliers.partial) {
             break;
         }
-        drop_hopeless(b, n, chosen, lower);
+        fix_by_bound(b, n, chosen, lower);
         if (round + 1 < rounds) {
-            take_slopes(b, chosen);
-            step_down(b, (double)(lowest - lower));
+            update_mean(b, chosen);
+            take_step(b, (double)(lowest - lower));
         }
     }
-    if (b->multipliers.stand && upper > lower && rounds > 0) {
-        memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
+    if (b->multipliers.partial && upper > lower && rounds > 0) {
+        memcpy(b->multiplier, b->lowest, slots * sizeof *b->multiplier);
         evaluate(b, n, &chosen);
-        drop_hopeless(b, n, chosen, lower);
+        fix_by_bound(b, n, chosen, lower);
     }
-    memcpy(b->threshold, b->lowest, slots * sizeof *b->threshold);
+    memcpy(b->multiplier, b->lowest, slots * sizeof *b->multiplier);
     return upper > lower ? upper : lower;
 }
 
-static void raise_to(murk_bound *b, const murk_cover *stand)
+static void set_partial_plan(murk_bound *b, const murk_cover *partial)
 {
-    murk_multipliers_stand(&b->multipliers, stand);
-    for (size_t i = 0; stand && i < b->evaluator->layout->slots; ++i) {
+    murk_multipliers_set_partial_plan(&b->multipliers, partial);
+    for (size_t i = 0; partial && i < b->evaluator->layout->slots; ++i) {
         const float min = b->multipliers.floor[i];
-        b->threshold[i] = b->threshold[i] > min ? b->threshold[i] : min;
+        b->multiplier[i] = b->multiplier[i] > min ? b->multiplier[i] : min;
     }
 }
 
@@ -330,25 +333,25 @@ static uint64_t tighten_by_constraints(murk_bound *b, size_t n, uint64_t lower,
                                        size_t rounds)
 {
     const murk_evaluator *o = b->evaluator;
-    const murk_constraints *constraints = o->book->constraints;
+    const murk_constraints *constraints = o->set->constraints;
     murk_cover_clear(&b->cover, o->layout);
     murk_partial_plan_clear(&b->fixed, n);
     for (size_t k = 0; k < constraints->fixed_count; ++k) {
         const uint32_t j = (uint32_t)constraints->fixed[k];
         const murk_row row = murk_evaluator_row(o, 0, j);
-        b->looks += o->matrix ? 0 : 1;
+        b->queries += o->matrix ? 0 : 1;
         murk_cover_add(&b->cover, o->layout, &row);
         murk_partial_plan_add(&b->fixed, j);
     }
     b->partial = &b->fixed;
     b->live_count = 0;
-    for (size_t k = 0; k < o->needed_count; ++k) {
-        if (murk_partial_plan_admits(&b->fixed, o->needed[k].candidate,
-                                     false)) {
-            b->live[b->live_count++] = o->needed[k].candidate;
+    for (size_t k = 0; k < o->presolved_count; ++k) {
+        if (murk_partial_plan_can_add(&b->fixed, o->presolved[k].candidate,
+                                      false)) {
+            b->live[b->live_count++] = o->presolved[k].candidate;
         }
     }
-    raise_to(b, &b->cover);
+    set_partial_plan(b, &b->cover);
     return descend(b, n - b->fixed.size, lower, rounds);
 }
 
@@ -365,21 +368,21 @@ uint64_t murk_bound_tighten(murk_bound *b, size_t n, uint64_t lower,
     }
     b->last_count = n;
     b->partial = NULL;
-    if (o->book) {
+    if (o->set) {
         return tighten_by_constraints(b, n, lower, rounds);
     }
-    raise_to(b, NULL);
-    b->live_count = o->needed_count;
-    for (size_t k = 0; k < o->needed_count; ++k) {
-        b->live[k] = o->needed[k].candidate;
+    set_partial_plan(b, NULL);
+    b->live_count = o->presolved_count;
+    for (size_t k = 0; k < o->presolved_count; ++k) {
+        b->live[k] = o->presolved[k].candidate;
     }
     return descend(b, n, lower, rounds);
 }
 
 uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
-                                   const murk_cover *stand, size_t rounds)
+                                   const murk_cover *partial, size_t rounds)
 {
-    raise_to(b, stand);
+    set_partial_plan(b, partial);
     if (b->last_count != n) {
         begin_descent(b);
     }
@@ -390,7 +393,7 @@ uint64_t murk_bound_tighten_within(murk_bound *b, size_t n, uint64_t lower,
 size_t murk_bound_top(murk_bound *b, size_t n, uint32_t *top)
 {
     size_t chosen = 0;
-    b->base = murk_multipliers_take(&b->multipliers, b->threshold);
+    b->base = murk_multipliers_set(&b->multipliers, b->multiplier);
     murk_multipliers_gains(&b->multipliers, b->live, b->live_count, b->gain);
     b->evaluations += b->live_count;
     sum_top(b, n, &chosen);

@@ -16,8 +16,8 @@
  * known are left out on the way.
  *
  * Under rules the top n become the best that the rules allow, or a little more
- * (placement/relaxed.h); fixed sensors are in every set, by thresholds that do
- * not go below what they see.
+ * (placement/relaxation.h); fixed sensors are in every set, by thresholds that
+ * do not go below what they see.
  *
  * Source: Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977) 789,
  * doi:10.1287/mnsc.23.8.789; Barahona and Anbil, Math. Program. 87 (2000) 385,
@@ -27,17 +27,17 @@
 #define MURK_PLACEMENT_BOUND_H
 
 #include "placement/multipliers.h"
-#include "placement/relaxed.h"
+#include "placement/relaxation.h"
 
 typedef struct murk_bound {
     const murk_evaluator *evaluator;
-    float *threshold; /* [slots] where the last call stopped */
-    float *lowest;    /* [slots] where its bound was lowest */
-    float *mean;      /* [slots] of slopes, of `round` rounds so far */
+    float *multiplier; /* [slots] where the last call stopped */
+    float *lowest;     /* [slots] where its bound was lowest */
+    float *mean;       /* [slots] of slopes, of `round` rounds so far */
     size_t round, since_gain;
     double step;
-    size_t last_count; /* that these belong to; 0: to none */
-    float *down;       /* [slots] slopes */
+    size_t last_count;  /* that these belong to; 0: to none */
+    float *subgradient; /* [slots] slopes */
     murk_multipliers multipliers;
     murk_cover cover; /* of the plan it starts from, or of the fixed */
     uint64_t *gain;   /* [candidates] above the thresholds */
@@ -46,8 +46,8 @@ typedef struct murk_bound {
     uint64_t base;        /* the first sum of the last evaluation */
     murk_ranked *top;     /* [candidates] */
     uint64_t evaluations; /* candidates weighed */
-    uint64_t looks;
-    murk_relaxed relaxed;             /* with rules: instead of the top n */
+    uint64_t queries;
+    murk_relaxation relaxed;          /* with rules: instead of the top n */
     const murk_partial_plan *partial; /* what the n join; NULL: no rules */
     murk_partial_plan fixed;          /* with rules: the fixed sensors */
 } murk_bound;
@@ -70,7 +70,7 @@ uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
  * Goes on from the present thresholds, raised to what stands. Afterwards live
  * and gain are those that can still be in a plan worth more than `lower`. */
 uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,
-                                   const murk_cover *stand, size_t rounds);
+                                   const murk_cover *partial, size_t rounds);
 
 /* Which of the live candidates the bound adds up at the thresholds of the last
  * call, where `n` may still join: top[], room for all candidates. Returns how

@@ -23,7 +23,8 @@ static int by_key(const void *a, const void *b)
     return (x->candidate > y->candidate) - (x->candidate < y->candidate);
 }
 
-static bool is_near(const murk_constraints *constraints, uint32_t a, uint32_t b)
+static bool is_too_close(const murk_constraints *constraints, uint32_t a,
+                         uint32_t b)
 {
     if (!(constraints->spacing_m > 0)) {
         return false;
@@ -77,37 +78,40 @@ static const char *class_name(const murk_constraints *constraints, size_t class,
     return out;
 }
 
-static double as_told(const murk_rulebook *book, uint64_t cost)
+static double in_user_units(const murk_constraint_set *set, uint64_t cost)
 {
-    const double unit = book->constraints->cost_unit;
+    const double unit = set->constraints->cost_unit;
     return (double)cost * (unit > 0 ? unit : 1);
 }
 
 /* Of two fixed sensors, by number, that do. */
-static const char *why_excluded(const murk_rulebook *book, size_t i, size_t k)
+static const char *why_excluded(const murk_constraint_set *set, size_t i,
+                                size_t k)
 {
-    const uint32_t a = (uint32_t)book->constraints->fixed[i],
-                   b = (uint32_t)book->constraints->fixed[k];
-    return book->site && book->site[a] == book->site[b]
+    const uint32_t a = (uint32_t)set->constraints->fixed[i],
+                   b = (uint32_t)set->constraints->fixed[k];
+    return set->site && set->site[a] == set->site[b]
                ? "one sensor may stand at a site"
-           : is_near(book->constraints, a, b)
+           : is_too_close(set->constraints, a, b)
                ? "they stand closer than the least spacing"
                : "they are given as a conflict";
 }
 
-bool murk_rulebook_excludes(const murk_rulebook *book, uint32_t a, uint32_t b)
+bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
+                                  uint32_t b)
 {
-    return (book->site && book->site[a] == book->site[b]) ||
-           is_near(book->constraints, a, b) ||
-           is_listed(book->constraints, a, b);
+    return (set->site && set->site[a] == set->site[b]) ||
+           is_too_close(set->constraints, a, b) ||
+           is_listed(set->constraints, a, b);
 }
 
 /* Whether whatever excludes a is b, or excludes b as well: sites and spacing by
  * the plain cases, one site or one place. */
-static bool is_freer(const murk_rulebook *book, uint32_t a, uint32_t b)
+static bool has_fewer_conflicts(const murk_constraint_set *set, uint32_t a,
+                                uint32_t b)
 {
-    const murk_constraints *constraints = book->constraints;
-    if (book->site && book->site[a] != book->site[b]) {
+    const murk_constraints *constraints = set->constraints;
+    if (set->site && set->site[a] != set->site[b]) {
         return false;
     }
     if (constraints->spacing_m > 0 &&
@@ -127,19 +131,20 @@ static bool is_freer(const murk_rulebook *book, uint32_t a, uint32_t b)
     return true;
 }
 
-bool murk_rulebook_may_drop(const murk_rulebook *book, uint32_t a, uint32_t b)
+bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
+                                  uint32_t b)
 {
-    const uint32_t class = book->class_of[a];
-    if (book->is_fixed[b] || class != book->class_of[b] ||
-        murk_rulebook_cost(book, a) > murk_rulebook_cost(book, b) ||
-        !is_freer(book, a, b)) {
+    const uint32_t class = set->class_of[a];
+    if (set->is_fixed[b] || class != set->class_of[b] ||
+        murk_constraint_set_cost(set, a) > murk_constraint_set_cost(set, b) ||
+        !has_fewer_conflicts(set, a, b)) {
         return false;
     }
     /* Where both may stand, b may be needed for the mere number: a plan of
      * exactly n can be filled up again only where nothing excludes. */
     const bool may_go =
-        book->has_budget ? book->min[class] == 0 : !book->has_conflicts;
-    return may_go || murk_rulebook_excludes(book, a, b);
+        set->has_budget ? set->min[class] == 0 : !set->has_conflicts;
+    return may_go || murk_constraint_set_conflict(set, a, b);
 }
 
 static murk_status check_costs(const murk_constraints *constraints,
@@ -200,58 +205,58 @@ static murk_status check_conflicts(const murk_constraints *constraints,
     return MURK_OK;
 }
 
-static bool allocate(murk_rulebook *book)
+static bool allocate(murk_constraint_set *set)
 {
-    const size_t n = book->candidates + 1, classes = book->classes + 1;
-    book->class_of = calloc(n, sizeof *book->class_of);
-    book->min = calloc(classes, sizeof *book->min);
-    book->max = calloc(classes, sizeof *book->max);
-    book->is_fixed = calloc(n, sizeof *book->is_fixed);
-    book->by_cost = calloc(n, sizeof *book->by_cost);
-    book->class_first = calloc(classes + 1, sizeof *book->class_first);
-    if (book->constraints->site) {
-        book->site = calloc(n, sizeof *book->site);
+    const size_t n = set->candidates + 1, classes = set->classes + 1;
+    set->class_of = calloc(n, sizeof *set->class_of);
+    set->min = calloc(classes, sizeof *set->min);
+    set->max = calloc(classes, sizeof *set->max);
+    set->is_fixed = calloc(n, sizeof *set->is_fixed);
+    set->by_cost = calloc(n, sizeof *set->by_cost);
+    set->class_first = calloc(classes + 1, sizeof *set->class_first);
+    if (set->constraints->site) {
+        set->site = calloc(n, sizeof *set->site);
     }
-    return book->class_of && book->min && book->max && book->is_fixed &&
-           book->by_cost && book->class_first &&
-           (book->site || !book->constraints->site);
+    return set->class_of && set->min && set->max && set->is_fixed &&
+           set->by_cost && set->class_first &&
+           (set->site || !set->constraints->site);
 }
 
 /* Numbers the sites anew, without gaps. scratch[candidates]. */
-static void index_sites(murk_rulebook *book, keyed *scratch)
+static void index_sites(murk_constraint_set *set, keyed *scratch)
 {
-    for (size_t j = 0; j < book->candidates; ++j) {
-        scratch[j] = (keyed){book->constraints->site[j], 0, (uint32_t)j};
+    for (size_t j = 0; j < set->candidates; ++j) {
+        scratch[j] = (keyed){set->constraints->site[j], 0, (uint32_t)j};
     }
-    qsort(scratch, book->candidates, sizeof *scratch, by_key);
-    for (size_t k = 0; k < book->candidates; ++k) {
-        book->sites += k == 0 || scratch[k].key != scratch[k - 1].key;
-        book->site[scratch[k].candidate] = (uint32_t)(book->sites - 1);
+    qsort(scratch, set->candidates, sizeof *scratch, by_key);
+    for (size_t k = 0; k < set->candidates; ++k) {
+        set->sites += k == 0 || scratch[k].key != scratch[k - 1].key;
+        set->site[scratch[k].candidate] = (uint32_t)(set->sites - 1);
     }
 }
 
-static void index_costs(murk_rulebook *book, keyed *scratch)
+static void index_costs(murk_constraint_set *set, keyed *scratch)
 {
-    for (size_t j = 0; j < book->candidates; ++j) {
-        const uint32_t class = book->class_of[j];
-        scratch[j] =
-            (keyed){class, murk_rulebook_cost(book, (uint32_t)j), (uint32_t)j};
-        ++book->class_first[class + 1];
+    for (size_t j = 0; j < set->candidates; ++j) {
+        const uint32_t class = set->class_of[j];
+        scratch[j] = (keyed){class, murk_constraint_set_cost(set, (uint32_t)j),
+                             (uint32_t)j};
+        ++set->class_first[class + 1];
     }
-    for (size_t c = 0; c < book->classes; ++c) {
-        book->class_first[c + 1] += book->class_first[c];
+    for (size_t c = 0; c < set->classes; ++c) {
+        set->class_first[c + 1] += set->class_first[c];
     }
-    qsort(scratch, book->candidates, sizeof *scratch, by_key);
-    for (size_t k = 0; k < book->candidates; ++k) {
-        book->by_cost[k] = scratch[k].candidate;
+    qsort(scratch, set->candidates, sizeof *scratch, by_key);
+    for (size_t k = 0; k < set->candidates; ++k) {
+        set->by_cost[k] = scratch[k].candidate;
     }
 }
 
-static murk_status index_classes(murk_rulebook *book, murk_error *err)
+static murk_status index_classes(murk_constraint_set *set, murk_error *err)
 {
-    const murk_constraints *constraints = book->constraints;
-    for (size_t j = 0; constraints->classes > 0 && j < book->candidates; ++j) {
-        book->class_of[j] = constraints->class_of[j];
+    const murk_constraints *constraints = set->constraints;
+    for (size_t j = 0; constraints->classes > 0 && j < set->candidates; ++j) {
+        set->class_of[j] = constraints->class_of[j];
         if (constraints->class_of[j] >= constraints->classes) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "class of candidate %zu is %u, must be below %zu",
@@ -261,11 +266,11 @@ static murk_status index_classes(murk_rulebook *book, murk_error *err)
     return MURK_OK;
 }
 
-static murk_status index_counts(murk_rulebook *book, murk_error *err)
+static murk_status index_counts(murk_constraint_set *set, murk_error *err)
 {
-    const murk_constraints *constraints = book->constraints;
-    for (size_t c = 0; c < book->classes; ++c) {
-        const size_t size = book->class_first[c + 1] - book->class_first[c];
+    const murk_constraints *constraints = set->constraints;
+    for (size_t c = 0; c < set->classes; ++c) {
+        const size_t size = set->class_first[c + 1] - set->class_first[c];
         const bool is_given = constraints->classes > 0;
         const size_t min =
             is_given && constraints->min ? constraints->min[c] : 0;
@@ -275,125 +280,128 @@ static murk_status index_counts(murk_rulebook *book, murk_error *err)
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "%s must have at least %zu sensors, but has "
                              "only %zu usable candidates",
-                             class_name(book->constraints, c, (name){{0}}.text),
+                             class_name(set->constraints, c, (name){{0}}.text),
                              min, size);
         }
         if (min > max) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "%s must have at least %zu sensors, but at most "
                              "%zu",
-                             class_name(book->constraints, c, (name){{0}}.text),
+                             class_name(set->constraints, c, (name){{0}}.text),
                              min, max);
         }
-        book->min[c] = min;
-        book->max[c] = max < size ? max : size;
-        book->has_min |= min > 0;
-        book->has_caps |= max < size;
+        set->min[c] = min;
+        set->max[c] = max < size ? max : size;
+        set->has_min |= min > 0;
+        set->has_caps |= max < size;
     }
     return MURK_OK;
 }
 
-static murk_status index_fixed(murk_rulebook *book, murk_error *err)
+static murk_status index_fixed(murk_constraint_set *set, murk_error *err)
 {
-    const murk_constraints *constraints = book->constraints;
+    const murk_constraints *constraints = set->constraints;
     for (size_t k = 0; k < constraints->fixed_count; ++k) {
         const size_t j = constraints->fixed[k];
-        if (j >= book->candidates) {
+        if (j >= set->candidates) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "fixed sensor at candidate %zu, must be below "
                              "%zu",
-                             j, book->candidates);
+                             j, set->candidates);
         }
-        if (book->is_fixed[j]) {
+        if (set->is_fixed[j]) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "fixed sensor at candidate %zu is given twice", j);
         }
         for (size_t i = 0; i < k; ++i) {
-            if (murk_rulebook_excludes(book, (uint32_t)constraints->fixed[i],
-                                       (uint32_t)j)) {
+            if (murk_constraint_set_conflict(
+                    set, (uint32_t)constraints->fixed[i], (uint32_t)j)) {
                 return murk_fail(
                     err, MURK_BAD_VALUE, "",
                     "fixed sensors %zu and %zu exclude each other: "
                     "%s",
-                    i, k, why_excluded(book, i, k));
+                    i, k, why_excluded(set, i, k));
             }
         }
-        book->is_fixed[j] = true;
+        set->is_fixed[j] = true;
     }
     return MURK_OK;
 }
 
-static size_t fixed_of_class(const murk_rulebook *book, size_t class)
+static size_t fixed_of_class(const murk_constraint_set *set, size_t class)
 {
     size_t sum = 0;
-    for (size_t k = 0; k < book->constraints->fixed_count; ++k) {
-        sum += book->class_of[book->constraints->fixed[k]] == class;
+    for (size_t k = 0; k < set->constraints->fixed_count; ++k) {
+        sum += set->class_of[set->constraints->fixed[k]] == class;
     }
     return sum;
 }
 
 /* What fixed sensors and least counts cost at least. */
-static uint64_t min_cost(const murk_rulebook *book)
+static uint64_t min_cost(const murk_constraint_set *set)
 {
     uint64_t sum = 0;
-    for (size_t k = 0; k < book->constraints->fixed_count; ++k) {
-        sum += murk_rulebook_cost(book, (uint32_t)book->constraints->fixed[k]);
+    for (size_t k = 0; k < set->constraints->fixed_count; ++k) {
+        sum +=
+            murk_constraint_set_cost(set, (uint32_t)set->constraints->fixed[k]);
     }
-    for (size_t c = 0; c < book->classes; ++c) {
-        size_t have = fixed_of_class(book, c);
-        for (size_t k = book->class_first[c];
-             k < book->class_first[c + 1] && have < book->min[c]; ++k) {
-            if (!book->is_fixed[book->by_cost[k]]) {
-                sum += murk_rulebook_cost(book, book->by_cost[k]);
-                ++have;
+    for (size_t c = 0; c < set->classes; ++c) {
+        size_t class_count = fixed_of_class(set, c);
+        for (size_t k = set->class_first[c];
+             k < set->class_first[c + 1] && class_count < set->min[c]; ++k) {
+            if (!set->is_fixed[set->by_cost[k]]) {
+                sum += murk_constraint_set_cost(set, set->by_cost[k]);
+                ++class_count;
             }
         }
     }
     return sum;
 }
 
-static murk_status check_budget(const murk_rulebook *book, murk_error *err)
+static murk_status check_budget(const murk_constraint_set *set, murk_error *err)
 {
-    if (!book->has_budget) {
+    if (!set->has_budget) {
         return MURK_OK;
     }
-    const uint64_t needed = min_cost(book);
-    if (needed > book->budget) {
+    const uint64_t needed = min_cost(set);
+    if (needed > set->budget) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "budget is %.10g, but fixed sensors and least counts "
                          "cost %.10g at least",
-                         as_told(book, book->budget), as_told(book, needed));
+                         in_user_units(set, set->budget),
+                         in_user_units(set, needed));
     }
     uint64_t cheapest = UINT64_MAX;
-    for (uint32_t j = 0; j < book->candidates; ++j) {
-        const uint64_t cost = murk_rulebook_cost(book, j);
+    for (uint32_t j = 0; j < set->candidates; ++j) {
+        const uint64_t cost = murk_constraint_set_cost(set, j);
         cheapest = cost < cheapest ? cost : cheapest;
     }
-    if (book->constraints->fixed_count == 0 && cheapest > book->budget) {
+    if (set->constraints->fixed_count == 0 && cheapest > set->budget) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "budget is %.10g, but the cheapest candidate costs "
                          "%.10g",
-                         as_told(book, book->budget), as_told(book, cheapest));
+                         in_user_units(set, set->budget),
+                         in_user_units(set, cheapest));
     }
     return MURK_OK;
 }
 
 /* What of the count can be seen at once. */
-static murk_status check_count(murk_rulebook *book, size_t count, bool is_max,
-                               murk_error *err)
+static murk_status check_count(murk_constraint_set *set, size_t count,
+                               bool is_max, murk_error *err)
 {
     size_t needed = 0, allowed = 0;
-    for (size_t c = 0; c < book->classes; ++c) {
-        const size_t fixed = fixed_of_class(book, c);
-        if (fixed > book->max[c]) {
+    for (size_t c = 0; c < set->classes; ++c) {
+        const size_t fixed = fixed_of_class(set, c);
+        if (fixed > set->max[c]) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "%s may have at most %zu sensors, but %zu are "
                              "fixed",
-                             class_name(book->constraints, c, (name){{0}}.text),
-                             book->max[c], fixed);
+                             class_name(set->constraints, c, (name){{0}}.text),
+                             set->max[c], fixed);
         }
-        needed += fixed > book->min[c] ? fixed : book->min[c];
-        allowed += book->max[c];
+        needed += fixed > set->min[c] ? fixed : set->min[c];
+        allowed += set->max[c];
     }
     if (needed > count) {
         return murk_fail(err, MURK_BAD_VALUE, "",
@@ -407,31 +415,31 @@ static murk_status check_count(murk_rulebook *book, size_t count, bool is_max,
                          "counts allow only %zu",
                          count, allowed);
     }
-    if (!is_max && book->site && book->sites < count) {
+    if (!is_max && set->site && set->sites < count) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%zu sensors asked for, but only %zu sites, with one "
                          "sensor each",
-                         count, book->sites);
+                         count, set->sites);
     }
-    allowed = book->site && book->sites < allowed ? book->sites : allowed;
-    book->max_sensors = count < allowed ? count : allowed;
-    book->fewest_sensors = needed > 0 ? needed : 1;
-    if (needed > book->max_sensors) {
+    allowed = set->site && set->sites < allowed ? set->sites : allowed;
+    set->max_sensors = count < allowed ? count : allowed;
+    set->min_sensors = needed > 0 ? needed : 1;
+    if (needed > set->max_sensors) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "fixed sensors and least counts need %zu sensors, "
                          "but only %zu may stand, one a site",
-                         needed, book->max_sensors);
+                         needed, set->max_sensors);
     }
     return MURK_OK;
 }
 
-murk_status murk_rulebook_init(murk_rulebook *out,
-                               const murk_constraints *constraints,
-                               size_t candidates, size_t count, bool is_max,
-                               murk_error *err)
+murk_status murk_constraint_set_init(murk_constraint_set *out,
+                                     const murk_constraints *constraints,
+                                     size_t candidates, size_t count,
+                                     bool is_max, murk_error *err)
 {
     assert(constraints->classes == 0 || constraints->class_of);
-    *out = (murk_rulebook){
+    *out = (murk_constraint_set){
         .constraints = constraints,
         .candidates = candidates,
         .classes = constraints->classes > 0 ? constraints->classes : 1,
@@ -475,19 +483,19 @@ murk_status murk_rulebook_init(murk_rulebook *out,
     }
     free(scratch);
     if (status) {
-        murk_rulebook_release(out);
+        murk_constraint_set_release(out);
     }
     return status;
 }
 
-void murk_rulebook_release(murk_rulebook *book)
+void murk_constraint_set_release(murk_constraint_set *set)
 {
-    free(book->class_of);
-    free(book->site);
-    free(book->min);
-    free(book->max);
-    free(book->is_fixed);
-    free(book->by_cost);
-    free(book->class_first);
-    *book = (murk_rulebook){0};
+    free(set->class_of);
+    free(set->site);
+    free(set->min);
+    free(set->max);
+    free(set->is_fixed);
+    free(set->by_cost);
+    free(set->class_first);
+    *set = (murk_constraint_set){0};
 }

@@ -38,12 +38,12 @@ typedef struct murk_constraints {
 } murk_constraints;
 
 /* Rules, checked and indexed. Immutable while plans are searched. */
-typedef struct murk_rulebook {
+typedef struct murk_constraint_set {
     const murk_constraints *constraints;
     size_t candidates, classes;
-    size_t fewest_sensors, max_sensors; /* that a plan may have, >= 1 */
-    uint32_t *class_of;                 /* [candidates] */
-    uint32_t *site; /* [candidates] below sites; NULL: none */
+    size_t min_sensors, max_sensors; /* that a plan may have, >= 1 */
+    uint32_t *class_of;              /* [candidates] */
+    uint32_t *site;                  /* [candidates] below sites; NULL: none */
     size_t sites;
     size_t *min, *max;   /* [classes]; most at most the class's size */
     bool *is_fixed;      /* [candidates] */
@@ -51,29 +51,30 @@ typedef struct murk_rulebook {
     size_t *class_first; /* [classes + 1] into by_cost */
     uint64_t budget;
     bool has_budget, has_min, has_caps, has_conflicts;
-} murk_rulebook;
+} murk_constraint_set;
 
 /* Refuses, in one line, rules that contradict each other. `count` sensors are
  * wanted; with is_most, at most so many. Borrows the rules. */
-murk_status murk_rulebook_init(murk_rulebook *out,
-                               const murk_constraints *constraints,
-                               size_t candidates, size_t count, bool is_max,
-                               murk_error *err);
-void murk_rulebook_release(murk_rulebook *book);
+murk_status murk_constraint_set_init(murk_constraint_set *out,
+                                     const murk_constraints *constraints,
+                                     size_t candidates, size_t count,
+                                     bool is_max, murk_error *err);
+void murk_constraint_set_release(murk_constraint_set *set);
 
-static inline uint64_t murk_rulebook_cost(const murk_rulebook *book,
-                                          uint32_t candidate)
+static inline uint64_t murk_constraint_set_cost(const murk_constraint_set *set,
+                                                uint32_t candidate)
 {
-    return book->constraints->cost
-               ? (uint64_t)book->constraints->cost[candidate]
-               : 0;
+    return set->constraints->cost ? (uint64_t)set->constraints->cost[candidate]
+                                  : 0;
 }
 
 /* Whether two distinct candidates exclude each other. */
-bool murk_rulebook_excludes(const murk_rulebook *book, uint32_t a, uint32_t b);
+bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
+                                  uint32_t b);
 
 /* Whether b, which sees no more than a, is needed in no plan: wherever it may
  * stand a may, too, and where both stand b may go, or serve to fill. */
-bool murk_rulebook_may_drop(const murk_rulebook *book, uint32_t a, uint32_t b);
+bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
+                                  uint32_t b);
 
 #endif

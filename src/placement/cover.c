@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool init(murk_cover *out, const murk_layout *layout, bool all_clear,
+static bool init(murk_cover *out, const murk_layout *layout, bool is_binary,
                  size_t layers, bool has_doses)
 {
     *out = (murk_cover){.layers = layers};
-    if (all_clear) {
+    if (is_binary) {
         out->full =
             murk_aligned_zeros(layers * layout->words * sizeof *out->full);
         return out->full;
@@ -24,15 +24,15 @@ static bool init(murk_cover *out, const murk_layout *layout, bool all_clear,
     return true;
 }
 
-bool murk_cover_init(murk_cover *out, const murk_layout *layout, bool all_clear)
+bool murk_cover_init(murk_cover *out, const murk_layout *layout, bool is_binary)
 {
-    return init(out, layout, all_clear, layout->layers, layout->doses);
+    return init(out, layout, is_binary, layout->layers, layout->doses);
 }
 
 bool murk_cover_init_single(murk_cover *out, const murk_layout *layout,
-                            bool all_clear)
+                            bool is_binary)
 {
-    return init(out, layout, all_clear, 1, false);
+    return init(out, layout, is_binary, 1, false);
 }
 
 void murk_cover_release(murk_cover *cover)
@@ -129,8 +129,8 @@ static void add_to_best(uint16_t *best, const murk_layout *layout,
 }
 
 /* Each layer keeps what it has and hands down what it need not. */
-static void sink_bits(const murk_cover *cover, const murk_layout *layout,
-                      size_t word, uint64_t bits)
+static void insert_bits(const murk_cover *cover, const murk_layout *layout,
+                        size_t word, uint64_t bits)
 {
     for (size_t k = cover->layers; k-- > 0 && bits;) {
         uint64_t *at = &cover->full[k * layout->words + word];
@@ -140,8 +140,8 @@ static void sink_bits(const murk_cover *cover, const murk_layout *layout,
     }
 }
 
-static void sink_clarity(const murk_cover *cover, const murk_layout *layout,
-                         size_t slot, uint16_t clarity)
+static void insert_clarity(const murk_cover *cover, const murk_layout *layout,
+                           size_t slot, uint16_t clarity)
 {
     for (size_t k = cover->layers; k-- > 0;) {
         uint16_t *at = &cover->best[k * layout->slots + slot];
@@ -158,7 +158,7 @@ static void add_to_layers(murk_cover *cover, const murk_layout *layout,
 {
     if (row->kind == MURK_ROW_BITS && cover->full) {
         for (size_t k = 0; k < row->words; ++k) {
-            sink_bits(cover, layout, murk_row_word(row, k), row->bits[k]);
+            insert_bits(cover, layout, murk_row_word(row, k), row->bits[k]);
         }
         return;
     }
@@ -167,9 +167,9 @@ static void add_to_layers(murk_cover *cover, const murk_layout *layout,
     for (murk_row_walk walk = murk_row_begin(layout, row);
          murk_row_next(&walk, &slot, &clarity);) {
         if (cover->full) {
-            sink_bits(cover, layout, slot / 64, UINT64_C(1) << (slot % 64));
+            insert_bits(cover, layout, slot / 64, UINT64_C(1) << (slot % 64));
         } else {
-            sink_clarity(cover, layout, slot, clarity);
+            insert_clarity(cover, layout, slot, clarity);
         }
     }
 }
@@ -208,10 +208,11 @@ void murk_cover_join(murk_cover *cover, const murk_layout *layout,
     }
     for (size_t k = 0; !cover->dose && k < other->layers; ++k) {
         for (size_t i = 0; cover->full && i < layout->words; ++i) {
-            sink_bits(cover, layout, i, other->full[k * layout->words + i]);
+            insert_bits(cover, layout, i, other->full[k * layout->words + i]);
         }
         for (size_t i = 0; cover->best && i < layout->slots; ++i) {
-            sink_clarity(cover, layout, i, other->best[k * layout->slots + i]);
+            insert_clarity(cover, layout, i,
+                           other->best[k * layout->slots + i]);
         }
     }
 }

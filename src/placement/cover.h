@@ -21,10 +21,10 @@ typedef struct murk_cover {
 /* Empty, of the layout's objective; as bits where all_clear. False when out of
  * memory. */
 bool murk_cover_init(murk_cover *out, const murk_layout *layout,
-                     bool all_clear);
+                     bool is_binary);
 /* The same, but of the clearest view alone, whatever the objective. */
 bool murk_cover_init_single(murk_cover *out, const murk_layout *layout,
-                            bool all_clear);
+                            bool is_binary);
 void murk_cover_release(murk_cover *cover);
 void murk_cover_clear(murk_cover *cover, const murk_layout *layout);
 /* Both of one form. */

@@ -4,11 +4,12 @@
 
 /* Taken off before rounding down, in units of the result: far more than the
  * last digits of expm1() and log1p(), and far less than a unit. */
-#define ROOM 0x1p-10
+#define ROUNDING_MARGIN 0x1p-10
 
 static uint32_t floor_of(double value)
 {
-    return value > ROOM ? (uint32_t)floor(value - ROOM) : 0;
+    return value > ROUNDING_MARGIN ? (uint32_t)floor(value - ROUNDING_MARGIN)
+                                   : 0;
 }
 
 /* The first steps are the steepest: 65535 * 64 units, times 1023. */

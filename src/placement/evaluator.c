@@ -16,7 +16,7 @@
  * taking. A look is always worth it. */
 #define ROWS_AT_ONCE 16
 
-typedef struct weighing {
+typedef struct evaluation {
     const murk_evaluator *evaluator;
     const murk_cover *cover;
     const uint32_t *candidate; /* NULL: candidate k is k */
@@ -24,8 +24,8 @@ typedef struct weighing {
     murk_cover *seen; /* [threads] joined with every row, or NULL */
     uint64_t *slack;  /* with it, or NULL */
     size_t n, at_once;
-    bool is_max; /* murk_evaluator_mosts() */
-} weighing;
+    bool is_max; /* murk_evaluator_gain_bounds() */
+} evaluation;
 
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate)
@@ -33,26 +33,26 @@ murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
     if (evaluator->matrix) {
         return evaluator->matrix->row[candidate];
     }
-    murk_look look;
-    evaluator->problem->look(evaluator->problem->context, worker, candidate,
-                             &look);
-    return murk_row_borrow(&look);
+    murk_sparse_row entries;
+    evaluator->problem->get_row(evaluator->problem->context, worker, candidate,
+                                &entries);
+    return murk_row_borrow(&entries);
 }
 
-static uint32_t candidate_of(const weighing *w, size_t k)
+static uint32_t candidate_of(const evaluation *w, size_t k)
 {
     return w->candidate ? w->candidate[k] : (uint32_t)k;
 }
 
-static void weigh(const weighing *w, unsigned worker, size_t batch)
+static void evaluate(const evaluation *w, unsigned worker, size_t batch)
 {
     const murk_layout *layout = w->evaluator->layout;
     const uint32_t candidate = candidate_of(w, batch);
     const murk_row row = murk_evaluator_row(w->evaluator, worker, candidate);
     if (w->is_max) {
-        w->gain[batch] =
-            murk_row_rest(layout, &row, w->cover) +
-            MURK_REST_SLACK / MURK_WORTH_SLACK * w->evaluator->slack[candidate];
+        w->gain[batch] = murk_row_gain_bound(layout, &row, w->cover) +
+                         MURK_GAIN_BOUND_SLACK / MURK_WORTH_SLACK *
+                             w->evaluator->slack[candidate];
         return;
     }
     w->gain[batch] = murk_row_gain(layout, &row, w->cover);
@@ -66,7 +66,7 @@ static void weigh(const weighing *w, unsigned worker, size_t batch)
 }
 
 /* Rows lie where they were stored: the next one comes while one is weighed. */
-static void fetch(const weighing *w, size_t k, size_t end)
+static void prefetch_next(const evaluation *w, size_t k, size_t end)
 {
     if (w->evaluator->matrix && k + 1 < end) {
         const murk_row *row = w->evaluator->matrix->row;
@@ -77,28 +77,28 @@ static void fetch(const weighing *w, size_t k, size_t end)
     }
 }
 
-static void weigh_some(const weighing *w, unsigned worker, size_t begin,
-                       size_t end)
+static void evaluate_range(const evaluation *w, unsigned worker, size_t begin,
+                           size_t end)
 {
     for (size_t k = begin; k < end; ++k) {
-        fetch(w, k, end);
-        weigh(w, worker, k);
+        prefetch_next(w, k, end);
+        evaluate(w, worker, k);
     }
 }
 
-static void weigh_batch(void *context, unsigned worker, uint64_t batch)
+static void evaluate_batch(void *context, unsigned worker, uint64_t batch)
 {
-    const weighing *w = context;
+    const evaluation *w = context;
     const size_t past = ((size_t)batch + 1) * w->at_once;
-    weigh_some(w, worker, (size_t)batch * w->at_once,
-               past < w->n ? past : w->n);
+    evaluate_range(w, worker, (size_t)batch * w->at_once,
+                   past < w->n ? past : w->n);
 }
 
-static void weigh_all(weighing *w, unsigned threads)
+static void evaluate_in_batches(evaluation *w, unsigned threads)
 {
     w->at_once = w->evaluator->matrix ? ROWS_AT_ONCE : 1;
     murk_pool_run_workers(threads, (w->n + w->at_once - 1) / w->at_once,
-                          weigh_batch, w);
+                          evaluate_batch, w);
 }
 
 /* Time to weigh a row of visibility factors, or of detection probabilities,
@@ -110,7 +110,7 @@ uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
                              uint64_t candidates)
 {
     const uint64_t row = evaluator->problem->photons *
-                         (evaluator->all_clear       ? 1
+                         (evaluator->is_binary       ? 1
                           : evaluator->layout->doses ? WORK_OF_CHANCES
                                                      : WORK_OF_CLARITIES);
     return candidates * (row > MURK_ROW_WORK_MIN ? row : MURK_ROW_WORK_MIN);
@@ -123,13 +123,13 @@ unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n)
     return is_worth ? evaluator->problem->threads : 1;
 }
 
-static void weigh_over(weighing *w, unsigned threads, unsigned worker)
+static void evaluate_all(evaluation *w, unsigned threads, unsigned worker)
 {
     if (threads > 1 && murk_evaluator_threads(w->evaluator, w->n) > 1) {
-        weigh_all(w, threads);
+        evaluate_in_batches(w, threads);
         return;
     }
-    weigh_some(w, worker, 0, w->n);
+    evaluate_range(w, worker, 0, w->n);
 }
 
 void murk_evaluator_gains(const murk_evaluator *evaluator,
@@ -137,26 +137,27 @@ void murk_evaluator_gains(const murk_evaluator *evaluator,
                           size_t n, unsigned threads, unsigned worker,
                           uint64_t *gain)
 {
-    weighing w = {.evaluator = evaluator,
-                  .cover = cover,
-                  .candidate = candidate,
-                  .gain = gain,
-                  .n = n};
-    weigh_over(&w, threads, worker);
+    evaluation w = {.evaluator = evaluator,
+                    .cover = cover,
+                    .candidate = candidate,
+                    .gain = gain,
+                    .n = n};
+    evaluate_all(&w, threads, worker);
 }
 
-void murk_evaluator_mosts(const murk_evaluator *evaluator,
-                          const murk_cover *cover, const uint32_t *candidate,
-                          size_t n, unsigned threads, unsigned worker,
-                          uint64_t *max)
+void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
+                                const murk_cover *cover,
+                                const uint32_t *candidate, size_t n,
+                                unsigned threads, unsigned worker,
+                                uint64_t *max)
 {
-    weighing w = {.evaluator = evaluator,
-                  .cover = cover,
-                  .candidate = candidate,
-                  .gain = max,
-                  .n = n,
-                  .is_max = true};
-    weigh_over(&w, threads, worker);
+    evaluation w = {.evaluator = evaluator,
+                    .cover = cover,
+                    .candidate = candidate,
+                    .gain = max,
+                    .n = n,
+                    .is_max = true};
+    evaluate_all(&w, threads, worker);
 }
 
 static int by_rank(const void *a, const void *b)
@@ -174,14 +175,14 @@ void murk_ranked_sort(murk_ranked *ranked, size_t n)
 }
 
 /* Each candidate's value alone, and the ceiling: all of them together. */
-static murk_status weigh_alone(murk_evaluator *o, murk_error *err)
+static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
 {
     const unsigned threads = o->problem->threads;
     murk_cover empty = {0};
     murk_cover *seen = calloc(threads, sizeof *seen);
-    bool has_memory = seen && murk_cover_init(&empty, o->layout, o->all_clear);
+    bool has_memory = seen && murk_cover_init(&empty, o->layout, o->is_binary);
     for (unsigned k = 0; has_memory && k < threads; ++k) {
-        has_memory = murk_cover_init(&seen[k], o->layout, o->all_clear);
+        has_memory = murk_cover_init(&seen[k], o->layout, o->is_binary);
     }
     murk_status status = MURK_OK;
     if (!has_memory) {
@@ -190,21 +191,21 @@ static murk_status weigh_alone(murk_evaluator *o, murk_error *err)
                            o->layout->photons);
         goto done;
     }
-    weighing w = {.evaluator = o,
-                  .cover = &empty,
-                  .gain = o->alone,
-                  .seen = seen,
-                  .slack = o->slack,
-                  .n = o->candidates};
+    evaluation w = {.evaluator = o,
+                    .cover = &empty,
+                    .gain = o->single_value,
+                    .seen = seen,
+                    .slack = o->slack,
+                    .n = o->candidates};
     murk_progress_begin(o->matrix ? "weigh" : "look", o->candidates,
                         "candidates");
-    weigh_all(&w, threads);
+    evaluate_in_batches(&w, threads);
     murk_progress_end();
     for (unsigned k = 1; k < threads; ++k) {
         murk_cover_join(&seen[0], o->layout, &seen[k]);
     }
     o->ceiling = murk_cover_value(&seen[0], o->layout);
-    o->looks = o->matrix ? 0 : o->candidates;
+    o->queries = o->matrix ? 0 : o->candidates;
 done:
     for (unsigned k = 0; seen && k < threads; ++k) {
         murk_cover_release(&seen[k]);
@@ -232,15 +233,15 @@ static int by_cost(const void *a, const void *b)
 
 /* Among those worth the same, so that the cheaper dominates. False when out of
  * memory. */
-static bool put_cheaper_first(const murk_evaluator *o, uint32_t *order)
+static bool sort_ties_by_cost(const murk_evaluator *o, uint32_t *order)
 {
     costed *same = malloc((o->candidates + 1) * sizeof *same);
     for (size_t first = 0; same && first < o->candidates;) {
         size_t n = 0;
-        while (first + n < o->candidates &&
-               o->alone[order[first + n]] == o->alone[order[first]]) {
+        while (first + n < o->candidates && o->single_value[order[first + n]] ==
+                                                o->single_value[order[first]]) {
             const uint32_t j = order[first + n];
-            same[n] = (costed){murk_rulebook_cost(o->book, j), n, j};
+            same[n] = (costed){murk_constraint_set_cost(o->set, j), n, j};
             ++n;
         }
         qsort(same, n, sizeof *same, by_cost);
@@ -263,15 +264,16 @@ static size_t dominators_needed(const murk_evaluator *o, size_t max)
 }
 
 /* Puts those that are dropped behind the others. Returns how many these are. */
-static size_t drop(const murk_evaluator *o, murk_ranked *ranked,
-                   const uint32_t *order, const bool *is_dropped)
+static size_t split_dominated(const murk_evaluator *o, murk_ranked *ranked,
+                              const uint32_t *order, const bool *is_dropped)
 {
     size_t at = 0, kept = 0;
     for (int pass = 0; pass < 2; ++pass) {
         for (size_t k = 0; k < o->candidates; ++k) {
             const uint32_t j = order[k];
             if (is_dropped[j] == (pass == 1)) {
-                ranked[at++] = (murk_ranked){murk_evaluator_most(o, j), j};
+                ranked[at++] =
+                    (murk_ranked){murk_evaluator_gain_bound(o, j), j};
             }
         }
         kept = pass == 0 ? at : kept;
@@ -285,12 +287,12 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
 {
     const size_t n = o->candidates;
     for (uint32_t j = 0; j < n; ++j) {
-        o->ranked[j] = (murk_ranked){murk_evaluator_most(o, j), j};
+        o->ranked[j] = (murk_ranked){murk_evaluator_gain_bound(o, j), j};
         o->dominator[j] = j;
     }
     murk_ranked_sort(o->ranked, n);
-    memcpy(o->needed, o->ranked, n * sizeof *o->needed);
-    o->undominated = o->needed_count = n;
+    memcpy(o->presolved, o->ranked, n * sizeof *o->presolved);
+    o->undominated = o->presolved_count = n;
     if (!o->matrix || keep_dominated) {
         return MURK_OK;
     }
@@ -305,25 +307,26 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
     for (size_t k = 0; k < n; ++k) {
         order[k] = o->ranked[k].candidate;
     }
-    if (o->book && !put_cheaper_first(o, order)) {
+    if (o->set && !sort_ties_by_cost(o, order)) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to rank %zu candidates", n);
         goto done;
     }
     const size_t needed = dominators_needed(o, max);
     if (needed > 1) {
-        status = murk_presolve_many(is_dropped, o->matrix, o->book, order,
+        status = murk_presolve_many(is_dropped, o->matrix, o->set, order,
                                     needed, err);
-        o->needed_count = drop(o, o->needed, order, is_dropped);
+        o->presolved_count =
+            split_dominated(o, o->presolved, order, is_dropped);
         goto done;
     }
-    status = murk_presolve(o->dominator, o->matrix, o->book, order,
+    status = murk_presolve(o->dominator, o->matrix, o->set, order,
                            o->problem->threads, err);
     for (uint32_t j = 0; j < n; ++j) {
         is_dropped[j] = o->dominator[j] != j;
     }
-    o->undominated = drop(o, o->ranked, order, is_dropped);
-    o->needed_count = drop(o, o->needed, order, is_dropped);
+    o->undominated = split_dominated(o, o->ranked, order, is_dropped);
+    o->presolved_count = split_dominated(o, o->presolved, order, is_dropped);
 done:
     free(order);
     free(is_dropped);
@@ -333,15 +336,15 @@ done:
 murk_status murk_evaluator_init(murk_evaluator *out,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,
-                                const murk_rulebook *book, size_t max,
+                                const murk_constraint_set *set, size_t max,
                                 bool keep_dominated, murk_error *err)
 {
     const size_t n = problem->candidates;
     *out = (murk_evaluator){.problem = problem,
                             .matrix = matrix,
-                            .book = book,
+                            .set = set,
                             .candidates = n,
-                            .all_clear = matrix && matrix->all_clear};
+                            .is_binary = matrix && matrix->is_binary};
     if (matrix) {
         out->layout = &matrix->layout;
         out->row_bytes = n ? matrix->memory_bytes / n : 0;
@@ -354,18 +357,18 @@ murk_status murk_evaluator_init(murk_evaluator *out,
         out->layout = &out->own_layout;
     }
     out->grain =
-        (uint64_t)out->layout->common * (out->all_clear ? MURK_CLEAR : 1);
-    out->alone = calloc(n + 1, sizeof *out->alone);
+        (uint64_t)out->layout->weight_gcd * (out->is_binary ? MURK_CLEAR : 1);
+    out->single_value = calloc(n + 1, sizeof *out->single_value);
     out->dominator = calloc(n + 1, sizeof *out->dominator);
     out->ranked = calloc(n + 1, sizeof *out->ranked);
-    out->needed = calloc(n + 1, sizeof *out->needed);
+    out->presolved = calloc(n + 1, sizeof *out->presolved);
     if (out->layout->doses) {
         out->slack = calloc(n + 1, sizeof *out->slack);
     }
-    murk_status status = out->alone && out->dominator && out->ranked &&
-                                 out->needed &&
+    murk_status status = out->single_value && out->dominator && out->ranked &&
+                                 out->presolved &&
                                  (out->slack || !out->layout->doses)
-                             ? weigh_alone(out, err)
+                             ? evaluate_singles(out, err)
                              : murk_fail(err, MURK_NO_MEMORY, "",
                                          "no memory for %zu candidates", n);
     if (!status && murk_interrupted()) {
@@ -383,10 +386,10 @@ murk_status murk_evaluator_init(murk_evaluator *out,
 void murk_evaluator_release(murk_evaluator *evaluator)
 {
     murk_layout_release(&evaluator->own_layout);
-    free(evaluator->alone);
+    free(evaluator->single_value);
     free(evaluator->dominator);
     free(evaluator->ranked);
-    free(evaluator->needed);
+    free(evaluator->presolved);
     free(evaluator->slack);
     *evaluator = (murk_evaluator){0};
 }

@@ -15,16 +15,16 @@ typedef struct murk_ranked {
 
 typedef struct murk_evaluator {
     const murk_problem *problem;
-    const murk_matrix *matrix; /* NULL: unknown environment */
-    const murk_rulebook *book; /* NULL: no rules but a count */
+    const murk_matrix *matrix;      /* NULL: unknown environment */
+    const murk_constraint_set *set; /* NULL: no rules but a count */
     const murk_layout *layout;
     murk_layout own_layout; /* unknown environment */
     size_t candidates;
-    bool all_clear;   /* covers may be bits */
-    size_t row_bytes; /* of the matrix, in the mean */
-    uint64_t *alone;  /* [candidates] value of each by itself */
-    uint64_t *slack;  /* [candidates] by which a gain may have grown, by
-                         rounding; NULL: none may */
+    bool is_binary;         /* covers may be bits */
+    size_t row_bytes;       /* of the matrix, in the mean */
+    uint64_t *single_value; /* [candidates] value of each by itself */
+    uint64_t *slack;        /* [candidates] by which a gain may have grown, by
+                               rounding; NULL: none may */
     /* Where the clearest view alone counts, one that is dominated can add the
      * most only where its dominator does. Else nobody counts as dominated in
      * `ranked`, only in `needed`. */
@@ -33,11 +33,11 @@ typedef struct murk_evaluator {
     murk_ranked *ranked; /* [candidates] undominated ones first, by falling
                             alone (and slack), then number */
     size_t undominated;
-    murk_ranked *needed; /* [needed_count] the best plan is found among these
+    murk_ranked *presolved; /* [needed_count] the best plan is found among these
                             by the same order */
-    size_t needed_count;
+    size_t presolved_count;
     uint64_t ceiling, grain; /* every plan's value is a multiple of grain */
-    uint64_t looks;          /* made at creation */
+    uint64_t queries;        /* made at creation */
     uint64_t search_work;    /* that searches may take; 0: MURK_SEARCH_WORK */
 } murk_evaluator;
 
@@ -46,15 +46,15 @@ typedef struct murk_evaluator {
 murk_status murk_evaluator_init(murk_evaluator *out,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,
-                                const murk_rulebook *book, size_t max,
+                                const murk_constraint_set *set, size_t max,
                                 bool keep_dominated, murk_error *err);
 void murk_evaluator_release(murk_evaluator *evaluator);
 
 /* The most that the candidate can add to any cover. */
-static inline uint64_t murk_evaluator_most(const murk_evaluator *evaluator,
-                                           uint32_t candidate)
+static inline uint64_t
+murk_evaluator_gain_bound(const murk_evaluator *evaluator, uint32_t candidate)
 {
-    return evaluator->alone[candidate] +
+    return evaluator->single_value[candidate] +
            (evaluator->slack ? evaluator->slack[candidate] : 0);
 }
 
@@ -82,10 +82,11 @@ void murk_evaluator_gains(const murk_evaluator *evaluator,
 
 /* The same, but most[k] is not less than the gain; where evaluator->slack, and
  * many times quicker. */
-void murk_evaluator_mosts(const murk_evaluator *evaluator,
-                          const murk_cover *cover, const uint32_t *candidate,
-                          size_t n, unsigned threads, unsigned worker,
-                          uint64_t *max);
+void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
+                                const murk_cover *cover,
+                                const uint32_t *candidate, size_t n,
+                                unsigned threads, unsigned worker,
+                                uint64_t *max);
 
 /* Falling bound, then rising number. */
 void murk_ranked_sort(murk_ranked *ranked, size_t n);

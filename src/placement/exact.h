@@ -27,11 +27,11 @@
  * is shown each plan worth more than the value known, and says what a plan must
  * be worth more than from then on to be worth showing. It keeps what it likes.
  */
-typedef struct murk_judge {
-    uint64_t (*judge)(void *context, const uint32_t *plan, size_t size,
-                      uint64_t known);
+typedef struct murk_exact_callback {
+    uint64_t (*callback)(void *context, const uint32_t *plan, size_t size,
+                         uint64_t known);
     void *context;
-} murk_judge;
+} murk_exact_callback;
 
 typedef struct murk_exact {
     uint64_t value, upper; /* of the plan; no plan of n is worth more */
@@ -49,6 +49,7 @@ typedef struct murk_exact {
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,
-                              const murk_judge *judge, murk_error *err);
+                              const murk_exact_callback *callback,
+                              murk_error *err);
 
 #endif

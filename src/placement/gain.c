@@ -11,28 +11,29 @@ static bool has_bit(const uint64_t *bits, size_t i)
 
 /* A row's words of one segment, and the cover's and weights' words that its
  * `at` counts from. */
-typedef struct part {
+typedef struct row_segment {
     const uint64_t *bits;
     const uint32_t *at;
     size_t words;
     size_t from; /* word */
-} part;
+} row_segment;
 
-static part part_of(const murk_row *row, const murk_layout *layout,
-                    size_t segment)
+static row_segment segment_of(const murk_row *row, const murk_layout *layout,
+                              size_t segment)
 {
     if (row->at) {
-        const size_t first = row->cut[segment];
-        return (part){row->bits + first, row->at + first,
-                      row->cut[segment + 1] - first, 0};
+        const size_t first = row->segment_start[segment];
+        return (row_segment){row->bits + first, row->at + first,
+                             row->segment_start[segment + 1] - first, 0};
     }
     const murk_weight_run *s = &layout->segment[segment];
-    return (part){row->bits + s->first_word, NULL, s->words, s->first_word};
+    return (row_segment){row->bits + s->first_word, NULL, s->words,
+                         s->first_word};
 }
 
 /* Weight of the row's new photons in words of mixed weights. */
-static uint64_t weigh_new(const part *p, const uint64_t *full,
-                          const uint32_t *weight)
+static uint64_t weighted_new(const row_segment *p, const uint64_t *full,
+                             const uint32_t *weight)
 {
     uint64_t sum = 0;
     for (size_t k = 0; k < p->words; ++k) {
@@ -51,7 +52,7 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
         const murk_weight_run *segment = &layout->segment[s];
-        const part p = part_of(row, layout, s);
+        const row_segment p = segment_of(row, layout, s);
         const uint32_t *weight = layout->weight + 64 * p.from;
         if (!segment->is_mixed && segment->weight == 0) {
             continue;
@@ -60,14 +61,14 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
             const uint64_t *full = cover->full + p.from;
             sum += MURK_CLEAR *
                    (segment->is_mixed
-                        ? weigh_new(&p, full, weight)
+                        ? weighted_new(&p, full, weight)
                         : segment->weight *
                               kernels->count_new(p.bits, p.at, full, p.words));
         } else {
             const uint16_t *best = cover->best + 64 * p.from;
             sum += segment->is_mixed
-                       ? kernels->weigh_missing(p.bits, p.at, best, weight,
-                                                p.words)
+                       ? kernels->weighted_missing(p.bits, p.at, best, weight,
+                                                   p.words)
                        : segment->weight *
                              kernels->sum_missing(p.bits, p.at, best, p.words);
         }
@@ -88,8 +89,9 @@ static uint64_t gain_of_dense(const murk_layout *layout,
         }
         sum +=
             at->is_mixed
-                ? kernels->weigh_above(clarity + first, best + first,
-                                       layout->weight + first, 64 * at->words)
+                ? kernels->weighted_above(clarity + first, best + first,
+                                          layout->weight + first,
+                                          64 * at->words)
                 : at->weight * kernels->sum_above(clarity + first, best + first,
                                                   64 * at->words);
     }
@@ -104,14 +106,14 @@ static uint64_t gain_of_packed(const murk_layout *layout, const murk_row *row,
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
         const murk_weight_run *segment = &layout->segment[s];
-        const part p = part_of(row, layout, s);
+        const row_segment p = segment_of(row, layout, s);
         const uint16_t *best = lowest + 64 * p.from;
         size_t used = 0;
         sum +=
             segment->is_mixed
-                ? kernels->weigh_packed(p.bits, p.at, clarity, best,
-                                        layout->weight + 64 * p.from, p.words,
-                                        &used)
+                ? kernels->weighted_packed(p.bits, p.at, clarity, best,
+                                           layout->weight + 64 * p.from,
+                                           p.words, &used)
                 : segment->weight * kernels->sum_packed(p.bits, p.at, clarity,
                                                         best, p.words, &used);
         clarity += used;
@@ -146,8 +148,9 @@ static uint64_t gain_of_clear_list(const murk_layout *layout,
 }
 
 /* Of doses. */
-static uint64_t gain_of_chances(const murk_layout *layout, const murk_row *row,
-                                const murk_cover *cover)
+static uint64_t gain_of_independent(const murk_layout *layout,
+                                    const murk_row *row,
+                                    const murk_cover *cover)
 {
     const murk_doses *doses = layout->doses;
     uint64_t sum = 0;
@@ -166,7 +169,7 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
                        const murk_cover *cover)
 {
     if (cover->dose) {
-        return gain_of_chances(layout, row, cover);
+        return gain_of_independent(layout, row, cover);
     }
     switch (row->kind) {
     case MURK_ROW_BITS:
@@ -183,39 +186,40 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
     return gain_of_clear_list(layout, row, cover);
 }
 
-static uint64_t rest_of_dense(const murk_layout *layout, const uint16_t *row,
-                              const uint16_t *best)
+static uint64_t independent_dense(const murk_layout *layout,
+                                  const uint16_t *row, const uint16_t *best)
 {
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
         const murk_weight_run *at = &layout->segment[s];
         const size_t first = 64 * at->first_word, n = 64 * at->words;
         if (!at->is_mixed) {
-            sum += at->weight *
-                   layout->kernels->sum_rest(row + first, best + first, n);
+            sum += at->weight * layout->kernels->sum_independent(
+                                    row + first, best + first, n);
             continue;
         }
         for (size_t i = first; i < first + n; ++i) {
-            sum += murk_loop_rest(row[i], best[i]) * layout->weight[i];
+            sum +=
+                murk_loop_independent_gain(row[i], best[i]) * layout->weight[i];
         }
     }
     return sum;
 }
 
-static uint64_t rest_of_packed(const murk_layout *layout, const murk_row *row,
-                               const uint16_t *lowest)
+static uint64_t independent_packed(const murk_layout *layout,
+                                   const murk_row *row, const uint16_t *lowest)
 {
     const uint16_t *clarity = row->clarity;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
-        const part p = part_of(row, layout, s);
+        const row_segment p = segment_of(row, layout, s);
         const uint16_t *best = lowest + 64 * p.from;
         const uint32_t *weight = layout->weight + 64 * p.from;
         if (!layout->segment[s].is_mixed) {
             size_t used = 0;
             sum += layout->segment[s].weight *
-                   layout->kernels->sum_rest_packed(p.bits, p.at, clarity, best,
-                                                    p.words, &used);
+                   layout->kernels->sum_independent_packed(
+                       p.bits, p.at, clarity, best, p.words, &used);
             clarity += used;
             continue;
         }
@@ -223,7 +227,8 @@ static uint64_t rest_of_packed(const murk_layout *layout, const murk_row *row,
             const size_t first = 64 * murk_word_at(p.at, k);
             for (uint64_t left = p.bits[k]; left; left &= left - 1) {
                 const size_t i = first + (size_t)__builtin_ctzll(left);
-                sum += murk_loop_rest(*clarity++, best[i]) * weight[i];
+                sum +=
+                    murk_loop_independent_gain(*clarity++, best[i]) * weight[i];
             }
         }
     }
@@ -234,8 +239,8 @@ static uint64_t rest_of_packed(const murk_layout *layout, const murk_row *row,
  * (65535 - h)(p + .07) / 65535 more of h = 65535 (1 - exp(-Y)), which is less
  * than 1.01 above best: p (65535 - best) / 65535 + 1.1, and that is less than
  * 2 above the same divided by 65536 and rounded down. */
-uint64_t murk_row_rest(const murk_layout *layout, const murk_row *row,
-                       const murk_cover *cover)
+uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
+                             const murk_cover *cover)
 {
     assert(cover->dose);
     uint64_t sum = 0;
@@ -243,13 +248,13 @@ uint64_t murk_row_rest(const murk_layout *layout, const murk_row *row,
     case MURK_ROW_BITS:
         return gain_of_bits(layout, row, cover);
     case MURK_ROW_PACKED:
-        return rest_of_packed(layout, row, cover->best);
+        return independent_packed(layout, row, cover->best);
     case MURK_ROW_DENSE:
-        return rest_of_dense(layout, row->clarity, cover->best);
+        return independent_dense(layout, row->clarity, cover->best);
     case MURK_ROW_LIST:
         for (size_t k = 0; k < row->seen; ++k) {
             const uint32_t i = row->slot[k];
-            sum += murk_loop_rest(row->clarity[k], cover->best[i]) *
+            sum += murk_loop_independent_gain(row->clarity[k], cover->best[i]) *
                    layout->weight[i];
         }
         return sum;
@@ -311,8 +316,8 @@ void murk_row_count_above(const murk_layout *layout, const murk_row *row,
     }
 }
 
-bool murk_row_within(const murk_layout *layout, const murk_row *row,
-                     const murk_cover *cover)
+bool murk_row_is_covered(const murk_layout *layout, const murk_row *row,
+                         const murk_cover *cover)
 {
     switch (row->kind) {
     case MURK_ROW_BITS:

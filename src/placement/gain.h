@@ -9,11 +9,11 @@
 uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
                        const murk_cover *cover);
 
-/* Not less than murk_row_gain, less MURK_REST_SLACK a photon that the row sees;
- * for covers with doses, where it is many times quicker. */
-#define MURK_REST_SLACK 4
-uint64_t murk_row_rest(const murk_layout *layout, const murk_row *row,
-                       const murk_cover *cover);
+/* Not less than murk_row_gain, less MURK_GAIN_BOUND_SLACK a photon that the row
+ * sees; for covers with doses, where it is many times quicker. */
+#define MURK_GAIN_BOUND_SLACK 4
+uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
+                             const murk_cover *cover);
 
 /* The weight of all that the row sees. */
 uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row);
@@ -24,7 +24,7 @@ void murk_row_count_above(const murk_layout *layout, const murk_row *row,
 
 /* Whether every photon has a clarity of at most the lowest layer in the row;
  * for covers without doses. */
-bool murk_row_within(const murk_layout *layout, const murk_row *row,
-                     const murk_cover *cover);
+bool murk_row_is_covered(const murk_layout *layout, const murk_row *row,
+                         const murk_cover *cover);
 
 #endif

@@ -24,12 +24,12 @@
 
 static bool has_budget(const murk_incumbent *p)
 {
-    return p->book && p->book->has_budget;
+    return p->set && p->set->has_budget;
 }
 
 static size_t fixed_count(const murk_incumbent *p)
 {
-    return p->book ? p->book->constraints->fixed_count : 0;
+    return p->set ? p->set->constraints->fixed_count : 0;
 }
 
 /* Keeps the plan of p->size sensors, if the rules let it stand and it is worth
@@ -37,7 +37,7 @@ static size_t fixed_count(const murk_incumbent *p)
 static void keep_better(murk_incumbent *p, uint64_t value, uint64_t *best,
                         size_t *size)
 {
-    if (murk_partial_plan_is_plan(&p->search.partial) &&
+    if (murk_partial_plan_is_complete(&p->search.partial) &&
         (*size == 0 || value > *best)) {
         *best = value;
         *size = p->search.size;
@@ -47,13 +47,13 @@ static void keep_better(murk_incumbent *p, uint64_t value, uint64_t *best,
 
 /* Under a budget: by gain per cost, and by gain alone, which begins with the
  * best single sensor. */
-static uint64_t spend(murk_incumbent *p)
+static uint64_t greedy_with_budget(murk_incumbent *p)
 {
-    murk_search *s = &p->search;
-    const size_t max = p->book->max_sensors;
+    murk_gain_scan *s = &p->search;
+    const size_t max = p->set->max_sensors;
     uint64_t best = 0;
     size_t size = 0;
-    keep_better(p, murk_search_spend(s, p->trial, 0), &best, &size);
+    keep_better(p, murk_search_budget_greedy(s, p->trial, 0), &best, &size);
     keep_better(p, murk_search_greedy(s, p->trial, 0, max, UINT64_MAX, NULL),
                 &best, &size);
     p->size = size;
@@ -64,21 +64,21 @@ static uint64_t spend(murk_incumbent *p)
 static uint64_t plan_greedily(murk_incumbent *p, size_t n)
 {
     uint64_t value;
-    if (!p->book) {
+    if (!p->set) {
         memcpy(p->plan, p->greedy, n * sizeof *p->plan);
         p->size = n;
         return p->greedy_value[n - 1];
     }
     if (has_budget(p)) {
-        value = spend(p);
+        value = greedy_with_budget(p);
     } else {
         value = murk_search_greedy(&p->search, p->plan, 0, n, UINT64_MAX, NULL);
         p->size = p->search.size < n ? 0 : n;
     }
     p->is_greedy_done = p->size > 0;
     if (p->size == 0) {
-        memcpy(p->plan, p->spare, p->spare_size * sizeof *p->plan);
-        p->size = p->spare_size;
+        memcpy(p->plan, p->fallback, p->fallback_size * sizeof *p->plan);
+        p->size = p->fallback_size;
         value = murk_search_value(&p->search, p->plan, p->size);
     }
     return value;
@@ -101,7 +101,8 @@ static uint64_t tighten(murk_incumbent *p, size_t n, uint64_t value,
     murk_progress_text("bounds %zu sensors", n);
     const uint64_t upper =
         murk_bound_tighten(&p->bound, n, value, plan, p->size, rounds);
-    return !p->book && p->reach[n - 1] < upper ? p->reach[n - 1] : upper;
+    return !p->set && p->greedy_bound[n - 1] < upper ? p->greedy_bound[n - 1]
+                                                     : upper;
 }
 
 /* Greedy, relocated, then starts. Where `from`, a plan of n - 1, is worth more
@@ -118,7 +119,7 @@ static murk_curve_point find_best(murk_incumbent *p, size_t n,
     }
     /* of one that is free, greedy finds the best */
     const bool is_open = n > fixed_count(p) + 1 || has_budget(p) ||
-                         (p->book && !p->is_greedy_done);
+                         (p->set && !p->is_greedy_done);
     if (is_open) {
         value = murk_search_relocate(&p->search, plan, p->size);
         p->size = p->search.size;
@@ -160,24 +161,24 @@ static murk_curve_point find_once(murk_incumbent *p, size_t n, size_t rounds,
 }
 
 /* Under rules: a plan of fewer, filled up to n by whoever may join. */
-static uint64_t fill_up(murk_incumbent *p, size_t n)
+static uint64_t complete_plan(murk_incumbent *p, size_t n)
 {
-    murk_search *s = &p->search;
+    murk_gain_scan *s = &p->search;
     const uint64_t value =
         has_budget(p)
-            ? murk_search_spend(s, p->plan, p->size)
+            ? murk_search_budget_greedy(s, p->plan, p->size)
             : murk_search_greedy(s, p->plan, p->size, n, UINT64_MAX, NULL);
     p->size = s->size;
     return value;
 }
 
 /* Branch and bound from a plan whose bound was tightened last. */
-static murk_status prove(murk_incumbent *p, size_t n, murk_curve_point *point,
-                         murk_error *err)
+static murk_status branch_and_bound(murk_incumbent *p, size_t n,
+                                    murk_curve_point *point, murk_error *err)
 {
     const bool is_wanted = p->desc->method == MURK_PLACE_BEST ||
                            p->desc->method == MURK_PLACE_EXACT;
-    if (!p->evaluator->matrix || !is_wanted || (n < 2 && !p->book)) {
+    if (!p->evaluator->matrix || !is_wanted || (n < 2 && !p->set)) {
         return MURK_OK;
     }
     murk_exact exact;
@@ -189,7 +190,7 @@ static murk_status prove(murk_incumbent *p, size_t n, murk_curve_point *point,
                           point->upper, left, NULL, err);
     if (!status) {
         p->size = exact.size;
-        point->value = p->book ? fill_up(p, n) : exact.value;
+        point->value = p->set ? complete_plan(p, n) : exact.value;
         point->count = p->size;
         point->upper = exact.upper > point->value ? exact.upper : point->value;
         p->result->nodes += exact.nodes;
@@ -199,19 +200,18 @@ static murk_status prove(murk_incumbent *p, size_t n, murk_curve_point *point,
 }
 
 /* Where candidates exclude each other a start may end short: any plan of n. */
-static murk_status find_spare(murk_incumbent *p, size_t n, murk_error *err)
+static murk_status find_fallback(murk_incumbent *p, size_t n, murk_error *err)
 {
-    if (!p->book || !p->book->has_conflicts) {
+    if (!p->set || !p->set->has_conflicts) {
         return MURK_OK;
     }
     murk_partial_plan *partial = &p->search.partial;
     bool is_sure;
     murk_partial_plan_clear(partial, n);
     for (size_t k = 0; k < fixed_count(p); ++k) {
-        murk_partial_plan_add(partial,
-                              (uint32_t)p->book->constraints->fixed[k]);
+        murk_partial_plan_add(partial, (uint32_t)p->set->constraints->fixed[k]);
     }
-    if (!murk_partial_plan_find_plan(partial, &is_sure)) {
+    if (!murk_partial_plan_complete(partial, &is_sure)) {
         return murk_interrupted()
                    ? MURK_OK
                    : murk_fail(err, MURK_RUN_FAILED, "",
@@ -222,11 +222,12 @@ static murk_status find_spare(murk_incumbent *p, size_t n, murk_error *err)
                                          "all rules",
                                n, p->evaluator->candidates);
     }
-    p->spare_size = partial->size;
-    memcpy(p->spare, partial->member, p->spare_size * sizeof *p->spare);
-    murk_starts_spare(&p->starts, p->spare, p->spare_size);
-    p->search.spare = p->spare;
-    p->search.spare_size = p->spare_size;
+    p->fallback_size = partial->size;
+    memcpy(p->fallback, partial->member,
+           p->fallback_size * sizeof *p->fallback);
+    murk_starts_set_fallback(&p->starts, p->fallback, p->fallback_size);
+    p->search.fallback = p->fallback;
+    p->search.fallback_size = p->fallback_size;
     return MURK_OK;
 }
 
@@ -249,10 +250,10 @@ static size_t rounds_of(const murk_incumbent *p, size_t k, bool is_plan)
     if (p->evaluator->matrix) {
         return is_plan ? p->rounds : curve_rounds(p->rounds);
     }
-    const bool is_told = !p->book && desc->method != MURK_PLACE_SPOQ;
+    const bool has_greedy_bound = !p->set && desc->method != MURK_PLACE_SPOQ;
     const bool is_wanted = is_plan && desc->method == MURK_PLACE_BEST &&
-                           p->reach[k - 1] >= desc->target;
-    return !is_told || is_wanted ? 1 : 0;
+                           p->greedy_bound[k - 1] >= desc->target;
+    return !has_greedy_bound || is_wanted ? 1 : 0;
 }
 
 static size_t rounds_for(const murk_evaluator *evaluator)
@@ -272,45 +273,46 @@ static size_t rounds_for(const murk_evaluator *evaluator)
 
 murk_status murk_incumbent_init(murk_incumbent *p,
                                 const murk_evaluator *evaluator,
-                                const murk_rulebook *book,
+                                const murk_constraint_set *set,
                                 const murk_place_desc *desc,
                                 murk_place_result *result, murk_error *err)
 {
-    const size_t n = book ? book->max_sensors : desc->count;
+    const size_t n = set ? set->max_sensors : desc->count;
     const bool is_curve =
-        (desc->with_curve || desc->target) && !(book && book->has_budget);
+        (desc->with_curve || desc->target) && !(set && set->has_budget);
     *p = (murk_incumbent){.evaluator = evaluator,
                           .desc = desc,
-                          .book = book,
+                          .set = set,
                           .first = !is_curve ? n
-                                   : book    ? book->fewest_sensors
+                                   : set     ? set->min_sensors
                                              : 1,
                           .last = n,
                           .result = result,
                           .rounds = rounds_for(evaluator),
                           .greedy = calloc(n, sizeof *p->greedy),
                           .greedy_value = calloc(n, sizeof *p->greedy_value),
-                          .reach = malloc((n + 1) * sizeof *p->reach),
+                          .greedy_bound =
+                              malloc((n + 1) * sizeof *p->greedy_bound),
                           .plan = calloc(n, sizeof *p->plan),
                           .last_plan = calloc(n, sizeof *p->last_plan),
                           .trial = calloc(n, sizeof *p->trial),
-                          .spare = calloc(n, sizeof *p->spare)};
+                          .fallback = calloc(n, sizeof *p->fallback)};
     result->sensor = calloc(n, sizeof *result->sensor);
     if (is_curve) {
         result->curve = calloc(n, sizeof *result->curve);
     }
-    if (!p->greedy || !p->trial || !p->spare || !p->greedy_value || !p->reach ||
-        !p->plan || !p->last_plan || !result->sensor ||
+    if (!p->greedy || !p->trial || !p->fallback || !p->greedy_value ||
+        !p->greedy_bound || !p->plan || !p->last_plan || !result->sensor ||
         (is_curve && !result->curve)) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          n);
     }
-    murk_status status = murk_search_init(&p->search, evaluator, 0,
-                                          evaluator->problem->threads, err);
-    p->search.rows_max = murk_search_rows_max(evaluator);
-    memset(p->reach, 0xff, n * sizeof *p->reach);
-    p->search.reach = p->reach;
-    p->search.reach_count = book ? 0 : n;
+    murk_status status = murk_gain_scan_init(&p->search, evaluator, 0,
+                                             evaluator->problem->threads, err);
+    p->search.rows_max = murk_gain_scan_rows_max(evaluator);
+    memset(p->greedy_bound, 0xff, n * sizeof *p->greedy_bound);
+    p->search.greedy_bound = p->greedy_bound;
+    p->search.greedy_bound_count = set ? 0 : n;
     if (!status) {
         status = murk_bound_init(&p->bound, evaluator, err);
     }
@@ -322,16 +324,16 @@ murk_status murk_incumbent_init(murk_incumbent *p,
 
 void murk_incumbent_release(murk_incumbent *p)
 {
-    murk_search_release(&p->search);
+    murk_gain_scan_release(&p->search);
     murk_bound_release(&p->bound);
     murk_starts_release(&p->starts);
     free(p->greedy);
     free(p->greedy_value);
-    free(p->reach);
+    free(p->greedy_bound);
     free(p->plan);
     free(p->last_plan);
     free(p->trial);
-    free(p->spare);
+    free(p->fallback);
 }
 
 void murk_incumbent_greedy(murk_incumbent *p)
@@ -346,14 +348,14 @@ static bool is_curve_work_done(const murk_incumbent *p)
 {
     const uint64_t rows =
         p->search.rows + p->starts.all_rows + p->bound.evaluations;
-    return !p->book && p->desc->method != MURK_PLACE_SPOQ &&
-           rows > murk_search_rows_max(p->evaluator) / 2;
+    return !p->set && p->desc->method != MURK_PLACE_SPOQ &&
+           rows > murk_gain_scan_rows_max(p->evaluator) / 2;
 }
 
 /* Greedy's plan of n, or the plan of one fewer completed where that is worth
  * more, and the bound that greedy's scans gave. */
-static murk_curve_point read_greedy(murk_incumbent *p, size_t n,
-                                    const uint32_t *from, uint64_t from_value)
+static murk_curve_point greedy_point(murk_incumbent *p, size_t n,
+                                     const uint32_t *from, uint64_t from_value)
 {
     const uint64_t ceiling = p->evaluator->ceiling;
     uint64_t value = plan_greedily(p, n);
@@ -362,8 +364,9 @@ static murk_curve_point read_greedy(murk_incumbent *p, size_t n,
         value =
             murk_search_greedy(&p->search, p->plan, n - 1, n, UINT64_MAX, NULL);
     }
-    const uint64_t reach = p->reach[n - 1];
-    return (murk_curve_point){n, value, reach < ceiling ? reach : ceiling};
+    const uint64_t greedy_bound = p->greedy_bound[n - 1];
+    return (murk_curve_point){n, value,
+                              greedy_bound < ceiling ? greedy_bound : ceiling};
 }
 
 murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
@@ -378,16 +381,17 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
     size_t *made = is_plan ? &p->result->restarts : &extra;
     const size_t max = is_plan ? desc->restarts : curve_starts(desc->restarts);
     /* Where the whole count cannot stand, say so of it. */
-    murk_status status =
-        k == p->first && !desc->target ? find_spare(p, p->last, err) : MURK_OK;
+    murk_status status = k == p->first && !desc->target
+                             ? find_fallback(p, p->last, err)
+                             : MURK_OK;
     if (!status) {
-        status = find_spare(p, k, err);
+        status = find_fallback(p, k, err);
     }
     if (status || murk_interrupted()) {
         return status;
     }
     if (!is_plan && is_curve_work_done(p)) {
-        *last = read_greedy(p, k, from, last->value);
+        *last = greedy_point(p, k, from, last->value);
         return MURK_OK;
     }
     *last = desc->method == MURK_PLACE_BEST
@@ -395,6 +399,7 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
                 : find_once(p, k, rounds, made);
     const bool is_open = desc->target == 0 || (last->value < desc->target &&
                                                last->upper >= desc->target);
-    return is_plan && is_open && !murk_interrupted() ? prove(p, k, last, err)
-                                                     : MURK_OK;
+    return is_plan && is_open && !murk_interrupted()
+               ? branch_and_bound(p, k, last, err)
+               : MURK_OK;
 }

@@ -3,7 +3,6 @@
 #ifndef MURK_PLACEMENT_KERNEL_LOOPS_H
 #define MURK_PLACEMENT_KERNEL_LOOPS_H
 
-#include "placement/kernels.h"
 #include "placement/problem.h"
 
 static inline size_t murk_word_at(const uint32_t *at, size_t k)
@@ -37,11 +36,11 @@ static inline uint64_t murk_loop_sum_missing(const uint64_t *row,
     return sum;
 }
 
-static inline uint64_t murk_loop_weigh_missing(const uint64_t *row,
-                                               const uint32_t *at,
-                                               const uint16_t *best,
-                                               const uint32_t *weight,
-                                               size_t words)
+static inline uint64_t murk_loop_weighted_missing(const uint64_t *row,
+                                                  const uint32_t *at,
+                                                  const uint16_t *best,
+                                                  const uint32_t *weight,
+                                                  size_t words)
 {
     uint64_t sum = 0;
     for (size_t k = 0; k < words; ++k) {
@@ -64,9 +63,10 @@ static inline uint64_t murk_loop_sum_above(const uint16_t *row,
     return sum;
 }
 
-static inline uint64_t murk_loop_weigh_above(const uint16_t *row,
-                                             const uint16_t *best,
-                                             const uint32_t *weight, size_t n)
+static inline uint64_t murk_loop_weighted_above(const uint16_t *row,
+                                                const uint16_t *best,
+                                                const uint32_t *weight,
+                                                size_t n)
 {
     uint64_t sum = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -95,9 +95,9 @@ static inline uint64_t murk_loop_sum_packed(const uint64_t *row,
 }
 
 static inline uint64_t
-murk_loop_weigh_packed(const uint64_t *row, const uint32_t *at,
-                       const uint16_t *clarity, const uint16_t *best,
-                       const uint32_t *weight, size_t words, size_t *used)
+murk_loop_weighted_packed(const uint64_t *row, const uint32_t *at,
+                          const uint16_t *clarity, const uint16_t *best,
+                          const uint32_t *weight, size_t words, size_t *used)
 {
     uint64_t sum = 0;
     const uint16_t *p = clarity;
@@ -112,33 +112,33 @@ murk_loop_weigh_packed(const uint64_t *row, const uint32_t *at,
     return sum;
 }
 
-static inline uint64_t murk_loop_rest(uint16_t row, uint16_t best)
+static inline uint64_t murk_loop_independent_gain(uint16_t row, uint16_t best)
 {
     return (uint64_t)row * (uint64_t)(MURK_CLEAR - best) >> 16;
 }
 
-static inline uint64_t murk_loop_sum_rest(const uint16_t *row,
-                                          const uint16_t *best, size_t n)
+static inline uint64_t murk_loop_sum_independent(const uint16_t *row,
+                                                 const uint16_t *best, size_t n)
 {
     uint64_t sum = 0;
     for (size_t i = 0; i < n; ++i) {
-        sum += murk_loop_rest(row[i], best[i]);
+        sum += murk_loop_independent_gain(row[i], best[i]);
     }
     return sum;
 }
 
-static inline uint64_t murk_loop_sum_rest_packed(const uint64_t *row,
-                                                 const uint32_t *at,
-                                                 const uint16_t *clarity,
-                                                 const uint16_t *best,
-                                                 size_t words, size_t *used)
+static inline uint64_t
+murk_loop_sum_independent_packed(const uint64_t *row, const uint32_t *at,
+                                 const uint16_t *clarity, const uint16_t *best,
+                                 size_t words, size_t *used)
 {
     uint64_t sum = 0;
     const uint16_t *p = clarity;
     for (size_t k = 0; k < words; ++k) {
         const uint16_t *lowest = best + 64 * murk_word_at(at, k);
         for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
-            sum += murk_loop_rest(*p, lowest[__builtin_ctzll(left)]);
+            sum +=
+                murk_loop_independent_gain(*p, lowest[__builtin_ctzll(left)]);
         }
     }
     *used = (size_t)(p - clarity);
@@ -160,17 +160,17 @@ static inline uint64_t murk_loop_sum_rest_packed(const uint64_t *row,
     {                                                                          \
         return murk_loop_sum_missing(row, at, best, words);                    \
     }                                                                          \
-    TARGET static uint64_t weigh_missing_##SUFFIX(                             \
+    TARGET static uint64_t weighted_missing_##SUFFIX(                          \
         const uint64_t *row, const uint32_t *at, const uint16_t *best,         \
         const uint32_t *weight, size_t words)                                  \
     {                                                                          \
-        return murk_loop_weigh_missing(row, at, best, weight, words);          \
+        return murk_loop_weighted_missing(row, at, best, weight, words);       \
     }                                                                          \
-    TARGET static uint64_t weigh_above_##SUFFIX(                               \
+    TARGET static uint64_t weighted_above_##SUFFIX(                            \
         const uint16_t *row, const uint16_t *best, const uint32_t *weight,     \
         size_t n)                                                              \
     {                                                                          \
-        return murk_loop_weigh_above(row, best, weight, n);                    \
+        return murk_loop_weighted_above(row, best, weight, n);                 \
     }                                                                          \
     TARGET static uint64_t sum_packed_##SUFFIX(                                \
         const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
@@ -178,19 +178,20 @@ static inline uint64_t murk_loop_sum_rest_packed(const uint64_t *row,
     {                                                                          \
         return murk_loop_sum_packed(row, at, clarity, best, words, used);      \
     }                                                                          \
-    TARGET static uint64_t weigh_packed_##SUFFIX(                              \
+    TARGET static uint64_t weighted_packed_##SUFFIX(                           \
         const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
         const uint16_t *best, const uint32_t *weight, size_t words,            \
         size_t *used)                                                          \
     {                                                                          \
-        return murk_loop_weigh_packed(row, at, clarity, best, weight, words,   \
-                                      used);                                   \
+        return murk_loop_weighted_packed(row, at, clarity, best, weight,       \
+                                         words, used);                         \
     }                                                                          \
-    TARGET static uint64_t sum_rest_packed_##SUFFIX(                           \
+    TARGET static uint64_t sum_independent_packed_##SUFFIX(                    \
         const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
         const uint16_t *best, size_t words, size_t *used)                      \
     {                                                                          \
-        return murk_loop_sum_rest_packed(row, at, clarity, best, words, used); \
+        return murk_loop_sum_independent_packed(row, at, clarity, best, words, \
+                                                used);                         \
     }
 
 #endif

@@ -1,5 +1,5 @@
+#include "placement/kernels.h"
 #include "placement/kernel_loops.h"
-#include "placement/kernel_sets.h"
 
 MURK_COMPILE_LOOPS(plain, )
 
@@ -9,16 +9,16 @@ static uint64_t sum_above_plain(const uint16_t *row, const uint16_t *best,
     return murk_loop_sum_above(row, best, n);
 }
 
-static uint64_t sum_rest_plain(const uint16_t *row, const uint16_t *best,
-                               size_t n)
+static uint64_t sum_independent_plain(const uint16_t *row, const uint16_t *best,
+                                      size_t n)
 {
-    return murk_loop_sum_rest(row, best, n);
+    return murk_loop_sum_independent(row, best, n);
 }
 
 static const murk_kernels plain = {
-    count_new_plain,    sum_missing_plain, weigh_missing_plain,
-    sum_above_plain,    weigh_above_plain, sum_packed_plain,
-    weigh_packed_plain, sum_rest_plain,    sum_rest_packed_plain};
+    count_new_plain,       sum_missing_plain,     weighted_missing_plain,
+    sum_above_plain,       weighted_above_plain,  sum_packed_plain,
+    weighted_packed_plain, sum_independent_plain, sum_independent_packed_plain};
 
 const murk_kernels *murk_kernels_plain(void)
 {

@@ -1,5 +1,5 @@
 #include "placement/kernel_loops.h"
-#include "placement/kernel_sets.h"
+#include "placement/kernels.h"
 
 #if defined(__x86_64__)
 
@@ -13,15 +13,16 @@ MURK_COMPILE_LOOPS(avx2, AVX2)
 /* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
 #define STEPS_PER_FLUSH 32768
 
-AVX2 static inline __m256i part(__m256i row, __m256i best, bool is_rest)
+AVX2 static inline __m256i part(__m256i row, __m256i best, bool is_independent)
 {
-    return is_rest ? _mm256_mulhi_epu16(
-                         row, _mm256_xor_si256(best, _mm256_set1_epi32(-1)))
-                   : _mm256_subs_epu16(row, best);
+    return is_independent
+               ? _mm256_mulhi_epu16(
+                     row, _mm256_xor_si256(best, _mm256_set1_epi32(-1)))
+               : _mm256_subs_epu16(row, best);
 }
 
 AVX2 static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
-                                      size_t n, bool is_rest)
+                                      size_t n, bool is_independent)
 {
     const __m256i low = _mm256_set1_epi32(0xffff);
     const __m256i zero = _mm256_setzero_si256();
@@ -31,9 +32,9 @@ AVX2 static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
         size_t left = steps < STEPS_PER_FLUSH ? steps : STEPS_PER_FLUSH;
         __m256i sum = zero;
         for (; left > 0; --left, i += 16) {
-            const __m256i d =
-                part(_mm256_load_si256((const void *)(row + i)),
-                     _mm256_load_si256((const void *)(best + i)), is_rest);
+            const __m256i d = part(_mm256_load_si256((const void *)(row + i)),
+                                   _mm256_load_si256((const void *)(best + i)),
+                                   is_independent);
             sum = _mm256_add_epi32(sum, _mm256_and_si256(d, low));
             sum = _mm256_add_epi32(sum, _mm256_srli_epi32(d, 16));
         }
@@ -51,16 +52,16 @@ AVX2 static uint64_t sum_above_avx2(const uint16_t *row, const uint16_t *best,
     return sum_parts(row, best, n, false);
 }
 
-AVX2 static uint64_t sum_rest_avx2(const uint16_t *row, const uint16_t *best,
-                                   size_t n)
+AVX2 static uint64_t sum_independent_avx2(const uint16_t *row,
+                                          const uint16_t *best, size_t n)
 {
     return sum_parts(row, best, n, true);
 }
 
 static const murk_kernels avx2 = {
-    count_new_avx2,    sum_missing_avx2, weigh_missing_avx2,
-    sum_above_avx2,    weigh_above_avx2, sum_packed_avx2,
-    weigh_packed_avx2, sum_rest_avx2,    sum_rest_packed_avx2};
+    count_new_avx2,       sum_missing_avx2,     weighted_missing_avx2,
+    sum_above_avx2,       weighted_above_avx2,  sum_packed_avx2,
+    weighted_packed_avx2, sum_independent_avx2, sum_independent_packed_avx2};
 
 const murk_kernels *murk_kernels_avx2(void)
 {

@@ -1,5 +1,5 @@
 #include "placement/kernel_loops.h"
-#include "placement/kernel_sets.h"
+#include "placement/kernels.h"
 
 #if defined(__x86_64__)
 
@@ -82,16 +82,18 @@ WIDE static uint64_t sum_missing_avx512(const uint64_t *row, const uint32_t *at,
 }
 
 /* Above best, or the rest of it that the row has. */
-WIDE static inline __m512i part(__m512i row, const uint16_t *best, bool is_rest)
+WIDE static inline __m512i part(__m512i row, const uint16_t *best,
+                                bool is_independent)
 {
     const __m512i at = _mm512_loadu_si512(best);
-    return is_rest ? _mm512_mulhi_epu16(
-                         row, _mm512_xor_si512(at, _mm512_set1_epi32(-1)))
-                   : _mm512_subs_epu16(row, at);
+    return is_independent
+               ? _mm512_mulhi_epu16(row,
+                                    _mm512_xor_si512(at, _mm512_set1_epi32(-1)))
+               : _mm512_subs_epu16(row, at);
 }
 
 WIDE static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
-                                      size_t n, bool is_rest)
+                                      size_t n, bool is_independent)
 {
     uint64_t total = 0;
     for (size_t i = 0; i < n;) {
@@ -100,8 +102,8 @@ WIDE static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
                                : i + (size_t)32 * STEPS_PER_FLUSH;
         __m512i sum = _mm512_setzero_si512();
         for (; i < end; i += 32) {
-            sum = fold_u16(
-                sum, part(_mm512_loadu_si512(row + i), best + i, is_rest));
+            sum = fold_u16(sum, part(_mm512_loadu_si512(row + i), best + i,
+                                     is_independent));
         }
         total += reduce_u32(sum);
     }
@@ -114,8 +116,8 @@ WIDE static uint64_t sum_above_avx512(const uint16_t *row, const uint16_t *best,
     return sum_parts(row, best, n, false);
 }
 
-WIDE static uint64_t sum_rest_avx512(const uint16_t *row, const uint16_t *best,
-                                     size_t n)
+WIDE static uint64_t sum_independent_avx512(const uint16_t *row,
+                                            const uint16_t *best, size_t n)
 {
     return sum_parts(row, best, n, true);
 }
@@ -131,9 +133,9 @@ WIDE static inline __m512i add_products(__m512i sum, __m256i d,
                                                   _mm512_srli_epi64(w, 32)));
 }
 
-WIDE static uint64_t weigh_above_avx512(const uint16_t *row,
-                                        const uint16_t *best,
-                                        const uint32_t *weight, size_t n)
+WIDE static uint64_t weighted_above_avx512(const uint16_t *row,
+                                           const uint16_t *best,
+                                           const uint32_t *weight, size_t n)
 {
     __m512i sum = _mm512_setzero_si512();
     for (size_t i = 0; i < n; i += 32) {
@@ -146,10 +148,11 @@ WIDE static uint64_t weigh_above_avx512(const uint16_t *row,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-WIDE static uint64_t weigh_missing_avx512(const uint64_t *row,
-                                          const uint32_t *at,
-                                          const uint16_t *best,
-                                          const uint32_t *weight, size_t words)
+WIDE static uint64_t weighted_missing_avx512(const uint64_t *row,
+                                             const uint32_t *at,
+                                             const uint16_t *best,
+                                             const uint32_t *weight,
+                                             size_t words)
 {
     const __m512i ones = _mm512_set1_epi32(-1);
     __m512i sum = _mm512_setzero_si512();
@@ -168,18 +171,18 @@ WIDE static uint64_t weigh_missing_avx512(const uint64_t *row,
 }
 
 /* Of the packed clarities at p, put where the bits of mask are. */
-WIDE static inline __m512i unpack(const uint16_t *p, uint32_t mask,
-                                  const uint16_t *best, bool is_rest)
+WIDE static inline __m512i expand(const uint16_t *p, uint32_t mask,
+                                  const uint16_t *best, bool is_independent)
 {
     return part(_mm512_maskz_expand_epi16(mask, _mm512_loadu_si512(p)), best,
-                is_rest);
+                is_independent);
 }
 
 WIDE static inline uint64_t sum_packed_parts(const uint64_t *row,
                                              const uint32_t *at,
                                              const uint16_t *clarity,
                                              const uint16_t *best, size_t words,
-                                             size_t *used, bool is_rest)
+                                             size_t *used, bool is_independent)
 {
     uint64_t total = 0;
     const uint16_t *p = clarity;
@@ -192,7 +195,7 @@ WIDE static inline uint64_t sum_packed_parts(const uint64_t *row,
                 const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
                 const uint16_t *lowest =
                     best + 64 * murk_word_at(at, k) + 32 * half;
-                sum = fold_u16(sum, unpack(p, mask, lowest, is_rest));
+                sum = fold_u16(sum, expand(p, mask, lowest, is_independent));
                 p += __builtin_popcount(mask);
             }
         }
@@ -210,19 +213,19 @@ WIDE static uint64_t sum_packed_avx512(const uint64_t *row, const uint32_t *at,
     return sum_packed_parts(row, at, clarity, best, words, used, false);
 }
 
-WIDE static uint64_t sum_rest_packed_avx512(const uint64_t *row,
-                                            const uint32_t *at,
-                                            const uint16_t *clarity,
-                                            const uint16_t *best, size_t words,
-                                            size_t *used)
+WIDE static uint64_t sum_independent_packed_avx512(const uint64_t *row,
+                                                   const uint32_t *at,
+                                                   const uint16_t *clarity,
+                                                   const uint16_t *best,
+                                                   size_t words, size_t *used)
 {
     return sum_packed_parts(row, at, clarity, best, words, used, true);
 }
 
 WIDE static uint64_t
-weigh_packed_avx512(const uint64_t *row, const uint32_t *at,
-                    const uint16_t *clarity, const uint16_t *best,
-                    const uint32_t *weight, size_t words, size_t *used)
+weighted_packed_avx512(const uint64_t *row, const uint32_t *at,
+                       const uint16_t *clarity, const uint16_t *best,
+                       const uint32_t *weight, size_t words, size_t *used)
 {
     const uint16_t *p = clarity;
     __m512i sum = _mm512_setzero_si512();
@@ -230,7 +233,7 @@ weigh_packed_avx512(const uint64_t *row, const uint32_t *at,
         for (size_t half = 0; half < 2 && row[k]; ++half) {
             const size_t i = 64 * murk_word_at(at, k) + 32 * half;
             const uint32_t mask = (uint32_t)(row[k] >> (32 * half));
-            const __m512i d = unpack(p, mask, best + i, false);
+            const __m512i d = expand(p, mask, best + i, false);
             sum = add_products(sum, _mm512_castsi512_si256(d), weight + i);
             sum = add_products(sum, _mm512_extracti64x4_epi64(d, 1),
                                weight + i + 16);
@@ -241,10 +244,15 @@ weigh_packed_avx512(const uint64_t *row, const uint32_t *at,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-static const murk_kernels avx512 = {
-    count_new_avx512,    sum_missing_avx512, weigh_missing_avx512,
-    sum_above_avx512,    weigh_above_avx512, sum_packed_avx512,
-    weigh_packed_avx512, sum_rest_avx512,    sum_rest_packed_avx512};
+static const murk_kernels avx512 = {count_new_avx512,
+                                    sum_missing_avx512,
+                                    weighted_missing_avx512,
+                                    sum_above_avx512,
+                                    weighted_above_avx512,
+                                    sum_packed_avx512,
+                                    weighted_packed_avx512,
+                                    sum_independent_avx512,
+                                    sum_independent_packed_avx512};
 
 const murk_kernels *murk_kernels_avx512(void)
 {

@@ -28,23 +28,23 @@ static size_t keep_distinct(uint32_t *value, size_t n)
 
 static uint32_t common_divisor(const uint32_t *weight, size_t n)
 {
-    uint32_t common = 0;
-    for (size_t i = 0; i < n && common != 1; ++i) {
-        uint32_t a = common, b = weight[i];
+    uint32_t weight_gcd = 0;
+    for (size_t i = 0; i < n && weight_gcd != 1; ++i) {
+        uint32_t a = weight_gcd, b = weight[i];
         while (b) {
             const uint32_t rest = a % b;
             a = b;
             b = rest;
         }
-        common = a;
+        weight_gcd = a;
     }
-    return common ? common : 1;
+    return weight_gcd ? weight_gcd : 1;
 }
 
 /* A slot for each photon: by weight, then by number. */
-static void deal_slots(murk_layout *out, const uint32_t *weight,
-                       const uint32_t *distinct, size_t n_distinct,
-                       size_t *next)
+static void assign_slots(murk_layout *out, const uint32_t *weight,
+                         const uint32_t *distinct, size_t n_distinct,
+                         size_t *next)
 {
     memset(next, 0, n_distinct * sizeof *next);
     for (size_t pass = 0; pass < 2; ++pass) {
@@ -83,7 +83,7 @@ static bool is_uniform(const murk_layout *l, size_t word, uint32_t *weight)
     return true;
 }
 
-static void cut_segments(murk_layout *l)
+static void find_segments(murk_layout *l)
 {
     l->segments = 0;
     for (size_t k = 0; k < l->words; ++k) {
@@ -112,21 +112,21 @@ void *murk_aligned_zeros(size_t n)
 }
 
 /* Room for weights; the padding weighs nothing. */
-static bool set_aside(murk_layout *l)
+static bool allocate(murk_layout *l)
 {
     l->weight = murk_aligned_zeros(l->slots * sizeof *l->weight);
     l->segment = malloc((l->words + 1) * sizeof *l->segment);
     return l->weight && l->segment;
 }
 
-static void weigh(murk_layout *l, const uint32_t *weight)
+static void set_weights(murk_layout *l, const uint32_t *weight)
 {
     l->whole = 0;
     for (size_t i = 0; i < l->photons; ++i) {
         l->weight[murk_layout_slot(l, (uint32_t)i)] = weight[i];
         l->whole += (uint64_t)weight[i] * MURK_CLEAR * l->layers;
     }
-    l->common = common_divisor(weight, l->photons);
+    l->weight_gcd = common_divisor(weight, l->photons);
 }
 
 murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
@@ -153,7 +153,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
             if (!l.slot || !next) {
                 goto no_memory;
             }
-            deal_slots(&l, problem->weight, distinct, n, next);
+            assign_slots(&l, problem->weight, distinct, n, next);
         }
     }
     if (problem->combining == MURK_COMBINE_INDEPENDENT) {
@@ -164,11 +164,11 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
         murk_doses_fill(l.doses);
     }
     l.words = l.slots / 64;
-    if (!set_aside(&l)) {
+    if (!allocate(&l)) {
         goto no_memory;
     }
-    weigh(&l, problem->weight);
-    cut_segments(&l);
+    set_weights(&l, problem->weight);
+    find_segments(&l);
     *out = l;
     l = (murk_layout){0};
     goto done;
@@ -185,7 +185,7 @@ done:
 /* Rows know the segments that they were stored by: these stay, each of one
  * weight or mixed as it now is. Where photons of one weight lay, slots without
  * weight are padding. */
-static void keep_segments(murk_layout *l, const murk_layout *from)
+static void update_segments(murk_layout *l, const murk_layout *from)
 {
     for (size_t s = 0; s < from->segments; ++s) {
         const murk_weight_run *old = &from->segment[s];
@@ -208,15 +208,15 @@ murk_status murk_layout_reweigh(murk_layout *out, const murk_layout *from,
     if (!out->weight) {
         *out = *from;
         out->is_borrowed = true;
-        if (!set_aside(out)) {
+        if (!allocate(out)) {
             murk_layout_release(out);
             return murk_fail(err, MURK_NO_MEMORY, "",
                              "no memory for the weights of %zu photons",
                              from->photons);
         }
     }
-    weigh(out, weight);
-    keep_segments(out, from);
+    set_weights(out, weight);
+    update_segments(out, from);
     return MURK_OK;
 }
 

@@ -23,10 +23,10 @@ typedef struct murk_layout {
     uint32_t *slot;               /* [photons]; NULL: photon i has slot i */
     bool is_borrowed;             /* slot and doses are another layout's */
     uint32_t *weight;             /* [slots], 0 in the padding */
-    size_t layers;     /* views of a photon that count: the redundancy */
-    murk_doses *doses; /* where chances are independent, else NULL */
-    uint64_t whole;    /* sum of weights times MURK_CLEAR, times layers */
-    uint32_t common;   /* greatest common divisor of the weights */
+    size_t layers;       /* views of a photon that count: the redundancy */
+    murk_doses *doses;   /* where chances are independent, else NULL */
+    uint64_t whole;      /* sum of weights times MURK_CLEAR, times layers */
+    uint32_t weight_gcd; /* greatest common divisor of the weights */
     murk_weight_run *segment; /* [segments] */
     size_t segments;
     const murk_kernels *kernels;

@@ -13,16 +13,16 @@
 #define PHOTONS_WORTH_MERGING 16384
 
 /* Candidates that the pilot looks at before memory is committed. */
-#define PILOT_LOOKS 32
+#define PILOT_ROWS 32
 
-typedef struct filling {
+typedef struct fill_task {
     const murk_problem *problem;
     murk_matrix *matrix;
     uint64_t max_bytes;
-    _Atomic uint64_t *print; /* [photons], NULL: none is taken */
+    _Atomic uint64_t *hash; /* [photons], NULL: none is taken */
     murk_tally bytes;
     murk_tally out_of_memory; /* rows that could not be had */
-} filling;
+} fill_task;
 
 static double gigabytes(uint64_t bytes)
 {
@@ -60,11 +60,11 @@ static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
                          uint64_t max_bytes, murk_error *err)
 {
     double bytes = 0;
-    for (size_t k = 0; k < PILOT_LOOKS && !murk_interrupted(); ++k) {
-        murk_look look;
-        problem->look(problem->context, 0,
-                      pilot_candidate(k, problem->candidates), &look);
-        bytes += (double)murk_row_bytes(layout, &look) / PILOT_LOOKS;
+    for (size_t k = 0; k < PILOT_ROWS && !murk_interrupted(); ++k) {
+        murk_sparse_row entries;
+        problem->get_row(problem->context, 0,
+                         pilot_candidate(k, problem->candidates), &entries);
+        bytes += (double)murk_row_bytes(layout, &entries) / PILOT_ROWS;
     }
     bytes = (bytes + sizeof(murk_row)) * (double)problem->candidates;
     if (bytes > (double)max_bytes) {
@@ -75,18 +75,18 @@ static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
 
 static void fill_row(void *context, unsigned worker, uint64_t batch)
 {
-    filling *f = context;
+    fill_task *f = context;
     if ((uint64_t)murk_tally_read(&f->bytes) > f->max_bytes ||
         murk_tally_read(&f->out_of_memory) > 0) {
         return;
     }
-    murk_look look;
-    f->problem->look(f->problem->context, worker, (size_t)batch, &look);
-    if (f->print) {
-        murk_merge_note(f->print, (size_t)batch, &look);
+    murk_sparse_row entries;
+    f->problem->get_row(f->problem->context, worker, (size_t)batch, &entries);
+    if (f->hash) {
+        murk_merge_hash(f->hash, (size_t)batch, &entries);
     }
     murk_row *row = &f->matrix->row[batch];
-    if (murk_row_store(row, &f->matrix->layout, &look)) {
+    if (murk_row_store(row, &f->matrix->layout, &entries)) {
         murk_tally_add(&f->bytes, (int64_t)(row->memory_bytes + sizeof *row));
     } else {
         murk_tally_add(&f->out_of_memory, 1);
@@ -95,13 +95,13 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
 }
 
 static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
-                        uint64_t max_bytes, _Atomic uint64_t *print,
+                        uint64_t max_bytes, _Atomic uint64_t *hash,
                         murk_error *err)
 {
-    filling f = {.problem = problem,
-                 .matrix = matrix,
-                 .print = print,
-                 .max_bytes = max_bytes};
+    fill_task f = {.problem = problem,
+                   .matrix = matrix,
+                   .hash = hash,
+                   .max_bytes = max_bytes};
     murk_progress_begin("sense", problem->candidates, "candidates");
     murk_pool_run_workers(problem->threads, problem->candidates, fill_row, &f);
     murk_progress_end();
@@ -118,16 +118,16 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
         return too_big(err, problem, "more than", gigabytes(max_bytes),
                        max_bytes);
     }
-    matrix->all_clear = true;
+    matrix->is_binary = true;
     matrix->memory_bytes = sizeof *matrix + (size_t)murk_tally_read(&f.bytes);
     for (size_t j = 0; j < matrix->candidates; ++j) {
         const murk_row *row = &matrix->row[j];
         matrix->pairs += row->seen;
-        matrix->all_clear =
-            matrix->all_clear &&
+        matrix->is_binary =
+            matrix->is_binary &&
             (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST);
     }
-    if (matrix->all_clear) { /* what is certain, is so in one view */
+    if (matrix->is_binary) { /* what is certain, is so in one view */
         free(matrix->layout.doses);
         matrix->layout.doses = NULL;
     }
@@ -151,9 +151,9 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     assert(out && problem && problem->threads > 0);
     murk_status status = MURK_OK;
     /* without it nothing is merged */
-    _Atomic uint64_t *print = merging == MURK_MERGE_NEVER
-                                  ? NULL
-                                  : calloc(problem->photons + 1, sizeof *print);
+    _Atomic uint64_t *hash = merging == MURK_MERGE_NEVER
+                                 ? NULL
+                                 : calloc(problem->photons + 1, sizeof *hash);
     murk_matrix *matrix = calloc(1, sizeof *matrix);
     if (matrix) {
         matrix->candidates = problem->candidates;
@@ -171,11 +171,13 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         status = pilot(problem, &matrix->layout, max_bytes, err);
     }
     if (!status) {
-        status = fill(matrix, problem, max_bytes, print, err);
+        status = fill(matrix, problem, max_bytes, hash, err);
     }
-    if (!status && print) {
-        status = murk_merge(matrix, problem, print,
-                            merging == MURK_MERGE_ALWAYS, err);
+    if (!status && hash) {
+        uint64_t row_bytes = matrix->memory_bytes - sizeof *matrix;
+        status = murk_merge(&matrix->layout, matrix->row, problem, hash,
+                            merging == MURK_MERGE_ALWAYS, &row_bytes, err);
+        matrix->memory_bytes = sizeof *matrix + (size_t)row_bytes;
     }
     if (status) {
         goto done;
@@ -183,7 +185,7 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     *out = matrix;
     matrix = NULL;
 done:
-    free(print);
+    free(hash);
     murk_matrix_destroy(matrix);
     return status;
 }

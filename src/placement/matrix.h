@@ -9,7 +9,7 @@ struct murk_matrix {
     size_t candidates;
     murk_row *row; /* [candidates] */
     bool borrows_rows;
-    bool all_clear; /* every row is BITS or CLEAR_LIST */
+    bool is_binary; /* every row is BITS or CLEAR_LIST */
     uint64_t pairs;
     size_t memory_bytes;
 };

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NOBODY UINT32_MAX
+#define NOT_KEPT UINT32_MAX
 
 /* Beside its words a segment costs a call, as much as so many words; a word of
  * mixed weights as much as so many others. Rows must become so much shorter. */
@@ -16,7 +16,7 @@
 #define COST_KEPT         0.7
 
 /* SplitMix64's finaliser: the word of a candidate and clarity. */
-static uint64_t word_of(uint64_t candidate, uint16_t clarity)
+static uint64_t hash_entry(uint64_t candidate, uint16_t clarity)
 {
     uint64_t x = (candidate << 16 | clarity) + UINT64_C(0x9e3779b97f4a7c15);
     x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -24,26 +24,28 @@ static uint64_t word_of(uint64_t candidate, uint16_t clarity)
     return x ^ (x >> 31);
 }
 
-void murk_merge_note(_Atomic uint64_t *print, size_t candidate,
-                     const murk_look *look)
+void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
+                     const murk_sparse_row *entries)
 {
-    const uint64_t clear = word_of(candidate, MURK_CLEAR);
-    for (size_t k = 0; k < look->seen; ++k) {
-        const uint64_t word =
-            look->clarity ? word_of(candidate, look->clarity[k]) : clear;
-        atomic_fetch_add_explicit(&print[look->photon[k]], word,
+    const uint64_t clear = hash_entry(candidate, MURK_CLEAR);
+    for (size_t k = 0; k < entries->seen; ++k) {
+        const uint64_t word = entries->clarity
+                                  ? hash_entry(candidate, entries->clarity[k])
+                                  : clear;
+        atomic_fetch_add_explicit(&hash[entries->photon[k]], word,
                                   memory_order_relaxed);
     }
 }
 
-typedef struct viewed {
-    uint64_t print;
+typedef struct hashed_photon {
+    uint64_t hash;
     uint32_t weight, photon;
-} viewed;
+} hashed_photon;
 
 typedef struct merging {
-    murk_matrix *matrix;
-    size_t photons, groups, kept;
+    murk_layout *old; /* of the rows as given */
+    murk_row *row;    /* [candidates] */
+    size_t candidates, photons, groups, kept;
     uint32_t *group;  /* [photons] */
     uint32_t *size;   /* [groups] */
     uint32_t *number; /* [photons] among those kept, or NOBODY */
@@ -51,19 +53,19 @@ typedef struct merging {
     uint32_t *photon; /* [slots] of the matrix as it is, or NOBODY */
     murk_layout layout;
     /* [threads][..] */
-    uint32_t **met;     /* [groups] photons of a row */
-    uint16_t **clarity; /* [groups] theirs */
-    uint32_t **seen;    /* [kept] */
-    uint16_t **packed;  /* [kept] */
+    uint32_t **group_count; /* [groups] photons of a row */
+    uint16_t **clarity;     /* [groups] theirs */
+    uint32_t **seen;        /* [kept] */
+    uint16_t **packed;      /* [kept] */
     unsigned threads;
-    murk_tally differ, out_of_memory, bytes;
+    murk_tally mismatches, out_of_memory, bytes;
 } merging;
 
-static int by_view(const void *a, const void *b)
+static int by_hash(const void *a, const void *b)
 {
-    const viewed *x = a, *y = b;
-    if (x->print != y->print) {
-        return x->print < y->print ? -1 : 1;
+    const hashed_photon *x = a, *y = b;
+    if (x->hash != y->hash) {
+        return x->hash < y->hash ? -1 : 1;
     }
     if (x->weight != y->weight) {
         return x->weight < y->weight ? -1 : 1;
@@ -72,11 +74,12 @@ static int by_view(const void *a, const void *b)
 }
 
 /* Who of a group's m photons stand for all, and with which weight. */
-static void deal(merging *m, const viewed *first, size_t n)
+static void choose_representatives(merging *m, const hashed_photon *first,
+                                   size_t n)
 {
     size_t left = n;
     for (size_t k = 0; k < n; ++k) {
-        m->number[first[k].photon] = NOBODY;
+        m->number[first[k].photon] = NOT_KEPT;
     }
     for (size_t k = 0; left > 0; ++k) {
         uint64_t part = 1;
@@ -91,31 +94,31 @@ static void deal(merging *m, const viewed *first, size_t n)
 }
 
 static bool group_photons(merging *m, const murk_problem *problem,
-                          const _Atomic uint64_t *print)
+                          const _Atomic uint64_t *hash)
 {
-    viewed *v = malloc((m->photons + 1) * sizeof *v);
+    hashed_photon *v = malloc((m->photons + 1) * sizeof *v);
     if (!v) {
         return false;
     }
     for (size_t i = 0; i < m->photons; ++i) {
-        v[i] =
-            (viewed){atomic_load(&print[i]), problem->weight[i], (uint32_t)i};
+        v[i] = (hashed_photon){atomic_load(&hash[i]), problem->weight[i],
+                               (uint32_t)i};
     }
-    qsort(v, m->photons, sizeof *v, by_view);
+    qsort(v, m->photons, sizeof *v, by_hash);
     for (size_t i = 0; i < m->photons;) {
         size_t end = i;
-        for (; end < m->photons && v[end].print == v[i].print &&
+        for (; end < m->photons && v[end].hash == v[i].hash &&
                v[end].weight == v[i].weight;
              ++end) {
             m->group[v[end].photon] = (uint32_t)m->groups;
         }
         m->size[m->groups++] = (uint32_t)(end - i);
-        deal(m, v + i, end - i);
+        choose_representatives(m, v + i, end - i);
         i = end;
     }
     free(v);
     for (size_t i = 0; i < m->photons; ++i) {
-        if (m->number[i] != NOBODY) {
+        if (m->number[i] != NOT_KEPT) {
             m->weight[m->kept] = m->weight[i]; /* kept <= i */
             m->number[i] = (uint32_t)m->kept++;
         }
@@ -123,7 +126,7 @@ static bool group_photons(merging *m, const murk_problem *problem,
     return true;
 }
 
-static double cost_of(const murk_layout *layout)
+static double scan_cost(const murk_layout *layout)
 {
     double cost = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
@@ -138,10 +141,10 @@ static double cost_of(const murk_layout *layout)
 static void check_row(void *context, unsigned worker, uint64_t batch)
 {
     merging *m = context;
-    uint32_t *met = m->met[worker];
+    uint32_t *group_count = m->group_count[worker];
     uint16_t *clarity = m->clarity[worker];
-    const murk_layout *layout = &m->matrix->layout;
-    const murk_row *row = &m->matrix->row[batch];
+    const murk_layout *layout = m->old;
+    const murk_row *row = &m->row[batch];
     size_t slot;
     uint16_t p;
     for (int pass = 0; pass < 2; ++pass) {
@@ -152,15 +155,15 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
             }
             const uint32_t g = m->group[m->photon[slot]];
             if (pass == 0) {
-                if (met[g]++ > 0 && clarity[g] != p) {
-                    murk_tally_add(&m->differ, 1);
+                if (group_count[g]++ > 0 && clarity[g] != p) {
+                    murk_tally_add(&m->mismatches, 1);
                 }
                 clarity[g] = p;
-            } else if (met[g] > 0) {
-                if (met[g] != m->size[g]) {
-                    murk_tally_add(&m->differ, 1);
+            } else if (group_count[g] > 0) {
+                if (group_count[g] != m->size[g]) {
+                    murk_tally_add(&m->mismatches, 1);
                 }
-                met[g] = 0;
+                group_count[g] = 0;
             }
         }
     }
@@ -169,25 +172,25 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
 static void store_row(void *context, unsigned worker, uint64_t batch)
 {
     merging *m = context;
-    const murk_layout *layout = &m->matrix->layout;
-    murk_row *row = &m->matrix->row[batch];
+    const murk_layout *layout = m->old;
+    murk_row *row = &m->row[batch];
     uint32_t *seen = m->seen[worker];
     uint16_t *packed = m->packed[worker];
     size_t n = 0, slot;
     uint16_t p;
     for (murk_row_walk walk = murk_row_begin(layout, row);
          murk_row_next(&walk, &slot, &p);) {
-        const uint32_t number = p > 0 ? m->number[m->photon[slot]] : NOBODY;
-        if (number != NOBODY) {
+        const uint32_t number = p > 0 ? m->number[m->photon[slot]] : NOT_KEPT;
+        if (number != NOT_KEPT) {
             seen[n] = number;
             packed[n++] = p;
         }
     }
     const bool is_clear =
         row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST;
-    const murk_look look = {n, seen, is_clear ? NULL : packed};
+    const murk_sparse_row entries = {n, seen, is_clear ? NULL : packed};
     murk_row stored = {0};
-    if (!murk_row_store(&stored, &m->layout, &look)) {
+    if (!murk_row_store(&stored, &m->layout, &entries)) {
         murk_tally_add(&m->out_of_memory, 1);
         return;
     }
@@ -196,39 +199,42 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     murk_tally_add(&m->bytes, (int64_t)(row->memory_bytes + sizeof *row));
 }
 
-static bool merging_init(merging *m, murk_matrix *matrix,
+static bool merging_init(merging *m, murk_layout *layout, murk_row *row,
                          const murk_problem *problem)
 {
     const size_t n = problem->photons + 1;
-    *m =
-        (merging){.matrix = matrix,
-                  .photons = problem->photons,
-                  .threads = problem->threads,
-                  .group = calloc(n, sizeof *m->group),
-                  .size = calloc(n, sizeof *m->size),
-                  .number = calloc(n, sizeof *m->number),
-                  .weight = calloc(n, sizeof *m->weight),
-                  .photon = calloc(matrix->layout.slots + 1, sizeof *m->photon),
-                  .met = calloc(problem->threads, sizeof *m->met),
-                  .clarity = calloc(problem->threads, sizeof *m->clarity),
-                  .seen = calloc(problem->threads, sizeof *m->seen),
-                  .packed = calloc(problem->threads, sizeof *m->packed)};
+    *m = (merging){.old = layout,
+                   .row = row,
+                   .candidates = problem->candidates,
+                   .photons = problem->photons,
+                   .threads = problem->threads,
+                   .group = calloc(n, sizeof *m->group),
+                   .size = calloc(n, sizeof *m->size),
+                   .number = calloc(n, sizeof *m->number),
+                   .weight = calloc(n, sizeof *m->weight),
+                   .photon = calloc(layout->slots + 1, sizeof *m->photon),
+                   .group_count =
+                       calloc(problem->threads, sizeof *m->group_count),
+                   .clarity = calloc(problem->threads, sizeof *m->clarity),
+                   .seen = calloc(problem->threads, sizeof *m->seen),
+                   .packed = calloc(problem->threads, sizeof *m->packed)};
     return m->group && m->size && m->number && m->weight && m->photon &&
-           m->met && m->clarity && m->seen && m->packed;
+           m->group_count && m->clarity && m->seen && m->packed;
 }
 
-static bool set_aside(merging *m)
+static bool allocate(merging *m)
 {
     bool has_memory = true;
     for (unsigned k = 0; k < m->threads && has_memory; ++k) {
-        m->met[k] = calloc(m->groups + 1, sizeof *m->met[k]);
+        m->group_count[k] = calloc(m->groups + 1, sizeof *m->group_count[k]);
         m->clarity[k] = calloc(m->groups + 1, sizeof *m->clarity[k]);
         m->seen[k] = calloc(m->kept + 1, sizeof *m->seen[k]);
         m->packed[k] = calloc(m->kept + 1, sizeof *m->packed[k]);
-        has_memory = m->met[k] && m->clarity[k] && m->seen[k] && m->packed[k];
+        has_memory =
+            m->group_count[k] && m->clarity[k] && m->seen[k] && m->packed[k];
     }
     for (uint32_t i = 0; i < m->photons; ++i) {
-        m->photon[murk_layout_slot(&m->matrix->layout, i)] = i;
+        m->photon[murk_layout_slot(m->old, i)] = i;
     }
     return has_memory;
 }
@@ -236,12 +242,12 @@ static bool set_aside(merging *m)
 static void merging_release(merging *m)
 {
     for (unsigned k = 0; k < m->threads; ++k) {
-        free(m->met ? m->met[k] : NULL);
+        free(m->group_count ? m->group_count[k] : NULL);
         free(m->clarity ? m->clarity[k] : NULL);
         free(m->seen ? m->seen[k] : NULL);
         free(m->packed ? m->packed[k] : NULL);
     }
-    free(m->met);
+    free(m->group_count);
     free(m->clarity);
     free(m->seen);
     free(m->packed);
@@ -256,42 +262,42 @@ static void merging_release(merging *m)
 /* The rows under the new layout. */
 static void rewrite(merging *m)
 {
-    murk_matrix *matrix = m->matrix;
-    murk_pool_run_workers(m->threads, matrix->candidates, store_row, m);
-    const murk_layout old = matrix->layout;
-    m->layout.common = old.common; /* what is worth a step stays */
+    murk_pool_run_workers(m->threads, m->candidates, store_row, m);
+    const murk_layout old = *m->old;
+    m->layout.weight_gcd = old.weight_gcd; /* what is worth a step stays */
     if (!old.doses) {
         free(m->layout.doses);
         m->layout.doses = NULL;
     }
-    matrix->layout = m->layout;
+    *m->old = m->layout;
     m->layout = old;
-    matrix->memory_bytes = sizeof *matrix + (size_t)murk_tally_read(&m->bytes);
 }
 
-murk_status murk_merge(murk_matrix *matrix, const murk_problem *problem,
-                       const _Atomic uint64_t *print, bool is_forced,
-                       murk_error *err)
+murk_status murk_merge(murk_layout *layout, murk_row *row,
+                       const murk_problem *problem,
+                       const _Atomic uint64_t *hash, bool is_forced,
+                       uint64_t *row_bytes, murk_error *err)
 {
     merging m;
     murk_status status = MURK_OK;
-    bool has_memory = merging_init(&m, matrix, problem) &&
-                      group_photons(&m, problem, print) && set_aside(&m);
+    bool has_memory = merging_init(&m, layout, row, problem) &&
+                      group_photons(&m, problem, hash) && allocate(&m);
     if (has_memory) {
         murk_problem fewer = *problem;
         fewer.photons = m.kept;
         fewer.weight = m.weight;
         status = murk_layout_init(&m.layout, &fewer, true, err);
     }
-    const bool pays = has_memory && !status &&
-                      (is_forced || cost_of(&m.layout) <
-                                        COST_KEPT * cost_of(&matrix->layout));
+    const bool pays =
+        has_memory && !status &&
+        (is_forced || scan_cost(&m.layout) < COST_KEPT * scan_cost(layout));
     if (pays) {
-        murk_pool_run_workers(m.threads, matrix->candidates, check_row, &m);
+        murk_pool_run_workers(m.threads, m.candidates, check_row, &m);
     }
-    if (pays && !murk_interrupted() && murk_tally_read(&m.differ) == 0) {
+    if (pays && !murk_interrupted() && murk_tally_read(&m.mismatches) == 0) {
         rewrite(&m);
         has_memory = murk_tally_read(&m.out_of_memory) == 0;
+        *row_bytes = (uint64_t)murk_tally_read(&m.bytes);
     }
     if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

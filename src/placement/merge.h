@@ -7,20 +7,21 @@
 #ifndef MURK_PLACEMENT_MERGE_H
 #define MURK_PLACEMENT_MERGE_H
 
-#include "placement/matrix.h"
+#include "placement/row.h"
 
 #include <stdatomic.h>
 
 /* print[photons] is a sum of random words, one a candidate that sees the
  * photon: equal views have equal prints. From any thread. */
-void murk_merge_note(_Atomic uint64_t *print, size_t candidate,
-                     const murk_look *look);
+void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
+                     const murk_sparse_row *entries);
 
 /* Merges where that makes rows so much shorter that it pays (or always). Equal
  * prints are checked, row by row: where two views that differ have the same,
  * nothing is merged. Fails when out of memory. */
-murk_status murk_merge(murk_matrix *matrix, const murk_problem *problem,
-                       const _Atomic uint64_t *print, bool is_forced,
-                       murk_error *err);
+murk_status murk_merge(murk_layout *layout, murk_row *row,
+                       const murk_problem *problem,
+                       const _Atomic uint64_t *hash, bool is_forced,
+                       uint64_t *row_bytes, murk_error *err);
 
 #endif

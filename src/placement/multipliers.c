@@ -60,15 +60,16 @@ static uint16_t clarity_above(const murk_doses *doses, uint32_t dose)
     return t;
 }
 
-void murk_multipliers_stand(murk_multipliers *t, const murk_cover *stand)
+void murk_multipliers_set_partial_plan(murk_multipliers *t,
+                                       const murk_cover *partial)
 {
     const murk_layout *layout = t->evaluator->layout;
-    t->stand = stand;
+    t->partial = partial;
     for (size_t i = 0; i < layout->slots; ++i) {
-        t->floor[i] = !stand ? 0
-                      : stand->dose
-                          ? clarity_above(layout->doses, stand->dose[i])
-                          : stand->best[i];
+        t->floor[i] = !partial ? 0
+                      : partial->dose
+                          ? clarity_above(layout->doses, partial->dose[i])
+                          : partial->best[i];
     }
 }
 
@@ -83,7 +84,7 @@ static uint64_t weigh_clearest(const murk_multipliers *t)
     }
     for (size_t k = 1; k < layout->layers; ++k) {
         const uint16_t *layer =
-            t->stand ? t->stand->best + k * layout->slots : NULL;
+            t->partial ? t->partial->best + k * layout->slots : NULL;
         for (size_t i = 0; i < layout->slots; ++i) {
             const uint16_t view = layer && layer[i] > at[i] ? layer[i] : at[i];
             sum += (uint64_t)view * layout->weight[i];
@@ -100,9 +101,9 @@ static uint64_t weigh_chances(murk_multipliers *t)
     for (size_t i = 0; i < layout->slots; ++i) {
         const uint16_t clarity = t->rounded.best[i];
         const uint64_t rest = (uint64_t)(MURK_CLEAR - clarity);
-        const uint32_t stands = t->stand ? t->stand->dose[i] : 0;
+        const uint32_t present = t->partial ? t->partial->dose[i] : 0;
         const uint64_t room =
-            MURK_DOSE_ONE + layout->doses->below[clarity] - stands;
+            MURK_DOSE_ONE + layout->doses->below[clarity] - present;
         const uint64_t base =
             (uint64_t)MURK_CLEAR * MURK_DOSE_ONE - rest * room;
         sum += (wide)base * layout->weight[i];
@@ -112,24 +113,24 @@ static uint64_t weigh_chances(murk_multipliers *t)
     return in_whole(sum);
 }
 
-uint64_t murk_multipliers_take(murk_multipliers *t, const float *threshold)
+uint64_t murk_multipliers_set(murk_multipliers *t, const float *multiplier)
 {
     for (size_t i = 0; i < t->evaluator->layout->slots; ++i) {
-        t->rounded.best[i] = (uint16_t)(threshold[i] + 0.5F);
+        t->rounded.best[i] = (uint16_t)(multiplier[i] + 0.5F);
     }
     return t->factor ? weigh_chances(t) : weigh_clearest(t);
 }
 
-typedef struct weighing {
+typedef struct evaluation {
     const murk_multipliers *multipliers;
     const uint32_t *candidate;
     uint64_t *gain;
-} weighing;
+} evaluation;
 
 /* sum w (1 - t) min(d, 1 + y - Y0). */
 static void weigh_row(void *context, unsigned worker, uint64_t batch)
 {
-    const weighing *w = context;
+    const evaluation *w = context;
     const murk_multipliers *t = w->multipliers;
     const murk_layout *layout = t->evaluator->layout;
     const murk_row row =
@@ -154,7 +155,7 @@ void murk_multipliers_gains(const murk_multipliers *t,
         return;
     }
     const unsigned threads = murk_evaluator_threads(t->evaluator, n);
-    weighing w = {t, candidate, gain};
+    evaluation w = {t, candidate, gain};
     if (threads > 1) {
         murk_pool_run_workers(threads, n, weigh_row, &w);
         return;
@@ -168,14 +169,15 @@ static size_t views_below(const murk_multipliers *t, size_t slot)
 {
     const murk_layout *layout = t->evaluator->layout;
     size_t n = layout->layers;
-    for (size_t k = 1; t->stand && k < layout->layers; ++k) {
-        n -= t->stand->best[k * layout->slots + slot] > t->rounded.best[slot];
+    for (size_t k = 1; t->partial && k < layout->layers; ++k) {
+        n -= t->partial->best[k * layout->slots + slot] > t->rounded.best[slot];
     }
     return n;
 }
 
-static void slopes_of_clearest(murk_multipliers *t, const murk_ranked *chosen,
-                               size_t n, float *down)
+static void subgradient_of_clearest(murk_multipliers *t,
+                                    const murk_ranked *chosen, size_t n,
+                                    float *subgradient)
 {
     const murk_layout *layout = t->evaluator->layout;
     memset(t->count, 0, layout->slots * sizeof *t->count);
@@ -185,13 +187,14 @@ static void slopes_of_clearest(murk_multipliers *t, const murk_ranked *chosen,
         murk_row_count_above(layout, &row, t->rounded.best, t->count);
     }
     for (size_t i = 0; i < layout->slots; ++i) {
-        down[i] = (float)views_below(t, i) - (float)t->count[i];
+        subgradient[i] = (float)views_below(t, i) - (float)t->count[i];
     }
 }
 
 /* Where a row meets its most, its part falls with t, too: by y - Y0. */
-static void slopes_of_chances(murk_multipliers *t, const murk_ranked *chosen,
-                              size_t n, float *down)
+static void subgradient_of_chances(murk_multipliers *t,
+                                   const murk_ranked *chosen, size_t n,
+                                   float *subgradient)
 {
     const murk_layout *layout = t->evaluator->layout;
     memset(t->drawn, 0, layout->slots * sizeof *t->drawn);
@@ -210,16 +213,17 @@ static void slopes_of_chances(murk_multipliers *t, const murk_ranked *chosen,
     }
     for (size_t i = 0; i < layout->slots; ++i) {
         const float above = (float)(t->max[i] - 1 - MURK_DOSE_ONE);
-        down[i] = (above - t->drawn[i]) / (float)MURK_DOSE_ONE;
+        subgradient[i] = (above - t->drawn[i]) / (float)MURK_DOSE_ONE;
     }
 }
 
-void murk_multipliers_slopes(murk_multipliers *t, const murk_ranked *chosen,
-                             size_t n, float *down)
+void murk_multipliers_subgradient(murk_multipliers *t,
+                                  const murk_ranked *chosen, size_t n,
+                                  float *subgradient)
 {
     if (t->factor) {
-        slopes_of_chances(t, chosen, n, down);
+        subgradient_of_chances(t, chosen, n, subgradient);
     } else {
-        slopes_of_clearest(t, chosen, n, down);
+        subgradient_of_clearest(t, chosen, n, subgradient);
     }
 }

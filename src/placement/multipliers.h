@@ -27,11 +27,11 @@
 
 typedef struct murk_multipliers {
     const murk_evaluator *evaluator;
-    murk_cover rounded;      /* the thresholds, in whole units */
-    const murk_cover *stand; /* what stands: of clarities or doses, the
+    murk_cover rounded;        /* the thresholds, in whole units */
+    const murk_cover *partial; /* what stands: of clarities or doses, the
                                 evaluator's objective; NULL: nobody */
-    uint16_t *floor;         /* [slots] where thresholds end */
-    uint16_t *count;         /* [slots] scratch: rows that are above */
+    uint16_t *floor;           /* [slots] where thresholds end */
+    uint16_t *count;           /* [slots] scratch: rows that are above */
     /* Independent chances. */
     uint64_t *factor; /* [slots] weight * (1 - t) */
     uint32_t *max;    /* [slots] 1 + y - Y0, rounded up */
@@ -44,13 +44,13 @@ murk_status murk_multipliers_init(murk_multipliers *out,
 void murk_multipliers_release(murk_multipliers *multipliers);
 
 /* Borrows what stands; NULL: nobody. Sets the floor. */
-void murk_multipliers_stand(murk_multipliers *multipliers,
-                            const murk_cover *stand);
+void murk_multipliers_set_partial_plan(murk_multipliers *multipliers,
+                                       const murk_cover *partial);
 
 /* Takes threshold[slots], not below the floor, rounded to whole clarities;
  * returns the first sum, rounded up. */
-uint64_t murk_multipliers_take(murk_multipliers *multipliers,
-                               const float *threshold);
+uint64_t murk_multipliers_set(murk_multipliers *multipliers,
+                              const float *multiplier);
 
 /* gain[k] = the second sum's part of candidate[k], rounded up; over threads. */
 void murk_multipliers_gains(const murk_multipliers *multipliers,
@@ -59,7 +59,8 @@ void murk_multipliers_gains(const murk_multipliers *multipliers,
 
 /* down[slots]: what the bound falls, per weight, as a threshold does, where
  * chosen[n] join. */
-void murk_multipliers_slopes(murk_multipliers *multipliers,
-                             const murk_ranked *chosen, size_t n, float *down);
+void murk_multipliers_subgradient(murk_multipliers *multipliers,
+                                  const murk_ranked *chosen, size_t n,
+                                  float *subgradient);
 
 #endif

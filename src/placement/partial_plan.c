@@ -10,60 +10,61 @@
 #define TRIES_MAX 2000000u
 
 murk_status murk_partial_plan_init(murk_partial_plan *out,
-                                   const murk_rulebook *book, murk_error *err)
+                                   const murk_constraint_set *set,
+                                   murk_error *err)
 {
     *out = (murk_partial_plan){
-        .book = book,
-        .member = calloc(book->max_sensors + 1, sizeof *out->member),
-        .have = calloc(book->classes, sizeof *out->have)};
-    if (!out->member || !out->have) {
+        .set = set,
+        .member = calloc(set->max_sensors + 1, sizeof *out->member),
+        .class_count = calloc(set->classes, sizeof *out->class_count)};
+    if (!out->member || !out->class_count) {
         murk_partial_plan_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                         book->max_sensors);
+                         set->max_sensors);
     }
-    murk_partial_plan_clear(out, book->max_sensors);
+    murk_partial_plan_clear(out, set->max_sensors);
     return MURK_OK;
 }
 
 void murk_partial_plan_release(murk_partial_plan *partial)
 {
     free(partial->member);
-    free(partial->have);
+    free(partial->class_count);
     *partial = (murk_partial_plan){0};
 }
 
 void murk_partial_plan_clear(murk_partial_plan *s, size_t wanted)
 {
-    assert(wanted <= s->book->max_sensors);
+    assert(wanted <= s->set->max_sensors);
     s->wanted = wanted;
     s->size = 0;
     s->cost = 0;
     s->missing = 0;
-    memset(s->have, 0, s->book->classes * sizeof *s->have);
-    for (size_t c = 0; c < s->book->classes; ++c) {
-        s->missing += s->book->min[c];
+    memset(s->class_count, 0, s->set->classes * sizeof *s->class_count);
+    for (size_t c = 0; c < s->set->classes; ++c) {
+        s->missing += s->set->min[c];
     }
 }
 
 void murk_partial_plan_add(murk_partial_plan *s, uint32_t candidate)
 {
-    const uint32_t class = s->book->class_of[candidate];
-    s->missing -= s->have[class] < s->book->min[class];
-    ++s->have[class];
-    s->cost += murk_rulebook_cost(s->book, candidate);
+    const uint32_t class = s->set->class_of[candidate];
+    s->missing -= s->class_count[class] < s->set->min[class];
+    ++s->class_count[class];
+    s->cost += murk_constraint_set_cost(s->set, candidate);
     s->member[s->size++] = candidate;
 }
 
 void murk_partial_plan_drop_last(murk_partial_plan *s)
 {
     const uint32_t candidate = s->member[--s->size];
-    const uint32_t class = s->book->class_of[candidate];
-    --s->have[class];
-    s->missing += s->have[class] < s->book->min[class];
-    s->cost -= murk_rulebook_cost(s->book, candidate);
+    const uint32_t class = s->set->class_of[candidate];
+    --s->class_count[class];
+    s->missing += s->class_count[class] < s->set->min[class];
+    s->cost -= murk_constraint_set_cost(s->set, candidate);
 }
 
-static bool stands(const murk_partial_plan *s, uint32_t candidate)
+static bool is_member(const murk_partial_plan *s, uint32_t candidate)
 {
     for (size_t k = 0; k < s->size; ++k) {
         if (s->member[k] == candidate) {
@@ -74,71 +75,75 @@ static bool stands(const murk_partial_plan *s, uint32_t candidate)
 }
 
 /* What the least counts ask for costs at least, once the candidate stands. */
-static uint64_t reserve(const murk_partial_plan *s, uint32_t candidate)
+static uint64_t min_remaining_cost(const murk_partial_plan *s,
+                                   uint32_t candidate)
 {
-    const murk_rulebook *book = s->book;
+    const murk_constraint_set *set = s->set;
     uint64_t sum = 0;
-    for (size_t c = 0; c < book->classes; ++c) {
-        size_t have = s->have[c] + (book->class_of[candidate] == c);
-        for (size_t k = book->class_first[c];
-             k < book->class_first[c + 1] && have < book->min[c]; ++k) {
-            const uint32_t j = book->by_cost[k];
-            if (j != candidate && !stands(s, j)) {
-                sum += murk_rulebook_cost(book, j);
-                ++have;
+    for (size_t c = 0; c < set->classes; ++c) {
+        size_t class_count =
+            s->class_count[c] + (set->class_of[candidate] == c);
+        for (size_t k = set->class_first[c];
+             k < set->class_first[c + 1] && class_count < set->min[c]; ++k) {
+            const uint32_t j = set->by_cost[k];
+            if (j != candidate && !is_member(s, j)) {
+                sum += murk_constraint_set_cost(set, j);
+                ++class_count;
             }
         }
     }
     return sum;
 }
 
-bool murk_partial_plan_admits(const murk_partial_plan *s, uint32_t candidate,
-                              bool is_last)
+bool murk_partial_plan_can_add(const murk_partial_plan *s, uint32_t candidate,
+                               bool is_last)
 {
-    const murk_rulebook *book = s->book;
-    const uint32_t class = book->class_of[candidate];
+    const murk_constraint_set *set = s->set;
+    const uint32_t class = set->class_of[candidate];
     const size_t missing =
-        s->missing - (s->have[class] < book->min[class] ? 1 : 0);
-    if (s->have[class] >= book->max[class] ||
+        s->missing - (s->class_count[class] < set->min[class] ? 1 : 0);
+    if (s->class_count[class] >= set->max[class] ||
         s->size + 1 + missing > s->wanted || (is_last && missing > 0)) {
         return false;
     }
-    if (book->has_budget) {
-        const uint64_t cost = s->cost + murk_rulebook_cost(book, candidate);
-        if (cost > book->budget ||
-            (missing > 0 && cost + reserve(s, candidate) > book->budget)) {
+    if (set->has_budget) {
+        const uint64_t cost =
+            s->cost + murk_constraint_set_cost(set, candidate);
+        if (cost > set->budget ||
+            (missing > 0 &&
+             cost + min_remaining_cost(s, candidate) > set->budget)) {
             return false;
         }
     }
-    if (stands(s, candidate)) {
+    if (is_member(s, candidate)) {
         return false;
     }
-    for (size_t k = 0; book->has_conflicts && k < s->size; ++k) {
-        if (murk_rulebook_excludes(book, candidate, s->member[k])) {
+    for (size_t k = 0; set->has_conflicts && k < s->size; ++k) {
+        if (murk_constraint_set_conflict(set, candidate, s->member[k])) {
             return false;
         }
     }
     return true;
 }
 
-bool murk_partial_plan_is_plan(const murk_partial_plan *s)
+bool murk_partial_plan_is_complete(const murk_partial_plan *s)
 {
-    return s->missing == 0 && (s->book->has_budget || s->size == s->wanted);
+    return s->missing == 0 && (s->set->has_budget || s->size == s->wanted);
 }
 
-bool murk_partial_plan_find_plan(murk_partial_plan *s, bool *is_sure)
+bool murk_partial_plan_complete(murk_partial_plan *s, bool *is_sure)
 {
-    const uint32_t candidates = (uint32_t)s->book->candidates;
+    const uint32_t candidates = (uint32_t)s->set->candidates;
     const size_t first = s->size;
     uint32_t j = 0;
     *is_sure = true;
-    for (uint32_t tries = 0; !murk_partial_plan_is_plan(s); ++tries) {
+    for (uint32_t tries = 0; !murk_partial_plan_is_complete(s); ++tries) {
         if (tries == TRIES_MAX || (tries % 4096 == 0 && murk_interrupted())) {
             *is_sure = false;
             return false;
         }
         if (j < candidates) {
-            if (murk_partial_plan_admits(s, j, false)) {
+            if (murk_partial_plan_can_add(s, j, false)) {
                 murk_partial_plan_add(s, j);
             }
             ++j;

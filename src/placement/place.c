@@ -2,23 +2,11 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "placement/guarantee.h"
 #include "placement/incumbent.h"
-#include "placement/place_check.h"
 
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
-
-murk_place_desc murk_place_defaults(void)
-{
-    return (murk_place_desc){.method = MURK_PLACE_BEST,
-                             .count = 1,
-                             .restarts = 200,
-                             .nodes = 1000000,
-                             .seed = 1,
-                             .with_curve = true};
-}
 
 /* The curve's last count: the one asked for, or the first that reaches the
  * target. */
@@ -32,7 +20,7 @@ static murk_status find_all(murk_incumbent *p, murk_error *err)
 {
     murk_place_result *result = p->result;
     const murk_place_desc *desc = p->desc;
-    if (desc->method != MURK_PLACE_SPOQ && !p->book) {
+    if (desc->method != MURK_PLACE_SPOQ && !p->set) {
         murk_incumbent_greedy(p);
     }
     murk_curve_point last = {0};
@@ -61,8 +49,8 @@ static murk_status find_all(murk_incumbent *p, murk_error *err)
     result->upper = last.upper;
     result->is_work_cut = p->search.is_cut || p->starts.is_cut;
     result->evaluations += p->search.evaluations + p->starts.all_evaluations;
-    result->looks += p->search.looks + p->starts.all_looks + p->bound.looks +
-                     p->evaluator->looks;
+    result->queries += p->search.queries + p->starts.all_looks +
+                       p->bound.queries + p->evaluator->queries;
     return status;
 }
 
@@ -76,16 +64,16 @@ static uint64_t lesser(uint64_t a, uint64_t b)
  * `rounding` is what all of it may hide; and fewer sensors see no more, where
  * all can be filled up. */
 static void join_bounds(murk_curve_point *curve, size_t n,
-                        const murk_rulebook *book, uint64_t rounding)
+                        const murk_constraint_set *set, uint64_t rounding)
 {
     const bool may_go =
-        !book || (!book->has_min && book->constraints->fixed_count == 0);
+        !set || (!set->has_min && set->constraints->fixed_count == 0);
     for (size_t k = 1; k < n && may_go; ++k) {
         const uint64_t before = curve[k - 1].upper + rounding;
         curve[k].upper =
             lesser(curve[k].upper, before + before / curve[k - 1].count);
     }
-    for (size_t k = n - 1; k > 0 && !(book && book->has_conflicts); --k) {
+    for (size_t k = n - 1; k > 0 && !(set && set->has_conflicts); --k) {
         curve[k - 1].upper = lesser(curve[k - 1].upper, curve[k].upper);
     }
 }
@@ -96,20 +84,48 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+static const char *of_budget(const murk_constraint_set *set)
+{
+    /* Shown for a budget alone: no count that could end greedy before. */
+    const bool is_alone = !set->has_min && !set->has_caps &&
+                          !set->has_conflicts &&
+                          set->max_sensors == set->candidates;
+    return is_alone ? ".405" : "none";
+}
+
+static const char *greedy_guarantee(const murk_constraint_set *set)
+{
+    static const char *const of_extendible[2][2][2] = {
+        /* [spacing][sites][classes] */
+        {{"1 - (1 - 1/n)^n", "1/2"}, {"1/2", "1/3"}},
+        {{"1/13", "1/14"}, {"1/14", "1/15"}}};
+    if (!set) {
+        return of_extendible[0][0][0];
+    }
+    if (set->has_budget) {
+        return of_budget(set);
+    }
+    if (set->constraints->conflict_first) {
+        return "none";
+    }
+    return of_extendible[set->constraints->spacing_m > 0][set->site != NULL]
+                        [set->has_min || set->has_caps];
+}
+
 static const char *guarantee_of(const murk_incumbent *p)
 {
     /* best and exact start from greedy and only improve; relocation alone
      * would give n / (2n - 1), which is less. */
     const bool is_greedy =
-        p->desc->method != MURK_PLACE_SPOQ && (!p->book || p->is_greedy_done);
-    return is_greedy ? murk_guarantee(p->book) : "none";
+        p->desc->method != MURK_PLACE_SPOQ && (!p->set || p->is_greedy_done);
+    return is_greedy ? greedy_guarantee(p->set) : "none";
 }
 
 static uint64_t cost_of(const murk_incumbent *p)
 {
     uint64_t sum = 0;
-    for (size_t k = 0; p->book && k < p->size; ++k) {
-        sum += murk_rulebook_cost(p->book, p->plan[k]);
+    for (size_t k = 0; p->set && k < p->size; ++k) {
+        sum += murk_constraint_set_cost(p->set, p->plan[k]);
     }
     return sum;
 }
@@ -135,25 +151,25 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
                          murk_error *err)
 {
     murk_evaluator evaluator = {0};
-    murk_rulebook rulebook = {0};
-    const murk_rulebook *book = desc->constraints ? &rulebook : NULL;
+    murk_constraint_set rulebook = {0};
+    const murk_constraint_set *set = desc->constraints ? &rulebook : NULL;
     murk_incumbent p = {0};
     murk_place_result result = {0};
     murk_status status = murk_place_check(problem, matrix != NULL, desc, err);
-    if (!status && book) {
+    if (!status && set) {
         const bool is_max = desc->target || desc->constraints->budget > 0;
-        status = murk_rulebook_init(
+        status = murk_constraint_set_init(
             &rulebook, desc->constraints, problem->candidates,
             desc->count > 0 ? desc->count : problem->candidates, is_max, err);
     }
     if (!status) {
-        status = murk_evaluator_init(&evaluator, problem, matrix, book,
-                                     book ? book->max_sensors : desc->count,
+        status = murk_evaluator_init(&evaluator, problem, matrix, set,
+                                     set ? set->max_sensors : desc->count,
                                      desc->keep_dominated, err);
     }
     evaluator.search_work = desc->search_work;
     if (!status) {
-        status = murk_incumbent_init(&p, &evaluator, book, desc, &result, err);
+        status = murk_incumbent_init(&p, &evaluator, set, desc, &result, err);
     }
     if (!status && desc->target > evaluator.ceiling) {
         status = murk_fail(
@@ -187,7 +203,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     }
     qsort(result.sensor, result.count, sizeof *result.sensor, by_number);
     if (result.curve) {
-        join_bounds(result.curve, result.curve_points, book,
+        join_bounds(result.curve, result.curve_points, set,
                     evaluator.layout->doses
                         ? MURK_WORTH_SLACK *
                               (evaluator.layout->whole / MURK_CLEAR)
@@ -205,7 +221,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
 done:
     murk_incumbent_release(&p);
     murk_evaluator_release(&evaluator);
-    murk_rulebook_release(&rulebook);
+    murk_constraint_set_release(&rulebook);
     murk_place_release(&result);
     return status;
 }
@@ -226,11 +242,4 @@ murk_status murk_place_unknown(murk_place_result *result,
 {
     assert(result && problem && desc);
     return place(result, problem, NULL, desc, err);
-}
-
-void murk_place_release(murk_place_result *result)
-{
-    free(result->sensor);
-    free(result->curve);
-    *result = (murk_place_result){0};
 }

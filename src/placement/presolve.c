@@ -13,7 +13,7 @@
 
 typedef struct presolving {
     const murk_matrix *matrix;
-    const murk_rulebook *book;
+    const murk_constraint_set *set;
     const uint32_t *order;
     _Atomic uint32_t *first; /* [candidates] by rank: rank of the first
                                 dominator so far; own rank: none */
@@ -45,16 +45,16 @@ static void mark(void *context, unsigned worker, uint64_t batch)
     murk_cover_add(cover, layout, &p->matrix->row[p->order[rank]]);
     for (uint32_t b = rank + 1; b < p->matrix->candidates; ++b) {
         if (atomic_load_explicit(&p->first[b], memory_order_relaxed) > rank &&
-            murk_row_within(layout, &p->matrix->row[p->order[b]], cover) &&
-            (!p->book ||
-             murk_rulebook_may_drop(p->book, p->order[rank], p->order[b]))) {
+            murk_row_is_covered(layout, &p->matrix->row[p->order[b]], cover) &&
+            (!p->set || murk_constraint_set_may_drop(p->set, p->order[rank],
+                                                     p->order[b]))) {
             lower_to(&p->first[b], rank);
         }
     }
 }
 
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
-                          const murk_rulebook *book, const uint32_t *order,
+                          const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err)
 {
     const size_t n = matrix->candidates;
@@ -66,14 +66,14 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     }
     murk_status status = MURK_OK;
     presolving p = {.matrix = matrix,
-                    .book = book,
+                    .set = set,
                     .order = order,
                     .first = malloc((n + 1) * sizeof *p.first),
                     .cover = calloc(threads, sizeof *p.cover)};
     bool has_memory = p.first && p.cover;
     for (unsigned k = 0; has_memory && k < threads; ++k) {
         has_memory = murk_cover_init_single(&p.cover[k], &matrix->layout,
-                                            matrix->all_clear);
+                                            matrix->is_binary);
     }
     if (!has_memory) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
@@ -99,7 +99,7 @@ done:
 /* One after the other: whether a candidate is kept must be known before it
  * counts for others. */
 static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
-                      const murk_matrix *matrix, const murk_rulebook *book,
+                      const murk_matrix *matrix, const murk_constraint_set *set,
                       const uint32_t *order, size_t needed)
 {
     const murk_layout *layout = &matrix->layout;
@@ -113,8 +113,8 @@ static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
         for (size_t i = k + 1; i < matrix->candidates; ++i) {
             const uint32_t b = order[i];
             if (!is_dropped[b] &&
-                murk_row_within(layout, &matrix->row[b], cover) &&
-                (!book || murk_rulebook_may_drop(book, a, b))) {
+                murk_row_is_covered(layout, &matrix->row[b], cover) &&
+                (!set || murk_constraint_set_may_drop(set, a, b))) {
                 is_dropped[b] = ++dominators[b] >= needed;
             }
         }
@@ -122,8 +122,9 @@ static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
 }
 
 murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
-                               const murk_rulebook *book, const uint32_t *order,
-                               size_t needed, murk_error *err)
+                               const murk_constraint_set *set,
+                               const uint32_t *order, size_t needed,
+                               murk_error *err)
 {
     const size_t n = matrix->candidates;
     if (n > CANDIDATES_MAX || needed >= n) {
@@ -132,12 +133,12 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
     murk_cover cover = {0};
     size_t *dominators = calloc(n + 1, sizeof *dominators);
     if (!dominators ||
-        !murk_cover_init_single(&cover, &matrix->layout, matrix->all_clear)) {
+        !murk_cover_init_single(&cover, &matrix->layout, matrix->is_binary)) {
         free(dominators);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to compare %zu candidates", n);
     }
-    drop_many(is_dropped, dominators, &cover, matrix, book, order, needed);
+    drop_many(is_dropped, dominators, &cover, matrix, set, order, needed);
     murk_cover_release(&cover);
     free(dominators);
     return MURK_OK;

@@ -12,9 +12,9 @@
  * dominator[candidates] with the first undominated candidate in that order
  * that dominates, or the candidate itself. Of equals, the first is kept. With
  * rules (NULL: none) a candidate that they may still need is not dominated:
- * murk_rulebook_may_drop(). */
+ * murk_constraint_set_may_drop(). */
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
-                          const murk_rulebook *book, const uint32_t *order,
+                          const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err);
 
 /* The same where it takes more than one: marks whom at least `needed` of those
@@ -23,7 +23,8 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
  * always is one, and where the `needed` clearest views count, it adds nothing
  * where they all stand. */
 murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
-                               const murk_rulebook *book, const uint32_t *order,
-                               size_t needed, murk_error *err);
+                               const murk_constraint_set *set,
+                               const uint32_t *order, size_t needed,
+                               murk_error *err);
 
 #endif

@@ -21,11 +21,11 @@
 
 /* What one candidate sees: photon[] increasing, clarity[] in 1..MURK_CLEAR;
  * clarity NULL means all are MURK_CLEAR. */
-typedef struct murk_look {
+typedef struct murk_sparse_row {
     size_t seen;
     const uint32_t *photon;
     const uint16_t *clarity;
-} murk_look;
+} murk_sparse_row;
 
 /* How the views of one photon by several sensors combine. */
 typedef enum murk_combining {
@@ -42,10 +42,10 @@ typedef struct murk_problem {
     size_t photons, candidates;
     const uint32_t *weight; /* [photons]; their sum, times the redundancy, is
                                below 2^47 */
-    /* Fills *look, valid until the same worker's next call. Pure: the same
+    /* Fills *row, valid until the same worker's next call. Pure: the same
      * answer each time. Called from any thread, worker in [0, threads). */
-    void (*look)(void *context, unsigned worker, size_t candidate,
-                 murk_look *look);
+    void (*get_row)(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *row);
     void *context;
     unsigned threads;
     bool is_reweighed; /* its matrix will be: photons that all see alike are

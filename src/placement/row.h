@@ -15,27 +15,28 @@ typedef enum murk_row_kind {
 typedef struct murk_row {
     murk_row_kind kind;
     size_t seen;
-    size_t words;            /* BITS, PACKED: of bits */
-    const uint64_t *bits;    /* [words] */
-    const uint32_t *at;      /* [words] rising: where each lies; NULL: word k
-                                is the layout's word k */
-    const uint32_t *cut;     /* [segments + 1] with `at`: the first word of each
-                                segment, and `words` */
-    const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
-    const uint32_t *slot;    /* [seen], distinct */
-    void *memory;            /* what free() takes; NULL where borrowed */
+    size_t words;         /* BITS, PACKED: of bits */
+    const uint64_t *bits; /* [words] */
+    const uint32_t *at;   /* [words] rising: where each lies; NULL: word k
+                             is the layout's word k */
+    const uint32_t *segment_start; /* [segments + 1] with `at`: the first word
+                            of each segment, and `words` */
+    const uint16_t *clarity;       /* DENSE: [slots]; PACKED, LIST: [seen] */
+    const uint32_t *slot;          /* [seen], distinct */
+    void *memory;                  /* what free() takes; NULL where borrowed */
     size_t memory_bytes;
 } murk_row;
 
 /* A row that borrows the look; the layout keeps photons in place. */
-murk_row murk_row_borrow(const murk_look *look);
+murk_row murk_row_borrow(const murk_sparse_row *entries);
 
 /* The smallest row that holds the look; false when out of memory. The caller
  * frees row->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
-                    const murk_look *look);
+                    const murk_sparse_row *entries);
 /* The bytes that murk_row_store() would take. */
-size_t murk_row_bytes(const murk_layout *layout, const murk_look *look);
+size_t murk_row_bytes(const murk_layout *layout,
+                      const murk_sparse_row *entries);
 
 /* Where the k-th word of bits lies. */
 static inline size_t murk_row_word(const murk_row *row, size_t k)

@@ -1,50 +1,124 @@
 #include "placement/scan.h"
 
 #include "base/interrupt.h"
+#include "placement/settings.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-#define NOT_WEIGHED UINT64_MAX
+#define NOT_EVALUATED UINT64_MAX
 
-uint64_t murk_scan_stand(murk_search *s, uint32_t candidate)
+uint64_t murk_gain_scan_rows_max(const murk_evaluator *evaluator)
+{
+    const uint64_t work =
+        evaluator->search_work ? evaluator->search_work : MURK_SEARCH_WORK;
+    return evaluator->matrix ? work / murk_evaluator_work(evaluator, 1)
+                             : UINT64_MAX;
+}
+
+murk_status murk_gain_scan_init(murk_gain_scan *out,
+                                const murk_evaluator *evaluator,
+                                unsigned worker, unsigned threads,
+                                murk_error *err)
+{
+    const size_t n = evaluator->candidates + 1;
+    const bool has_budget = evaluator->set && evaluator->set->has_budget;
+    *out = (murk_gain_scan){
+        .evaluator = evaluator,
+        .has_many_views =
+            evaluator->layout->layers > 1 || evaluator->layout->doses,
+        .worker = worker,
+        .rows_max = UINT64_MAX,
+        .threads = threads,
+        .gain = malloc(n * sizeof *out->gain),
+        .tie = malloc(n * sizeof *out->tie),
+        .shuffle = malloc(n * sizeof *out->shuffle),
+        .ranking = malloc(n * sizeof *out->ranking),
+        .chunk_gain = calloc(MURK_SCAN_CHUNK, sizeof *out->chunk_gain),
+        .chunk = malloc(MURK_SCAN_CHUNK * sizeof *out->chunk),
+        .is_partial = calloc(n, sizeof *out->is_partial)};
+    if (has_budget) {
+        out->priced = malloc(n * sizeof *out->priced);
+    }
+    const bool is_quicker = evaluator->matrix && evaluator->slack;
+    if (is_quicker) {
+        out->max = malloc(n * sizeof *out->max);
+    }
+    if (!out->gain || !out->tie || (has_budget && !out->priced) ||
+        !out->shuffle || !out->ranking || !out->chunk_gain || !out->chunk ||
+        !out->is_partial || (is_quicker && !out->max) ||
+        !murk_cover_init(&out->cover, evaluator->layout,
+                         evaluator->is_binary)) {
+        murk_gain_scan_release(out);
+        return murk_fail(err, MURK_NO_MEMORY, "",
+                         "no memory to search %zu candidates for %zu photons",
+                         evaluator->candidates, evaluator->layout->photons);
+    }
+    murk_status status = MURK_OK;
+    if (evaluator->set) {
+        status = murk_partial_plan_init(&out->partial, evaluator->set, err);
+    }
+    if (status) {
+        murk_gain_scan_release(out);
+    }
+    return status;
+}
+
+void murk_gain_scan_release(murk_gain_scan *search)
+{
+    murk_cover_release(&search->cover);
+    murk_partial_plan_release(&search->partial);
+    free(search->priced);
+    free(search->gain);
+    free(search->tie);
+    free(search->shuffle);
+    free(search->ranking);
+    free(search->chunk_gain);
+    free(search->chunk);
+    free(search->is_partial);
+    free(search->max);
+    *search = (murk_gain_scan){0};
+}
+
+uint64_t murk_gain_scan_add(murk_gain_scan *s, uint32_t candidate)
 {
     const murk_layout *layout = s->evaluator->layout;
     const murk_row row = murk_evaluator_row(s->evaluator, s->worker, candidate);
-    s->looks += s->evaluator->matrix ? 0 : 1;
+    s->queries += s->evaluator->matrix ? 0 : 1;
     s->rows += 2; /* weighed and joined */
     const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
     murk_cover_add(&s->cover, layout, &row);
     s->is_partial[candidate] = true;
-    if (s->evaluator->book) {
+    if (s->evaluator->set) {
         murk_partial_plan_add(&s->partial, candidate);
     }
     return gain;
 }
 
-uint64_t murk_scan_stand_others(murk_search *s, const uint32_t *plan, size_t n,
-                                size_t but)
+uint64_t murk_gain_scan_set_all_but(murk_gain_scan *s, const uint32_t *plan,
+                                    size_t n, size_t but)
 {
     murk_cover_clear(&s->cover, s->evaluator->layout);
     memset(s->is_partial, 0, s->evaluator->candidates * sizeof *s->is_partial);
-    if (s->evaluator->book) {
+    if (s->evaluator->set) {
         murk_partial_plan_clear(&s->partial, s->partial.wanted);
     }
     uint64_t value = 0;
     for (size_t k = 0; k < n; ++k) {
         if (k != but) {
-            value += murk_scan_stand(s, plan[k]);
+            value += murk_gain_scan_add(s, plan[k]);
         }
     }
     return value;
 }
 
-uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
+uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best)
 {
     murk_evaluator_gains(s->evaluator, &s->cover, s->chunk, n, s->threads,
                          s->worker, s->chunk_gain);
     s->evaluations += n;
     s->rows += n;
-    s->looks += s->evaluator->matrix ? 0 : n;
+    s->queries += s->evaluator->matrix ? 0 : n;
     for (size_t k = 0; k < n; ++k) {
         s->gain[s->chunk[k]] = s->chunk_gain[k];
         best = s->chunk_gain[k] > best ? s->chunk_gain[k] : best;
@@ -53,13 +127,13 @@ uint64_t murk_scan_weigh(murk_search *s, size_t n, uint64_t best)
 }
 
 /* Weighs those of the chunk that may be the best: first the most promising. */
-static uint64_t weigh_promising(murk_search *s, size_t n, uint64_t best)
+static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
 {
     if (!s->max || n == 0) {
-        return murk_scan_weigh(s, n, best);
+        return murk_gain_scan_evaluate(s, n, best);
     }
-    murk_evaluator_mosts(s->evaluator, &s->cover, s->chunk, n, s->threads,
-                         s->worker, s->chunk_gain);
+    murk_evaluator_gain_bounds(s->evaluator, &s->cover, s->chunk, n, s->threads,
+                               s->worker, s->chunk_gain);
     s->evaluations += n;
     size_t first = 0;
     for (size_t k = 0; k < n; ++k) {
@@ -72,19 +146,20 @@ static uint64_t weigh_promising(murk_search *s, size_t n, uint64_t best)
     if (s->max[s->chunk[0]] < best) {
         return best;
     }
-    best = murk_scan_weigh(s, 1, best);
+    best = murk_gain_scan_evaluate(s, 1, best);
     size_t kept = 0;
     for (size_t k = 1; k < n; ++k) {
         if (s->max[s->chunk[k]] >= best) {
             s->chunk[kept++] = s->chunk[k];
         }
     }
-    return murk_scan_weigh(s, kept, best);
+    return murk_gain_scan_evaluate(s, kept, best);
 }
 
 /* The undominated, from the most promising on, until the rest cannot reach
  * the best. */
-static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
+static uint64_t evaluate_undominated(murk_gain_scan *s,
+                                     const murk_ranked *ranking)
 {
     const size_t n = s->evaluator->undominated;
     uint64_t best = 0;
@@ -93,39 +168,38 @@ static uint64_t weigh_undominated(murk_search *s, const murk_ranked *ranking)
             return 0;
         }
         size_t gathered = 0;
-        for (;
-             k < n && gathered < MURK_SEARCH_CHUNK && ranking[k].bound >= best;
+        for (; k < n && gathered < MURK_SCAN_CHUNK && ranking[k].bound >= best;
              ++k) {
-            if (murk_scan_is_open(s, ranking[k].candidate)) {
+            if (murk_gain_scan_can_add(s, ranking[k].candidate)) {
                 s->chunk[gathered++] = ranking[k].candidate;
             }
         }
-        best = weigh_promising(s, gathered, best);
+        best = evaluate_promising(s, gathered, best);
     }
     return best;
 }
 
 /* The dominated whose dominator has the best gain: they may tie. */
-static void weigh_dominated(murk_search *s, uint64_t best)
+static void evaluate_dominated(murk_gain_scan *s, uint64_t best)
 {
     const murk_evaluator *o = s->evaluator;
     size_t gathered = 0;
     for (size_t k = o->undominated; k < o->candidates; ++k) {
         const uint32_t j = o->ranked[k].candidate;
-        if (s->gain[o->dominator[j]] == best && o->alone[j] >= best &&
-            murk_scan_is_open(s, j)) {
+        if (s->gain[o->dominator[j]] == best && o->single_value[j] >= best &&
+            murk_gain_scan_can_add(s, j)) {
             s->chunk[gathered++] = j;
         }
-        if (gathered == MURK_SEARCH_CHUNK) {
-            murk_scan_weigh(s, gathered, best);
+        if (gathered == MURK_SCAN_CHUNK) {
+            murk_gain_scan_evaluate(s, gathered, best);
             gathered = 0;
         }
     }
-    murk_scan_weigh(s, gathered, best);
+    murk_gain_scan_evaluate(s, gathered, best);
 }
 
-static bool holds(const uint32_t *plan, size_t n, size_t but,
-                  uint32_t candidate)
+static bool contains(const uint32_t *plan, size_t n, size_t but,
+                     uint32_t candidate)
 {
     for (size_t k = 0; k < n; ++k) {
         if (k != but && plan[k] == candidate) {
@@ -135,9 +209,9 @@ static bool holds(const uint32_t *plan, size_t n, size_t but,
     return false;
 }
 
-uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
-                              const uint32_t *plan, size_t n, size_t but,
-                              uint64_t value)
+uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
+                                  const uint32_t *plan, size_t n, size_t but,
+                                  uint64_t value)
 {
     const murk_evaluator *o = s->evaluator;
     memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
@@ -146,18 +220,18 @@ uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
     }
     uint64_t best = 0;
     if (value < o->ceiling) {
-        best = weigh_undominated(s, ranking);
+        best = evaluate_undominated(s, ranking);
     }
     s->ties = 0;
     if (best == 0) { /* all that are free add the same: nothing */
         for (uint32_t j = 0; j < o->candidates; ++j) {
-            if (!holds(plan, n, but, j) && murk_scan_is_open(s, j)) {
+            if (!contains(plan, n, but, j) && murk_gain_scan_can_add(s, j)) {
                 s->tie[s->ties++] = j;
             }
         }
         return 0;
     }
-    weigh_dominated(s, best);
+    evaluate_dominated(s, best);
     for (uint32_t j = 0; j < o->candidates; ++j) {
         if (s->gain[j] == best) {
             s->tie[s->ties++] = j;
@@ -166,16 +240,16 @@ uint64_t murk_scan_candidates(murk_search *s, const murk_ranked *ranking,
     return best;
 }
 
-void murk_scan_sharpen(murk_search *s)
+void murk_gain_scan_update_bounds(murk_gain_scan *s)
 {
     /* what was weighed can only fall, but for rounding */
     const size_t n = s->evaluator->undominated;
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = s->ranking[k].candidate;
-        if (s->gain[j] != NOT_WEIGHED) {
-            s->ranking[k].bound = s->gain[j] + murk_scan_slack(s, j);
-        } else if (s->max && s->max[j] != NOT_WEIGHED) {
-            const uint64_t max = s->max[j] + murk_scan_slack(s, j);
+        if (s->gain[j] != NOT_EVALUATED) {
+            s->ranking[k].bound = s->gain[j] + murk_gain_scan_slack(s, j);
+        } else if (s->max && s->max[j] != NOT_EVALUATED) {
+            const uint64_t max = s->max[j] + murk_gain_scan_slack(s, j);
             uint64_t *bound = &s->ranking[k].bound;
             *bound = max < *bound ? max : *bound;
         }

@@ -272,8 +272,8 @@ static void print_budget(FILE *to, const murk_constraints *constraints,
     fprintf(to, " <= %lld\n", (long long)constraints->budget);
 }
 
-static void print_class(FILE *to, const murk_rulebook *book, uint32_t number,
-                        bool is_min)
+static void print_class(FILE *to, const murk_constraint_set *book,
+                        uint32_t number, bool is_min)
 {
     terms t = {to, 0};
     fprintf(to, " class%u_%s:", number + 1, is_min ? "least" : "most");
@@ -293,7 +293,7 @@ static int by_site(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static bool print_sites(FILE *to, const murk_rulebook *book)
+static bool print_sites(FILE *to, const murk_constraint_set *book)
 {
     const size_t n = book->candidates;
     uint64_t *order = malloc((n + 1) * sizeof *order);
@@ -323,18 +323,19 @@ static bool print_sites(FILE *to, const murk_rulebook *book)
     return true;
 }
 
-static bool is_of_one_site(const murk_rulebook *book, uint32_t a, uint32_t b)
+static bool is_of_one_site(const murk_constraint_set *book, uint32_t a,
+                           uint32_t b)
 {
     return book->site && book->site[a] == book->site[b];
 }
 
 /* Pairs apart from those of one site; false beyond the most. */
-static bool print_pairs(FILE *to, const murk_rulebook *book)
+static bool print_pairs(FILE *to, const murk_constraint_set *book)
 {
     size_t pairs = 0;
     for (uint32_t a = 0; a < book->candidates; ++a) {
         for (uint32_t b = a + 1; b < book->candidates; ++b) {
-            if (!murk_rulebook_excludes(book, a, b) ||
+            if (!murk_constraint_set_conflict(book, a, b) ||
                 is_of_one_site(book, a, b)) {
                 continue;
             }
@@ -356,11 +357,11 @@ static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
     if (!constraints) {
         return MURK_OK;
     }
-    murk_rulebook book;
+    murk_constraint_set book;
     const size_t count = goal->count ? goal->count : m->columns;
     murk_status status =
-        murk_rulebook_init(&book, constraints, m->columns, count,
-                           goal->count == 0 || goal->target > 0, err);
+        murk_constraint_set_init(&book, constraints, m->columns, count,
+                                 goal->count == 0 || goal->target > 0, err);
     if (status) {
         return status;
     }
@@ -387,7 +388,7 @@ static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
                            "other, an LP file may have so many",
                            ENTRIES_MAX);
     }
-    murk_rulebook_release(&book);
+    murk_constraint_set_release(&book);
     return status;
 }
 

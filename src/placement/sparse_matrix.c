@@ -6,15 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void look(void *context, unsigned worker, size_t candidate,
-                 murk_look *out)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
 {
     const murk_sparse_matrix *m = context;
     (void)worker;
     const size_t from = m->begin[candidate];
-    *out = (murk_look){.seen = m->begin[candidate + 1] - from,
-                       .photon = m->row + from,
-                       .clarity = m->is_clear ? NULL : m->clarity + from};
+    *out = (murk_sparse_row){.seen = m->begin[candidate + 1] - from,
+                             .photon = m->row + from,
+                             .clarity = m->is_clear ? NULL : m->clarity + from};
 }
 
 murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
@@ -23,7 +23,7 @@ murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
     return (murk_problem){.photons = matrix->rows,
                           .candidates = matrix->columns,
                           .weight = matrix->weight,
-                          .look = look,
+                          .get_row = get_row,
                           .context = matrix,
                           .threads = threads};
 }
@@ -47,12 +47,12 @@ typedef struct collection {
     kept_look *block;
 } collection;
 
-static void look_once(void *context, unsigned worker, uint64_t batch)
+static void get_one_row(void *context, unsigned worker, uint64_t batch)
 {
     const collection *c = context;
     kept_look *kept = &c->block[batch];
-    murk_look seen;
-    c->problem->look(c->problem->context, worker, c->first + batch, &seen);
+    murk_sparse_row seen;
+    c->problem->get_row(c->problem->context, worker, c->first + batch, &seen);
     *kept =
         (kept_look){.seen = seen.seen,
                     .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
@@ -110,7 +110,7 @@ static murk_status append(collection *c, size_t candidate,
     return MURK_OK;
 }
 
-static murk_status look_all(collection *c, murk_error *err)
+static murk_status get_rows(collection *c, murk_error *err)
 {
     const size_t room = (size_t)BLOCK_EACH * c->problem->threads;
     murk_status status = MURK_OK;
@@ -121,7 +121,7 @@ static murk_status look_all(collection *c, murk_error *err)
     for (; c->first < c->matrix->columns && !status; c->first += room) {
         const size_t left = c->matrix->columns - c->first;
         const size_t n = left < room ? left : room;
-        murk_pool_run_workers(c->problem->threads, n, look_once, c);
+        murk_pool_run_workers(c->problem->threads, n, get_one_row, c);
         if (murk_interrupted()) {
             status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }
@@ -181,7 +181,7 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
     memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
     reduce_weights(m);
     collection c = {.problem = problem, .matrix = m, .max = max_entries};
-    status = make_room(&c, 0, 1) ? look_all(&c, err)
+    status = make_room(&c, 0, 1) ? get_rows(&c, err)
                                  : murk_fail(err, MURK_NO_MEMORY, "",
                                              "no memory for the matrix");
     if (status) {

@@ -3,7 +3,7 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
-#include "placement/place.h"
+#include "placement/settings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,9 +18,9 @@
 static void run_start(void *context, unsigned worker, uint64_t batch)
 {
     murk_starts *t = context;
-    murk_search *s = &t->search[worker];
+    murk_gain_scan *s = &t->search[worker];
     uint32_t *plan = t->plan + batch * t->count;
-    s->evaluations = s->looks = s->rows = 0;
+    s->evaluations = s->queries = s->rows = 0;
     s->is_cut = false;
     uint64_t value = murk_search_spoq(s, plan, t->n, t->seed, t->first + batch);
     if (!murk_interrupted()) {
@@ -30,7 +30,7 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
     t->value[batch] = value;
     t->evaluations[batch] = s->evaluations;
     t->rows[batch] = s->rows;
-    t->looks[batch] = s->looks;
+    t->queries[batch] = s->queries;
 }
 
 murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
@@ -39,9 +39,8 @@ murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
     /* In an unknown environment, and where a scan is long, threads share each
      * scan; else each takes a start of its own. */
     const unsigned threads = evaluator->problem->threads;
-    const bool is_wide =
-        !evaluator->matrix ||
-        murk_evaluator_threads(evaluator, MURK_SEARCH_CHUNK) > 1;
+    const bool is_wide = !evaluator->matrix ||
+                         murk_evaluator_threads(evaluator, MURK_SCAN_CHUNK) > 1;
     const unsigned workers = is_wide ? 1 : threads;
     const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
     *t = (murk_starts){.seed = seed,
@@ -52,20 +51,20 @@ murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
                        .size = calloc(wave, sizeof *t->size),
                        .value = calloc(wave, sizeof *t->value),
                        .evaluations = calloc(wave, sizeof *t->evaluations),
-                       .looks = calloc(wave, sizeof *t->looks),
+                       .queries = calloc(wave, sizeof *t->queries),
                        .rows = calloc(wave, sizeof *t->rows)};
     if (!t->search || !t->plan || !t->size || !t->value || !t->evaluations ||
-        !t->looks || !t->rows) {
+        !t->queries || !t->rows) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          count);
     }
     murk_status status = MURK_OK;
     /* one start must not take it all: others run beside it */
     const uint64_t rows_max =
-        murk_search_rows_max(evaluator) / STARTS_OF_ALL_WORK;
+        murk_gain_scan_rows_max(evaluator) / STARTS_OF_ALL_WORK;
     for (; t->workers < workers && !status; ++t->workers) {
-        status = murk_search_init(&t->search[t->workers], evaluator, t->workers,
-                                  is_wide ? threads : 1, err);
+        status = murk_gain_scan_init(&t->search[t->workers], evaluator,
+                                     t->workers, is_wide ? threads : 1, err);
     }
     for (unsigned k = 0; k < t->workers && !status; ++k) {
         t->search[k].rows_max = rows_max;
@@ -76,22 +75,22 @@ murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
 void murk_starts_release(murk_starts *t)
 {
     for (unsigned k = 0; k < t->workers; ++k) {
-        murk_search_release(&t->search[k]);
+        murk_gain_scan_release(&t->search[k]);
     }
     free(t->search);
     free(t->plan);
     free(t->size);
     free(t->value);
     free(t->evaluations);
-    free(t->looks);
+    free(t->queries);
     free(t->rows);
 }
 
-void murk_starts_spare(murk_starts *t, const uint32_t *plan, size_t size)
+void murk_starts_set_fallback(murk_starts *t, const uint32_t *plan, size_t size)
 {
     for (unsigned k = 0; k < t->workers; ++k) {
-        t->search[k].spare = plan;
-        t->search[k].spare_size = size;
+        t->search[k].fallback = plan;
+        t->search[k].fallback_size = size;
     }
 }
 
@@ -101,7 +100,7 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
 {
     size_t without_gain = 0, done = 0;
     t->n = n;
-    const uint64_t rows_max = murk_search_rows_max(t->search[0].evaluator);
+    const uint64_t rows_max = murk_gain_scan_rows_max(t->search[0].evaluator);
     while (done < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
            value < upper && t->all_rows <= rows_max && !murk_interrupted()) {
         const size_t left = max - done;
@@ -119,7 +118,7 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
             ++done;
             ++without_gain;
             t->all_evaluations += t->evaluations[k];
-            t->all_looks += t->looks[k];
+            t->all_looks += t->queries[k];
             t->all_rows += t->rows[k];
             if (t->value[k] > value) {
                 value = t->value[k];

@@ -2,7 +2,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "placement/place_check.h"
+#include "placement/settings.h"
 #include "placement/worst_count.h"
 
 #include <assert.h>
@@ -14,10 +14,9 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
                          murk_place_result *result, murk_error *err)
 {
     const murk_place_desc *desc = w->desc;
-    murk_status status =
-        murk_evaluator_init(&w->evaluator, problem, matrix, w->book,
-                            w->book ? w->book->max_sensors : desc->count,
-                            desc->keep_dominated, err);
+    murk_status status = murk_evaluator_init(
+        &w->evaluator, problem, matrix, w->set,
+        w->set ? w->set->max_sensors : desc->count, desc->keep_dominated, err);
     if (!status) {
         status = murk_block_views_init(&w->views, &w->evaluator, blocks, err);
     }
@@ -31,15 +30,15 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
         return status;
     }
     const bool is_curve =
-        (desc->with_curve || desc->target) && !(w->book && w->book->has_budget);
-    w->last = w->book ? w->book->max_sensors : desc->count;
-    w->first = !is_curve ? w->last : w->book ? w->book->fewest_sensors : 1;
+        (desc->with_curve || desc->target) && !(w->set && w->set->has_budget);
+    w->last = w->set ? w->set->max_sensors : desc->count;
+    w->first = !is_curve ? w->last : w->set ? w->set->min_sensors : 1;
     w->plan = calloc(w->last, sizeof *w->plan);
     w->trial = calloc(w->last, sizeof *w->trial);
-    w->spare = calloc(w->last, sizeof *w->spare);
+    w->fallback = calloc(w->last, sizeof *w->fallback);
     result->sensor = calloc(w->last, sizeof *result->sensor);
     result->curve = is_curve ? calloc(w->last, sizeof *result->curve) : NULL;
-    return w->plan && w->trial && w->spare && result->sensor &&
+    return w->plan && w->trial && w->fallback && result->sensor &&
                    (result->curve || !is_curve)
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
@@ -54,7 +53,7 @@ static void release(murk_worst_run *w)
     murk_evaluator_release(&w->evaluator);
     free(w->plan);
     free(w->trial);
-    free(w->spare);
+    free(w->fallback);
 }
 
 static murk_status find_all(murk_worst_run *w, murk_error *err)
@@ -72,7 +71,7 @@ static murk_status find_all(murk_worst_run *w, murk_error *err)
         const bool is_open =
             target == 0 || (w->value < target && w->upper >= target);
         if (!status && is_asked && is_open && !murk_interrupted()) {
-            status = murk_worst_prove(w, k, err);
+            status = murk_worst_branch_and_bound(w, k, err);
         }
         if (status) {
             break;
@@ -96,9 +95,9 @@ static murk_status find_all(murk_worst_run *w, murk_error *err)
 
 /* Fewer sensors see no more, where all plans can be filled up. */
 static void join_bounds(murk_curve_point *curve, size_t n,
-                        const murk_rulebook *book)
+                        const murk_constraint_set *set)
 {
-    for (size_t k = n - 1; k > 0 && !(book && book->has_conflicts); --k) {
+    for (size_t k = n - 1; k > 0 && !(set && set->has_conflicts); --k) {
         if (curve[k].upper < curve[k - 1].upper) {
             curve[k - 1].upper = curve[k].upper;
         }
@@ -137,11 +136,12 @@ static void fill(murk_place_result *result, const murk_worst_run *w)
     result->count = w->size;
     for (size_t k = 0; k < w->size; ++k) {
         result->sensor[k] = w->plan[k];
-        result->cost += w->book ? murk_rulebook_cost(w->book, w->plan[k]) : 0;
+        result->cost +=
+            w->set ? murk_constraint_set_cost(w->set, w->plan[k]) : 0;
     }
     qsort(result->sensor, result->count, sizeof *result->sensor, by_number);
     if (result->curve) {
-        join_bounds(result->curve, result->curve_points, w->book);
+        join_bounds(result->curve, result->curve_points, w->set);
     }
     result->value = w->value;
     result->upper = w->upper;
@@ -161,16 +161,16 @@ murk_status murk_place_worst(murk_place_result *out,
 {
     assert(out && problem && matrix && blocks && desc && blocks->n >= 1);
     assert(blocks->n <= MURK_BLOCKS_MAX);
-    murk_rulebook rulebook = {0};
+    murk_constraint_set rulebook = {0};
     murk_place_result result = {0};
     murk_worst_run w = {.desc = desc,
-                        .book = desc->constraints ? &rulebook : NULL,
+                        .set = desc->constraints ? &rulebook : NULL,
                         .blocks = blocks->n,
                         .result = &result};
     murk_status status = murk_place_check(problem, true, desc, err);
     if (!status && desc->constraints) {
         const bool is_max = desc->target || desc->constraints->budget > 0;
-        status = murk_rulebook_init(
+        status = murk_constraint_set_init(
             &rulebook, desc->constraints, problem->candidates,
             desc->count > 0 ? desc->count : problem->candidates, is_max, err);
     }
@@ -208,7 +208,7 @@ murk_status murk_place_worst(murk_place_result *out,
     }
 done:
     release(&w);
-    murk_rulebook_release(&rulebook);
+    murk_constraint_set_release(&rulebook);
     murk_place_release(&result);
     return status;
 }

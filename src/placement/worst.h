@@ -15,7 +15,7 @@
 #define MURK_PLACEMENT_WORST_H
 
 #include "placement/blocks.h"
-#include "placement/place.h"
+#include "placement/settings.h"
 
 murk_status murk_place_worst(murk_place_result *result,
                              const murk_problem *problem,

@@ -49,7 +49,7 @@ murk_status murk_worst_bound_init(murk_worst_bound *out,
     }
     murk_status status =
         out->weight && out->top && out->gains
-            ? murk_worst_bound_weigh(out, lambda, err)
+            ? murk_worst_bound_set_lambda(out, lambda, err)
             : murk_fail(err, MURK_NO_MEMORY, "",
                         "no memory to bound plans for %zu conditions", blocks);
     out->evaluator.layout = &out->layout;
@@ -97,8 +97,8 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
     return shift;
 }
 
-murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
-                                   murk_error *err)
+murk_status murk_worst_bound_set_lambda(murk_worst_bound *b,
+                                        const double *lambda, murk_error *err)
 {
     const murk_block_views *views = b->views;
     const murk_problem *problem = views->evaluator->problem;
@@ -106,43 +106,44 @@ murk_status murk_worst_bound_weigh(murk_worst_bound *b, const double *lambda,
     const unsigned shift = find_factors(b, lambda, factor);
     const uint64_t up = ((uint64_t)1 << shift) - 1;
     wide one = 0;
-    b->free = 0;
+    b->offset_sum = 0;
     for (size_t c = 0; c < views->blocks->n; ++c) {
         b->lambda[c] = lambda[c];
         const wide unit = (wide)factor[c] * views->unit[c];
         one += unit;
-        b->free += ((unit + up) >> shift) * views->offset[c];
+        b->offset_sum += ((unit + up) >> shift) * views->offset[c];
         for (size_t i = views->blocks->first[c];
              i < views->blocks->first[c + 1]; ++i) {
             b->weight[i] =
                 (uint32_t)((problem->weight[i] * factor[c] + up) >> shift);
         }
     }
-    b->one = (uint64_t)(one >> shift);
+    b->full_value = (uint64_t)(one >> shift);
     const murk_status status = murk_layout_reweigh(
         &b->layout, views->evaluator->layout, b->weight, err);
     if (!status) {
         b->bound.last_count = 0; /* its slopes were of other weights */
         b->evaluator.ceiling = b->layout.whole;
-        b->evaluator.grain = (uint64_t)b->layout.common *
-                             (b->evaluator.all_clear ? MURK_CLEAR : 1);
+        b->evaluator.grain = (uint64_t)b->layout.weight_gcd *
+                             (b->evaluator.is_binary ? MURK_CLEAR : 1);
     }
     return status;
 }
 
 uint64_t murk_worst_bound_value(const murk_worst_bound *b, uint64_t share)
 {
-    const wide needed = (wide)(share + 1) * b->one;
-    if (needed <= b->free) { /* the offsets alone reach it */
+    const wide needed = (wide)(share + 1) * b->full_value;
+    if (needed <= b->offset_sum) { /* the offsets alone reach it */
         return 0;
     }
-    const wide min = (needed - b->free - 1) / MURK_SHARE_ONE + 1;
+    const wide min = (needed - b->offset_sum - 1) / MURK_SHARE_ONE + 1;
     return (uint64_t)min - 1;
 }
 
 uint64_t murk_worst_bound_share(const murk_worst_bound *b, uint64_t value)
 {
-    const wide share = ((wide)value * MURK_SHARE_ONE + b->free) / b->one;
+    const wide share =
+        ((wide)value * MURK_SHARE_ONE + b->offset_sum) / b->full_value;
     return share < WORTH_MAX ? (uint64_t)share : WORTH_MAX;
 }
 
@@ -154,7 +155,7 @@ static void find_shares(murk_worst_bound *b, size_t n, double *share)
     const size_t chosen = murk_bound_top(&b->bound, n, b->top);
     for (size_t c = 0; c < v->blocks->n; ++c) {
         t->evaluator = &b->block[c];
-        double sum = (double)murk_multipliers_take(t, b->bound.threshold);
+        double sum = (double)murk_multipliers_set(t, b->bound.multiplier);
         murk_multipliers_gains(t, b->top, chosen, b->gains);
         for (size_t k = 0; k < chosen; ++k) {
             sum += (double)b->gains[k];
@@ -206,8 +207,8 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
                                      murk_error *err)
 {
     const size_t blocks = b->views->blocks->n;
-    const murk_rulebook *book = b->evaluator.book;
-    const size_t left = n - (book ? book->constraints->fixed_count : 0);
+    const murk_constraint_set *set = b->evaluator.set;
+    const size_t left = n - (set ? set->constraints->fixed_count : 0);
     double lambda[MURK_BLOCKS_MAX], average[MURK_BLOCKS_MAX] = {0};
     uint64_t lowest =
         bound_here(b, n, lower, plan, plan_count, plan ? rounds * 2 : rounds);
@@ -222,7 +223,7 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
         }
         const bool is_last = t + 1 == steps;
         const murk_status status =
-            murk_worst_bound_weigh(b, is_last ? average : lambda, err);
+            murk_worst_bound_set_lambda(b, is_last ? average : lambda, err);
         if (status) {
             return status;
         }
@@ -233,5 +234,5 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
         }
     }
     *upper = lowest < *upper ? lowest : *upper;
-    return murk_worst_bound_weigh(b, b->lowest_lambda, err);
+    return murk_worst_bound_set_lambda(b, b->lowest_lambda, err);
 }

@@ -32,9 +32,9 @@ typedef struct murk_worst_bound {
     double lambda[MURK_BLOCKS_MAX];         /* sum 1 */
     double lowest_lambda[MURK_BLOCKS_MAX];  /* where the bound was lowest */
     double average_lambda[MURK_BLOCKS_MAX]; /* of all steps */
-    uint64_t one; /* what a least share of 1 is worth at least, */
+    uint64_t full_value; /* what a least share of 1 is worth at least, */
     murk_uint128
-        free;        /* less what offsets give, times MURK_SHARE_ONE, at most */
+        offset_sum;  /* less what offsets give, times MURK_SHARE_ONE, at most */
     uint32_t *top;   /* [candidates] */
     uint64_t *gains; /* [candidates] */
 } murk_worst_bound;
@@ -45,8 +45,8 @@ murk_status murk_worst_bound_init(murk_worst_bound *out,
 void murk_worst_bound_release(murk_worst_bound *bound);
 
 /* Weighs the blocks anew: sets lambda and the weights that go with it. */
-murk_status murk_worst_bound_weigh(murk_worst_bound *bound,
-                                   const double *lambda, murk_error *err);
+murk_status murk_worst_bound_set_lambda(murk_worst_bound *bound,
+                                        const double *lambda, murk_error *err);
 
 /* An upper bound on the least share of plans of n, in units, at least `lower`,
  * the least share of plan[plan_count], by `steps` steps of lambda from where it

@@ -25,15 +25,15 @@
 static bool is_plan(murk_worst_run *w, const uint32_t *plan, size_t size,
                     size_t n)
 {
-    if (!w->book) {
+    if (!w->set) {
         return size == n;
     }
     murk_partial_plan *s = &w->search.partial;
-    murk_partial_plan_clear(s, w->book->has_budget ? w->book->max_sensors : n);
+    murk_partial_plan_clear(s, w->set->has_budget ? w->set->max_sensors : n);
     for (size_t k = 0; k < size; ++k) {
         murk_partial_plan_add(s, plan[k]);
     }
-    return murk_partial_plan_is_plan(s);
+    return murk_partial_plan_is_complete(s);
 }
 
 /* Keeps trial[search.size] if it is a plan, and better. */
@@ -68,7 +68,8 @@ static bool relocates(const murk_worst_run *w)
 }
 
 /* Greedy on one climb. */
-static void climb(murk_worst_run *w, const murk_climb *by, size_t n)
+static void greedy_and_keep(murk_worst_run *w, const murk_block_objective *by,
+                            size_t n)
 {
     const uint64_t value = murk_worst_greedy(&w->search, by, w->trial, 0, n);
     if (relocates(w)) {
@@ -79,25 +80,25 @@ static void climb(murk_worst_run *w, const murk_climb *by, size_t n)
 }
 
 /* Greedy towards one level in every block; MURK_NO_LEVEL: the mean. */
-static void climb_to(murk_worst_run *w, size_t n, uint64_t level)
+static void greedy_to_level(murk_worst_run *w, size_t n, uint64_t level)
 {
-    murk_climb by = {.level = level};
+    murk_block_objective by = {.level = level};
     for (size_t c = 0; c < w->blocks; ++c) {
         by.factor[c] = 1;
     }
-    climb(w, &by, n);
+    greedy_and_keep(w, &by, n);
 }
 
 /* The highest level that greedy reaches in every block. */
 static void saturate(murk_worst_run *w, size_t n)
 {
-    climb_to(w, n, MURK_NO_LEVEL);
+    greedy_to_level(w, n, MURK_NO_LEVEL);
     uint64_t low = w->has_plan ? w->value : 0, high = w->upper;
     for (int k = 0; k < LEVELS_MAX && high > low && high - low > LEVEL_FINEST &&
                     !murk_interrupted();
          ++k) {
         const uint64_t level = low + (high - low) / 2;
-        climb_to(w, n, level);
+        greedy_to_level(w, n, level);
         if (w->has_plan && w->value >= level) {
             low = w->value;
         } else {
@@ -106,20 +107,20 @@ static void saturate(murk_worst_run *w, size_t n)
     }
 }
 
-static void climb_each_block(murk_worst_run *w, size_t n)
+static void greedy_per_block(murk_worst_run *w, size_t n)
 {
     for (size_t c = 0; c < w->blocks && !murk_interrupted(); ++c) {
-        murk_climb by = {.level = MURK_NO_LEVEL};
+        murk_block_objective by = {.level = MURK_NO_LEVEL};
         by.factor[c] = 1;
-        climb(w, &by, n);
+        greedy_and_keep(w, &by, n);
     }
 }
 
 /* With a budget: by gain per cost, over the blocks' mean. */
-static void spend(murk_worst_run *w, size_t n)
+static void greedy_with_budget(murk_worst_run *w, size_t n)
 {
-    if (w->book && w->book->has_budget) {
-        murk_search_spend(&w->search.draw, w->trial, 0);
+    if (w->set && w->set->has_budget) {
+        murk_search_budget_greedy(&w->search.draw, w->trial, 0);
         w->search.size = w->search.draw.size;
         relocate_and_keep(
             w, n, murk_worst_value(&w->search, w->trial, w->search.size));
@@ -150,8 +151,8 @@ static void try_starts(murk_worst_run *w, size_t n, size_t max)
 
 /* ---- branch and bound ---- */
 
-static uint64_t judge(void *context, const uint32_t *plan, size_t size,
-                      uint64_t known)
+static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
+                           uint64_t known)
 {
     murk_worst_run *w = context;
     const uint64_t value = murk_worst_value(&w->search, plan, size);
@@ -165,14 +166,15 @@ static uint64_t judge(void *context, const uint32_t *plan, size_t size,
     return murk_worst_bound_value(&w->bound, value);
 }
 
-murk_status murk_worst_prove(murk_worst_run *w, size_t n, murk_error *err)
+murk_status murk_worst_branch_and_bound(murk_worst_run *w, size_t n,
+                                        murk_error *err)
 {
     const bool is_wanted = w->desc->method == MURK_PLACE_BEST ||
                            w->desc->method == MURK_PLACE_EXACT;
     if (!is_wanted || w->value >= w->upper) {
         return MURK_OK;
     }
-    const murk_judge by = {judge, w};
+    const murk_exact_callback by = {check_plan, w};
     murk_exact exact;
     const murk_status status =
         murk_exact_search(&exact, &w->bound.bound, w->plan, w->size, n,
@@ -185,8 +187,8 @@ murk_status murk_worst_prove(murk_worst_run *w, size_t n, murk_error *err)
     w->result->is_cut = exact.is_cut;
     const uint64_t upper = murk_worst_bound_share(&w->bound, exact.upper);
     w->upper = upper < w->upper ? upper : w->upper;
-    if (w->book) { /* what it found may have to be filled up */
-        const murk_climb min = {.is_min = true};
+    if (w->set) { /* what it found may have to be filled up */
+        const murk_block_objective min = {.is_min = true};
         memcpy(w->trial, w->plan, w->size * sizeof *w->plan);
         w->value = murk_worst_greedy(&w->search, &min, w->trial, w->size, n);
         w->size = w->search.size;
@@ -199,19 +201,18 @@ murk_status murk_worst_prove(murk_worst_run *w, size_t n, murk_error *err)
 /* ---- one count ---- */
 
 /* Where candidates exclude each other, any plan of n. */
-static murk_status find_spare(murk_worst_run *w, size_t n, murk_error *err)
+static murk_status find_fallback(murk_worst_run *w, size_t n, murk_error *err)
 {
-    if (!w->book || !w->book->has_conflicts) {
+    if (!w->set || !w->set->has_conflicts) {
         return MURK_OK;
     }
     murk_partial_plan *partial = &w->search.partial;
     bool is_sure;
     murk_partial_plan_clear(partial, n);
-    for (size_t k = 0; k < w->book->constraints->fixed_count; ++k) {
-        murk_partial_plan_add(partial,
-                              (uint32_t)w->book->constraints->fixed[k]);
+    for (size_t k = 0; k < w->set->constraints->fixed_count; ++k) {
+        murk_partial_plan_add(partial, (uint32_t)w->set->constraints->fixed[k]);
     }
-    if (!murk_partial_plan_find_plan(partial, &is_sure)) {
+    if (!murk_partial_plan_complete(partial, &is_sure)) {
         return murk_interrupted()
                    ? MURK_OK
                    : murk_fail(err, MURK_RUN_FAILED, "",
@@ -222,9 +223,9 @@ static murk_status find_spare(murk_worst_run *w, size_t n, murk_error *err)
                                          "all rules",
                                n, w->evaluator.candidates);
     }
-    w->search.spare_size = partial->size;
-    memcpy(w->spare, partial->member, partial->size * sizeof *w->spare);
-    w->search.spare = w->spare;
+    w->search.fallback_size = partial->size;
+    memcpy(w->fallback, partial->member, partial->size * sizeof *w->fallback);
+    w->search.fallback = w->fallback;
     return MURK_OK;
 }
 
@@ -252,19 +253,20 @@ static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
         relocate_and_keep(
             w, n, murk_worst_value(&w->search, w->trial, w->search.size));
     } else if (w->desc->target) {
-        climb_to(w, n, w->desc->target);
+        greedy_to_level(w, n, w->desc->target);
     } else {
         saturate(w, n);
-        spend(w, n);
+        greedy_with_budget(w, n);
     }
     if (!w->has_plan) { /* greedy came to a dead end */
-        memcpy(w->trial, w->spare, w->search.spare_size * sizeof *w->trial);
-        w->search.size = w->search.spare_size;
+        memcpy(w->trial, w->fallback,
+               w->search.fallback_size * sizeof *w->trial);
+        w->search.size = w->search.fallback_size;
         relocate_and_keep(
             w, n, murk_worst_value(&w->search, w->trial, w->search.size));
     }
     if (from && method == MURK_PLACE_BEST) {
-        const murk_climb min = {.is_min = true};
+        const murk_block_objective min = {.is_min = true};
         memcpy(w->trial, from, (n - 1) * sizeof *from);
         const uint64_t value =
             murk_worst_greedy(&w->search, &min, w->trial, n - 1, n);
@@ -274,8 +276,8 @@ static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
 
 /* With a target: whether n sensors may reach it, by a bound that is not made
  * lower than that takes. */
-static murk_status ask_target(murk_worst_run *w, size_t n, bool *may_reach,
-                              murk_error *err)
+static murk_status test_target(murk_worst_run *w, size_t n, bool *may_reach,
+                               murk_error *err)
 {
     const uint64_t below = w->desc->target - 1;
     *may_reach = true;
@@ -295,13 +297,13 @@ murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
                              const uint32_t *from, murk_error *err)
 {
     bool may_reach = true;
-    murk_status status = find_spare(w, n, err);
+    murk_status status = find_fallback(w, n, err);
     w->has_plan = false;
     w->value = 0;
     w->upper = murk_worst_ceiling(w);
     if (!status && !murk_interrupted()) {
         begin(w, n, from);
-        status = ask_target(w, n, &may_reach, err);
+        status = test_target(w, n, &may_reach, err);
     }
     if (status || !may_reach || murk_interrupted()) {
         return status;
@@ -317,7 +319,7 @@ murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
         return status;
     }
     if (is_best && w->value < w->upper) {
-        climb_each_block(w, n);
+        greedy_per_block(w, n);
         saturate(w, n); /* the bound is known now */
         try_starts(w, n,
                    is_plan_asked ? w->desc->restarts : w->desc->restarts / 10);

@@ -3,13 +3,13 @@
 #ifndef MURK_PLACEMENT_WORST_COUNT_H
 #define MURK_PLACEMENT_WORST_COUNT_H
 
-#include "placement/place.h"
+#include "placement/settings.h"
 #include "placement/worst_bound.h"
 #include "placement/worst_search.h"
 
 typedef struct murk_worst_run {
     const murk_place_desc *desc;
-    const murk_rulebook *book;
+    const murk_constraint_set *set;
     size_t blocks;
     murk_evaluator evaluator;
     murk_block_views views;
@@ -20,8 +20,8 @@ typedef struct murk_worst_run {
     size_t size;
     uint64_t value;
     bool has_plan;
-    uint32_t *trial; /* [last] */
-    uint32_t *spare; /* [last] */
+    uint32_t *trial;    /* [last] */
+    uint32_t *fallback; /* [last] */
     uint64_t upper;
     murk_place_result *result;
 } murk_worst_run;
@@ -36,6 +36,7 @@ murk_status murk_worst_count(murk_worst_run *run, size_t n, bool is_plan_asked,
                              const uint32_t *from, murk_error *err);
 
 /* After that: branch and bound, where the method has it. */
-murk_status murk_worst_prove(murk_worst_run *run, size_t n, murk_error *err);
+murk_status murk_worst_branch_and_bound(murk_worst_run *run, size_t n,
+                                        murk_error *err);
 
 #endif

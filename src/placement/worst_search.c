@@ -9,10 +9,10 @@
  * is weighed does not depend on the threads. */
 #define CHUNK 128
 
-typedef struct murk_hope {
-    murk_worth worth; /* at most */
+typedef struct murk_candidate_bound {
+    murk_objective_value value_bound; /* at most */
     uint32_t candidate;
-} murk_hope;
+} murk_candidate_bound;
 
 murk_status murk_worst_search_init(murk_worst_search *out,
                                    const murk_block_views *views,
@@ -20,100 +20,101 @@ murk_status murk_worst_search_init(murk_worst_search *out,
 {
     const murk_evaluator *o = views->evaluator;
     const size_t n = o->candidates + 1, blocks = views->blocks->n;
-    *out =
-        (murk_worst_search){.views = views,
-                            .evaluator = o,
-                            .max = malloc(n * blocks * sizeof *out->max),
-                            .gain = malloc(CHUNK * blocks * sizeof *out->gain),
-                            .chunk = malloc(CHUNK * sizeof *out->chunk),
-                            .hope = malloc(n * sizeof *out->hope)};
+    *out = (murk_worst_search){
+        .views = views,
+        .evaluator = o,
+        .max = malloc(n * blocks * sizeof *out->max),
+        .gain = malloc(CHUNK * blocks * sizeof *out->gain),
+        .chunk = malloc(CHUNK * sizeof *out->chunk),
+        .candidate_bound = malloc(n * sizeof *out->candidate_bound)};
     murk_status status = MURK_OK;
-    if (!out->max || !out->gain || !out->chunk || !out->hope ||
-        !murk_cover_init(&out->cover, o->layout, o->all_clear)) {
+    if (!out->max || !out->gain || !out->chunk || !out->candidate_bound ||
+        !murk_cover_init(&out->cover, o->layout, o->is_binary)) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to search %zu candidates", o->candidates);
     }
-    if (!status && o->book) {
-        status = murk_partial_plan_init(&out->partial, o->book, err);
+    if (!status && o->set) {
+        status = murk_partial_plan_init(&out->partial, o->set, err);
     }
     if (!status) {
-        status = murk_search_init(&out->draw, o, 0, 1, err);
+        status = murk_gain_scan_init(&out->draw, o, 0, 1, err);
     }
     return status;
 }
 
 void murk_worst_search_release(murk_worst_search *s)
 {
-    murk_search_release(&s->draw);
+    murk_gain_scan_release(&s->draw);
     murk_partial_plan_release(&s->partial);
     murk_cover_release(&s->cover);
     free(s->max);
     free(s->gain);
     free(s->chunk);
-    free(s->hope);
+    free(s->candidate_bound);
     *s = (murk_worst_search){0};
 }
 
 /* ---- worths ---- */
 
-static bool is_more(murk_worth a, murk_worth b)
+static bool is_greater(murk_objective_value a, murk_objective_value b)
 {
     return a.first != b.first ? a.first > b.first : a.second > b.second;
 }
 
 /* Of what stands with gain[] on top. */
-static murk_worth worth_with(const murk_worst_search *s,
-                             const murk_climb *climb, const uint64_t *gain)
+static murk_objective_value
+objective_with(const murk_worst_search *s,
+               const murk_block_objective *objective, const uint64_t *gain)
 {
-    murk_worth out = {climb->is_min ? UINT64_MAX : 0, 0};
+    murk_objective_value out = {objective->is_min ? UINT64_MAX : 0, 0};
     for (size_t c = 0; c < s->views->blocks->n; ++c) {
         const uint64_t share =
             murk_block_worth(s->views, c, s->value[c] + (gain ? gain[c] : 0));
-        if (climb->is_min) {
+        if (objective->is_min) {
             out.first = share < out.first ? share : out.first;
             out.second += share;
         } else {
-            out.first += climb->factor[c] *
-                         (share < climb->level ? share : climb->level);
+            out.first += objective->factor[c] *
+                         (share < objective->level ? share : objective->level);
         }
     }
     return out;
 }
 
-static const murk_climb BY_LEAST = {.is_min = true};
+static const murk_block_objective MINIMUM_FIRST = {.is_min = true};
 
 /* ---- what stands ---- */
 
-static void stand(murk_worst_search *s, uint32_t candidate)
+static void add_to_plan(murk_worst_search *s, uint32_t candidate)
 {
     const murk_row row = murk_evaluator_row(s->evaluator, 0, candidate);
     for (size_t c = 0; c < s->views->blocks->n; ++c) {
         s->value[c] += murk_row_gain(&s->views->layout[c], &row, &s->cover);
     }
     murk_cover_add(&s->cover, s->evaluator->layout, &row);
-    if (s->evaluator->book) {
+    if (s->evaluator->set) {
         murk_partial_plan_add(&s->partial, candidate);
     }
 }
 
 /* All of the plan but its entry `but` (n: all). */
-static void stand_others(murk_worst_search *s, const uint32_t *plan, size_t n,
-                         size_t but)
+static void set_all_but(murk_worst_search *s, const uint32_t *plan, size_t n,
+                        size_t but)
 {
     murk_cover_clear(&s->cover, s->evaluator->layout);
     memset(s->value, 0, sizeof s->value);
-    if (s->evaluator->book) {
+    if (s->evaluator->set) {
         murk_partial_plan_clear(&s->partial, s->partial.wanted);
     }
     for (size_t k = 0; k < n; ++k) {
         if (k != but) {
-            stand(s, plan[k]);
+            add_to_plan(s, plan[k]);
         }
     }
 }
 
-static bool holds(const uint32_t *plan, size_t n, size_t but,
-                  uint32_t candidate)
+static bool contains(const uint32_t *plan, size_t n, size_t but,
+                     uint32_t candidate)
 {
     for (size_t k = 0; k < n; ++k) {
         if (k != but && plan[k] == candidate) {
@@ -125,26 +126,27 @@ static bool holds(const uint32_t *plan, size_t n, size_t but,
 
 /* ---- who adds most ---- */
 
-typedef struct question {
-    const murk_climb *climb;
+typedef struct step {
+    const murk_block_objective *objective;
     const uint32_t *plan; /* whose entries but `but` stand */
     size_t n, but;
     bool is_move; /* who joins must make a plan of what stands */
-} question;
+} step;
 
-static bool is_open(const murk_worst_search *s, const question *q,
+static bool can_add(const murk_worst_search *s, const step *q,
                     uint32_t candidate)
 {
-    return !holds(q->plan, q->n, q->but, candidate) &&
-           (!s->evaluator->book ||
-            murk_partial_plan_admits(&s->partial, candidate, q->is_move));
+    return !contains(q->plan, q->n, q->but, candidate) &&
+           (!s->evaluator->set ||
+            murk_partial_plan_can_add(&s->partial, candidate, q->is_move));
 }
 
-static int by_hope(const void *a, const void *b)
+static int by_bound(const void *a, const void *b)
 {
-    const murk_hope *x = a, *y = b;
-    if (is_more(x->worth, y->worth) || is_more(y->worth, x->worth)) {
-        return is_more(x->worth, y->worth) ? -1 : 1;
+    const murk_candidate_bound *x = a, *y = b;
+    if (is_greater(x->value_bound, y->value_bound) ||
+        is_greater(y->value_bound, x->value_bound)) {
+        return is_greater(x->value_bound, y->value_bound) ? -1 : 1;
     }
     return (x->candidate > y->candidate) - (x->candidate < y->candidate);
 }
@@ -152,26 +154,28 @@ static int by_hope(const void *a, const void *b)
 /* Who makes what stands worth most, if more than *worth, which is raised; the
  * lowest number of equals. False when nobody does. Of dominated candidates
  * none does better than its dominator. */
-static bool find_best(murk_worst_search *s, const question *q,
-                      murk_worth *worth, uint32_t *best)
+static bool find_best(murk_worst_search *s, const step *q,
+                      murk_objective_value *value_bound, uint32_t *best)
 {
     const murk_evaluator *o = s->evaluator;
     const size_t blocks = s->views->blocks->n;
     size_t n = 0;
     for (size_t k = 0; k < o->undominated; ++k) {
         const uint32_t j = o->ranked[k].candidate;
-        const murk_worth max = worth_with(s, q->climb, s->max + j * blocks);
-        if (is_more(max, *worth) && is_open(s, q, j)) {
-            s->hope[n++] = (murk_hope){max, j};
+        const murk_objective_value max =
+            objective_with(s, q->objective, s->max + j * blocks);
+        if (is_greater(max, *value_bound) && can_add(s, q, j)) {
+            s->candidate_bound[n++] = (murk_candidate_bound){max, j};
         }
     }
-    qsort(s->hope, n, sizeof *s->hope, by_hope);
+    qsort(s->candidate_bound, n, sizeof *s->candidate_bound, by_bound);
     bool is_found = false;
     for (size_t k = 0; k < n && !murk_interrupted();) {
         size_t gathered = 0;
-        for (; k < n && gathered < CHUNK && !is_more(*worth, s->hope[k].worth);
+        for (; k < n && gathered < CHUNK &&
+               !is_greater(*value_bound, s->candidate_bound[k].value_bound);
              ++k) {
-            s->chunk[gathered++] = s->hope[k].candidate;
+            s->chunk[gathered++] = s->candidate_bound[k].candidate;
         }
         if (gathered == 0) {
             break;
@@ -180,11 +184,11 @@ static bool find_best(murk_worst_search *s, const question *q,
         s->evaluations += gathered;
         for (size_t i = 0; i < gathered; ++i) {
             const uint32_t j = s->chunk[i];
-            const murk_worth now =
-                worth_with(s, q->climb, s->gain + i * blocks);
-            if (is_more(now, *worth) ||
-                (is_found && !is_more(*worth, now) && j < *best)) {
-                *worth = now;
+            const murk_objective_value now =
+                objective_with(s, q->objective, s->gain + i * blocks);
+            if (is_greater(now, *value_bound) ||
+                (is_found && !is_greater(*value_bound, now) && j < *best)) {
+                *value_bound = now;
                 *best = j;
                 is_found = true;
             }
@@ -194,11 +198,11 @@ static bool find_best(murk_worst_search *s, const question *q,
 }
 
 /* Anyone, lowest number first. */
-static bool find_any(const murk_worst_search *s, const question *q,
+static bool find_any(const murk_worst_search *s, const step *q,
                      uint32_t *candidate)
 {
     for (uint32_t j = 0; j < s->evaluator->candidates; ++j) {
-        if (is_open(s, q, j)) {
+        if (can_add(s, q, j)) {
             *candidate = j;
             return true;
         }
@@ -210,13 +214,13 @@ static bool find_any(const murk_worst_search *s, const question *q,
 
 uint64_t murk_worst_value(murk_worst_search *s, const uint32_t *plan, size_t n)
 {
-    stand_others(s, plan, n, n);
-    return worth_with(s, &BY_LEAST, NULL).first;
+    set_all_but(s, plan, n, n);
+    return objective_with(s, &MINIMUM_FIRST, NULL).first;
 }
 
 static bool has_budget(const murk_worst_search *s)
 {
-    return s->evaluator->book && s->evaluator->book->has_budget;
+    return s->evaluator->set && s->evaluator->set->has_budget;
 }
 
 /* Under rules: the plan is to have n sensors, or n at most, and begins with
@@ -224,72 +228,74 @@ static bool has_budget(const murk_worst_search *s)
 static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
                     size_t n)
 {
-    const murk_rulebook *book = s->evaluator->book;
-    if (!book) {
+    const murk_constraint_set *set = s->evaluator->set;
+    if (!set) {
         return given;
     }
     murk_partial_plan_clear(&s->partial,
-                            book->has_budget ? book->max_sensors : n);
-    const size_t fixed = book->constraints->fixed_count;
+                            set->has_budget ? set->max_sensors : n);
+    const size_t fixed = set->constraints->fixed_count;
     for (size_t k = given; k < fixed; ++k) {
-        plan[k] = (uint32_t)book->constraints->fixed[k];
+        plan[k] = (uint32_t)set->constraints->fixed[k];
     }
     return given > fixed ? given : fixed;
 }
 
 /* What stands can only grow from here on: gains never exceed those alone. */
-static void forget_gains(murk_worst_search *s)
+static void reset_gain_bounds(murk_worst_search *s)
 {
     memcpy(s->max, s->views->max,
            s->evaluator->candidates * s->views->blocks->n * sizeof *s->max);
 }
 
-uint64_t murk_worst_greedy(murk_worst_search *s, const murk_climb *climb,
+uint64_t murk_worst_greedy(murk_worst_search *s,
+                           const murk_block_objective *objective,
                            uint32_t *plan, size_t given, size_t n)
 {
     given = begin(s, plan, given, n);
-    stand_others(s, plan, given, given);
-    forget_gains(s);
+    set_all_but(s, plan, given, given);
+    reset_gain_bounds(s);
     s->size = given;
     for (size_t k = given; k < n && !murk_interrupted(); ++k) {
-        question q = {.climb = climb, .plan = plan, .n = k, .but = k};
-        murk_worth worth = worth_with(s, climb, NULL);
-        bool is_found = find_best(s, &q, &worth, &plan[k]);
+        step q = {.objective = objective, .plan = plan, .n = k, .but = k};
+        murk_objective_value value_bound = objective_with(s, objective, NULL);
+        bool is_found = find_best(s, &q, &value_bound, &plan[k]);
         if (!is_found) {
-            q.climb = &BY_LEAST;
-            worth = worth_with(s, &BY_LEAST, NULL);
-            is_found = find_best(s, &q, &worth, &plan[k]);
+            q.objective = &MINIMUM_FIRST;
+            value_bound = objective_with(s, &MINIMUM_FIRST, NULL);
+            is_found = find_best(s, &q, &value_bound, &plan[k]);
         }
         const bool is_enough = has_budget(s) && s->partial.missing == 0;
         if (!is_found && (is_enough || !find_any(s, &q, &plan[k]))) {
             break;
         }
-        stand(s, plan[k]);
+        add_to_plan(s, plan[k]);
         s->size = k + 1;
     }
-    return worth_with(s, &BY_LEAST, NULL).first;
+    return objective_with(s, &MINIMUM_FIRST, NULL).first;
 }
 
 /* Moves single sensors until none gains. */
-static void settle(murk_worst_search *s, uint32_t *plan, size_t n)
+static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
 {
-    const murk_rulebook *book = s->evaluator->book;
-    const size_t fixed = book ? book->constraints->fixed_count : 0;
+    const murk_constraint_set *set = s->evaluator->set;
+    const size_t fixed = set ? set->constraints->fixed_count : 0;
     const size_t movers = n - fixed;
     size_t still = 0; /* sensors in a row that did not move */
-    forget_gains(s);
+    reset_gain_bounds(s);
     for (size_t at = 0; still < movers && !murk_interrupted();
          at = (at + 1) % movers) {
         const size_t k = fixed + at;
-        const question q = {.climb = &BY_LEAST,
-                            .plan = plan,
-                            .n = n,
-                            .but = k,
-                            .is_move = true};
-        stand_others(s, plan, n, k);
+        const step q = {.objective = &MINIMUM_FIRST,
+                        .plan = plan,
+                        .n = n,
+                        .but = k,
+                        .is_move = true};
+        set_all_but(s, plan, n, k);
         murk_block_gains(s->views, &s->cover, &plan[k], 1, s->gain);
-        murk_worth worth = worth_with(s, &BY_LEAST, s->gain);
-        if (find_best(s, &q, &worth, &plan[k])) {
+        murk_objective_value value_bound =
+            objective_with(s, &MINIMUM_FIRST, s->gain);
+        if (find_best(s, &q, &value_bound, &plan[k])) {
             still = 0;
         }
         ++still; /* one that has just moved stands best, too */
@@ -299,16 +305,16 @@ static void settle(murk_worst_search *s, uint32_t *plan, size_t n)
 uint64_t murk_worst_relocate(murk_worst_search *s, uint32_t *plan, size_t n)
 {
     begin(s, plan, n, n);
-    settle(s, plan, n);
+    relocate_sensors(s, plan, n);
     s->size = n;
     while (has_budget(s) && !murk_interrupted()) {
         const size_t before = s->size;
-        murk_worst_greedy(s, &BY_LEAST, plan, before,
-                          s->evaluator->book->max_sensors);
+        murk_worst_greedy(s, &MINIMUM_FIRST, plan, before,
+                          s->evaluator->set->max_sensors);
         if (s->size == before) {
             break;
         }
-        settle(s, plan, s->size);
+        relocate_sensors(s, plan, s->size);
     }
     return murk_worst_value(s, plan, s->size);
 }
@@ -316,7 +322,7 @@ uint64_t murk_worst_relocate(murk_worst_search *s, uint32_t *plan, size_t n)
 void murk_worst_draw(murk_worst_search *s, uint32_t *plan, size_t n,
                      uint32_t seed, uint64_t restart)
 {
-    s->draw.spare = s->spare;
-    s->draw.spare_size = s->spare_size;
+    s->draw.fallback = s->fallback;
+    s->draw.fallback_size = s->fallback_size;
     s->size = murk_search_draw(&s->draw, plan, n, seed, restart);
 }

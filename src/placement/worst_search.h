@@ -15,19 +15,19 @@
 #include "placement/search.h"
 
 /* What a plan is worth to a search, the first part counting most. */
-typedef struct murk_worth {
+typedef struct murk_objective_value {
     uint64_t first, second;
-} murk_worth;
+} murk_objective_value;
 
 #define MURK_NO_LEVEL UINT64_MAX
 
 /* What a search climbs: sum_c factor[c] min(share_c, level); or, with is_least,
  * the least share, then the sum of all. Factors are at most 2^7. */
-typedef struct murk_climb {
+typedef struct murk_block_objective {
     bool is_min;
     uint64_t level; /* MURK_NO_LEVEL: none */
     uint64_t factor[MURK_BLOCKS_MAX];
-} murk_climb;
+} murk_block_objective;
 
 typedef struct murk_worst_search {
     const murk_block_views *views;
@@ -38,12 +38,12 @@ typedef struct murk_worst_search {
     uint64_t *max;                   /* [candidates][n] no gain is more */
     uint64_t *gain;                  /* [a chunk][n] */
     uint32_t *chunk;
-    struct murk_hope *hope; /* [candidates] */
-    murk_search draw;       /* random starts */
-    size_t size;            /* sensors of the plan last made */
+    struct murk_candidate_bound *candidate_bound; /* [candidates] */
+    murk_gain_scan draw;                          /* random starts */
+    size_t size; /* sensors of the plan last made */
     uint64_t evaluations;
-    const uint32_t *spare; /* with conflicts: a plan for dead ends */
-    size_t spare_size;
+    const uint32_t *fallback; /* with conflicts: a plan for dead ends */
+    size_t fallback_size;
 } murk_worst_search;
 
 murk_status murk_worst_search_init(murk_worst_search *out,
@@ -59,7 +59,8 @@ uint64_t murk_worst_value(murk_worst_search *search, const uint32_t *plan,
  * climbs nothing is chosen by the least share. Under rules as in
  * placement/search.h: search->size says how many there are. Returns the least
  * share. */
-uint64_t murk_worst_greedy(murk_worst_search *search, const murk_climb *climb,
+uint64_t murk_worst_greedy(murk_worst_search *search,
+                           const murk_block_objective *objective,
                            uint32_t *plan, size_t given, size_t n);
 
 /* Moves single sensors to where the least share, then the sum of shares, is

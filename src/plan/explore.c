@@ -3,7 +3,7 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
-#include "placement/stepping.h"
+#include "placement/lazy_greedy.h"
 #include "plan/explored.h"
 
 #include <assert.h>
@@ -19,9 +19,9 @@ typedef struct exploring {
     const murk_poses *poses;
     murk_sight *sight;
     uint32_t start;
-    murk_rulebook book;
+    murk_constraint_set book;
     murk_partial_plan partial;
-    murk_stepping stepping;
+    murk_lazy_greedy greedy;
     murk_explored explored;
     uint32_t *open;      /* [poses] that may be next */
     uint32_t *opens;     /* [poses] places each brings into view, at most */
@@ -44,7 +44,7 @@ static size_t gather(exploring *e, size_t *seen)
         if (is_first ? place == e->start
                      : murk_explored_joins(&e->explored, place, e->start)) {
             ++*seen;
-            if (murk_partial_plan_admits(&e->partial, j, false)) {
+            if (murk_partial_plan_can_add(&e->partial, j, false)) {
                 e->open[n++] = j;
             }
         }
@@ -139,8 +139,8 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
     murk_partial_plan_add(&e->partial, j);
     *step = (murk_explore_step){
         .candidate = j,
-        .gain = murk_stepping_take(&e->stepping, j),
-        .value = e->stepping.value,
+        .gain = murk_lazy_greedy_add(&e->greedy, j),
+        .value = e->greedy.value,
         .path_m = gone_m + length_m,
         .places_seen = murk_explored_see(&e->explored, &e->poses->pose[j],
                                          e->poses->site[j]),
@@ -164,7 +164,7 @@ static bool choose(exploring *e, uint32_t *next)
                           : MURK_EXPLORE_NOTHING;
         return false;
     }
-    *next = murk_stepping_best(&e->stepping, e->open, n, &gain);
+    *next = murk_lazy_greedy_best(&e->greedy, e->open, n, &gain);
     if (gain > 0 || widen(e, n, next)) {
         return true;
     }
@@ -191,7 +191,7 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
     murk_status status = MURK_OK;
     while (!status && !murk_interrupted()) {
         uint32_t next;
-        if (desc->target && e->stepping.value >= desc->target) {
+        if (desc->target && e->greedy.value >= desc->target) {
             e->out->end = MURK_EXPLORE_TARGET;
             return MURK_OK;
         }
@@ -234,12 +234,12 @@ static murk_status check_end(const exploring *e, const murk_place_desc *desc,
 {
     const murk_explore *out = e->out;
     if (desc->target && out->end != MURK_EXPLORE_TARGET) {
-        const double whole = (double)e->stepping.layout.whole;
+        const double whole = (double)e->greedy.layout.whole;
         return murk_fail(err, MURK_RUN_FAILED, "",
                          "target %.6g is not reached: exploring ends with %zu "
                          "sensors that see %.6g, %zu of %zu places seen: %s",
                          (double)desc->target / whole, out->steps,
-                         (double)e->stepping.value / whole,
+                         (double)e->greedy.value / whole,
                          out->steps ? out->step[out->steps - 1].places_seen : 0,
                          out->places, why(out->end));
     }
@@ -272,11 +272,11 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     qsort(sensor, out->steps, sizeof *sensor, by_number);
     *place = (murk_place_result){.count = out->steps,
                                  .sensor = sensor,
-                                 .value = e->stepping.value,
+                                 .value = e->greedy.value,
                                  .cost = e->partial.cost,
-                                 .whole = e->stepping.layout.whole,
-                                 .evaluations = e->stepping.looks,
-                                 .looks = murk_sight_queries(e->sight)};
+                                 .whole = e->greedy.layout.whole,
+                                 .evaluations = e->greedy.queries,
+                                 .queries = murk_sight_queries(e->sight)};
     return MURK_OK;
 }
 
@@ -314,14 +314,14 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
     *out = (murk_explore){.places = sites->usable};
     const bool is_max = desc->target || desc->constraints->budget > 0;
     const size_t count = desc->count > 0 ? desc->count : poses->count;
-    murk_status status = murk_rulebook_init(
+    murk_status status = murk_constraint_set_init(
         &e.book, desc->constraints, poses->count,
         count < poses->count ? count : poses->count, is_max, err);
     if (!status) {
         status = murk_partial_plan_init(&e.partial, &e.book, err);
     }
     if (!status) {
-        status = murk_stepping_init(&e.stepping, problem, &e.book, err);
+        status = murk_lazy_greedy_init(&e.greedy, problem, &e.book, err);
     }
     if (!status) {
         status =
@@ -352,9 +352,9 @@ done:
     free(e.opens);
     free(e.ranked);
     murk_explored_release(&e.explored);
-    murk_stepping_release(&e.stepping);
+    murk_lazy_greedy_release(&e.greedy);
     murk_partial_plan_release(&e.partial);
-    murk_rulebook_release(&e.book);
+    murk_constraint_set_release(&e.book);
     return status;
 }
 

@@ -174,8 +174,8 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         return;
     }
     for (size_t k = 0; k < sample; ++k) {
-        murk_look look;
-        problem->look(problem->context, 0, k * n / sample, &look);
+        murk_sparse_row row;
+        problem->get_row(problem->context, 0, k * n / sample, &row);
     }
     plan->forecast_looks = sample;
     plan->forecast_rays = murk_sight_shadow_rays(sight) - rays;

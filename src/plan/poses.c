@@ -179,19 +179,19 @@ static murk_status check_constraints(const murk_poses *p,
                                      const murk_scene_sensors *settings,
                                      murk_error *err)
 {
-    murk_rulebook book;
+    murk_constraint_set book;
     if (!p->has_constraints) {
         return MURK_OK;
     }
     murk_error told = {0};
-    const murk_status status = murk_rulebook_init(
+    const murk_status status = murk_constraint_set_init(
         &book, &p->constraints, p->count,
         settings->count > 0 ? (size_t)settings->count : p->count,
         settings->count == 0, &told);
     if (status) {
         return murk_fail(err, status, settings->where, "%s", told.text);
     }
-    murk_rulebook_release(&book);
+    murk_constraint_set_release(&book);
     return MURK_OK;
 }
 

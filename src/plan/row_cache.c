@@ -5,16 +5,16 @@
 #include <string.h>
 
 struct murk_cached_row {
-    murk_look look;
+    murk_sparse_row row;
     uint32_t photon[]; /* [look.seen], then the clarities where there are any */
 };
 
 /* NULL where it takes more than most_bytes, or there is no memory. */
-static murk_cached_row *keep(const murk_look *look, size_t max_bytes)
+static murk_cached_row *keep(const murk_sparse_row *row, size_t max_bytes)
 {
-    const size_t photons = look->seen * sizeof *look->photon;
+    const size_t photons = row->seen * sizeof *row->photon;
     const size_t clarities =
-        look->clarity ? look->seen * sizeof *look->clarity : 0;
+        row->clarity ? row->seen * sizeof *row->clarity : 0;
     murk_cached_row *kept = NULL;
     if (photons + clarities <= max_bytes) {
         kept = malloc(sizeof *kept + photons + clarities);
@@ -22,29 +22,29 @@ static murk_cached_row *keep(const murk_look *look, size_t max_bytes)
     if (!kept) {
         return NULL;
     }
-    uint16_t *clarity = (uint16_t *)(kept->photon + look->seen);
-    kept->look = (murk_look){look->seen, kept->photon, NULL};
+    uint16_t *clarity = (uint16_t *)(kept->photon + row->seen);
+    kept->row = (murk_sparse_row){row->seen, kept->photon, NULL};
     if (photons) {
-        memcpy(kept->photon, look->photon, photons);
+        memcpy(kept->photon, row->photon, photons);
     }
     if (clarities) {
-        memcpy(clarity, look->clarity, clarities);
-        kept->look.clarity = clarity;
+        memcpy(clarity, row->clarity, clarities);
+        kept->row.clarity = clarity;
     }
     return kept;
 }
 
-static void look_once(void *context, unsigned worker, size_t candidate,
-                      murk_look *look)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *row)
 {
     murk_row_cache *r = context;
     murk_cached_row *kept = atomic_load(&r->kept[candidate]);
     if (kept) {
-        *look = kept->look;
+        *row = kept->row;
         return;
     }
-    r->source->look(r->source->context, worker, candidate, look);
-    kept = keep(look, MURK_ROW_CACHE_BYTES / r->source->candidates);
+    r->source->get_row(r->source->context, worker, candidate, row);
+    kept = keep(row, MURK_ROW_CACHE_BYTES / r->source->candidates);
     murk_cached_row *none = NULL;
     if (kept &&
         !atomic_compare_exchange_strong(&r->kept[candidate], &none, kept)) {
@@ -56,7 +56,7 @@ murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
                                 murk_error *err)
 {
     *out = (murk_row_cache){.problem = *source, .source = source};
-    out->problem.look = look_once;
+    out->problem.get_row = get_row;
     out->problem.context = out;
     out->kept = calloc(source->candidates + 1, sizeof *out->kept);
     return out->kept

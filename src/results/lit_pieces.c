@@ -225,9 +225,9 @@ static murk_status cover_all(murk_lit_pieces *out, murk_sight *sight,
                         desc->redundancy > 1 ? desc->redundancy : 1) &&
         whole && seen;
     for (size_t k = 0; has_room && k < sensors && !murk_interrupted(); ++k) {
-        murk_look look;
-        murk_sight_look(sight, 0, &sensor[k], &look);
-        murk_views_add(&views, (uint32_t)k, &look);
+        murk_sparse_row row;
+        murk_sight_row(sight, 0, &sensor[k], &row);
+        murk_views_add(&views, (uint32_t)k, &row);
     }
     if (has_room) {
         weigh(out, sight, &views, piece, whole, seen);

@@ -21,7 +21,7 @@
 #define LOOKS_EACH 4
 
 typedef struct kept_look {
-    murk_look look; /* its arrays owned */
+    murk_sparse_row row; /* its arrays owned */
     bool has_failed;
 } kept_look;
 
@@ -59,50 +59,49 @@ static void *copy(const void *from, size_t bytes)
     return out;
 }
 
-static void look_from(void *context, unsigned worker, uint64_t batch)
+static void find_row(void *context, unsigned worker, uint64_t batch)
 {
     measure *m = context;
     kept_look *s = &m->block[batch];
-    murk_look look;
-    murk_sight_look(m->sight, worker, &m->pose[m->first + batch], &look);
-    s->look.seen = look.seen;
-    s->look.photon = copy(look.photon, look.seen * sizeof *look.photon);
-    s->look.clarity = look.clarity
-                          ? copy(look.clarity, look.seen * sizeof *look.clarity)
-                          : NULL;
-    s->has_failed = !s->look.photon || (look.clarity && !s->look.clarity);
+    murk_sparse_row row;
+    murk_sight_row(m->sight, worker, &m->pose[m->first + batch], &row);
+    s->row.seen = row.seen;
+    s->row.photon = copy(row.photon, row.seen * sizeof *row.photon);
+    s->row.clarity =
+        row.clarity ? copy(row.clarity, row.seen * sizeof *row.clarity) : NULL;
+    s->has_failed = !s->row.photon || (row.clarity && !s->row.clarity);
 }
 
-static void take_up(measure *m, uint32_t sensor, const murk_look *look)
+static void take_up(measure *m, uint32_t sensor, const murk_sparse_row *row)
 {
     if (m->is_again) {
-        m->only[sensor] = murk_views_only_of(&m->views, m->weight, look);
+        m->only[sensor] = murk_views_only_of(&m->views, m->weight, row);
         return;
     }
-    for (size_t k = 0; k < look->seen; ++k) {
-        m->alone[sensor] += (uint64_t)m->weight[look->photon[k]] *
-                            (look->clarity ? look->clarity[k] : MURK_CLEAR);
+    for (size_t k = 0; k < row->seen; ++k) {
+        m->alone[sensor] += (uint64_t)m->weight[row->photon[k]] *
+                            (row->clarity ? row->clarity[k] : MURK_CLEAR);
     }
-    murk_views_add(&m->views, sensor, look);
+    murk_views_add(&m->views, sensor, row);
 }
 
 static void release_block(kept_look *block, size_t n)
 {
     for (size_t i = 0; block && i < n; ++i) {
-        free((void *)(uintptr_t)block[i].look.photon);
-        free((void *)(uintptr_t)block[i].look.clarity);
+        free((void *)(uintptr_t)block[i].row.photon);
+        free((void *)(uintptr_t)block[i].row.clarity);
         block[i] = (kept_look){0};
     }
 }
 
-static murk_status look_all(measure *m, murk_error *err)
+static murk_status find_rows(measure *m, murk_error *err)
 {
     const unsigned threads = murk_sight_described(m->sight)->threads;
     const size_t room = (size_t)LOOKS_EACH * threads;
     for (m->first = 0; m->first < m->sensors; m->first += room) {
         const size_t left = m->sensors - m->first;
         const size_t n = left < room ? left : room;
-        murk_pool_run_workers(threads, n, look_from, m);
+        murk_pool_run_workers(threads, n, find_row, m);
         bool has_failed = false;
         for (size_t i = 0; i < n; ++i) {
             has_failed = has_failed || m->block[i].has_failed;
@@ -115,7 +114,7 @@ static murk_status look_all(measure *m, murk_error *err)
                              "no memory to look from %zu sensors", n);
         }
         for (size_t i = 0; i < n; ++i) {
-            take_up(m, (uint32_t)(m->first + i), &m->block[i].look);
+            take_up(m, (uint32_t)(m->first + i), &m->block[i].row);
         }
         release_block(m->block, n);
     }
@@ -126,7 +125,7 @@ static murk_status look_for_only(measure *m, murk_error *err)
 {
     m->is_again = m->views.dose;
     if (m->is_again) {
-        return look_all(m, err);
+        return find_rows(m, err);
     }
     murk_views_only(&m->views, m->weight, m->only);
     return MURK_OK;
@@ -423,7 +422,7 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
     if (status) {
         goto done;
     }
-    status = look_all(&m, err);
+    status = find_rows(&m, err);
     if (!status) {
         status = look_for_only(&m, err);
     }

@@ -252,8 +252,8 @@ static void see_across(look *l, double range_m)
                                                     &l->passages, range_m));
 }
 
-void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
-                     murk_look *out)
+void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
+                    murk_sparse_row *out)
 {
     assert(worker < sight->desc.threads && pose->type < sight->desc.types);
     const murk_sight_desc *desc = &sight->desc;
@@ -283,5 +283,5 @@ void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
     look_at(&l, desc->surface_map, 0);
     look_at(&l, desc->volume_map,
             (uint32_t)murk_photon_map_count(desc->surface_map));
-    *out = (murk_look){l.seen, l.photon, l.all_clear ? NULL : l.clarity};
+    *out = (murk_sparse_row){l.seen, l.photon, l.all_clear ? NULL : l.clarity};
 }

@@ -103,13 +103,12 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
         status = no_memory(err);
     }
     for (size_t k = 0; k < w->sensors && !status; ++k) {
-        murk_look look;
-        murk_sight_look(sight, 0, &w->pose[k], &look);
-        murk_views_add(&views, (uint32_t)k, &look);
-        for (size_t i = 0; i < look.seen; ++i) {
-            const uint16_t clarity =
-                look.clarity ? look.clarity[i] : MURK_CLEAR;
-            murk_place_seen *place = place_of(w, p, sight, look.photon[i]);
+        murk_sparse_row row;
+        murk_sight_row(sight, 0, &w->pose[k], &row);
+        murk_views_add(&views, (uint32_t)k, &row);
+        for (size_t i = 0; i < row.seen; ++i) {
+            const uint16_t clarity = row.clarity ? row.clarity[i] : MURK_CLEAR;
+            murk_place_seen *place = place_of(w, p, sight, row.photon[i]);
             place->clarity = fmaxf(place->clarity, (float)clarity / MURK_CLEAR);
         }
     }
@@ -128,12 +127,12 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
 static void take_depths(const work *w, const piece *p, murk_sight *sight,
                         const murk_pose *pose, double *depth, double *sheets)
 {
-    murk_look look;
-    murk_sight_look(sight, 0, pose, &look);
-    murk_sight_depths(depth, sheets, sight, pose, look.photon, look.seen,
+    murk_sparse_row row;
+    murk_sight_row(sight, 0, pose, &row);
+    murk_sight_depths(depth, sheets, sight, pose, row.photon, row.seen,
                       &w->media, 1);
-    for (size_t i = 0; i < look.seen; ++i) {
-        murk_place_seen *place = place_of(w, p, sight, look.photon[i]);
+    for (size_t i = 0; i < row.seen; ++i) {
+        murk_place_seen *place = place_of(w, p, sight, row.photon[i]);
         place->depth = fminf(place->depth, (float)depth[i]);
     }
 }

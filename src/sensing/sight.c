@@ -284,11 +284,11 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 
 /* ---- the placement problem ---- */
 
-static void look_from(void *context, unsigned worker, size_t candidate,
-                      murk_look *out)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
 {
     const murk_sight_problem *p = context;
-    murk_sight_look(p->sight, worker, &p->pose[candidate], out);
+    murk_sight_row(p->sight, worker, &p->pose[candidate], out);
 }
 
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
@@ -299,7 +299,7 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
     out->problem = (murk_problem){.photons = sight->photons,
                                   .candidates = n,
                                   .weight = sight->weight,
-                                  .look = look_from,
+                                  .get_row = get_row,
                                   .context = out,
                                   .threads = sight->desc.threads,
                                   .combining = sight->desc.combining,

@@ -96,8 +96,8 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 
 /* What a sensor sees; valid until the worker's next look. worker in [0,
  * threads), pose->type below types. */
-void murk_sight_look(murk_sight *sight, unsigned worker, const murk_pose *pose,
-                     murk_look *look);
+void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
+                    murk_sparse_row *row);
 
 /* The placement problem over these candidates (borrowed, as is the sight). */
 typedef struct murk_sight_problem {

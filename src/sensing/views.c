@@ -52,20 +52,20 @@ static void keep_clearest(murk_views *v, size_t i, uint32_t sensor,
     }
 }
 
-static uint16_t clarity_at(const murk_look *look, size_t k)
+static uint16_t clarity_at(const murk_sparse_row *row, size_t k)
 {
-    return look->clarity ? look->clarity[k] : MURK_CLEAR;
+    return row->clarity ? row->clarity[k] : MURK_CLEAR;
 }
 
-void murk_views_add(murk_views *v, uint32_t sensor, const murk_look *look)
+void murk_views_add(murk_views *v, uint32_t sensor, const murk_sparse_row *row)
 {
-    for (size_t k = 0; k < look->seen; ++k) {
-        const uint32_t i = look->photon[k];
+    for (size_t k = 0; k < row->seen; ++k) {
+        const uint32_t i = row->photon[k];
         ++v->sensors[i];
         if (v->dose) {
-            v->dose[i] += v->doses->of[clarity_at(look, k)];
+            v->dose[i] += v->doses->of[clarity_at(row, k)];
         } else {
-            keep_clearest(v, i, sensor, clarity_at(look, k));
+            keep_clearest(v, i, sensor, clarity_at(row, k));
         }
     }
 }
@@ -102,12 +102,12 @@ void murk_views_only(const murk_views *v, const uint32_t *weight,
 }
 
 uint64_t murk_views_only_of(const murk_views *v, const uint32_t *weight,
-                            const murk_look *look)
+                            const murk_sparse_row *row)
 {
     uint64_t sum = 0;
-    for (size_t k = 0; k < look->seen; ++k) {
-        const uint32_t i = look->photon[k];
-        const uint64_t others = v->dose[i] - v->doses->of[clarity_at(look, k)];
+    for (size_t k = 0; k < row->seen; ++k) {
+        const uint32_t i = row->photon[k];
+        const uint64_t others = v->dose[i] - v->doses->of[clarity_at(row, k)];
         sum += (uint64_t)weight[i] *
                (uint64_t)(worth_of(v, v->dose[i]) - worth_of(v, others));
     }

@@ -21,7 +21,8 @@ bool murk_views_init(murk_views *out, size_t photons, murk_combining combining,
 void murk_views_release(murk_views *views);
 
 /* One sensor more, in rising number: of equals the first is the clearest. */
-void murk_views_add(murk_views *views, uint32_t sensor, const murk_look *look);
+void murk_views_add(murk_views *views, uint32_t sensor,
+                    const murk_sparse_row *row);
 
 /* What is seen of photon i, 0 .. layers * MURK_CLEAR. */
 uint32_t murk_views_worth(const murk_views *views, size_t i);
@@ -33,6 +34,6 @@ void murk_views_only(const murk_views *views, const uint32_t *weight,
 
 /* The same of one sensor whose look this is; independent chances alone. */
 uint64_t murk_views_only_of(const murk_views *views, const uint32_t *weight,
-                            const murk_look *look);
+                            const murk_sparse_row *row);
 
 #endif

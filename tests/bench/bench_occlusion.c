@@ -151,20 +151,20 @@ static void pack_rays(contest *c)
         murk_length(murk_surfaces_leave(c->surfaces, zero, up));
     static murk_vec3 from[PHOTONS];
     for (size_t j = 0; j < CANDIDATES; ++j) {
-        murk_look look;
-        murk_sight_look(facing, 0, &c->pose[j], &look);
-        for (size_t k = 0; k < look.seen; ++k) {
-            const murk_photon *p = &photon[look.photon[k]];
+        murk_sparse_row row;
+        murk_sight_row(facing, 0, &c->pose[j], &row);
+        for (size_t k = 0; k < row.seen; ++k) {
+            const murk_photon *p = &photon[row.photon[k]];
             const float *x = p->position_m;
             from[k] = murk_surfaces_leave(
                 c->surfaces, murk_vec((double)x[0], (double)x[1], (double)x[2]),
                 murk_direction_unpack(p->normal));
         }
-        if (!peer_occlusion_add(c->peer, from, look.seen, c->candidate[j],
+        if (!peer_occlusion_add(c->peer, from, row.seen, c->candidate[j],
                                 trim_m)) {
             stop("out of memory");
         }
-        c->rays += look.seen;
+        c->rays += row.seen;
     }
     murk_sight_destroy(facing);
 }
@@ -210,9 +210,9 @@ typedef struct looks {
 static void look_once(void *context, unsigned worker, uint64_t batch)
 {
     looks *l = context;
-    murk_look look;
-    murk_sight_look(l->sight, worker, &l->pose[batch], &look);
-    l->seen[batch] = look.seen;
+    murk_sparse_row row;
+    murk_sight_row(l->sight, worker, &l->pose[batch], &row);
+    l->seen[batch] = row.seen;
 }
 
 static double time_ours(looks *l, unsigned threads)

@@ -78,8 +78,8 @@ static uint16_t clarity_between(const bench_case *what, point a, point b)
     return (uint16_t)(MURK_CLEAR * exp(-what->extinction_per_m * d) + 0.5);
 }
 
-static void look(void *context, unsigned worker, size_t candidate,
-                 murk_look *out)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
 {
     const house *h = context;
     const size_t n = h->problem.photons;
@@ -94,7 +94,8 @@ static void look(void *context, unsigned worker, size_t candidate,
             clarity[k++] = c;
         }
     }
-    *out = (murk_look){k, seen, h->what->extinction_per_m > 0 ? clarity : NULL};
+    *out = (murk_sparse_row){k, seen,
+                             h->what->extinction_per_m > 0 ? clarity : NULL};
 }
 
 static point photon_at(uint64_t i, bool is_in_air)
@@ -145,7 +146,7 @@ static house *house_create(const bench_case *what, unsigned threads)
     h->problem = (murk_problem){.photons = n,
                                 .candidates = candidates,
                                 .weight = h->weight,
-                                .look = look,
+                                .get_row = get_row,
                                 .context = h,
                                 .threads = threads};
     return h;
@@ -168,8 +169,8 @@ static double plain_weighing_s(const house *h)
     uint16_t *row = calloc(rows * n, sizeof *row);
     uint16_t *best = calloc(n, sizeof *best);
     for (size_t j = 0; j < rows; ++j) {
-        murk_look l;
-        look((void *)(uintptr_t)h, 0, j * h->problem.candidates / rows, &l);
+        murk_sparse_row l;
+        get_row((void *)(uintptr_t)h, 0, j * h->problem.candidates / rows, &l);
         for (size_t k = 0; k < l.seen; ++k) {
             row[j * n + l.photon[k]] = l.clarity ? l.clarity[k] : MURK_CLEAR;
         }

@@ -15,12 +15,13 @@ typedef struct cover_problem {
     size_t *seen;  /* [columns] */
 } cover_problem;
 
-static void look(void *context, unsigned worker, size_t candidate,
-                 murk_look *out)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
 {
     const cover_problem *c = context;
     (void)worker;
-    *out = (murk_look){c->seen[candidate], c->row + candidate * c->rows, NULL};
+    *out = (murk_sparse_row){c->seen[candidate], c->row + candidate * c->rows,
+                             NULL};
 }
 
 static bool read_number(FILE *file, size_t *out)
@@ -82,7 +83,7 @@ int main(void)
     const murk_problem problem = {.photons = c.rows,
                                   .candidates = c.columns,
                                   .weight = weight,
-                                  .look = look,
+                                  .get_row = get_row,
                                   .context = &c,
                                   .threads = 2};
     murk_matrix *matrix = NULL;

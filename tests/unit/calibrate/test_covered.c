@@ -327,17 +327,17 @@ static void test_memory_is_bounded(void)
                                 .volume = l.followed->volume,
                                 .emitted = l.followed->n};
     murk_sight *sight = NULL;
-    murk_look look;
+    murk_sparse_row row;
     CHECK(!murk_plan_sight(&sight, l.stage, &traced, 1, NULL));
-    murk_sight_look(sight, 0, &poses[0], &look);
-    const double needed = (double)(look.seen * sizeof(uint32_t));
+    murk_sight_row(sight, 0, &poses[0], &row);
+    const double needed = (double)(row.seen * sizeof(uint32_t));
     const murk_sightlines_through through = {.sight = sight};
     for (int is_enough = 0; is_enough < 2; ++is_enough) {
         murk_sightlines lines = {0};
         murk_sightlines_room room = {.max_bytes = needed - !is_enough};
         CHECK(murk_sightlines_find(&lines, &through, 0, &poses[0], &room) ==
               is_enough);
-        CHECK(lines.n == (is_enough ? look.seen : 0));
+        CHECK(lines.n == (is_enough ? row.seen : 0));
         CHECK(!lines.contribution == !is_enough);
         murk_sightlines_release(&lines);
     }

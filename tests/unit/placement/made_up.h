@@ -14,11 +14,11 @@ typedef struct made_up {
     uint32_t *weight;
     uint32_t *photon; /* [threads][photons] scratch for looks */
     uint16_t *seen_clarity;
-    bool all_clear;
+    bool is_binary;
 } made_up;
 
-static void made_up_look(void *context, unsigned worker, size_t candidate,
-                         murk_look *look)
+static void made_up_row(void *context, unsigned worker, size_t candidate,
+                        murk_sparse_row *row)
 {
     const made_up *m = context;
     const size_t n = m->problem.photons;
@@ -31,7 +31,7 @@ static void made_up_look(void *context, unsigned worker, size_t candidate,
             clarity[seen++] = m->clarity[candidate * n + i];
         }
     }
-    *look = (murk_look){seen, photon, m->all_clear ? NULL : clarity};
+    *row = (murk_sparse_row){seen, photon, m->is_binary ? NULL : clarity};
 }
 
 /* share: seen pairs of all; levels: distinct clarities (1: all clear);
@@ -45,7 +45,7 @@ static made_up *made_up_create(uint32_t seed, size_t photons, size_t candidates,
     m->weight = calloc(photons + 1, sizeof *m->weight);
     m->photon = calloc(photons * threads + 1, sizeof *m->photon);
     m->seen_clarity = calloc(photons * threads + 1, sizeof *m->seen_clarity);
-    m->all_clear = levels == 1;
+    m->is_binary = levels == 1;
     for (size_t j = 0; j < candidates; ++j) {
         for (size_t i = 0; i < photons; ++i) {
             uint32_t word[4];
@@ -64,7 +64,7 @@ static made_up *made_up_create(uint32_t seed, size_t photons, size_t candidates,
     m->problem = (murk_problem){.photons = photons,
                                 .candidates = candidates,
                                 .weight = m->weight,
-                                .look = made_up_look,
+                                .get_row = made_up_row,
                                 .context = m,
                                 .threads = threads};
     return m;

@@ -135,13 +135,13 @@ static bool made_up_excludes(const made_up_constraints *m, size_t a, size_t b)
 /* Whether the set (bit j: candidate j) keeps the rules; count apart. */
 static bool made_up_keeps(const made_up_constraints *m, uint32_t set)
 {
-    size_t have[3] = {0};
+    size_t class_count[3] = {0};
     int64_t cost = 0;
     for (size_t j = 0; j < m->candidates; ++j) {
         if (!(set >> j & 1)) {
             continue;
         }
-        ++have[m->class_of[j]];
+        ++class_count[m->class_of[j]];
         cost += m->cost[j];
         for (size_t i = 0; i < j; ++i) {
             if (set >> i & 1 && made_up_excludes(m, i, j)) {
@@ -150,8 +150,8 @@ static bool made_up_keeps(const made_up_constraints *m, uint32_t set)
         }
     }
     for (size_t c = 0; c < 3; ++c) {
-        if ((m->kinds & MIN && have[c] < m->min[c]) ||
-            (m->kinds & CAPS && have[c] > m->max[c])) {
+        if ((m->kinds & MIN && class_count[c] < m->min[c]) ||
+            (m->kinds & CAPS && class_count[c] > m->max[c])) {
             return false;
         }
     }

@@ -152,16 +152,16 @@ static void try_all_ways(const made_up *m, const made_up_constraints *r,
     made_up_ruled_optima(m, r, best);
     const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
     murk_place_result first[METHODS] = {{0}};
-    for (int way = 0; way < 3 * METHODS; ++way) {
-        const int method = way % METHODS;
-        const bool known = way < 2 * METHODS;
+    for (int direction = 0; direction < 3 * METHODS; ++direction) {
+        const int method = direction % METHODS;
+        const bool known = direction < 2 * METHODS;
         murk_place_desc desc = murk_place_defaults();
         desc.method = (murk_place_method)method;
         desc.count = count;
         desc.restarts = 3;
         desc.seed = seed;
         desc.constraints = &r->constraints;
-        desc.keep_dominated = way >= METHODS;
+        desc.keep_dominated = direction >= METHODS;
         desc.with_curve = seed % 4 < 2;
         if (!known && method == MURK_PLACE_EXACT) {
             continue;
@@ -194,7 +194,7 @@ static void try_all_ways(const made_up *m, const made_up_constraints *r,
         }
         /* Presolve is for speed; SPOQ and greedy do not even notice it, nor
          * whether the environment is known. */
-        if (way < METHODS) {
+        if (direction < METHODS) {
             first[method] = plan;
             continue;
         }

@@ -374,26 +374,27 @@ static void test_who_may_be_dropped(void)
             constraints.conflict_first = conflict_first;
             constraints.conflict = conflict;
         }
-        murk_rulebook book = {0};
+        murk_constraint_set set = {0};
         murk_error err = {0};
-        CHECK(murk_rulebook_init(&book, &constraints, 4, 2, has_costs, &err) ==
-              MURK_OK);
+        CHECK(murk_constraint_set_init(&set, &constraints, 4, 2, has_costs,
+                                       &err) == MURK_OK);
         CHECK_TEXT(err.text, "");
-        const bool may = murk_rulebook_may_drop(&book, table[i].a, table[i].b);
+        const bool may =
+            murk_constraint_set_may_drop(&set, table[i].a, table[i].b);
         if (may != table[i].may) {
             printf("row %zu of the table\n", i);
         }
         CHECK(may == table[i].may);
-        murk_rulebook_release(&book);
+        murk_constraint_set_release(&set);
     }
     const size_t fixed[] = {1};
     const murk_constraints constraints = {.fixed = fixed, .fixed_count = 1};
-    murk_rulebook book = {0};
-    CHECK(murk_rulebook_init(&book, &constraints, 4, 2, false, NULL) ==
+    murk_constraint_set set = {0};
+    CHECK(murk_constraint_set_init(&set, &constraints, 4, 2, false, NULL) ==
           MURK_OK);
-    CHECK(!murk_rulebook_may_drop(&book, 0, 1));
-    CHECK(murk_rulebook_may_drop(&book, 1, 0));
-    murk_rulebook_release(&book);
+    CHECK(!murk_constraint_set_may_drop(&set, 0, 1));
+    CHECK(murk_constraint_set_may_drop(&set, 1, 0));
+    murk_constraint_set_release(&set);
 }
 
 /* Threads, rules of every kind, and more candidates than brute force can try:

@@ -76,19 +76,21 @@ static void check_bits(const murk_kernels *f, const arrays *a,
           f->count_new(a->row, at, a->full, words));
     CHECK(p->sum_missing(a->row, at, a->best, words) ==
           f->sum_missing(a->row, at, a->best, words));
-    CHECK(p->weigh_missing(a->row, at, a->best, a->weight, words) ==
-          f->weigh_missing(a->row, at, a->best, a->weight, words));
+    CHECK(p->weighted_missing(a->row, at, a->best, a->weight, words) ==
+          f->weighted_missing(a->row, at, a->best, a->weight, words));
     size_t used[2] = {0};
     CHECK(p->sum_packed(a->row, at, a->packed, a->best, words, &used[0]) ==
           f->sum_packed(a->row, at, a->packed, a->best, words, &used[1]));
     CHECK(used[0] == used[1]);
-    CHECK(p->weigh_packed(a->row, at, a->packed, a->best, a->weight, words,
-                          &used[0]) == f->weigh_packed(a->row, at, a->packed,
-                                                       a->best, a->weight,
-                                                       words, &used[1]));
+    CHECK(p->weighted_packed(a->row, at, a->packed, a->best, a->weight, words,
+                             &used[0]) ==
+          f->weighted_packed(a->row, at, a->packed, a->best, a->weight, words,
+                             &used[1]));
     CHECK(used[0] == used[1]);
-    CHECK(p->sum_rest_packed(a->row, at, a->packed, a->best, words, &used[0]) ==
-          f->sum_rest_packed(a->row, at, a->packed, a->best, words, &used[1]));
+    CHECK(p->sum_independent_packed(a->row, at, a->packed, a->best, words,
+                                    &used[0]) ==
+          f->sum_independent_packed(a->row, at, a->packed, a->best, words,
+                                    &used[1]));
     CHECK(used[0] == used[1]);
 }
 
@@ -98,9 +100,10 @@ static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
     arrays a = arrays_create(words, is_extreme);
     const size_t n = 64 * words;
     CHECK(p->sum_above(a.dense, a.best, n) == f->sum_above(a.dense, a.best, n));
-    CHECK(p->weigh_above(a.dense, a.best, a.weight, n) ==
-          f->weigh_above(a.dense, a.best, a.weight, n));
-    CHECK(p->sum_rest(a.dense, a.best, n) == f->sum_rest(a.dense, a.best, n));
+    CHECK(p->weighted_above(a.dense, a.best, a.weight, n) ==
+          f->weighted_above(a.dense, a.best, a.weight, n));
+    CHECK(p->sum_independent(a.dense, a.best, n) ==
+          f->sum_independent(a.dense, a.best, n));
     check_bits(f, &a, NULL, words);
     uint32_t *at = malloc((words / 2 + 1) * sizeof *at);
     for (size_t k = 0; k < words / 2; ++k) {
@@ -122,8 +125,9 @@ static void test_plain_sums(void)
     CHECK(p->count_new(a.row, NULL, a.full, 2) == 125);
     CHECK(p->sum_missing(a.row, NULL, a.best, 2) == all);
     CHECK(p->sum_above(a.dense, a.best, 128) == all);
-    CHECK(p->weigh_above(a.dense, a.best, a.weight, 128) == all * UINT32_MAX);
-    CHECK(p->sum_rest(a.dense, a.best, 128) == all - 128);
+    CHECK(p->weighted_above(a.dense, a.best, a.weight, 128) ==
+          all * UINT32_MAX);
+    CHECK(p->sum_independent(a.dense, a.best, 128) == all - 128);
     a.best[3] = MURK_CLEAR - 1;
     a.row[1] = 1;
     CHECK(p->sum_missing(a.row, NULL, a.best, 2) ==
@@ -135,7 +139,7 @@ static void test_plain_sums(void)
     const uint32_t first = 0;
     a.best[0] = MURK_CLEAR - 5;
     CHECK(p->sum_missing(a.row + 1, &first, a.best, 1) == 5);
-    CHECK(p->weigh_missing(a.row + 1, &first, a.best, a.weight, 1) ==
+    CHECK(p->weighted_missing(a.row + 1, &first, a.best, a.weight, 1) ==
           (uint64_t)5 * UINT32_MAX);
     CHECK(p->count_new(a.row + 1, &first, a.full, 1) == 0);
     arrays_release(&a);

@@ -57,10 +57,10 @@ static void test_growth_behind_the_pilot_is_noticed(void)
     made_up_destroy(m);
 }
 
-static void look_then_interrupt(void *context, unsigned worker,
-                                size_t candidate, murk_look *look)
+static void row_then_interrupt(void *context, unsigned worker, size_t candidate,
+                               murk_sparse_row *row)
 {
-    made_up_look(context, worker, candidate, look);
+    made_up_row(context, worker, candidate, row);
     if (candidate == 7) {
         murk_interrupt_request();
     }
@@ -107,7 +107,7 @@ static void test_interrupt_ends_all(void)
     CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
     check_bounds_stop(m, matrix);
-    m->problem.look = look_then_interrupt;
+    m->problem.get_row = row_then_interrupt;
     CHECK(murk_place_unknown(&result, &m->problem, &desc, &err) ==
           MURK_INTERRUPTED);
     CHECK(result.sensor == NULL && result.curve == NULL);

@@ -1,6 +1,7 @@
 /* Photons that all candidates see alike, put together or not: the same plans,
  * bounds, curves and work, in every bit, by every method and in every way that
  * views combine. */
+#include "placement/matrix.h"
 #include "placement/merge.h"
 
 #include "check.h"
@@ -81,10 +82,12 @@ static void test_prints_are_checked(void)
     murk_error err = {0};
     CHECK(murk_matrix_make(&matrix, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
                            &err) == MURK_OK);
-    _Atomic uint64_t *print = calloc(m->problem.photons, sizeof *print);
-    CHECK(murk_merge(matrix, &m->problem, print, true, &err) == MURK_OK);
+    _Atomic uint64_t *hash = calloc(m->problem.photons, sizeof *hash);
+    uint64_t row_bytes = 0;
+    CHECK(murk_merge(&matrix->layout, matrix->row, &m->problem, hash, true,
+                     &row_bytes, &err) == MURK_OK);
     CHECK(matrix->layout.photons == m->problem.photons);
-    free(print);
+    free(hash);
     murk_matrix_destroy(matrix);
     made_up_destroy(m);
 }

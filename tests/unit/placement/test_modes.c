@@ -45,7 +45,7 @@ static made_up *create(uint32_t seed, uint32_t k, size_t photons,
     made_up *m =
         made_up_create(seed, photons, candidates, k % 3 ? .35 : .1,
                        k % 2 ? 1 : 40 + 1000 * (k % 4), 1 + k % 4, threads);
-    if (k % 5 == 4 && !m->all_clear) {
+    if (k % 5 == 4 && !m->is_binary) {
         make_faint(m);
     }
     if (k % 2 == k / 2 % 2) {
@@ -75,9 +75,9 @@ static void test_covers(uint32_t seed)
         murk_matrix *matrix = matrix_of(m);
         const murk_layout *layout = &matrix->layout;
         murk_cover cover, graded, other;
-        CHECK(murk_cover_init(&cover, layout, matrix->all_clear));
+        CHECK(murk_cover_init(&cover, layout, matrix->is_binary));
         CHECK(murk_cover_init(&graded, layout, false));
-        CHECK(murk_cover_init(&other, layout, matrix->all_clear));
+        CHECK(murk_cover_init(&other, layout, matrix->is_binary));
         size_t plan[8];
         for (size_t n = 0; n < 8; ++n) {
             const size_t j = (n * 3 + k) % 8;
@@ -90,9 +90,9 @@ static void test_covers(uint32_t seed)
                   now - before);
             if (cover.dose) {
                 const uint64_t rest =
-                    murk_row_rest(layout, &matrix->row[j], &cover);
-                const uint64_t slack =
-                    MURK_REST_SLACK * murk_row_weight(layout, &matrix->row[j]);
+                    murk_row_gain_bound(layout, &matrix->row[j], &cover);
+                const uint64_t slack = MURK_GAIN_BOUND_SLACK *
+                                       murk_row_weight(layout, &matrix->row[j]);
                 CHECK(rest + slack >= now - before);
                 CHECK(rest <= now - before + slack);
                 less += rest < now - before;
@@ -149,7 +149,7 @@ static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
                 murk_cover_add(&stand, layout, &matrix->row[plan[i]]);
             }
         }
-        murk_multipliers_stand(&t, stands > 0 ? &stand : NULL);
+        murk_multipliers_set_partial_plan(&t, stands > 0 ? &stand : NULL);
         for (size_t i = 0; i < layout->slots; ++i) {
             const uint32_t at = made_up_draw(seed, 42, (uint32_t)i + 1000 * k,
                                              k % 4 == 0   ? 1
@@ -157,7 +157,7 @@ static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
                                                           : MURK_CLEAR + 1);
             threshold[i] = (float)at > t.floor[i] ? (float)at : t.floor[i];
         }
-        uint64_t sum = murk_multipliers_take(&t, threshold);
+        uint64_t sum = murk_multipliers_set(&t, threshold);
         murk_multipliers_gains(&t, joins + stands, n - stands, gain);
         for (size_t i = 0; i < n - stands; ++i) {
             sum += gain[i];
@@ -208,7 +208,7 @@ static void test_slopes(uint32_t seed)
         CHECK(murk_cover_init(&stand, layout, false));
         murk_cover_add(&stand, layout, &matrix->row[0]);
         murk_cover_add(&stand, layout, &matrix->row[1]);
-        murk_multipliers_stand(&t, &stand);
+        murk_multipliers_set_partial_plan(&t, &stand);
         float *threshold = calloc(layout->slots, sizeof *threshold);
         float *down = calloc(layout->slots, sizeof *down);
         const uint32_t joins[] = {4, 6};
@@ -226,11 +226,11 @@ static void test_slopes(uint32_t seed)
                     expected += (double)down[i] * layout->weight[i];
                 }
             }
-            sum[lower] = murk_multipliers_take(&t, threshold);
+            sum[lower] = murk_multipliers_set(&t, threshold);
             murk_multipliers_gains(&t, joins, 2, gain);
             sum[lower] += gain[0] + gain[1];
             if (!lower) {
-                murk_multipliers_slopes(&t, chosen, 2, down);
+                murk_multipliers_subgradient(&t, chosen, 2, down);
             }
         }
         /* Of chances, slopes change by up to 2 / 5535 within the step. */

@@ -178,7 +178,7 @@ static void test_greedy_looks_again_at_few(uint32_t seed)
     desc.method = MURK_PLACE_GREEDY;
     desc.count = 3;
     murk_place_result r = place_unknown(m, &desc);
-    CHECK(r.looks == 600 + r.evaluations + 3);
+    CHECK(r.queries == 600 + r.evaluations + 3);
     CHECK(r.evaluations < 3 * 600 - 600);
     CHECK(r.upper < r.ceiling / 2);
     murk_place_release(&r);
@@ -189,7 +189,7 @@ static void test_greedy_looks_again_at_few(uint32_t seed)
  * it says that it was cut. */
 static void test_exact(uint32_t seed)
 {
-    int cut = 0;
+    int segment_start = 0;
     for (uint32_t k = 0; k < 40; ++k) {
         made_up *m = made_up_create(seed + k, 400, 40, 0.15, k % 2 ? 1 : 200,
                                     1 + k % 7, 1);
@@ -206,12 +206,12 @@ static void test_exact(uint32_t seed)
             CHECK(is_short || (r.value == optimum && r.proven_optimal));
             CHECK(is_short || !r.is_cut);
             CHECK(!r.is_cut || r.nodes >= 1);
-            cut += r.is_cut;
+            segment_start += r.is_cut;
             murk_place_release(&r);
         }
         made_up_destroy(m);
     }
-    CHECK(cut > 0); /* or nothing was tested of being cut */
+    CHECK(segment_start > 0); /* or nothing was tested of being cut */
     made_up *m = made_up_create(seed, 40, 14, 0.3, 1, 1, 1);
     murk_place_desc desc = murk_place_defaults();
     desc.method = MURK_PLACE_EXACT;
@@ -359,7 +359,7 @@ static void test_threads_change_nothing(void)
                 CHECK(was->upper == r.upper);
                 CHECK(was->restarts == r.restarts);
                 CHECK(was->evaluations == r.evaluations);
-                CHECK(was->looks == r.looks);
+                CHECK(was->queries == r.queries);
                 CHECK(memcmp(was->curve, r.curve,
                              r.curve_points * sizeof *r.curve) == 0);
                 murk_place_release(&r);

@@ -39,20 +39,20 @@ static murk_place_result place(const murk_problem *problem,
 
 /* Of a block of photons, or scaled block by block, or each its own. */
 static void draw_weights(uint32_t *weight, const made_up *m, uint32_t seed,
-                         int way)
+                         int direction)
 {
     for (uint32_t i = 0; i < PHOTONS; ++i) {
         uint32_t word[4];
         murk_random_words(seed, MURK_TEST, i, 3, 5, word);
         const uint32_t block = i < 850 ? 0 : i < 1400 ? 1 : 2;
-        weight[i] = way == 0   ? (block == 1 ? m->weight[i] : 0)
-                    : way == 1 ? m->weight[i] * (1 + 5 * block)
-                               : word[0] % 1000;
+        weight[i] = direction == 0   ? (block == 1 ? m->weight[i] : 0)
+                    : direction == 1 ? m->weight[i] * (1 + 5 * block)
+                                     : word[0] % 1000;
     }
 }
 
 static void compare(uint32_t seed, size_t apart, uint32_t levels,
-                    uint32_t weights, int way, murk_combining combining,
+                    uint32_t weights, int direction, murk_combining combining,
                     unsigned redundancy)
 {
     made_up *m =
@@ -63,7 +63,7 @@ static void compare(uint32_t seed, size_t apart, uint32_t levels,
     murk_matrix *first = NULL, *other = NULL, *fresh = NULL;
     murk_error err = {0};
     uint32_t weight[PHOTONS];
-    draw_weights(weight, m, seed, way);
+    draw_weights(weight, m, seed, direction);
     CHECK(!murk_matrix_create(&first, &m->problem, MATRIX_MAX, &err) &&
           !murk_matrix_reweigh(&other, first, weight, &err));
     murk_problem problem = m->problem;
@@ -92,12 +92,12 @@ int main(void)
     uint32_t seed = 40;
     for (size_t apart = 1; apart <= 16; apart *= 4) {
         for (uint32_t levels = 1; levels <= 40; levels += 39) {
-            for (int way = 0; way < 3; ++way) {
+            for (int direction = 0; direction < 3; ++direction) {
                 /* photons of one weight side by side, and as they come */
-                compare(seed++, apart, levels, 3, way, MURK_COMBINE_CLEAREST,
-                        1);
-                compare(seed++, apart, levels, 3000, way, MURK_COMBINE_CLEAREST,
-                        1);
+                compare(seed++, apart, levels, 3, direction,
+                        MURK_COMBINE_CLEAREST, 1);
+                compare(seed++, apart, levels, 3000, direction,
+                        MURK_COMBINE_CLEAREST, 1);
             }
         }
     }

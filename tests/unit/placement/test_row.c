@@ -15,7 +15,7 @@ typedef struct sample {
     uint16_t clarity[PHOTONS], packed[PHOTONS]; /* of all; of those seen */
     uint16_t best[PHOTONS];
     murk_problem problem;
-    murk_look look;
+    murk_sparse_row entries;
 } sample;
 
 static uint32_t word_at(uint64_t i, uint32_t event, uint32_t slot)
@@ -44,7 +44,8 @@ static sample *sample_create(uint32_t number, size_t first, size_t n,
         }
     }
     s->problem = (murk_problem){.photons = PHOTONS, .weight = s->weight};
-    s->look = (murk_look){seen, s->photon, is_clear ? NULL : s->packed};
+    s->entries =
+        (murk_sparse_row){seen, s->photon, is_clear ? NULL : s->packed};
     return s;
 }
 
@@ -58,11 +59,11 @@ static void check_walk(const sample *s, const murk_layout *l,
          murk_row_next(&walk, &slot, &clarity);) {
         at[slot] = clarity;
     }
-    size_t differ = 0;
+    size_t mismatches = 0;
     for (uint32_t i = 0; i < PHOTONS; ++i) {
-        differ += at[murk_layout_slot(l, i)] != s->clarity[i];
+        mismatches += at[murk_layout_slot(l, i)] != s->clarity[i];
     }
-    CHECK(differ == 0);
+    CHECK(mismatches == 0);
 }
 
 static void check_cover(const sample *s, const murk_layout *l,
@@ -87,36 +88,36 @@ static void check_cover(const sample *s, const murk_layout *l,
         is_within = is_within && s->clarity[i] <= best;
     }
     CHECK(murk_row_gain(l, row, &cover) == gain);
-    CHECK(murk_row_within(l, row, &cover) == is_within);
+    CHECK(murk_row_is_covered(l, row, &cover) == is_within);
     if (!as_bits) {
         uint16_t count[2 * PHOTONS] = {0};
         murk_row_count_above(l, row, cover.best, count);
-        size_t differ = 0;
+        size_t mismatches = 0;
         for (uint32_t i = 0; i < PHOTONS; ++i) {
-            differ +=
+            mismatches +=
                 count[murk_layout_slot(l, i)] != (s->clarity[i] > s->best[i]);
         }
-        CHECK(differ == 0);
+        CHECK(mismatches == 0);
     }
     murk_cover_add(&cover, l, row);
     CHECK(murk_cover_value(&cover, l) == value);
-    CHECK(murk_row_within(l, row, &cover));
+    CHECK(murk_row_is_covered(l, row, &cover));
     murk_cover_release(&cover);
 }
 
 static void check_sample(uint32_t number, size_t first, size_t n, double share,
                          bool is_clear, uint32_t weights, murk_row_kind kind,
-                         bool is_apart)
+                         bool is_sparse)
 {
     sample *s = sample_create(number, first, n, share, is_clear, weights);
     for (int regroup = 0; regroup < 2; ++regroup) {
         murk_layout l = {0};
         murk_row row = {0};
         CHECK(murk_layout_init(&l, &s->problem, regroup, NULL) == MURK_OK);
-        CHECK(murk_row_store(&row, &l, &s->look));
+        CHECK(murk_row_store(&row, &l, &s->entries));
         CHECK(row.kind == kind);
-        CHECK((row.at != NULL) == is_apart);
-        CHECK(row.memory_bytes == murk_row_bytes(&l, &s->look));
+        CHECK((row.at != NULL) == is_sparse);
+        CHECK(row.memory_bytes == murk_row_bytes(&l, &s->entries));
         check_walk(s, &l, &row);
         check_cover(s, &l, &row, false);
         if (is_clear) {

@@ -137,8 +137,8 @@ static void check_comes_back(const murk_sparse_matrix *m, writer write)
 }
 
 /* A problem of every clarity there is, over rows that weigh 6, 12, .. */
-static void look(void *context, unsigned worker, size_t candidate,
-                 murk_look *out)
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
 {
     static uint32_t photon[MURK_CLEAR];
     static uint16_t clarity[MURK_CLEAR];
@@ -148,7 +148,7 @@ static void look(void *context, unsigned worker, size_t candidate,
         photon[i] = i;
         clarity[i] = (uint16_t)(i + 1);
     }
-    *out = (murk_look){candidate ? 0 : MURK_CLEAR, photon, clarity};
+    *out = (murk_sparse_row){candidate ? 0 : MURK_CLEAR, photon, clarity};
 }
 
 static void test_what_is_written_reads_back(void)
@@ -176,7 +176,7 @@ static void test_what_is_written_reads_back(void)
     const murk_problem problem = {.photons = MURK_CLEAR,
                                   .candidates = 2,
                                   .weight = weight,
-                                  .look = look,
+                                  .get_row = get_row,
                                   .threads = 1};
     CHECK(murk_sparse_matrix_collect(&m, &problem, MURK_CLEAR, &err) ==
           MURK_OK);

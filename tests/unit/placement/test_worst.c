@@ -117,11 +117,12 @@ static void refer(murk_blocks *blocks, const made_up *m,
 }
 
 /* The clearest view, two or three of them, or independent chances. */
-static void combine_by(made_up *m, uint32_t way)
+static void combine_by(made_up *m, uint32_t direction)
 {
     m->problem.combining =
-        way == 3 ? MURK_COMBINE_INDEPENDENT : MURK_COMBINE_CLEAREST;
-    m->problem.redundancy = way < 3 ? 1 + way : 0; /* 4: as by default */
+        direction == 3 ? MURK_COMBINE_INDEPENDENT : MURK_COMBINE_CLEAREST;
+    m->problem.redundancy =
+        direction < 3 ? 1 + direction : 0; /* 4: as by default */
 }
 
 static void find_optima(const made_up *m, const murk_blocks *blocks,
@@ -217,14 +218,14 @@ static void try_methods(const made_up *m, const murk_blocks *blocks,
     uint64_t best[MADE_UP_MAX + 1];
     find_optima(m, blocks, r, best);
     const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
-    for (int way = 0; way < 8; ++way) {
+    for (int direction = 0; direction < 8; ++direction) {
         murk_place_desc desc = murk_place_defaults();
-        desc.method = methods[way % 4];
+        desc.method = methods[direction % 4];
         desc.count = count;
         desc.restarts = 3;
         desc.seed = seed;
         desc.constraints = r->kinds ? &r->constraints : NULL;
-        desc.keep_dominated = way >= 4;
+        desc.keep_dominated = direction >= 4;
         desc.with_curve = seed % 2;
         murk_error err = {0};
         murk_place_result plan = {0};
@@ -331,7 +332,7 @@ static void test_regret(uint32_t seed)
             const uint32_t part = i % 60 >= blocks.first[1] ? 1 : 4;
             m->clarity[i] = (uint16_t)(m->clarity[i] / part);
         }
-        m->all_clear = false;
+        m->is_binary = false;
         combine_by(m, k % 5);
         made_up_constraints r;
         made_up_constraints_fill(&r, own, k % 3 ? 0 : 1u << k / 3 % KINDS, 9);

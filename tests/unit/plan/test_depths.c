@@ -35,20 +35,20 @@ static void check_looks(const char *override, bool has_sheets)
     murk_stage *stage = stage_text_create(scene_text, overrides);
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
-    murk_look look;
+    murk_sparse_row row;
     CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 1, NULL) &&
           !murk_plan_sight(&sight, stage, traced, 1, NULL));
-    murk_sight_look(sight, 0, &pose, &look);
-    CHECK(look.seen > 50 && look.clarity);
+    murk_sight_row(sight, 0, &pose, &row);
+    CHECK(row.seen > 50 && row.clarity);
     const murk_media *const media[2] = {stage->media, stage->media};
-    double *depth = malloc(look.seen * 2 * sizeof *depth);
-    double *sheets = malloc(look.seen * sizeof *sheets);
+    double *depth = malloc(row.seen * 2 * sizeof *depth);
+    double *sheets = malloc(row.seen * sizeof *sheets);
     size_t behind = 0;
-    murk_sight_depths(depth, sheets, sight, &pose, look.photon, look.seen,
-                      media, 2);
-    for (size_t i = 0; i < look.seen; ++i) {
+    murk_sight_depths(depth, sheets, sight, &pose, row.photon, row.seen, media,
+                      2);
+    for (size_t i = 0; i < row.seen; ++i) {
         CHECK(depth[2 * i] == depth[2 * i + 1]);
-        CHECK_NEAR(sheets[i] * exp(-depth[2 * i]) * MURK_CLEAR, look.clarity[i],
+        CHECK_NEAR(sheets[i] * exp(-depth[2 * i]) * MURK_CLEAR, row.clarity[i],
                    0.5 + 1e-9);
         behind += sheets[i] < 1;
     }

@@ -41,7 +41,7 @@ static void test_queries_are_counted(void)
         CHECK(step[2].queries == step[1].places_seen);
         CHECK(m.plan.queries == step[2].queries);
         CHECK(m.plan.shadow_rays == step[2].shadow_rays);
-        CHECK(m.plan.place.looks == m.plan.queries);
+        CHECK(m.plan.place.queries == m.plan.queries);
     }
     unmake(&m);
 }

@@ -156,15 +156,15 @@ static void join(twin *t)
 
 static uint64_t gain_of(const twin *t, size_t j)
 {
-    murk_look look;
-    murk_sight_look(t->sight, 0, &t->plan->poses->pose[j], &look);
+    murk_sparse_row row;
+    murk_sight_row(t->sight, 0, &t->plan->poses->pose[j], &row);
     const uint32_t *weight = murk_sight_weights(t->sight);
     uint64_t gain = 0;
-    for (size_t k = 0; k < look.seen; ++k) {
-        gain += (uint64_t)weight[look.photon[k]] *
-                (uint64_t)(MURK_CLEAR - t->best[look.photon[k]]);
+    for (size_t k = 0; k < row.seen; ++k) {
+        gain += (uint64_t)weight[row.photon[k]] *
+                (uint64_t)(MURK_CLEAR - t->best[row.photon[k]]);
     }
-    CHECK(look.clarity == NULL); /* clear air */
+    CHECK(row.clarity == NULL); /* clear air */
     return gain;
 }
 
@@ -182,10 +182,10 @@ static void stand(twin *t, size_t j)
 {
     const murk_poses *poses = t->plan->poses;
     const size_t here = poses->site[j];
-    murk_look look;
-    murk_sight_look(t->sight, 0, &poses->pose[j], &look);
-    for (size_t k = 0; k < look.seen; ++k) {
-        t->best[look.photon[k]] = MURK_CLEAR;
+    murk_sparse_row row;
+    murk_sight_row(t->sight, 0, &poses->pose[j], &row);
+    for (size_t k = 0; k < row.seen; ++k) {
+        t->best[row.photon[k]] = MURK_CLEAR;
     }
     t->stands[j] = true;
     t->is_seen[here] = true;

@@ -72,12 +72,12 @@ static inline murk_sight_desc plain(const murk_domain *domain)
 /* Clarity of each photon, by emitted index. */
 static inline int seen_from(const world *w, murk_vec3 sensor, uint32_t emitted)
 {
-    murk_look look;
-    murk_sight_look(w->sight, 0, partial_at(&sensor, 1), &look);
-    for (size_t k = 1; k < look.seen; ++k) {
-        CHECK(look.photon[k - 1] < look.photon[k]);
+    murk_sparse_row row;
+    murk_sight_row(w->sight, 0, partial_at(&sensor, 1), &row);
+    for (size_t k = 1; k < row.seen; ++k) {
+        CHECK(row.photon[k - 1] < row.photon[k]);
     }
-    return clarity_of(w->sight, &look, emitted);
+    return clarity_of(w->sight, &row, emitted);
 }
 
 static inline int clarity(double transmittance)

@@ -348,11 +348,11 @@ static void test_total_is_the_plans_value(void)
     CHECK(p->candidates == 3 && p->photons == s.n_surface + s.n_volume);
     int best[2 * RECORDS] = {0};
     for (size_t j = 0; j < 3; ++j) {
-        murk_look look;
-        p->look(p->context, 0, j, &look);
-        for (size_t k = 0; k < look.seen; ++k) {
-            int *b = &best[look.photon[k]];
-            *b = look.clarity[k] > *b ? look.clarity[k] : *b;
+        murk_sparse_row row;
+        p->get_row(p->context, 0, j, &row);
+        for (size_t k = 0; k < row.seen; ++k) {
+            int *b = &best[row.photon[k]];
+            *b = row.clarity[k] > *b ? row.clarity[k] : *b;
         }
     }
     uint64_t value = 0, whole = 0;

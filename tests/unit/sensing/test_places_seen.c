@@ -130,13 +130,12 @@ static void looks_at(uint16_t *clarity, const scene *s)
     CHECK(murk_sight_create(&sight, &desc, &err) == MURK_OK);
     memset(clarity, 0, (size_t)3 * PLACES * sizeof *clarity);
     for (size_t k = 0; k < 3; ++k) {
-        murk_look look;
-        murk_sight_look(sight, 0, &POSES[k], &look);
-        for (size_t i = 0; i < look.seen; ++i) {
+        murk_sparse_row row;
+        murk_sight_row(sight, 0, &POSES[k], &row);
+        for (size_t i = 0; i < row.seen; ++i) {
             const uint32_t place =
-                murk_sight_photon(sight, look.photon[i])->emitted;
-            clarity[3 * place + k] =
-                look.clarity ? look.clarity[i] : MURK_CLEAR;
+                murk_sight_photon(sight, row.photon[i])->emitted;
+            clarity[3 * place + k] = row.clarity ? row.clarity[i] : MURK_CLEAR;
         }
     }
     murk_sight_destroy(sight);

@@ -161,8 +161,8 @@ static void test_looks_keep_to_the_field(void)
         pose.type = type;
         pose.position = murk_vec(4, 5, 2);
         const murk_field field = murk_field_of(&types[type], &pose, north);
-        murk_look look;
-        murk_sight_look(sight, 0, &pose, &look);
+        murk_sparse_row row;
+        murk_sight_row(sight, 0, &pose, &row);
         size_t at = 0;
         for (uint32_t i = 0; i < N; ++i) {
             const murk_photon *p = &stored[i];
@@ -176,10 +176,10 @@ static void test_looks_keep_to_the_field(void)
                 (types[type].bands == 0 || p->band == 1) &&
                 murk_field_takes(&field, way,
                                  murk_direction_unpack(p->direction));
-            CHECK(is_seen == (at < look.seen && look.photon[at] == i));
+            CHECK(is_seen == (at < row.seen && row.photon[at] == i));
             at += is_seen;
         }
-        CHECK(at == look.seen && at > 50 && (type == 0) == (at == N));
+        CHECK(at == row.seen && at > 50 && (type == 0) == (at == N));
     }
     murk_sight_destroy(sight);
     murk_photon_map_destroy(empty);

@@ -17,12 +17,12 @@ static void test_a_wall_hides_what_is_behind(void)
     world w = build(&wall, 1, clear_air(&hall), photon, 1000, plain(&hall));
     const murk_vec3 sensors[2] = {{2.1, 4.1, 1.9}, {9.9, 0.1, 3.9}};
     for (int s = 0; s < 2; ++s) {
-        murk_look look;
-        murk_sight_look(w.sight, 0, partial_at(&sensors[s], 1), &look);
-        CHECK(look.seen == 500 && look.clarity == NULL);
-        for (size_t k = 0; k < look.seen; ++k) {
+        murk_sparse_row row;
+        murk_sight_row(w.sight, 0, partial_at(&sensors[s], 1), &row);
+        CHECK(row.seen == 500 && row.clarity == NULL);
+        for (size_t k = 0; k < row.seen; ++k) {
             const murk_photon *p =
-                &murk_photon_map_photons(w.volume_map)[look.photon[k]];
+                &murk_photon_map_photons(w.volume_map)[row.photon[k]];
             CHECK((p->position_m[0] < 5) == (s == 0));
         }
     }
@@ -73,16 +73,16 @@ static void test_grazing_is_not_seen(void)
             photon[i] = a_photon(p, n, i);
         }
         world w = build(NULL, 0, clear_air(&hall), photon, 64, plain(&hall));
-        murk_look look;
-        murk_sight_look(w.sight, 0, partial_at(&center, 1), &look);
-        CHECK(look.seen == 0);
+        murk_sparse_row row;
+        murk_sight_row(w.sight, 0, partial_at(&center, 1), &row);
+        CHECK(row.seen == 0);
         /* Storing moves a position by 2^-20 of 10 m at most, a normal by its
          * error times the 1.7 m between; twice, and some room. */
         const double height =
             k == 0 ? 2 * 10 * 0x1p-20 : 3 * 1.7 * MURK_DIRECTION_ERROR_RAD;
         const murk_vec3 above = murk_along(center, height, n);
-        murk_sight_look(w.sight, 0, partial_at(&above, 1), &look);
-        CHECK(look.seen == 64);
+        murk_sight_row(w.sight, 0, partial_at(&above, 1), &row);
+        CHECK(row.seen == 64);
         tear_down(&w);
     }
 }

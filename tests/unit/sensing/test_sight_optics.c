@@ -96,9 +96,9 @@ static int seen_by(const scene *s, uint32_t type, murk_vec3 position,
 {
     const murk_pose pose = {
         .type = type, .position = position, .tilt_rad = tilt_rad};
-    murk_look look;
-    murk_sight_look(s->sight, 0, &pose, &look);
-    return clarity_of(s->sight, &look, emitted);
+    murk_sparse_row row;
+    murk_sight_row(s->sight, 0, &pose, &row);
+    return clarity_of(s->sight, &row, emitted);
 }
 
 /* ---- the way through a level face, by golden section ---- */
@@ -151,19 +151,19 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
     size_t across = 0, noticed = 0;
     for (int e = 0; e < 2; ++e) {
         const murk_pose pose = {.position = eye[e]};
-        murk_look look;
-        murk_sight_look(s.sight, 0, &pose, &look);
-        CHECK(look.seen == PHOTONS);
-        for (size_t k = 0; k < look.seen; ++k) {
-            CHECK(k == 0 || look.photon[k] > look.photon[k - 1]);
+        murk_sparse_row row;
+        murk_sight_row(s.sight, 0, &pose, &row);
+        CHECK(row.seen == PHOTONS);
+        for (size_t k = 0; k < row.seen; ++k) {
+            CHECK(k == 0 || row.photon[k] > row.photon[k - 1]);
             const murk_photon *p =
-                &murk_photon_map_photons(s.map[1])[look.photon[k]];
+                &murk_photon_map_photons(s.map[1])[row.photon[k]];
             const murk_vec3 at = place[p->emitted];
             const double water = 0.1 * (1 + p->band);
             if ((at.z < 0) == (eye[e].z < 0)) {
                 const double d = murk_length(murk_sub(at, eye[e]));
                 const double want = exp(-d * (at.z < 0 ? water : 0.05));
-                CHECK_NEAR(look.clarity[k], want * MURK_CLEAR, 0.51);
+                CHECK_NEAR(row.clarity[k], want * MURK_CLEAR, 0.51);
                 continue;
             }
             double want[2];
@@ -175,9 +175,9 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
                            exp(-0.05 * w.leg[0] - water * w.leg[1]) *
                            MURK_CLEAR;
             }
-            CHECK_NEAR(look.clarity[k], want[0], 0.51);
+            CHECK_NEAR(row.clarity[k], want[0], 0.51);
             ++across;
-            noticed += fabs(look.clarity[k] - want[1]) > 0.51;
+            noticed += fabs(row.clarity[k] - want[1]) > 0.51;
         }
     }
     CHECK(across > PHOTONS / 2);
@@ -187,10 +187,10 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
 
     s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, false, 0);
     const murk_pose pose = {.position = eye[0]};
-    murk_look look;
-    murk_sight_look(s.sight, 0, &pose, &look);
-    CHECK(look.seen < PHOTONS);
-    CHECK(murk_sight_blocked_by_interfaces(s.sight) == PHOTONS - look.seen);
+    murk_sparse_row row;
+    murk_sight_row(s.sight, 0, &pose, &row);
+    CHECK(row.seen < PHOTONS);
+    CHECK(murk_sight_blocked_by_interfaces(s.sight) == PHOTONS - row.seen);
     leave(&s);
 }
 

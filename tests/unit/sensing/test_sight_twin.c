@@ -67,23 +67,23 @@ static void test_agrees_with_the_plain_twin(void)
             const murk_random4 r = murk_random(7, MURK_TEST, 0, 1, (uint32_t)s);
             const murk_vec3 sensor = {0.1 + 9.8 * r.u[0], 0.1 + 7.8 * r.u[1],
                                       0.1 + 3.8 * r.u[2]};
-            murk_look look;
-            murk_sight_look(w.sight, 1, partial_at(&sensor, 1), &look);
+            murk_sparse_row row;
+            murk_sight_row(w.sight, 1, partial_at(&sensor, 1), &row);
             int got[MANY] = {0};
-            for (size_t k = 0; k < look.seen; ++k) {
-                const size_t i = look.photon[k];
+            for (size_t k = 0; k < row.seen; ++k) {
+                const size_t i = row.photon[k];
                 const size_t n = murk_photon_map_count(w.surface_map);
                 const murk_photon *p =
                     i < n ? &murk_photon_map_photons(w.surface_map)[i]
                           : &murk_photon_map_photons(w.volume_map)[i - n];
-                got[p->emitted] = look.clarity ? look.clarity[k] : MURK_CLEAR;
+                got[p->emitted] = row.clarity ? row.clarity[k] : MURK_CLEAR;
             }
             int differ = 0;
             for (size_t i = 0; i < MANY; ++i) {
                 differ += got[i] != twin(&w, sensor, &photon[i]);
             }
             CHECK(differ == 0);
-            seen += look.seen;
+            seen += row.seen;
         }
         CHECK(seen > MANY); /* the comparison had something to compare */
         tear_down(&w);
@@ -114,10 +114,10 @@ static void test_no_extinction_is_clear_air(void)
     const murk_surface_desc d = a_box(hall.box.min, hall.box.max);
     world a = build(&d, 1, clear_air(&hall), photon, MANY, plain(&hall));
     world b = build(&d, 1, mist(&hall, 0, 0), photon, MANY, plain(&hall));
-    murk_look x, y;
+    murk_sparse_row x, y;
     const murk_vec3 sensor = {3, 3, 3};
-    murk_sight_look(a.sight, 0, partial_at(&sensor, 1), &x);
-    murk_sight_look(b.sight, 1, partial_at(&sensor, 1), &y);
+    murk_sight_row(a.sight, 0, partial_at(&sensor, 1), &x);
+    murk_sight_row(b.sight, 1, partial_at(&sensor, 1), &y);
     CHECK(x.seen == y.seen && x.seen == MANY);
     CHECK(memcmp(x.photon, y.photon, x.seen * sizeof *x.photon) == 0);
     CHECK(!x.clarity && !y.clarity);
@@ -178,8 +178,8 @@ static void test_periodic_photons_are_found_once(void)
     for (int s = 0; s < 8; ++s) {
         const murk_random4 r = murk_random(8, MURK_TEST, 0, 1, (uint32_t)s);
         const murk_vec3 o = {10 * r.u[0], 8 * r.u[1], 4 * r.u[2]};
-        murk_look look;
-        murk_sight_look(w.sight, 0, partial_at(&o, 1), &look);
+        murk_sparse_row row;
+        murk_sight_row(w.sight, 0, partial_at(&o, 1), &row);
         size_t want = 0;
         for (size_t i = 0; i < MANY; ++i) {
             const float *x = photon[i].position_m;
@@ -192,9 +192,9 @@ static void test_periodic_photons_are_found_once(void)
             want +=
                 murk_length(way) <= 5.5 && (is_volume || murk_dot(n, way) > 0);
         }
-        CHECK(look.seen == want && want > 100);
-        for (size_t k = 1; k < look.seen; ++k) {
-            CHECK(look.photon[k - 1] < look.photon[k]);
+        CHECK(row.seen == want && want > 100);
+        for (size_t k = 1; k < row.seen; ++k) {
+            CHECK(row.photon[k - 1] < row.photon[k]);
         }
     }
     tear_down(&w);

@@ -120,19 +120,19 @@ static inline murk_media *mist(const murk_domain *domain, double per_m0,
 
 /* Whether a look holds the photon stored with this emitted index, and how
  * clearly; 0 when unseen. */
-static inline int clarity_of(const murk_sight *sight, const murk_look *look,
-                             uint32_t emitted)
+static inline int clarity_of(const murk_sight *sight,
+                             const murk_sparse_row *row, uint32_t emitted)
 {
     const murk_sight_desc *desc = murk_sight_described(sight);
     const size_t surface = murk_photon_map_count(desc->surface_map);
-    for (size_t k = 0; k < look->seen; ++k) {
-        const uint32_t i = look->photon[k];
+    for (size_t k = 0; k < row->seen; ++k) {
+        const uint32_t i = row->photon[k];
         const murk_photon *p =
             i < surface
                 ? &murk_photon_map_photons(desc->surface_map)[i]
                 : &murk_photon_map_photons(desc->volume_map)[i - surface];
         if (p->emitted == emitted) {
-            return look->clarity ? look->clarity[k] : MURK_CLEAR;
+            return row->clarity ? row->clarity[k] : MURK_CLEAR;
         }
     }
     return 0;

@@ -1,6 +1,18 @@
-#include "placement/place_check.h"
+#include "placement/settings.h"
+
+#include <stdlib.h>
 
 #define WEIGHT_MAX ((UINT64_C(1) << 47) - 1) /* problem.h */
+
+murk_place_desc murk_place_defaults(void)
+{
+    return (murk_place_desc){.method = MURK_PLACE_BEST,
+                             .count = 1,
+                             .restarts = 200,
+                             .nodes = 1000000,
+                             .seed = 1,
+                             .with_curve = true};
+}
 
 static murk_status check_views(const murk_problem *problem, murk_error *err)
 {
@@ -58,4 +70,11 @@ murk_status murk_place_check(const murk_problem *problem, bool known,
                          "restarts is 0, must be 1 or more");
     }
     return check_views(problem, err);
+}
+
+void murk_place_release(murk_place_result *result)
+{
+    free(result->sensor);
+    free(result->curve);
+    *result = (murk_place_result){0};
 }

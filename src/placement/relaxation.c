@@ -1,4 +1,4 @@
-#include "placement/relaxed.h"
+#include "placement/relaxation.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +14,7 @@ static bool is_denser(uint64_t gain, uint64_t cost, uint64_t than_gain,
 
 /* Gain per cost, falling; what is free first, by gain, but what brings nothing
  * last; then number. */
-int murk_by_density(const void *a, const void *b)
+int murk_compare_density(const void *a, const void *b)
 {
     const murk_priced *x = a, *y = b;
     if ((x->gain == 0) != (y->gain == 0)) {
@@ -35,61 +35,64 @@ int murk_by_density(const void *a, const void *b)
     return (x->candidate > y->candidate) - (x->candidate < y->candidate);
 }
 
-murk_status murk_relaxed_init(murk_relaxed *out, const murk_rulebook *book,
-                              murk_error *err)
+murk_status murk_relaxation_init(murk_relaxation *out,
+                                 const murk_constraint_set *set,
+                                 murk_error *err)
 {
-    const size_t n = book->candidates + 1;
-    *out = (murk_relaxed){.book = book,
-                          .order = calloc(n, sizeof *out->order),
-                          .picked = calloc(n, sizeof *out->picked),
-                          .priced = calloc(n, sizeof *out->priced),
-                          .value = calloc(n, sizeof *out->value),
-                          .cost = calloc(n, sizeof *out->cost),
-                          .have = calloc(book->classes, sizeof *out->have),
-                          .is_used =
-                              calloc(book->sites + 1, sizeof *out->is_used)};
-    const bool has_multipliers = book->has_budget && book->has_caps;
+    const size_t n = set->candidates + 1;
+    *out = (murk_relaxation){
+        .set = set,
+        .order = calloc(n, sizeof *out->order),
+        .picked = calloc(n, sizeof *out->picked),
+        .priced = calloc(n, sizeof *out->priced),
+        .value = calloc(n, sizeof *out->value),
+        .cost = calloc(n, sizeof *out->cost),
+        .class_count = calloc(set->classes, sizeof *out->class_count),
+        .is_used = calloc(set->sites + 1, sizeof *out->is_used)};
+    const bool has_multipliers = set->has_budget && set->has_caps;
     if (has_multipliers) {
-        out->multiplier = calloc(book->classes, sizeof *out->multiplier);
+        out->multiplier = calloc(set->classes, sizeof *out->multiplier);
     }
     if (!out->order || (has_multipliers && !out->multiplier) || !out->picked ||
-        !out->priced || !out->value || !out->cost || !out->have ||
+        !out->priced || !out->value || !out->cost || !out->class_count ||
         !out->is_used) {
-        murk_relaxed_release(out);
+        murk_relaxation_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to bound plans under rules");
     }
     return MURK_OK;
 }
 
-void murk_relaxed_release(murk_relaxed *relaxed)
+void murk_relaxation_release(murk_relaxation *relaxed)
 {
     free(relaxed->order);
     free(relaxed->picked);
     free(relaxed->priced);
     free(relaxed->value);
     free(relaxed->cost);
-    free(relaxed->have);
+    free(relaxed->class_count);
     free(relaxed->is_used);
     free(relaxed->multiplier);
-    *relaxed = (murk_relaxed){0};
+    *relaxed = (murk_relaxation){0};
 }
 
 /* The best `left` under caps, and least counts if told so; into picked. */
-static uint64_t pick_by_class(murk_relaxed *r, const murk_partial_plan *s,
+static uint64_t pick_by_class(murk_relaxation *r, const murk_partial_plan *s,
                               const murk_ranked *ranked, size_t n, size_t left,
                               bool with_min, size_t *chosen)
 {
-    const murk_rulebook *book = r->book;
+    const murk_constraint_set *set = r->set;
     size_t missing = with_min ? s->missing : 0, kept = 0;
     uint64_t sum = 0;
-    memcpy(r->have, s->have, book->classes * sizeof *r->have);
+    memcpy(r->class_count, s->class_count,
+           set->classes * sizeof *r->class_count);
     for (size_t k = 0; k < n && kept < left; ++k) {
-        const uint32_t class = book->class_of[ranked[k].candidate];
-        const bool is_asked = with_min && r->have[class] < book->min[class];
-        if (r->have[class] < book->max[class] &&
+        const uint32_t class = set->class_of[ranked[k].candidate];
+        const bool is_asked =
+            with_min && r->class_count[class] < set->min[class];
+        if (r->class_count[class] < set->max[class] &&
             (is_asked || kept + 1 + missing <= left)) {
-            ++r->have[class];
+            ++r->class_count[class];
             missing -= is_asked;
             r->picked[kept++] = ranked[k];
             sum = murk_sum_saturated(sum, ranked[k].bound);
@@ -100,15 +103,15 @@ static uint64_t pick_by_class(murk_relaxed *r, const murk_partial_plan *s,
 }
 
 /* The best `left` with one a site; into picked. */
-static uint64_t pick_by_site(murk_relaxed *r, size_t n, size_t left,
+static uint64_t pick_by_site(murk_relaxation *r, size_t n, size_t left,
                              size_t *chosen)
 {
-    const murk_rulebook *book = r->book;
+    const murk_constraint_set *set = r->set;
     size_t kept = 0;
     uint64_t sum = 0;
-    memset(r->is_used, 0, book->sites * sizeof *r->is_used);
+    memset(r->is_used, 0, set->sites * sizeof *r->is_used);
     for (size_t k = 0; k < n && kept < left; ++k) {
-        bool *is_used = &r->is_used[book->site[r->order[k].candidate]];
+        bool *is_used = &r->is_used[set->site[r->order[k].candidate]];
         if (!*is_used) {
             *is_used = true;
             r->picked[kept++] = r->order[k];
@@ -133,26 +136,26 @@ static uint64_t product_saturated(uint64_t a, uint64_t b)
 
 /* Sorts by density and adds up; with multipliers, what is left of gains after
  * them, and the fees for what a standing plan leaves of the caps. */
-static void price(murk_relaxed *r, size_t n, const murk_partial_plan *s)
+static void price(murk_relaxation *r, size_t n, const murk_partial_plan *s)
 {
-    const murk_rulebook *book = r->book;
+    const murk_constraint_set *set = r->set;
     murk_constraint_multiplier *multiplier = s ? r->multiplier : NULL;
-    r->fees = 0;
-    for (size_t c = 0; multiplier && c < book->classes; ++c) {
+    r->cap_charges = 0;
+    for (size_t c = 0; multiplier && c < set->classes; ++c) {
         multiplier[c].charged = multiplier[c].multiplier;
-        r->fees = murk_sum_saturated(
-            r->fees, product_saturated(multiplier[c].multiplier,
-                                       book->max[c] - s->have[c]));
+        r->cap_charges = murk_sum_saturated(
+            r->cap_charges, product_saturated(multiplier[c].multiplier,
+                                              set->max[c] - s->class_count[c]));
     }
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = r->order[k].candidate;
         const uint64_t gain = r->order[k].bound;
         const uint64_t charged =
-            multiplier ? multiplier[book->class_of[j]].multiplier : 0;
+            multiplier ? multiplier[set->class_of[j]].multiplier : 0;
         r->priced[k] = (murk_priced){gain > charged ? gain - charged : 0,
-                                     murk_rulebook_cost(book, j), j};
+                                     murk_constraint_set_cost(set, j), j};
     }
-    qsort(r->priced, n, sizeof *r->priced, murk_by_density);
+    qsort(r->priced, n, sizeof *r->priced, murk_compare_density);
     for (size_t k = 0; k < n; ++k) {
         r->value[k + 1] = murk_sum_saturated(r->value[k], r->priced[k].gain);
         r->cost[k + 1] = murk_sum_saturated(r->cost[k], r->priced[k].cost);
@@ -161,7 +164,7 @@ static void price(murk_relaxed *r, size_t n, const murk_partial_plan *s)
 }
 
 /* How many of priced, in their order, a budget pays whole. */
-static size_t paid_by(const murk_relaxed *r, uint64_t budget)
+static size_t paid_by(const murk_relaxation *r, uint64_t budget)
 {
     size_t low = 0, high = r->live; /* cost[low] <= budget */
     while (low < high) {
@@ -175,7 +178,7 @@ static size_t paid_by(const murk_relaxed *r, uint64_t budget)
     return low;
 }
 
-static uint64_t knapsack(const murk_relaxed *r, uint64_t budget)
+static uint64_t knapsack(const murk_relaxation *r, uint64_t budget)
 {
     const size_t k = paid_by(r, budget);
     if (k == r->live) {
@@ -188,7 +191,7 @@ static uint64_t knapsack(const murk_relaxed *r, uint64_t budget)
 
 /* What the budget pays, the last in part: over many calls it is picked as
  * often as its part says. */
-static void pick_by_cost(murk_relaxed *r, uint64_t budget, size_t *chosen)
+static void pick_by_cost(murk_relaxation *r, uint64_t budget, size_t *chosen)
 {
     const size_t k = paid_by(r, budget);
     for (size_t i = 0; i < k; ++i) {
@@ -210,45 +213,47 @@ static void pick_by_cost(murk_relaxed *r, uint64_t budget, size_t *chosen)
  * (Riedmiller, Braun, Proc. IEEE ICNN (1993) 586,
  * doi:10.1109/ICNN.1993.298623). `picked` is what the multipliers of now let
  * in. */
-static void learn_multipliers(murk_relaxed *r, const murk_partial_plan *s,
-                              size_t picked)
+static void update_multipliers(murk_relaxation *r, const murk_partial_plan *s,
+                               size_t picked)
 {
-    const murk_rulebook *book = r->book;
-    memset(r->have, 0, book->classes * sizeof *r->have);
+    const murk_constraint_set *set = r->set;
+    memset(r->class_count, 0, set->classes * sizeof *r->class_count);
     for (size_t k = 0; k < picked; ++k) {
-        r->have[book->class_of[r->picked[k].candidate]] +=
+        r->class_count[set->class_of[r->picked[k].candidate]] +=
             r->picked[k].bound > 0;
     }
     /* more than the greatest gain keeps nobody else out */
     const uint64_t max = r->live ? r->order[0].bound : 0;
-    for (size_t c = 0; c < book->classes; ++c) {
+    for (size_t c = 0; c < set->classes; ++c) {
         murk_constraint_multiplier *t = &r->multiplier[c];
-        const size_t places = book->max[c] - s->have[c];
-        const int way = r->have[c] > places ? 1 : r->have[c] < places ? -1 : 0;
+        const size_t places = set->max[c] - s->class_count[c];
+        const int direction = r->class_count[c] > places   ? 1
+                              : r->class_count[c] < places ? -1
+                                                           : 0;
         if (t->step == 0) { /* a first guess: what an average sensor brings */
             t->step = picked ? r->value[picked < r->live ? picked : r->live] /
                                    (2 * picked)
                              : 0;
-        } else if (way * t->way < 0) {
+        } else if (direction * t->direction < 0) {
             t->step -= t->step / 2;
-        } else if (way * t->way > 0) {
+        } else if (direction * t->direction > 0) {
             t->step = murk_sum_saturated(t->step, t->step / 4);
         }
-        if (way > 0) {
+        if (direction > 0) {
             t->multiplier = murk_sum_saturated(t->multiplier, t->step);
             t->multiplier = t->multiplier < max ? t->multiplier : max;
-        } else if (way < 0) {
+        } else if (direction < 0) {
             t->multiplier -= t->step < t->multiplier ? t->step : t->multiplier;
         }
-        t->way = way ? way : t->way;
+        t->direction = direction ? direction : t->direction;
     }
 }
 
-uint64_t murk_relaxed_top(murk_relaxed *r, const murk_partial_plan *s,
-                          const uint32_t *live, const uint64_t *gain, size_t n,
-                          murk_ranked *top, size_t *chosen)
+uint64_t murk_relaxation_top(murk_relaxation *r, const murk_partial_plan *s,
+                             const uint32_t *live, const uint64_t *gain,
+                             size_t n, murk_ranked *top, size_t *chosen)
 {
-    const murk_rulebook *book = r->book;
+    const murk_constraint_set *set = r->set;
     const size_t left = s->wanted - s->size;
     for (size_t k = 0; k < n; ++k) {
         r->order[k] = (murk_ranked){gain[k], live[k]};
@@ -258,7 +263,7 @@ uint64_t murk_relaxed_top(murk_relaxed *r, const murk_partial_plan *s,
     r->others = pick_by_class(r, s, r->order, n, fewer, false, chosen);
     uint64_t best = pick_by_class(r, s, r->order, n, left, true, chosen);
     memcpy(top, r->picked, *chosen * sizeof *top);
-    if (book->site) {
+    if (set->site) {
         size_t kept = 0;
         const uint64_t others = pick_by_site(r, n, fewer, &kept);
         r->others = others < r->others ? others : r->others;
@@ -269,10 +274,11 @@ uint64_t murk_relaxed_top(murk_relaxed *r, const murk_partial_plan *s,
             memcpy(top, r->picked, kept * sizeof *top);
         }
     }
-    if (book->has_budget) {
-        const uint64_t budget = book->budget - s->cost;
+    if (set->has_budget) {
+        const uint64_t budget = set->budget - s->cost;
         price(r, n, s);
-        const uint64_t now = murk_sum_saturated(r->fees, knapsack(r, budget));
+        const uint64_t now =
+            murk_sum_saturated(r->cap_charges, knapsack(r, budget));
         size_t paid = 0;
         pick_by_cost(r, budget, &paid);
         if (now < best) {
@@ -281,34 +287,35 @@ uint64_t murk_relaxed_top(murk_relaxed *r, const murk_partial_plan *s,
             memcpy(top, r->picked, paid * sizeof *top);
         }
         if (r->multiplier) {
-            learn_multipliers(r, s, paid);
+            update_multipliers(r, s, paid);
         }
     }
     return best;
 }
 
-uint64_t murk_relaxed_others(const murk_relaxed *r, const murk_partial_plan *s,
-                             uint32_t candidate)
+uint64_t murk_relaxation_others(const murk_relaxation *r,
+                                const murk_partial_plan *s, uint32_t candidate)
 {
-    if (!r->book->has_budget) {
+    if (!r->set->has_budget) {
         return r->others;
     }
-    const uint64_t left = r->book->budget - s->cost;
-    const uint64_t cost = murk_rulebook_cost(r->book, candidate);
+    const uint64_t left = r->set->budget - s->cost;
+    const uint64_t cost = murk_constraint_set_cost(r->set, candidate);
     /* its own place is taken, and free of charge to the others */
     const uint64_t own =
-        r->multiplier ? r->multiplier[r->book->class_of[candidate]].charged : 0;
-    const uint64_t fees = r->fees == UINT64_MAX
-                              ? r->fees
-                              : r->fees - (own < r->fees ? own : r->fees);
-    const uint64_t paid =
-        murk_sum_saturated(fees, knapsack(r, left > cost ? left - cost : 0));
+        r->multiplier ? r->multiplier[r->set->class_of[candidate]].charged : 0;
+    const uint64_t cap_charges =
+        r->cap_charges == UINT64_MAX
+            ? r->cap_charges
+            : r->cap_charges - (own < r->cap_charges ? own : r->cap_charges);
+    const uint64_t paid = murk_sum_saturated(
+        cap_charges, knapsack(r, left > cost ? left - cost : 0));
     return paid < r->others ? paid : r->others;
 }
 
-void murk_relaxed_sort(murk_relaxed *r, murk_ranked *ranked, size_t n)
+void murk_relaxation_sort(murk_relaxation *r, murk_ranked *ranked, size_t n)
 {
-    if (!r->book->has_budget) {
+    if (!r->set->has_budget) {
         murk_ranked_sort(ranked, n);
         return;
     }
@@ -319,17 +326,18 @@ void murk_relaxed_sort(murk_relaxed *r, murk_ranked *ranked, size_t n)
     }
 }
 
-uint64_t murk_relaxed_rest(murk_relaxed *r, const murk_partial_plan *s,
-                           const murk_ranked *ranked, size_t n)
+uint64_t murk_relaxation_rest(murk_relaxation *r, const murk_partial_plan *s,
+                              const murk_ranked *ranked, size_t n)
 {
-    if (!r->book->has_budget) {
+    if (!r->set->has_budget) {
         size_t kept = 0;
         return pick_by_class(r, s, ranked, n, s->wanted - s->size, false,
                              &kept);
     }
-    uint64_t left = r->book->budget - s->cost, sum = 0;
+    uint64_t left = r->set->budget - s->cost, sum = 0;
     for (size_t k = 0; k < n; ++k) {
-        const uint64_t cost = murk_rulebook_cost(r->book, ranked[k].candidate);
+        const uint64_t cost =
+            murk_constraint_set_cost(r->set, ranked[k].candidate);
         if (cost > left) {
             return murk_sum_saturated(sum,
                                       part_of(ranked[k].bound, left, cost));
