@@ -1,5 +1,6 @@
 #include "app/place_matrix.h"
 #include "app/session.h"
+#include "cases/condition_plans_make.h"
 #include "results/candidates.h"
 #include "results/coverage.h"
 #include "results/explore.h"
@@ -148,7 +149,8 @@ static void add_placement(cJSON *root, const murk_plan_result *plan,
 
 /* over NULL: the scene as it stands. */
 static cJSON *plan_json(const murk_session *session,
-                        const murk_plan_result *plan, const murk_over *over)
+                        const murk_plan_result *plan,
+                        const murk_condition_plans *over)
 {
     cJSON *root = murk_json_begin(session->scene);
     if (over) {
@@ -179,8 +181,8 @@ static cJSON *plan_json(const murk_session *session,
 
 static murk_status print_plan(const murk_session *session,
                               const murk_plan_result *plan,
-                              const murk_over *over, const murk_repeat *repeat,
-                              murk_error *err)
+                              const murk_condition_plans *over,
+                              const murk_repeat *repeat, murk_error *err)
 {
     const murk_place_result *place = &plan->place;
     murk_status status = MURK_OK;
@@ -280,7 +282,7 @@ static murk_status write_light(murk_session *session, murk_error *err)
 
 static murk_status add_files(murk_session *session,
                              const murk_plan_result *plan,
-                             const murk_over *over, murk_error *late,
+                             const murk_condition_plans *over, murk_error *late,
                              murk_error *err)
 {
     murk_status status = over ? murk_over_add_files(session, plan, over, err)
@@ -307,8 +309,9 @@ static murk_status add_files(murk_session *session,
  * failure or an interrupt, which is told late, too. */
 static murk_status repeat_all(murk_session *session,
                               const murk_plan_result *plan,
-                              const murk_over *over, murk_repeat *repeat,
-                              size_t runs, murk_error *late, murk_error *err)
+                              const murk_condition_plans *over,
+                              murk_repeat *repeat, size_t runs,
+                              murk_error *late, murk_error *err)
 {
     const murk_repeat_first first = {plan, session->stage, over};
     const murk_status status = murk_session_keep(
@@ -322,8 +325,8 @@ static murk_status repeat_all(murk_session *session,
 
 /* With a row of repeat.csv a seed where it was repeated. */
 static murk_status finish(murk_session *session, const murk_plan_result *plan,
-                          const murk_over *over, const murk_repeat *repeat,
-                          murk_error *err)
+                          const murk_condition_plans *over,
+                          const murk_repeat *repeat, murk_error *err)
 {
     cJSON *root = plan_json(session, plan, over);
     murk_status status = MURK_OK;
@@ -440,8 +443,8 @@ static murk_status place(murk_session *session, const murk_options *options,
 /* Over conditions, each of which has a light of its own. */
 static murk_status place_over(murk_session *session,
                               const murk_options *options,
-                              murk_plan_result *plan, murk_over *over,
-                              murk_error *err)
+                              murk_plan_result *plan,
+                              murk_condition_plans *over, murk_error *err)
 {
     if (options->light || options->exports) {
         return murk_fail(err, MURK_BAD_VALUE,
@@ -449,14 +452,14 @@ static murk_status place_over(murk_session *session,
                          "not over conditions: each condition has its own "
                          "light; placement.over must be null");
     }
-    murk_status status =
-        murk_over_prepare(over, plan, session->scene, options->threads, err);
+    murk_status status = murk_condition_plans_prepare(
+        over, plan, session->scene, options->threads, err);
     session->run.load_s = murk_clock_s() - session->begun_s;
     if (!status) {
         status = expect_files(session, options->repeat > 0, err);
     }
     if (!status) {
-        status = murk_over_make(over, plan, options->threads, err);
+        status = murk_condition_plans_make(over, plan, options->threads, err);
     }
     return status;
 }
@@ -468,7 +471,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     }
     murk_session session;
     murk_plan_result plan = {0};
-    murk_over *over = NULL;
+    murk_condition_plans *over = NULL;
     murk_repeat repeat = {0};
     murk_error late = {0};
     murk_status status = murk_session_read(&session, options, err);
@@ -511,7 +514,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         status = murk_fail(err, late.status, late.where, "%s", late.text);
     }
     if (over) {
-        murk_over_release(over);
+        murk_condition_plans_release(over);
         free(over);
     }
     murk_repeat_release(&repeat);

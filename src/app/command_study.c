@@ -9,6 +9,7 @@
 
 #include "base/log.h"
 #include "cases/sweep_kept.h"
+#include "cases/sweep_run.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 #include "cases/conditions.h"
 
 #include "base/machine.h"
+#include "cases/scenario_mean.h"
 #include "photonmap/map.h"
 #include "plan/plan.h"
 #include "world/stage_build.h"
@@ -239,4 +240,51 @@ murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
                ? status
                : murk_goals_check_seen(all->condition[0].stage->goals, seen,
                                        err);
+}
+
+/* ---- one figure of all conditions ---- */
+
+void murk_conditions_weights(const murk_conditions *all, double *weight)
+{
+    for (size_t c = 0; c < all->n; ++c) {
+        weight[c] = all->condition[c].settings->weight;
+    }
+}
+
+double murk_condition_regret(const murk_scene_desc *scene,
+                             const murk_condition *c, double coverage)
+{
+    const double lack = c->best_known - coverage;
+    if (!scene->placement.relative_regret) {
+        return lack;
+    }
+    return c->best_known > 0 ? lack / c->best_known : 0;
+}
+
+murk_estimate murk_conditions_estimate(const murk_conditions *all,
+                                       const murk_estimate *of,
+                                       murk_scene_over objective,
+                                       bool are_independent, size_t *worst)
+{
+    double weight[MURK_SCENE_CONDITIONS_MAX];
+    murk_conditions_weights(all, weight);
+    double min = 0;
+    *worst = all->n;
+    for (size_t c = 0; c < all->n; ++c) {
+        const murk_condition *one = &all->condition[c];
+        const double less =
+            objective == MURK_SCENE_OVER_REGRET
+                ? -murk_condition_regret(all->scene, one, of[c].value)
+                : of[c].value;
+        if (weight[c] > 0 && (*worst == all->n || less < min)) {
+            *worst = c;
+            min = less;
+        }
+    }
+    if (objective == MURK_SCENE_OVER_REGRET && all->has_regret_at) {
+        *worst = all->regret_at;
+    }
+    return objective == MURK_SCENE_OVER_MEAN
+               ? murk_scenario_mean(of, weight, all->n, are_independent)
+               : of[*worst];
 }

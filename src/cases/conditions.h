@@ -67,4 +67,24 @@ murk_status murk_conditions_sites(murk_candidates **out,
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
 
+/* weight[n]: the weight of each condition in the mean. */
+void murk_conditions_weights(const murk_conditions *conditions, double *weight);
+
+/* Regret of a coverage in one condition: the difference to the best coverage
+ * that is known there, or with placement.regret: relative this difference as a
+ * share of the best coverage. */
+double murk_condition_regret(const murk_scene_desc *scene,
+                             const murk_condition *condition, double coverage);
+
+/* One figure from the coverages of[n] of a plan, by the objective: the mean by
+ * weight; the least of the conditions that have weight; or the coverage of the
+ * condition in which the regret of the plan is largest. *worst is the number of
+ * that condition (for the mean: of the least). The error of a single condition
+ * is its own; the error of the mean holds for independent maps, or, if they are
+ * not independent, is the mean of the errors, which is an upper bound. */
+murk_estimate murk_conditions_estimate(const murk_conditions *conditions,
+                                       const murk_estimate *of,
+                                       murk_scene_over objective,
+                                       bool are_independent, size_t *worst);
+
 #endif

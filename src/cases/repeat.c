@@ -2,6 +2,7 @@
 
 #include "base/progress.h"
 #include "base/quantile.h"
+#include "cases/condition_plans_make.h"
 
 #include <stdlib.h>
 
@@ -109,8 +110,8 @@ static murk_status measure_over(murk_estimate *out,
     }
     if (!status) {
         size_t worst;
-        *out = murk_over_estimate(all, of, all->scene->placement.over, false,
-                                  &worst);
+        *out = murk_conditions_estimate(all, of, all->scene->placement.over,
+                                        false, &worst);
     }
     return status;
 }
@@ -120,7 +121,7 @@ static murk_status run_over_again(murk_repeat_run *out,
                                   uint32_t later, unsigned threads,
                                   murk_error *err)
 {
-    murk_over *over = calloc(1, sizeof *over);
+    murk_condition_plans *over = calloc(1, sizeof *over);
     if (!over) {
         return no_memory(1, err);
     }
@@ -128,7 +129,7 @@ static murk_status run_over_again(murk_repeat_run *out,
     murk_status status = murk_conditions_again(
         &over->conditions, first->over->conditions, later, err);
     if (!status) {
-        status = murk_over_make(over, &plan, threads, err);
+        status = murk_condition_plans_make(over, &plan, threads, err);
     }
     if (!status) {
         *out = run_of(&plan, over->conditions->scene->seed);
@@ -136,7 +137,7 @@ static murk_status run_over_again(murk_repeat_run *out,
     if (!status && murk_plan_can_see_anew(over->conditions->scene)) {
         status = measure_over(&out->plan, first->plan, over->conditions, err);
     }
-    murk_over_release(over);
+    murk_condition_plans_release(over);
     free(over);
     release_again(&plan);
     return status;

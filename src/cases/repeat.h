@@ -13,7 +13,7 @@
 #ifndef MURK_CASES_REPEAT_H
 #define MURK_CASES_REPEAT_H
 
-#include "cases/over.h"
+#include "cases/condition_plans.h"
 
 #define MURK_REPEATS_MAX 10000
 
@@ -41,7 +41,7 @@ typedef struct murk_repeat {
 typedef struct murk_repeat_first {
     const murk_plan_result *plan;
     const murk_stage *stage; /* NULL: conditions */
-    const murk_over *over;
+    const murk_condition_plans *over;
 } murk_repeat_first;
 
 /* Runs asked - 1 more jobs, asked >= 1. On a failure (of a run, or

@@ -80,23 +80,21 @@ typedef struct murk_sweep {
     uint32_t seed;         /* of the first row that could be read */
 } murk_sweep;
 
-/* Reads the scenes of all rows and what is kept of earlier runs; traces
- * nothing. Rows that cannot be read have failed; the study fails where all
- * have. *out is the caller's; the desc is copied, what it points to must
- * outlive it. */
-murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
-                              murk_error *err);
-void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
-
-/* Runs what is not done, then makes the plans for all rows. Fails where it was
- * interrupted, or a row cannot be kept; rows that fail do not make it fail.
- * Call it while this process has no threads. */
-murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
-
 size_t murk_sweep_done(const murk_sweep *sweep);   /* failed ones, too */
 size_t murk_sweep_failed(const murk_sweep *sweep); /* rows */
 /* Why a plan for all rows that was asked for could not be made; NULL: all were.
  */
 const char *murk_sweep_why_no_plan(const murk_sweep *sweep);
+
+/* The name of the output that a plan for all rows gives: "coverage_one_mean".
+ */
+const char *murk_sweep_plan_name(int plan);
+
+/* True if the plan was asked for and made. */
+bool murk_sweep_plan_stands(const murk_sweep_plan *plan);
+
+/* True if the row is done, except for the coverage that the plans for all rows
+ * have in it. */
+bool murk_sweep_lacks_values(const murk_sweep_row *row);
 
 #endif

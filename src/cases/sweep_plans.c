@@ -12,16 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *murk_sweep_plan_name(int plan)
-{
-    return plan == MURK_SWEEP_MEAN ? "coverage_one_mean" : "coverage_one_worst";
-}
-
-bool murk_sweep_plan_stands(const murk_sweep_plan *plan)
-{
-    return plan->is_wanted && plan->found.sensors > 0;
-}
-
 static bool any(const murk_sweep *sweep,
                 bool (*is_so)(const murk_sweep_plan *plan))
 {
@@ -242,11 +232,6 @@ static murk_status load_values(murk_sweep *sweep, murk_error *err)
         murk_study_row_release(&found);
     }
     return status;
-}
-
-bool murk_sweep_lacks_values(const murk_sweep_row *row)
-{
-    return row->is_done && !row->found.failed[0] && !row->has_plans;
 }
 
 static murk_status measure_group(murk_sweep *sweep,

@@ -11,15 +11,6 @@
 
 #include "cases/sweep.h"
 
-/* "coverage_one_mean" */
-const char *murk_sweep_plan_name(int plan);
-
-/* Whether there is a plan, of those asked for. */
-bool murk_sweep_plan_stands(const murk_sweep_plan *plan);
-
-/* A row that is done, but for what the plans are worth in it. */
-bool murk_sweep_lacks_values(const murk_sweep_row *row);
-
 /* Makes the plans that are asked for and measures them: rows that have not
  * failed get their values. What is kept of earlier runs is not made anew. A
  * plan that cannot be made says why, and leaves the rows alone. Fails where it

@@ -4,7 +4,6 @@
 #include "base/progress.h"
 #include "cases/sweep_kept.h"
 #include "cases/sweep_looks.h"
-#include "cases/sweep_plans.h"
 #include "plan/plan.h"
 
 #include <math.h>

@@ -19,23 +19,23 @@
 #define MARK_LENGTH 2
 #define COLUMN      17 /* " 0.8010 (+0.0000)" */
 
-static murk_estimate in_sample_of(const murk_over *over,
-                                  const murk_over_plan *plan,
+static murk_estimate in_sample_of(const murk_condition_plans *over,
+                                  const murk_condition_plan *plan,
                                   murk_scene_over by, size_t *worst)
 {
-    return murk_over_estimate(over->conditions, plan->in_sample, by, false,
-                              worst);
+    return murk_conditions_estimate(over->conditions, plan->in_sample, by,
+                                    false, worst);
 }
 
 /* Held out, where it is. */
-static murk_estimate best_known_of(const murk_over *over,
-                                   const murk_over_plan *plan,
+static murk_estimate best_known_of(const murk_condition_plans *over,
+                                   const murk_condition_plan *plan,
                                    murk_scene_over by)
 {
     size_t worst;
     return over->has_held_out
-               ? murk_over_estimate(over->conditions, plan->held_out, by, true,
-                                    &worst)
+               ? murk_conditions_estimate(over->conditions, plan->held_out, by,
+                                          true, &worst)
                : in_sample_of(over, plan, by, &worst);
 }
 
@@ -44,14 +44,14 @@ static const char *const over_names[] = {[MURK_SCENE_OVER_MEAN] = "mean",
                                          [MURK_SCENE_OVER_REGRET] = "regret"};
 
 /* The criterion that selects the worst condition. */
-static murk_scene_over judged_by(const murk_over *over)
+static murk_scene_over judged_by(const murk_condition_plans *over)
 {
     const murk_scene_over by = over->conditions->scene->placement.over;
     return by == MURK_SCENE_OVER_REGRET ? by : MURK_SCENE_OVER_WORST;
 }
 
-static murk_estimate seen_in(const murk_over *over, const murk_over_plan *plan,
-                             size_t c)
+static murk_estimate seen_in(const murk_condition_plans *over,
+                             const murk_condition_plan *plan, size_t c)
 {
     return over->has_held_out ? plan->held_out[c] : plan->in_sample[c];
 }
@@ -114,7 +114,7 @@ static murk_status add_condition(murk_session *session,
 static murk_status write_regret(const char *path, const void *context,
                                 murk_error *err)
 {
-    const murk_over *over = context;
+    const murk_condition_plans *over = context;
     murk_file *file = NULL;
     murk_status status = murk_file_create(&file, path, err);
     if (status) {
@@ -125,7 +125,7 @@ static murk_status write_regret(const char *path, const void *context,
           "held_out_standard_error,regret\n",
           to);
     for (size_t p = 0; p < over->plans; ++p) {
-        const murk_over_plan *plan = &over->plan[p];
+        const murk_condition_plan *plan = &over->plan[p];
         for (size_t c = 0; c < over->conditions->n; ++c) {
             const murk_estimate in = plan->in_sample[c];
             fprintf(to, "%s,%s,%.9g,%.6g,", plan->made_for,
@@ -137,7 +137,7 @@ static murk_status write_regret(const char *path, const void *context,
             } else {
                 fputs(",,", to);
             }
-            fprintf(to, "%.9g\n", murk_over_regret(over, plan, c));
+            fprintf(to, "%.9g\n", murk_condition_plans_regret(over, plan, c));
         }
     }
     status = murk_file_commit(&file, err);
@@ -147,7 +147,8 @@ static murk_status write_regret(const char *path, const void *context,
 
 murk_status murk_over_add_files(murk_session *session,
                                 const murk_plan_result *plan,
-                                const murk_over *over, murk_error *err)
+                                const murk_condition_plans *over,
+                                murk_error *err)
 {
     murk_status status = MURK_OK;
     if (!session->results.folder) {
@@ -169,7 +170,7 @@ murk_status murk_over_add_files(murk_session *session,
 
 /* ---- JSON ---- */
 
-void murk_over_json_photons(cJSON *root, const murk_over *over)
+void murk_over_json_photons(cJSON *root, const murk_condition_plans *over)
 {
     double emitted = 0, surface = 0, volume = 0;
     const size_t every = over->conditions->n + over->conditions->dark;
@@ -195,9 +196,9 @@ static void add_estimate(cJSON *object, const char *key, murk_estimate of)
 
 static const murk_estimate NONE = {NAN, NAN};
 
-static void add_conditions(cJSON *root, const murk_over *over)
+static void add_conditions(cJSON *root, const murk_condition_plans *over)
 {
-    const murk_over_plan *chosen = &over->plan[over->chosen];
+    const murk_condition_plan *chosen = &over->plan[over->chosen];
     cJSON *list = cJSON_AddArrayToObject(root, "conditions");
     const size_t lit = over->conditions->n;
     for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
@@ -238,7 +239,7 @@ static void add_item(cJSON *list, double value)
 }
 
 /* What was minimised, in sample, and what it is measured from. */
-static void add_largest_regret(cJSON *object, const murk_over *over)
+static void add_largest_regret(cJSON *object, const murk_condition_plans *over)
 {
     const murk_conditions *all = over->conditions;
     if (all->scene->placement.over != MURK_SCENE_OVER_REGRET) {
@@ -264,14 +265,14 @@ static void add_largest_regret(cJSON *object, const murk_over *over)
 }
 
 /* Rows are plans, columns the conditions in their order, but for dark ones. */
-static void add_regret(cJSON *root, const murk_over *over)
+static void add_regret(cJSON *root, const murk_condition_plans *over)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "regret");
     cJSON_AddBoolToObject(object, "held_out", over->has_held_out);
     add_largest_regret(object, over);
     cJSON *plans = cJSON_AddArrayToObject(object, "plans");
     for (size_t p = 0; p < over->plans; ++p) {
-        const murk_over_plan *plan = &over->plan[p];
+        const murk_condition_plan *plan = &over->plan[p];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "made_for", plan->made_for);
         cJSON *positions = add_list(item, "positions_m");
@@ -289,7 +290,7 @@ static void add_regret(cJSON *root, const murk_over *over)
             const murk_estimate seen = seen_in(over, plan, c);
             add_item(coverage, seen.value);
             add_item(errors, seen.standard_error);
-            add_item(regret, murk_over_regret(over, plan, c));
+            add_item(regret, murk_condition_plans_regret(over, plan, c));
         }
         add_estimate(item, "mean",
                      best_known_of(over, plan, MURK_SCENE_OVER_MEAN));
@@ -299,9 +300,9 @@ static void add_regret(cJSON *root, const murk_over *over)
     }
 }
 
-void murk_over_json(cJSON *root, const murk_over *over)
+void murk_over_json(cJSON *root, const murk_condition_plans *over)
 {
-    const murk_over_plan *chosen = &over->plan[over->chosen];
+    const murk_condition_plan *chosen = &over->plan[over->chosen];
     cJSON_AddStringToObject(
         root, "over", over_names[over->conditions->scene->placement.over]);
     if (over->plans > 0) {
@@ -319,10 +320,10 @@ void murk_over_json(cJSON *root, const murk_over *over)
 
 /* ---- lines ---- */
 
-static void print_over(const murk_over *over)
+static void print_over(const murk_condition_plans *over)
 {
     size_t worst;
-    const murk_over_plan *chosen = &over->plan[over->chosen];
+    const murk_condition_plan *chosen = &over->plan[over->chosen];
     in_sample_of(over, chosen, judged_by(over), &worst);
     if (judged_by(over) == MURK_SCENE_OVER_REGRET) {
         murk_print("over        the largest regret of %zu conditions, which is "
@@ -343,7 +344,7 @@ static void print_over(const murk_over *over)
 }
 
 /* The column of names: as wide as the longest, within reason. */
-static int name_width(const murk_over *over)
+static int name_width(const murk_condition_plans *over)
 {
     size_t width = NAME_MIN;
     const size_t every = over->conditions->n + over->conditions->dark;
@@ -356,9 +357,9 @@ static int name_width(const murk_over *over)
 }
 
 /* Two tables, since one with all columns is wider than a terminal. */
-static void print_conditions(const murk_over *over)
+static void print_conditions(const murk_condition_plans *over)
 {
-    const murk_over_plan *chosen = &over->plan[over->chosen];
+    const murk_condition_plan *chosen = &over->plan[over->chosen];
     const int width = name_width(over);
     murk_print("conditions  %-*s %8s %9s %9s %9s\n", width, "", "weight",
                "emitted", "surface", "volume");
@@ -392,8 +393,8 @@ static void print_conditions(const murk_over *over)
 
 /* Columns [first, end) of the table: the conditions', and behind them the mean
  * and the worst. */
-static void print_regret_columns(const murk_over *over, int width, size_t first,
-                                 size_t end)
+static void print_regret_columns(const murk_condition_plans *over, int width,
+                                 size_t first, size_t end)
 {
     const size_t n = over->conditions->n;
     murk_print("            %-*s", width, "");
@@ -402,14 +403,14 @@ static void print_regret_columns(const murk_over *over, int width, size_t first,
     }
     murk_print("%s\n", end > n ? "    mean    worst" : "");
     for (size_t p = 0; p < over->plans; ++p) {
-        const murk_over_plan *plan = &over->plan[p];
+        const murk_condition_plan *plan = &over->plan[p];
         char name[MARKED_SIZE];
         snprintf(name, sizeof name, "%s%s", plan->made_for,
                  p == over->chosen ? " *" : "");
         murk_print("            %-*s", width, name);
         for (size_t c = first; c < end && c < n; ++c) {
             murk_print(" %.4f (%+.4f)", seen_in(over, plan, c).value,
-                       murk_over_regret(over, plan, c));
+                       murk_condition_plans_regret(over, plan, c));
         }
         if (end > n) {
             murk_print(" %7.4f %8.4f",
@@ -421,7 +422,7 @@ static void print_regret_columns(const murk_over *over, int width, size_t first,
 }
 
 /* As many columns below each other as the line has room for. */
-static void print_regret(const murk_over *over)
+static void print_regret(const murk_condition_plans *over)
 {
     murk_print("regret      coverage%s of a plan made for one condition (down) "
                "and used in each (across), and what it loses there to that "
@@ -447,7 +448,7 @@ static void print_regret(const murk_over *over)
                largest);
 }
 
-void murk_over_print(const murk_over *over)
+void murk_over_print(const murk_condition_plans *over)
 {
     print_conditions(over);
     if (over->plans > 0) {
@@ -456,7 +457,7 @@ void murk_over_print(const murk_over *over)
     }
 }
 
-void murk_over_print_bound(const murk_over *over, const char *sample)
+void murk_over_print_bound(const murk_condition_plans *over, const char *sample)
 {
     const murk_conditions *all = over->conditions;
     const bool is_below_0 = over->regret_lower < 0;

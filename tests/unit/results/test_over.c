@@ -13,10 +13,10 @@ static const char *bound_of(double regret, double lower)
     char name[] = "/tmp/murk-over-XXXXXX";
     murk_scene_desc scene = {0};
     murk_conditions all = {.scene = &scene};
-    const murk_over over = {.conditions = &all,
-                            .regret = regret,
-                            .regret_lower = lower,
-                            .regret_upper = 0.5};
+    const murk_condition_plans over = {.conditions = &all,
+                                       .regret = regret,
+                                       .regret_lower = lower,
+                                       .regret_upper = 0.5};
     const int file = mkstemp(name), terminal = dup(STDOUT_FILENO);
     CHECK(file >= 0 && dup2(file, STDOUT_FILENO) >= 0);
     murk_over_print_bound(&over, "sample");

@@ -1,7 +1,7 @@
 /* Plans over conditions, from the scene's text to the regret table, against
  * brute force over all pairs of candidates. The seeds are fixed: nothing here
  * is random. */
-#include "cases/over.h"
+#include "cases/condition_plans_make.h"
 #include "check.h"
 #include "stage_text.h"
 
@@ -27,7 +27,7 @@
 typedef struct made {
     murk_stage *stage; /* of the scene as it stands; holds the scene */
     murk_plan_result plan;
-    murk_over over;
+    murk_condition_plans over;
     murk_error err;
     murk_status status;
 } made;
@@ -41,17 +41,17 @@ static void make(made *out, const char *text, const char *over,
     if (!out->stage) {
         exit(check_done());
     }
-    out->status = murk_over_prepare(&out->over, &out->plan, out->stage->scene,
-                                    threads, &out->err);
+    out->status = murk_condition_plans_prepare(
+        &out->over, &out->plan, out->stage->scene, threads, &out->err);
     if (!out->status) {
-        out->status =
-            murk_over_make(&out->over, &out->plan, threads, &out->err);
+        out->status = murk_condition_plans_make(&out->over, &out->plan, threads,
+                                                &out->err);
     }
 }
 
 static void unmake(made *m)
 {
-    murk_over_release(&m->over);
+    murk_condition_plans_release(&m->over);
     murk_plan_result_release(&m->plan);
     stage_text_destroy(m->stage);
 }
@@ -130,7 +130,8 @@ static void check_against_all(const char *text, const double *weight)
     CHECK_TEXT(worst.over.plan[worst.over.chosen].made_for, "worst");
     for (size_t c = 0; c < 3; ++c) {
         CHECK_NEAR(mean.over.plan[c].in_sample[c].value, best.own[c], ROUNDING);
-        CHECK(murk_over_regret(&mean.over, &mean.over.plan[c], c) == 0);
+        CHECK(murk_condition_plans_regret(&mean.over, &mean.over.plan[c], c) ==
+              0);
         CHECK(mean.over.plan[4].in_sample[c].value ==
               worst.over.plan[4].in_sample[c].value);
         CHECK(mean.over.plan[3].held_out[c].value ==
@@ -176,8 +177,8 @@ static void test_regret_is_the_min_of_all(bool is_relative)
             min = fmin(min, largest);
         }
     }
-    const murk_over_plan *chosen = &m.over.plan[m.over.chosen];
-    const murk_over_plan *worst = &m.over.plan[m.over.chosen - 1];
+    const murk_condition_plan *chosen = &m.over.plan[m.over.chosen];
+    const murk_condition_plan *worst = &m.over.plan[m.over.chosen - 1];
     CHECK_TEXT(chosen->made_for, "regret");
     CHECK_TEXT(worst->made_for, "worst");
     for (size_t c = 0; c < 3; ++c) {
@@ -201,8 +202,8 @@ static void test_regret_is_the_min_of_all(bool is_relative)
     /* coverage is that of the condition where the regret is largest */
     size_t at;
     const murk_estimate seen =
-        murk_over_estimate(m.over.conditions, chosen->in_sample,
-                           MURK_SCENE_OVER_REGRET, false, &at);
+        murk_conditions_estimate(m.over.conditions, chosen->in_sample,
+                                 MURK_SCENE_OVER_REGRET, false, &at);
     CHECK(m.plan.in_sample.total.value == seen.value);
     CHECK_NEAR((best.own[at] - seen.value) / (is_relative ? best.own[at] : 1),
                min, ROUNDING);
@@ -255,7 +256,7 @@ static void test_light_alike_is_shared(void)
               2);
     const murk_condition *c = m.over.conditions->condition;
     CHECK(c[1].borrows_light && c[1].traced == c[0].traced);
-    const murk_over_plan *chosen = &m.over.plan[m.over.chosen];
+    const murk_condition_plan *chosen = &m.over.plan[m.over.chosen];
     CHECK(chosen->in_sample[0].value == chosen->in_sample[1].value);
     CHECK(chosen->held_out[0].value != chosen->held_out[1].value);
     CHECK_NEAR(m.plan.held_out.value,

@@ -1,10 +1,10 @@
-#include "cases/over_mean.h"
+#include "cases/scenario_mean.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-murk_estimate murk_over_mean(const murk_estimate *of, const double *weight,
-                             size_t n, bool are_independent)
+murk_estimate murk_scenario_mean(const murk_estimate *of, const double *weight,
+                                 size_t n, bool are_independent)
 {
     double all = 0, sum = 0, error = 0, squares = 0;
     for (size_t c = 0; c < n; ++c) {
@@ -122,11 +122,11 @@ static murk_status fill(murk_coverage_result *out,
     return MURK_OK;
 }
 
-murk_status murk_over_mean_coverage(murk_coverage_result *out,
-                                    const murk_coverage_result *of,
-                                    const double *weight, size_t n,
-                                    size_t sensors, size_t regions,
-                                    bool are_independent, murk_error *err)
+murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
+                                        const murk_coverage_result *of,
+                                        const double *weight, size_t n,
+                                        size_t sensors, size_t regions,
+                                        bool are_independent, murk_error *err)
 {
     murk_coverage_result mean = {0};
     murk_estimate *each = calloc(n + 1, sizeof *each);
@@ -149,7 +149,7 @@ murk_status murk_over_mean_coverage(murk_coverage_result *out,
                                     : (murk_estimate){NAN, NAN};
         }
         *(k < PLAIN ? to[k] : &mean.region[k - PLAIN].coverage) =
-            murk_over_mean(each, weight, n, are_independent);
+            murk_scenario_mean(each, weight, n, are_independent);
     }
     for (size_t p = 0; p < 2; ++p) {
         mean.map[p].weight = map[p].value;

@@ -1,76 +1,30 @@
-#include "cases/over.h"
+/* Makes the plans over conditions: lights every condition, chooses the plans,
+ * and measures each plan in each condition, on the light that chose it and on
+ * held-out light. The figures of one plan over all conditions are the mean, or
+ * the figures of the condition that the objective looks at: the worst one, or
+ * the one in which the regret is largest. */
+#include "cases/condition_plans_make.h"
 
 #include "base/progress.h"
-#include "cases/over_choose.h"
-#include "cases/over_mean.h"
+#include "cases/condition_plans_choose.h"
+#include "cases/scenario_mean.h"
 #include "plan/few_photons.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Streams of random numbers: those of the first condition are a plain plan's.
- */
+/* Streams of random numbers that one condition takes: one for the light that
+ * is held out and one for the light that confirms a target. The streams of the
+ * first condition are those of a plan for a single scene. */
 #define STREAMS_EACH 2u
-
-static void weights_of(const murk_conditions *all, double *weight)
-{
-    for (size_t c = 0; c < all->n; ++c) {
-        weight[c] = all->condition[c].settings->weight;
-    }
-}
-
-/* What a coverage lacks to the best that is known there. */
-static double regret_to_best(const murk_scene_desc *scene,
-                             const murk_condition *c, double coverage)
-{
-    const double lack = c->best_known - coverage;
-    if (!scene->placement.relative_regret) {
-        return lack;
-    }
-    return c->best_known > 0 ? lack / c->best_known : 0;
-}
-
-murk_estimate murk_over_estimate(const murk_conditions *all,
-                                 const murk_estimate *of, murk_scene_over over,
-                                 bool are_independent, size_t *worst)
-{
-    double weight[MURK_SCENE_CONDITIONS_MAX];
-    weights_of(all, weight);
-    double min = 0;
-    *worst = all->n;
-    for (size_t c = 0; c < all->n; ++c) {
-        const murk_condition *one = &all->condition[c];
-        const double less = over == MURK_SCENE_OVER_REGRET
-                                ? -regret_to_best(all->scene, one, of[c].value)
-                                : of[c].value;
-        if (weight[c] > 0 && (*worst == all->n || less < min)) {
-            *worst = c;
-            min = less;
-        }
-    }
-    if (over == MURK_SCENE_OVER_REGRET && all->has_regret_at) {
-        *worst = all->regret_at;
-    }
-    return over == MURK_SCENE_OVER_MEAN
-               ? murk_over_mean(of, weight, all->n, are_independent)
-               : of[*worst];
-}
-
-double murk_over_regret(const murk_over *over, const murk_over_plan *plan,
-                        size_t c)
-{
-    const murk_over_plan *own = &over->plan[c];
-    return over->has_held_out
-               ? own->held_out[c].value - plan->held_out[c].value
-               : own->in_sample[c].value - plan->in_sample[c].value;
-}
 
 /* ---- before any light ---- */
 
-murk_status murk_over_prepare(murk_over *out, murk_plan_result *plan,
-                              const murk_scene_desc *scene, unsigned threads,
-                              murk_error *err)
+murk_status murk_condition_plans_prepare(murk_condition_plans *out,
+                                         murk_plan_result *plan,
+                                         const murk_scene_desc *scene,
+                                         unsigned threads, murk_error *err)
 {
     const murk_scene_placement *settings = &scene->placement;
     if (settings->knowledge == MURK_SCENE_EXPLORE) {
@@ -114,17 +68,17 @@ murk_status murk_over_prepare(murk_over *out, murk_plan_result *plan,
 
 /* ---- measuring ---- */
 
-static murk_status measure_plan(const murk_over *over, size_t p,
+static murk_status measure_plan(const murk_condition_plans *plans, size_t p,
                                 murk_sight *sight,
                                 murk_coverage_result *keep_it,
                                 murk_estimate *total, murk_error *err)
 {
     murk_coverage_result coverage = {0};
-    const murk_over_plan *plan = &over->plan[p];
+    const murk_condition_plan *plan = &plans->plan[p];
     const murk_status status = murk_coverage_result_measure(
         &coverage, sight, plan->sensor, plan->count, err);
     *total = coverage.total;
-    if (!status && keep_it && p == over->chosen) {
+    if (!status && keep_it && p == plans->chosen) {
         *keep_it = coverage;
     } else {
         murk_coverage_result_release(&coverage);
@@ -133,13 +87,13 @@ static murk_status measure_plan(const murk_over *over, size_t p,
 }
 
 /* An earlier plan with the same sensors, or p itself. */
-static size_t find_same(const murk_over *over, size_t p)
+static size_t find_same(const murk_condition_plans *plans, size_t p)
 {
     for (size_t q = 0; q < p; ++q) {
-        if (q != over->chosen && p != over->chosen &&
-            over->plan[q].count == over->plan[p].count &&
-            memcmp(over->plan[q].sensor, over->plan[p].sensor,
-                   over->plan[p].count * sizeof *over->plan[p].sensor) == 0) {
+        if (q != plans->chosen && p != plans->chosen &&
+            plans->plan[q].count == plans->plan[p].count &&
+            memcmp(plans->plan[q].sensor, plans->plan[p].sensor,
+                   plans->plan[p].count * sizeof *plans->plan[p].sensor) == 0) {
             return q;
         }
     }
@@ -147,20 +101,20 @@ static size_t find_same(const murk_over *over, size_t p)
 }
 
 /* All plans in one condition. */
-static murk_status measure_all(murk_over *over, size_t c, murk_sight *sight,
-                               bool is_held_out, murk_coverage_result *keep_it,
-                               murk_error *err)
+static murk_status measure_all(murk_condition_plans *plans, size_t c,
+                               murk_sight *sight, bool is_held_out,
+                               murk_coverage_result *keep_it, murk_error *err)
 {
     murk_status status = MURK_OK;
-    for (size_t p = 0; !status && p < over->plans; ++p) {
-        murk_over_plan *plan = &over->plan[p];
+    for (size_t p = 0; !status && p < plans->plans; ++p) {
+        murk_condition_plan *plan = &plans->plan[p];
         murk_estimate *to =
             is_held_out ? &plan->held_out[c] : &plan->in_sample[c];
-        const murk_over_plan *same = &over->plan[find_same(over, p)];
+        const murk_condition_plan *same = &plans->plan[find_same(plans, p)];
         if (same != plan) {
             *to = is_held_out ? same->held_out[c] : same->in_sample[c];
         } else {
-            status = measure_plan(over, p, sight, keep_it, to, err);
+            status = measure_plan(plans, p, sight, keep_it, to, err);
         }
     }
     return status;
@@ -170,34 +124,36 @@ static murk_status measure_all(murk_over *over, size_t c, murk_sight *sight,
 
 /* The chosen plan's draws in condition c, set down in the first one's world, so
  * that they are the same in all. */
-static murk_status shake(murk_over *over, const murk_plan_result *plan,
-                         size_t c, murk_sight *sight, murk_error *err)
+static murk_status shake(murk_condition_plans *plans,
+                         const murk_plan_result *plan, size_t c,
+                         murk_sight *sight, murk_error *err)
 {
-    const murk_stage *stage = over->conditions->condition[0].stage;
+    const murk_stage *stage = plans->conditions->condition[0].stage;
     const size_t draws = murk_robust_draws(stage->scene);
     return draws == 0
                ? MURK_OK
-               : murk_robust_shake(over->shaken + c * draws, &over->unmoved,
+               : murk_robust_shake(plans->shaken + c * draws, &plans->unmoved,
                                    stage, sight, plan->sensor,
-                                   over->plan[over->chosen].count, err);
+                                   plans->plan[plans->chosen].count, err);
 }
 
-static murk_status make_room_for_jitter(murk_over *over, murk_error *err)
+static murk_status make_room_for_jitter(murk_condition_plans *plans,
+                                        murk_error *err)
 {
-    const murk_scene_desc *scene = over->conditions->scene;
-    const size_t n = murk_robust_draws(scene) * over->conditions->n;
-    over->shaken = n ? calloc(n, sizeof *over->shaken) : NULL;
-    return over->shaken || n == 0
+    const murk_scene_desc *scene = plans->conditions->scene;
+    const size_t n = murk_robust_draws(scene) * plans->conditions->n;
+    plans->shaken = n ? calloc(n, sizeof *plans->shaken) : NULL;
+    return plans->shaken || n == 0
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for %zu draws of jitter", n);
 }
 
 /* Each draw over conditions is the mean or the worst, as plans are. */
-static murk_status sum_up_jitter(murk_over *over, murk_plan_result *plan,
-                                 murk_error *err)
+static murk_status sum_up_jitter(murk_condition_plans *plans,
+                                 murk_plan_result *plan, murk_error *err)
 {
-    const murk_conditions *all = over->conditions;
+    const murk_conditions *all = plans->conditions;
     const size_t draws = murk_robust_draws(all->scene);
     murk_estimate *covered = malloc(draws * sizeof *covered + 1);
     if (!covered) {
@@ -208,30 +164,31 @@ static murk_status sum_up_jitter(murk_over *over, murk_plan_result *plan,
         murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
         size_t worst;
         for (size_t c = 0; c < all->n; ++c) {
-            of[c] = over->shaken[c * draws + d];
+            of[c] = plans->shaken[c * draws + d];
         }
-        covered[d] = murk_over_estimate(all, of, all->scene->placement.over,
-                                        over->has_held_out, &worst);
+        covered[d] = murk_conditions_estimate(
+            all, of, all->scene->placement.over, plans->has_held_out, &worst);
     }
     const murk_status status =
         draws == 0
             ? MURK_OK
-            : murk_robust_sum_up(&plan->robust, covered, draws, over->unmoved,
-                                 over->has_held_out
+            : murk_robust_sum_up(&plan->robust, covered, draws, plans->unmoved,
+                                 plans->has_held_out
                                      ? plan->held_out.value
                                      : plan->in_sample.total.value,
-                                 over->has_held_out, err);
+                                 plans->has_held_out, err);
     free(covered);
     return status;
 }
 
 /* The chosen plan alone, or all, in other light of a condition. */
-static murk_status measure_on(murk_over *over, murk_plan_result *plan, size_t c,
-                              uint32_t stream, murk_estimate *confirmed,
+static murk_status measure_on(murk_condition_plans *plans,
+                              murk_plan_result *plan, size_t c, uint32_t stream,
+                              murk_estimate *confirmed,
                               murk_coverage_result *held_out, unsigned threads,
                               murk_error *err)
 {
-    const murk_stage *stage = over->conditions->condition[c].stage;
+    const murk_stage *stage = plans->conditions->condition[c].stage;
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_status status = murk_lightmap_trace(
@@ -242,12 +199,12 @@ static murk_status measure_on(murk_over *over, murk_plan_result *plan, size_t c,
         status = murk_plan_sight(&sight, stage, other, threads, err);
     }
     if (!status) {
-        status = confirmed ? measure_plan(over, over->chosen, sight, NULL,
+        status = confirmed ? measure_plan(plans, plans->chosen, sight, NULL,
                                           confirmed, err)
-                           : measure_all(over, c, sight, true, held_out, err);
+                           : measure_all(plans, c, sight, true, held_out, err);
     }
     if (!status && !confirmed) {
-        status = shake(over, plan, c, sight, err);
+        status = shake(plans, plan, c, sight, err);
     }
     murk_sight_destroy(sight);
     murk_traced_destroy(other);
@@ -255,76 +212,79 @@ static murk_status measure_on(murk_over *over, murk_plan_result *plan, size_t c,
 }
 
 /* What a plan's coverages are as one: the mean, or the worst alone. */
-static murk_status sum_up(murk_coverage_result *out, const murk_over *over,
+static murk_status sum_up(murk_coverage_result *out,
+                          const murk_condition_plans *plans,
                           const murk_coverage_result *of, bool are_independent,
                           murk_error *err)
 {
-    const murk_conditions *all = over->conditions;
+    const murk_conditions *all = plans->conditions;
     const murk_interest *interest =
         murk_goals_interest(all->condition[0].stage->goals);
     murk_estimate total[MURK_SCENE_CONDITIONS_MAX];
     double weight[MURK_SCENE_CONDITIONS_MAX];
     size_t worst;
-    weights_of(all, weight);
+    murk_conditions_weights(all, weight);
     for (size_t c = 0; c < all->n; ++c) {
         total[c] = of[c].total;
     }
-    murk_over_estimate(all, total, all->scene->placement.over, true, &worst);
+    murk_conditions_estimate(all, total, all->scene->placement.over, true,
+                             &worst);
     if (all->scene->placement.over == MURK_SCENE_OVER_REGRET) {
-        over->conditions->regret_at = worst;
-        over->conditions->has_regret_at = true;
+        plans->conditions->regret_at = worst;
+        plans->conditions->has_regret_at = true;
     }
     if (all->scene->placement.over != MURK_SCENE_OVER_MEAN) {
         memset(weight, 0, sizeof weight);
         weight[worst] = 1;
     }
-    return murk_over_mean_coverage(
-        out, of, weight, all->n, over->plan[over->chosen].count,
+    return murk_scenario_mean_coverage(
+        out, of, weight, all->n, plans->plan[plans->chosen].count,
         interest ? interest->n : 0, are_independent, err);
 }
 
-static murk_status measure_held_out(murk_over *over, murk_plan_result *plan,
-                                    unsigned threads, murk_error *err)
+static murk_status measure_held_out(murk_condition_plans *plans,
+                                    murk_plan_result *plan, unsigned threads,
+                                    murk_error *err)
 {
     murk_coverage_result held_out[MURK_SCENE_CONDITIONS_MAX] = {0}, sum = {0};
     murk_status status = MURK_OK;
-    for (size_t c = 0; !status && c < over->conditions->n; ++c) {
-        status = measure_on(over, plan, c, MURK_HELD_OUT_STREAM, NULL,
+    for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
+        status = measure_on(plans, plan, c, MURK_HELD_OUT_STREAM, NULL,
                             &held_out[c], threads, err);
     }
     if (!status) {
-        status = sum_up(&sum, over, held_out, true, err);
+        status = sum_up(&sum, plans, held_out, true, err);
     }
     if (!status) {
         status = murk_robust_hold_out(&plan->robust, &sum, err);
     }
     if (!status) {
-        over->has_held_out = plan->has_held_out = true;
+        plans->has_held_out = plan->has_held_out = true;
         plan->held_out = sum.total;
         plan->held_out_region = sum.region;
         sum.region = NULL;
     }
     murk_coverage_result_release(&sum);
-    for (size_t c = 0; c < over->conditions->n; ++c) {
+    for (size_t c = 0; c < plans->conditions->n; ++c) {
         murk_coverage_result_release(&held_out[c]);
     }
     return status;
 }
 
-static murk_status confirm(murk_over *over, murk_plan_result *plan,
+static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
                            unsigned threads, murk_error *err)
 {
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
-    for (size_t c = 0; !status && c < over->conditions->n; ++c) {
-        status = measure_on(over, plan, c, MURK_CONFIRM_STREAM, &of[c], NULL,
+    for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
+        status = measure_on(plans, plan, c, MURK_CONFIRM_STREAM, &of[c], NULL,
                             threads, err);
     }
     size_t worst;
     if (!status) {
-        plan->confirmed = murk_over_estimate(
-            over->conditions, of, over->conditions->scene->placement.over, true,
-            &worst);
+        plan->confirmed = murk_conditions_estimate(
+            plans->conditions, of, plans->conditions->scene->placement.over,
+            true, &worst);
     }
     return status;
 }
@@ -334,55 +294,55 @@ static murk_status confirm(murk_over *over, murk_plan_result *plan,
 /* Of the least largest regret placement says 1 less it. What is kept of value
  * and bound is the coverage where the regret is largest, and what it would be
  * there were the regret as small as the bound lets it be. */
-static void read_regret(murk_over *over, murk_plan_result *plan)
+static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
 {
-    const murk_conditions *all = over->conditions;
-    const murk_over_plan *chosen = &over->plan[over->chosen];
+    const murk_conditions *all = plans->conditions;
+    const murk_condition_plan *chosen = &plans->plan[plans->chosen];
     murk_place_result *place = &plan->place;
     const double one = (double)place->whole;
-    over->regret = 1 - (double)place->value / one;
-    over->regret_lower = 1 - (double)place->upper / one;
-    over->regret_upper = over->regret;
+    plans->regret = 1 - (double)place->value / one;
+    plans->regret_lower = 1 - (double)place->upper / one;
+    plans->regret_upper = plans->regret;
     for (size_t c = 0; c < all->n; ++c) {
         murk_condition at = all->condition[c];
         at.best_known = at.best_upper;
         const double max =
-            regret_to_best(all->scene, &at, chosen->in_sample[c].value);
-        if (at.settings->weight > 0 && max > over->regret_upper) {
-            over->regret_upper = max;
+            murk_condition_regret(all->scene, &at, chosen->in_sample[c].value);
+        if (at.settings->weight > 0 && max > plans->regret_upper) {
+            plans->regret_upper = max;
         }
     }
     size_t at;
-    murk_over_estimate(all, chosen->in_sample, MURK_SCENE_OVER_REGRET, false,
-                       &at);
+    murk_conditions_estimate(all, chosen->in_sample, MURK_SCENE_OVER_REGRET,
+                             false, &at);
     const double unit = all->scene->placement.relative_regret
                             ? all->condition[at].best_known
                             : 1;
     const double seen = plan->in_sample.total.value;
-    const double more = unit * (over->regret - over->regret_lower);
+    const double more = unit * (plans->regret - plans->regret_lower);
     place->value = (uint64_t)(seen * one);
     place->upper = place->value + (uint64_t)(more * one);
-    place->ceiling = over->ceiling_of[at];
+    place->ceiling = plans->ceiling_of[at];
 }
 
 /* As the problem of all scenarios counts it, as do the bound and the curve:
  * from the conditions' own coverages it differs by what the rounding of weights
  * moves, which may be more than what is left to the bound. */
-static void read_in_sample(murk_over *over, murk_plan_result *plan)
+static void read_in_sample(murk_condition_plans *plans, murk_plan_result *plan)
 {
-    if (over->conditions->scene->placement.over == MURK_SCENE_OVER_REGRET) {
-        read_regret(over, plan);
+    if (plans->conditions->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+        read_regret(plans, plan);
         return;
     }
     plan->in_sample.total.value =
         (double)plan->place.value / (double)plan->place.whole;
 }
 
-static murk_status measure(murk_over *over, murk_plan_result *plan,
+static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
                            unsigned threads, murk_error *err)
 {
-    const murk_conditions *all = over->conditions;
-    const murk_over_plan *chosen = &over->plan[over->chosen];
+    const murk_conditions *all = plans->conditions;
+    const murk_condition_plan *chosen = &plans->plan[plans->chosen];
     murk_status status = MURK_OK;
     plan->sensor = calloc(chosen->count + 1, sizeof *plan->sensor);
     if (!plan->sensor) {
@@ -391,15 +351,15 @@ static murk_status measure(murk_over *over, murk_plan_result *plan,
     }
     memcpy(plan->sensor, chosen->sensor, chosen->count * sizeof *plan->sensor);
     for (size_t c = 0; !status && c < all->n; ++c) {
-        status = measure_all(over, c, all->condition[c].sight, false,
-                             &over->coverage[c], err);
+        status = measure_all(plans, c, all->condition[c].sight, false,
+                             &plans->coverage[c], err);
         if (!status) {
-            murk_warn_of_thin_map(all->scene, &over->coverage[c],
+            murk_warn_of_thin_map(all->scene, &plans->coverage[c],
                                   all->condition[c].settings->name);
         }
     }
     if (!status) {
-        status = sum_up(&plan->in_sample, over, over->coverage, false, err);
+        status = sum_up(&plan->in_sample, plans, plans->coverage, false, err);
     }
     plan->confirmed = (murk_estimate){NAN, NAN};
     if (!status) {
@@ -408,30 +368,31 @@ static murk_status measure(murk_over *over, murk_plan_result *plan,
                                    &plan->in_sample, err);
     }
     if (!status) {
-        status = make_room_for_jitter(over, err);
+        status = make_room_for_jitter(plans, err);
     }
     const bool is_more = murk_plan_can_see_anew(all->scene);
     const bool holds_out = is_more && all->scene->placement.hold_out;
     for (size_t c = 0; !status && !holds_out && c < all->n; ++c) {
-        status = shake(over, plan, c, all->condition[c].sight, err);
+        status = shake(plans, plan, c, all->condition[c].sight, err);
     }
     if (!status && holds_out) {
-        status = measure_held_out(over, plan, threads, err);
+        status = measure_held_out(plans, plan, threads, err);
     }
     if (!status) {
-        status = sum_up_jitter(over, plan, err);
-        read_in_sample(over, plan); /* losses compare what is measured alike */
+        status = sum_up_jitter(plans, plan, err);
+        read_in_sample(plans, plan); /* losses compare what is measured alike */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
-        status = confirm(over, plan, threads, err);
+        status = confirm(plans, plan, threads, err);
     }
     return status;
 }
 
-murk_status murk_over_make(murk_over *over, murk_plan_result *plan,
-                           unsigned threads, murk_error *err)
+murk_status murk_condition_plans_make(murk_condition_plans *plans,
+                                      murk_plan_result *plan, unsigned threads,
+                                      murk_error *err)
 {
-    murk_conditions *all = over->conditions;
+    murk_conditions *all = plans->conditions;
     murk_status status = murk_conditions_light(all, threads, err);
     plan->trace_s = all->trace_s;
     plan->map_s = all->map_s;
@@ -439,7 +400,7 @@ murk_status murk_over_make(murk_over *over, murk_plan_result *plan,
         return murk_plan_result_make_dark(plan, all->condition[0].stage, err);
     }
     if (!status) {
-        status = murk_over_choose(over, plan, err);
+        status = murk_condition_plans_choose(plans, plan, err);
     }
     plan->targets = all->condition[0].targets;
     for (size_t c = 0; !status && c < all->n; ++c) {
@@ -449,18 +410,5 @@ murk_status murk_over_make(murk_over *over, murk_plan_result *plan,
         plan->blocked_by_interfaces += murk_sight_blocked_by_interfaces(sight);
         plan->totally_reflected += murk_sight_totally_reflected(sight);
     }
-    return status ? status : measure(over, plan, threads, err);
-}
-
-void murk_over_release(murk_over *over)
-{
-    for (size_t p = 0; p < over->plans; ++p) {
-        free(over->plan[p].sensor);
-    }
-    for (size_t c = 0; c < MURK_SCENE_CONDITIONS_MAX; ++c) {
-        murk_coverage_result_release(&over->coverage[c]);
-    }
-    free(over->shaken);
-    murk_conditions_destroy(over->conditions);
-    *over = (murk_over){0};
+    return status ? status : measure(plans, plan, threads, err);
 }

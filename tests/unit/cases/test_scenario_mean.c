@@ -1,7 +1,7 @@
 /* Means over conditions by unequal weights: of the total, of each map, sensor,
  * region and number of sensors, against sums by hand. A mean by equal weights
  * is off by a tenth and more here. */
-#include "cases/over_mean.h"
+#include "cases/scenario_mean.h"
 
 #include "check.h"
 
@@ -41,8 +41,8 @@ static void test_means_by_sensor(bool are_independent)
     of[2].map[1] = (murk_map_share){4, .75, .32};
     murk_coverage_result mean = {0};
     murk_error err = {0};
-    CHECK(murk_over_mean_coverage(&mean, of, weight, 3, SENSORS, REGIONS,
-                                  are_independent, &err) == MURK_OK);
+    CHECK(murk_scenario_mean_coverage(&mean, of, weight, 3, SENSORS, REGIONS,
+                                      are_independent, &err) == MURK_OK);
     CHECK_NEAR(mean.total.value, (3 * .7 + .2) / 4, 1e-15);
     CHECK_NEAR(mean.total.standard_error,
                are_independent ? sqrt(.03 * .03 + .04 * .04) / 4

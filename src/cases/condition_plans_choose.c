@@ -1,4 +1,4 @@
-#include "cases/over_choose.h"
+#include "cases/condition_plans_choose.h"
 
 #include "base/progress.h"
 #include "cases/scenarios.h"
@@ -14,7 +14,7 @@ _Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
                "every condition has a block");
 
 typedef struct choosing {
-    murk_over *over;
+    murk_condition_plans *plans;
     murk_plan_result *plan;
     const murk_scene_desc *scene;
     murk_scenarios *scenarios; /* the conditions that have a say */
@@ -23,7 +23,7 @@ typedef struct choosing {
 
 static murk_status join(choosing *ch, murk_error *err)
 {
-    const murk_conditions *all = ch->over->conditions;
+    const murk_conditions *all = ch->plans->conditions;
     murk_sight *sight[MURK_SCENE_CONDITIONS_MAX];
     double share[MURK_SCENE_CONDITIONS_MAX];
     size_t n = 0;
@@ -46,7 +46,7 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
                                const murk_place_desc *desc, murk_error *err)
 {
     murk_sight_problem seen;
-    murk_sight_problem_init(&seen, ch->over->conditions->condition[c].sight,
+    murk_sight_problem_init(&seen, ch->plans->conditions->condition[c].sight,
                             ch->plan->poses->pose, ch->plan->poses->count);
     if (ch->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
         return murk_place_unknown(out, &seen.problem, desc, err);
@@ -64,7 +64,7 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
 static murk_status keep(choosing *ch, const char *made_for,
                         const murk_place_result *place, murk_error *err)
 {
-    murk_over_plan *plan = &ch->over->plan[ch->over->plans++];
+    murk_condition_plan *plan = &ch->plans->plan[ch->plans->plans++];
     snprintf(plan->made_for, sizeof plan->made_for, "%s", made_for);
     plan->count = place->count;
     plan->sensor = calloc(place->count + 1, sizeof *plan->sensor);
@@ -97,28 +97,28 @@ static void choose_to_compare(choosing *ch)
 static void refer(choosing *ch, size_t c, size_t block,
                   const murk_place_result *place)
 {
-    murk_condition *condition = &ch->over->conditions->condition[c];
+    murk_condition *condition = &ch->plans->conditions->condition[c];
     const double whole = (double)place->whole;
     condition->best_known = (double)place->value / whole;
     condition->best_upper = (double)place->upper / whole;
     ch->scenarios->blocks.reference[block] = place->value;
-    ch->over->ceiling_of[c] = murk_share_units(place->ceiling, place->whole);
+    ch->plans->ceiling_of[c] = murk_share_units(place->ceiling, place->whole);
 }
 
 /* Each condition's own plan, the mean's and the worst's, by one method and with
  * as many sensors. */
 static murk_status choose_all(choosing *ch, murk_error *err)
 {
-    const murk_conditions *all = ch->over->conditions;
-    const murk_scene_over over = ch->scene->placement.over;
-    const bool is_regret = over == MURK_SCENE_OVER_REGRET;
+    const murk_conditions *all = ch->plans->conditions;
+    const murk_scene_over objective = ch->scene->placement.over;
+    const bool is_regret = objective == MURK_SCENE_OVER_REGRET;
     murk_status status = MURK_OK;
     size_t block = 0;
-    ch->desc = murk_scenarios_desc(ch->scenarios, over);
+    ch->desc = murk_scenarios_desc(ch->scenarios, objective);
     murk_place_desc asked = ch->desc;
     if (!is_regret) {
-        status = murk_scenarios_place(&ch->plan->place, ch->scenarios, over,
-                                      &asked, err);
+        status = murk_scenarios_place(&ch->plan->place, ch->scenarios,
+                                      objective, &asked, err);
     }
     choose_to_compare(ch);
     for (size_t c = 0; !status && c < all->n; ++c) {
@@ -145,7 +145,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         is_regret ? MURK_SCENE_OVER_REGRET : MURK_SCENE_OVER_WORST;
     for (murk_scene_over k = MURK_SCENE_OVER_MEAN; !status && k <= last; ++k) {
         murk_place_result place = {0};
-        if (k == over && is_regret) {
+        if (k == objective && is_regret) {
             asked.with_curve = false; /* references are of this count */
             status = murk_scenarios_place(&ch->plan->place, ch->scenarios,
                                           MURK_SCENE_OVER_REGRET, &asked, err);
@@ -153,8 +153,8 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         if (status) {
             break;
         }
-        if (k == over) {
-            ch->over->chosen = ch->over->plans;
+        if (k == objective) {
+            ch->plans->chosen = ch->plans->plans;
             status = keep(ch, name[k], &ch->plan->place, err);
         } else if (k == MURK_SCENE_OVER_MEAN || ch->scenarios->matrix) {
             status =
@@ -168,11 +168,11 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     return status;
 }
 
-murk_status murk_over_choose(murk_over *over, murk_plan_result *plan,
-                             murk_error *err)
+murk_status murk_condition_plans_choose(murk_condition_plans *plans,
+                                        murk_plan_result *plan, murk_error *err)
 {
     choosing ch = {
-        .over = over, .plan = plan, .scene = over->conditions->scene};
+        .plans = plans, .plan = plan, .scene = plans->conditions->scene};
     murk_status status = join(&ch, err);
     const double begun_s = murk_clock_s();
     if (!status) {
@@ -182,7 +182,7 @@ murk_status murk_over_choose(murk_over *over, murk_plan_result *plan,
     murk_scenarios_destroy(ch.scenarios);
     if (status && err && !err->where[0]) {
         snprintf(err->where, sizeof err->where, "%s",
-                 over->conditions->scene->sensors.where);
+                 plans->conditions->scene->sensors.where);
     }
     return status;
 }
