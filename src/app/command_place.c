@@ -100,11 +100,6 @@ static void add_budget(cJSON *root, const murk_plan_result *plan,
 static void add_placement(cJSON *root, const murk_plan_result *plan,
                           const murk_scene_desc *scene)
 {
-    static const char *const detection_names[] = {
-        [MURK_SCENE_WEIGHTED] = "weighted",
-        [MURK_SCENE_INDEPENDENT] = "independent",
-        [MURK_SCENE_THRESHOLD] = "threshold",
-        [MURK_SCENE_POWER] = "power"};
     static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
                                                 [MURK_SCENE_BLOCK] = "block",
                                                 [MURK_SCENE_REFRACT] =
@@ -116,11 +111,12 @@ static void add_placement(cJSON *root, const murk_plan_result *plan,
                                 ? "greedy"
                                 : murk_method_names[settings->method]);
     cJSON_AddStringToObject(object, "detection",
-                            detection_names[settings->detection]);
-    murk_json_number(object, "threshold",
-                     settings->detection == MURK_SCENE_THRESHOLD
-                         ? settings->threshold
-                         : NAN);
+                            murk_detection_name(settings->detection));
+    murk_json_number(
+        object, "threshold",
+        murk_detection_is(settings->detection, MURK_DETECTION_HAS_THRESHOLD)
+            ? settings->threshold
+            : NAN);
     murk_json_number(object, "power_radius_m",
                      plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
     murk_json_number(object, "power_neighbours",
@@ -480,7 +476,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = murk_exports_check(options->exports,
-                                    murk_plan_combining(session.scene), err);
+                                    session.scene->placement.detection, err);
     }
     if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
         over = calloc(1, sizeof *over);

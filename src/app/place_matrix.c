@@ -90,11 +90,12 @@ static murk_status set_key(murk_matrix_plan *p, const char *key,
         }
         p->redundancy = (unsigned)n;
     } else if (strcmp(key, "placement.detection") == 0) {
-        p->combining = strcmp(value, "independent") == 0
-                           ? MURK_COMBINE_INDEPENDENT
-                           : MURK_COMBINE_CLEAREST;
-        if (strcmp(value, "weighted") != 0 && !p->combining) {
-            return bad_key(name, value, "weighted | independent", err);
+        if (!murk_detection_find(&p->detection, value) ||
+            !murk_detection_is(p->detection, MURK_DETECTION_SMOOTH)) {
+            return bad_key(
+                name, value,
+                murk_detection_list(MURK_DETECTION_SMOOTH, true, " | ").text,
+                err);
         }
     } else if (strcmp(key, "placement.method") == 0) {
         return set_method(p, name, value, err);
@@ -197,8 +198,8 @@ static murk_status set_aside(murk_matrix_plan *p, murk_views *views,
     p->covers = (murk_covering){.alone = calloc(n, sizeof(uint64_t)),
                                 .only = calloc(n, sizeof(uint64_t)),
                                 .seen_by = calloc(n + 1, sizeof(uint64_t))};
-    return murk_views_init(views, p->matrix->rows, p->combining,
-                           p->redundancy) &&
+    return murk_views_init(views, p->matrix->rows,
+                           murk_combining_of(p->detection), p->redundancy) &&
                    p->covers.alone && p->covers.only && p->covers.seen_by
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, p->file,
@@ -253,7 +254,7 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
 {
     murk_problem problem =
         murk_sparse_matrix_problem(p->matrix, p->session.settings.threads);
-    problem.combining = p->combining;
+    problem.combining = murk_combining_of(p->detection);
     problem.redundancy = p->redundancy;
     murk_matrix *matrix = NULL;
     murk_status status = fit_settings(p, &problem, err);
@@ -285,7 +286,7 @@ static murk_status identify(murk_matrix_plan *p, const murk_options *options,
              "method %d combining %d redundancy %u",
              p->desc.count, p->target, p->budget, p->desc.restarts,
              (unsigned long long)p->desc.nodes, (int)p->desc.method,
-             (int)p->combining, p->redundancy);
+             (int)p->detection, p->redundancy);
     return murk_identity(p->session.identity, options, settings, p->desc.seed,
                          err);
 }
@@ -295,7 +296,7 @@ static murk_status load(murk_matrix_plan *p, const murk_options *options,
 {
     murk_status status = read_settings(p, options, err);
     if (!status) {
-        status = murk_exports_check(options->exports, p->combining, err);
+        status = murk_exports_check(options->exports, p->detection, err);
     }
     if (!status) {
         status = murk_sparse_matrix_read(&p->matrix, options->matrix, err);

@@ -26,14 +26,13 @@ struct murk_covered {
 murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err)
 {
     const murk_scene_placement *settings = &scene->placement;
-    if (settings->detection == MURK_SCENE_THRESHOLD ||
-        settings->detection == MURK_SCENE_POWER) {
-        return murk_fail(err, MURK_BAD_VALUE, settings->where,
-                         "detection: %s cannot be fitted to: coverage needs "
-                         "weighted or independent, which change smoothly with "
-                         "the medium",
-                         settings->detection == MURK_SCENE_POWER ? "power"
-                                                                 : "threshold");
+    if (!murk_detection_is(settings->detection, MURK_DETECTION_SMOOTH)) {
+        return murk_fail(
+            err, MURK_BAD_VALUE, settings->where,
+            "detection: %s cannot be fitted to: coverage needs "
+            "%s, which change smoothly with the medium",
+            murk_detection_name(settings->detection),
+            murk_detection_list(MURK_DETECTION_SMOOTH, true, " or ").text);
     }
     if (settings->through == MURK_SCENE_REFRACT) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
@@ -69,7 +68,8 @@ murk_status murk_covered_create(murk_covered **out,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for coverage");
     }
     made->desc = *desc;
-    made->combining = murk_plan_combining(desc->stage->scene);
+    made->combining =
+        murk_combining_of(desc->stage->scene->placement.detection);
     made->redundancy =
         settings->redundancy > 1 ? (size_t)settings->redundancy : 1;
     made->weights = (murk_map_weights){.balanced = settings->balanced,

@@ -11,7 +11,8 @@ static const murk_estimate NONE = {NAN, NAN};
 bool murk_sweep_needs_no_light(const murk_scene_desc *scene)
 {
     return scene->placement.targets.given &&
-           scene->placement.detection != MURK_SCENE_POWER;
+           !murk_detection_is(scene->placement.detection,
+                              MURK_DETECTION_BY_POWER);
 }
 
 bool murk_sweep_can_see(const murk_sweep_light *l, size_t k)

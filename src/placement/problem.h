@@ -9,6 +9,7 @@
 #ifndef MURK_PLACEMENT_PROBLEM_H
 #define MURK_PLACEMENT_PROBLEM_H
 
+#include "base/detection.h"
 #include "base/status.h"
 
 #include <stdbool.h>
@@ -35,6 +36,13 @@ typedef enum murk_combining {
                                 p = clarity / MURK_CLEAR, rounded down to a
                                 clarity; one view is worth just itself */
 } murk_combining;
+
+static inline murk_combining murk_combining_of(murk_detection detection)
+{
+    return murk_detection_is(detection, MURK_DETECTION_BY_CHANCE)
+               ? MURK_COMBINE_INDEPENDENT
+               : MURK_COMBINE_CLEAREST;
+}
 
 #define MURK_REDUNDANCY_MAX 16
 

@@ -54,7 +54,8 @@ static murk_status check_sensing(const murk_stage *stage, murk_error *err)
 static murk_status validate(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_sensors *settings = &stage->scene->sensors;
-    const bool by_power = stage->scene->placement.detection == MURK_SCENE_POWER;
+    const bool by_power = murk_detection_is(stage->scene->placement.detection,
+                                            MURK_DETECTION_BY_POWER);
     if (!settings->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
@@ -263,7 +264,8 @@ murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
                                murk_error *err)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
-    if (!settings->targets.given || settings->detection == MURK_SCENE_POWER) {
+    if (!settings->targets.given ||
+        murk_detection_is(settings->detection, MURK_DETECTION_BY_POWER)) {
         return murk_lightmap_trace(out, stage, stream, threads, err);
     }
     *out = murk_traced_create(stage, stream, err);

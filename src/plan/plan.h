@@ -55,9 +55,6 @@ size_t murk_plan_at_least(const murk_scene_desc *scene);
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
-/* How the views of one photon combine in the scene's way of detection. */
-murk_combining murk_plan_combining(const murk_scene_desc *scene);
-
 /* The solver's description of them, without rules and target. */
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 

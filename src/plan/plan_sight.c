@@ -24,7 +24,7 @@ double murk_plan_power_radius_m(const murk_stage *stage)
     const murk_scene_placement *settings = &stage->scene->placement;
     const murk_domain *domain = &stage->world.domain;
     const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
-    if (settings->detection != MURK_SCENE_POWER) {
+    if (!murk_detection_is(settings->detection, MURK_DETECTION_BY_POWER)) {
         return 0;
     }
     if (settings->power_radius_m > 0) {
@@ -37,7 +37,7 @@ double murk_plan_power_radius_m(const murk_stage *stage)
 size_t murk_plan_power_neighbours(const murk_stage *stage)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
-    return settings->detection == MURK_SCENE_POWER &&
+    return murk_detection_is(settings->detection, MURK_DETECTION_BY_POWER) &&
                    !(settings->power_radius_m > 0)
                ? (size_t)settings->power_neighbours
                : 0;
@@ -69,15 +69,6 @@ static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
     }
 }
 
-murk_combining murk_plan_combining(const murk_scene_desc *scene)
-{
-    const murk_scene_placement *settings = &scene->placement;
-    return settings->detection == MURK_SCENE_INDEPENDENT ||
-                   settings->detection == MURK_SCENE_POWER
-               ? MURK_COMBINE_INDEPENDENT
-               : MURK_COMBINE_CLEAREST;
-}
-
 /* What is the same whatever is looked at; the types are the caller's to free(),
  * NULL when out of memory. */
 static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
@@ -100,9 +91,8 @@ static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
         .through_sheets = settings->through != MURK_SCENE_BLOCK,
         .refracts = settings->through == MURK_SCENE_REFRACT,
         .weights = {.balanced = true},
-        .threshold = settings->detection == MURK_SCENE_THRESHOLD
-                         ? settings->threshold
-                         : 0,
+        .detection = settings->detection,
+        .threshold = settings->threshold,
         .redundancy = 1,
         .threads = threads,
         .where = settings->where};
@@ -128,7 +118,7 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                                       .surface = settings->weight_surface,
                                       .volume = settings->weight_volume};
     desc.interest = murk_goals_interest(stage->goals);
-    desc.combining = murk_plan_combining(stage->scene);
+    desc.combining = murk_combining_of(settings->detection);
     desc.redundancy = (unsigned)settings->redundancy;
     desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
     desc.power = power_of(stage, traced);

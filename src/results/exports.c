@@ -55,13 +55,17 @@ void murk_exports_add(murk_results *results, unsigned exports,
     }
 }
 
-murk_status murk_exports_check(unsigned exports, murk_combining combining,
+murk_status murk_exports_check(unsigned exports, murk_detection detection,
                                murk_error *err)
 {
-    return combining == MURK_COMBINE_INDEPENDENT && exports & MURK_EXPORT_LP
+    return murk_detection_is(detection, MURK_DETECTION_BY_CHANCE) &&
+                   exports & MURK_EXPORT_LP
                ? murk_fail(err, MURK_BAD_VALUE, "--export",
                            "lp, but independent chances make no linear "
-                           "problem; detection must be weighted or threshold")
+                           "problem; detection must be %s",
+                           murk_detection_list(MURK_DETECTION_BY_CHANCE, false,
+                                               " or ")
+                               .text)
                : MURK_OK;
 }
 

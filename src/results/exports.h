@@ -30,7 +30,7 @@ void murk_exports_add(murk_results *results, unsigned exports,
 
 /* Whether views so combined allow `exports`: of independent chances there is no
  * LP file. To be asked before any work is done. */
-murk_status murk_exports_check(unsigned exports, murk_combining combining,
+murk_status murk_exports_check(unsigned exports, murk_detection detection,
                                murk_error *err);
 
 /* What --export and --voxel ask of a scene, once its world is built and before

@@ -109,9 +109,8 @@ static void add_placement(cJSON *root, const murk_matrix_plan *p)
     cJSON *object = cJSON_AddObjectToObject(root, "placement");
     cJSON_AddStringToObject(object, "method",
                             murk_method_names[p->desc.method]);
-    cJSON_AddStringToObject(
-        object, "detection",
-        p->combining == MURK_COMBINE_INDEPENDENT ? "independent" : "weighted");
+    cJSON_AddStringToObject(object, "detection",
+                            murk_detection_name(p->detection));
     cJSON_AddNullToObject(object, "threshold");
     cJSON_AddNumberToObject(object, "redundancy", p->redundancy);
     cJSON_AddNullToObject(object, "visibility");

@@ -19,7 +19,7 @@ typedef struct murk_matrix_plan {
     const char *file;     /* of the matrix, as named */
     murk_sparse_matrix *matrix;
     murk_place_desc desc;
-    murk_combining combining;
+    murk_detection detection;
     unsigned redundancy;          /* >= 1 */
     double target, budget;        /* 0: not asked for */
     murk_constraints constraints; /* with a budget */

@@ -11,12 +11,13 @@
 
 static bool has_threshold(const murk_scene_desc *s)
 {
-    return s->placement.detection == MURK_SCENE_THRESHOLD;
+    return murk_detection_is(s->placement.detection,
+                             MURK_DETECTION_HAS_THRESHOLD);
 }
 
 static bool has_power(const murk_scene_desc *s)
 {
-    return s->placement.detection == MURK_SCENE_POWER;
+    return murk_detection_is(s->placement.detection, MURK_DETECTION_BY_POWER);
 }
 
 static bool has_neighbours(const murk_scene_desc *s)

@@ -36,13 +36,9 @@ static const murk_word METHOD_WORDS[] = {
     WORDS_END,
 };
 
-static const murk_word DETECTION_WORDS[] = {
-    {"weighted", MURK_SCENE_WEIGHTED},
-    {"independent", MURK_SCENE_INDEPENDENT},
-    {"threshold", MURK_SCENE_THRESHOLD},
-    {"power", MURK_SCENE_POWER},
-    WORDS_END,
-};
+#define DETECTION_WORD(id, name, is) {name, MURK_DETECTION_##id},
+static const murk_word DETECTION_WORDS[] = {MURK_DETECTIONS(DETECTION_WORD)
+                                                WORDS_END};
 
 static const murk_word VISIBILITY_WORDS[] = {
     {"ray", 0},
@@ -144,10 +140,13 @@ static const murk_key PLACEMENT_ROWS[] = {
 static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                                   const murk_scene_placement *placement)
 {
-    const bool by_chance = placement->detection == MURK_SCENE_INDEPENDENT ||
-                           placement->detection == MURK_SCENE_POWER;
+    const murk_detection_text certain =
+        murk_detection_list(MURK_DETECTION_BY_CHANCE, false, " or ");
+    char detection[sizeof certain.text + 16];
+    snprintf(detection, sizeof detection, "detection: %s", certain.text);
     const char *cause =
-        by_chance ? "detection: weighted or threshold"
+        murk_detection_is(placement->detection, MURK_DETECTION_BY_CHANCE)
+            ? detection
         : placement->method == MURK_SCENE_SPOQ ? "method: best, greedy or exact"
         : placement->knowledge != MURK_SCENE_KNOWN ? "knowledge: known"
         : placement->over != MURK_SCENE_OVER_NONE  ? "over: null"
@@ -173,14 +172,13 @@ static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                               "elsewhere and the weights of interest are all "
                               "0, one must be more than 0");
     }
-    const bool by_power = placement->detection == MURK_SCENE_POWER;
-    if ((placement->detection == MURK_SCENE_INDEPENDENT || by_power) &&
+    if (murk_detection_is(placement->detection, MURK_DETECTION_BY_CHANCE) &&
         placement->redundancy > 1) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "redundancy is %llu with detection: %s, must be "
                               "1: all views count there",
                               (unsigned long long)placement->redundancy,
-                              by_power ? "power" : "independent");
+                              murk_detection_name(placement->detection));
     }
     return check_at_least(walk, map, placement);
 }

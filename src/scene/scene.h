@@ -9,6 +9,7 @@
 
 #include "base/bands.h"
 #include "base/calendar.h"
+#include "base/detection.h"
 #include "base/phase_kind.h"
 #include "base/photometry.h"
 #include "base/source_type.h"
@@ -435,17 +436,10 @@ typedef enum murk_scene_through {
     MURK_SCENE_REFRACT /* as thin, and one flat boundary is seen through */
 } murk_scene_through;
 
-typedef enum murk_scene_detection {
-    MURK_SCENE_WEIGHTED,
-    MURK_SCENE_INDEPENDENT,
-    MURK_SCENE_THRESHOLD,
-    MURK_SCENE_POWER
-} murk_scene_detection;
-
 typedef struct murk_scene_placement {
     murk_scene_where where;
     murk_scene_method method;
-    murk_scene_detection detection;
+    murk_detection detection;
     double threshold;          /* of transmittance, for detection: threshold */
     double power_radius_m;     /* for detection: power; 0: not given */
     uint64_t power_neighbours; /* where no radius is given */

@@ -216,7 +216,7 @@ static void describe_open(work *w, murk_sensor_type *type,
     w->open.media = clear;
     w->open.type = type;
     w->open.refracts = false;
-    w->open.threshold = 0;
+    w->open.detection = MURK_DETECTION_WEIGHTED;
     w->open.combining = MURK_COMBINE_CLEAREST;
     w->open.redundancy = 1;
     w->open.power = (murk_power_settings){0};

@@ -14,6 +14,21 @@
  * largest coordinate: rounding of vertices and of storing it, with room. */
 #define POSITION_ERROR 0x1p-20
 
+/* ---- detection ---- */
+
+/* A sensor detects all or nothing. */
+static double detect_from_threshold(const murk_sight_desc *desc,
+                                    double transmittance)
+{
+    return transmittance >= desc->threshold ? 1 : 0;
+}
+
+/* One row a mode: the clarity, 0..1, that follows from the transmittance of a
+ * sightline. NULL: the transmittance itself, or the chance by power. */
+static double (*const DETECT[MURK_DETECTIONS_COUNT])(
+    const murk_sight_desc *desc, double transmittance) = {
+    [MURK_DETECTION_THRESHOLD] = detect_from_threshold};
+
 /* ---- creation ---- */
 
 static murk_status check_map(const murk_photon_map *map, const char *name,
@@ -190,6 +205,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     }
     const murk_box *box = &desc->domain.box;
     sight->desc = *desc;
+    sight->detect = DETECT[desc->detection];
     if (murk_length(desc->north) == 0) {
         sight->desc.north = murk_vec(0, 1, 0);
     }

@@ -63,17 +63,19 @@ typedef struct murk_sight_desc {
                       bend at one flat boundary */
     murk_map_weights weights;
     const murk_interest *interest; /* NULL: no regions of interest */
-    double threshold;              /* of transmittance, 0..1; 0: none */
-    murk_combining combining;      /* of several sensors' views */
-    unsigned redundancy;           /* views of a photon that count, 0 or 1: one;
-                                      up to MURK_REDUNDANCY_MAX, and one with
-                                      independent chances */
-    unsigned at_least;             /* coverage also says what so many sensors
-                                      or more see; 0: does not; up to
-                                      MURK_REDUNDANCY_MAX */
-    murk_power_settings power;     /* by what is taken up, with combining
-                                  INDEPENDENT: clarity is the chance of
-                                  sensing/power.h. Not with a threshold */
+    murk_detection detection;  /* how clearness follows from transmittance */
+    double threshold;          /* of transmittance, 0..1; for modes that have
+                                  one */
+    murk_combining combining;  /* of several sensors' views */
+    unsigned redundancy;       /* views of a photon that count, 0 or 1: one;
+                                  up to MURK_REDUNDANCY_MAX, and one with
+                                  independent chances */
+    unsigned at_least;         /* coverage also says what so many sensors
+                                  or more see; 0: does not; up to
+                                  MURK_REDUNDANCY_MAX */
+    murk_power_settings power; /* by what is taken up, with combining
+                              INDEPENDENT: clarity is the chance of
+                              sensing/power.h. Not with a threshold */
     unsigned threads;
     const char *where; /* of the wish, for messages; NULL: none */
 } murk_sight_desc;

@@ -24,6 +24,8 @@ struct murk_sight {
     bool has_interfaces;         /* where the index changes */
     murk_interfaces *interfaces; /* to see through; NULL: not wanted, or none */
     murk_power *power;           /* NULL: clarity is by transmittance */
+    /* The clarity, 0..1, of a transmittance; NULL: the transmittance. */
+    double (*detect)(const murk_sight_desc *desc, double transmittance);
     uint32_t *weight;
     uint64_t *regions; /* of interest, [photons]; NULL: none */
     size_t photons;
@@ -36,10 +38,9 @@ struct murk_sight {
 static inline uint16_t murk_sight_clarity(const murk_sight *sight,
                                           double through)
 {
-    if (sight->desc.threshold > 0) {
-        return through >= sight->desc.threshold ? MURK_CLEAR : 0;
-    }
-    return (uint16_t)floor(through * MURK_CLEAR + 0.5);
+    const double detected =
+        sight->detect ? sight->detect(&sight->desc, through) : through;
+    return (uint16_t)floor(detected * MURK_CLEAR + 0.5);
 }
 
 #endif

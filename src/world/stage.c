@@ -21,5 +21,5 @@ bool murk_stage_has_nothing_to_see(const murk_stage *stage)
     const murk_scene_placement *settings = &stage->scene->placement;
     return murk_stage_is_dark(stage) &&
            (!settings->targets.given ||
-            settings->detection == MURK_SCENE_POWER);
+            murk_detection_is(settings->detection, MURK_DETECTION_BY_POWER));
 }

@@ -70,6 +70,8 @@ static world *build(const struct mode *mode, double per_m, bool is_balanced)
         .type = &far,
         .types = 1,
         .weights = {.balanced = is_balanced, .surface = 1, .volume = 1},
+        .detection = mode->threshold > 0 ? MURK_DETECTION_THRESHOLD
+                                         : MURK_DETECTION_WEIGHTED,
         .threshold = mode->threshold,
         .combining = mode->combining,
         .redundancy = mode->redundancy,
@@ -284,6 +286,8 @@ static void check_refusal(double threshold, murk_combining combining,
     murk_sight_desc desc = *murk_sight_described(w->sight);
     const murk_sensor_type far = all_round(6);
     desc.type = &far;
+    desc.detection =
+        threshold > 0 ? MURK_DETECTION_THRESHOLD : MURK_DETECTION_WEIGHTED;
     desc.threshold = threshold;
     desc.combining = combining;
     desc.redundancy = redundancy;

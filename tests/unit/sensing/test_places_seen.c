@@ -197,9 +197,10 @@ static void test_places_are_seen_as_photons(void)
     desc.redundancy = 2;
     check_like_photons(desc);
     desc.redundancy = 1;
+    desc.detection = MURK_DETECTION_THRESHOLD;
     desc.threshold = 0.15;
     check_like_photons(desc);
-    desc.threshold = 0;
+    desc.detection = MURK_DETECTION_WEIGHTED;
     desc.combining = MURK_COMBINE_INDEPENDENT;
     check_like_photons(desc);
 }
@@ -210,6 +211,7 @@ static void test_depth_is_that_of_the_shortest_open_way(void)
 {
     static murk_place_seen seen[PLACES], dense[PLACES];
     murk_sight_desc desc = usual();
+    desc.detection = MURK_DETECTION_THRESHOLD;
     desc.threshold = 0.9;
     scene s = build(mist(&hall, MIST, 2 * MIST), desc);
     see(seen, &s, true);

@@ -339,6 +339,8 @@ static void test_ends_of_ranges(void)
                                            cases[i].acceptance_rad};
         murk_sight_desc desc = plain(&hall);
         desc.type = &type;
+        desc.detection = cases[i].threshold > 0 ? MURK_DETECTION_THRESHOLD
+                                                : MURK_DETECTION_WEIGHTED;
         desc.threshold = cases[i].threshold;
         desc.combining = cases[i].combining;
         desc.redundancy = cases[i].redundancy;
