@@ -1,8 +1,15 @@
+/* Builds the boundary meshes of the regions of a scene and refuses regions with
+ * an index of refraction whose boundaries cross. Two such regions must be
+ * nested or disjoint, because the index at a place would be ambiguous
+ * otherwise. The geometric test of a mesh against a mesh, a box, a sphere or a
+ * half space is in geometry/boundary_meshes.h. */
 #include "world/boundary_files.h"
 
 #include "base/position.h"
 
-/* Faces that are none are put this many times further than all else. */
+/* A face that lies in a side of the domain is moved outwards to this multiple
+ * of the largest coordinate of the domain and the mesh. Any factor above 1
+ * keeps the face clear of both; 4 leaves a margin for rounding. */
 #define FAR_TIMES 4
 
 static murk_affine placed(const murk_scene_region *r)
@@ -17,7 +24,8 @@ static double largest(const murk_box *box)
                 fmax(fabs(a.z), fabs(b.z)));
 }
 
-/* Moves the faces of an unturned box that the domain cuts off. */
+/* Moves outwards those faces of an axis-aligned box that lie in a side of the
+ * domain or beyond it. A rotated box keeps all of its faces. */
 static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                        const murk_box *domain, double far_m)
 {
@@ -36,6 +44,8 @@ static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                              high.z >= domain->max.z ? far_m : high.z}};
 }
 
+/* True if the boundary of a region that is no mesh crosses a boundary mesh;
+ * *place then receives a point of the crossing. */
 static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                           const murk_scene_region *r, const murk_box *domain,
                           murk_vec3 *place)
@@ -61,6 +71,8 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                                            place);
 }
 
+/* True if the boundaries of two regions cross, both of them with an index of
+ * refraction and at least one of them a mesh. */
 static bool cross(const murk_boundary_meshes *boundary_meshes,
                   const murk_scene_desc *scene, size_t a, size_t b,
                   const murk_box *domain, murk_vec3 *place)
@@ -108,6 +120,7 @@ murk_status murk_enclose(murk_boundary_meshes **out,
 {
     murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
     murk_boundary_meshes *made = NULL;
+    /* Describe the regions that are meshes. */
     size_t n = 0;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
@@ -118,6 +131,7 @@ murk_status murk_enclose(murk_boundary_meshes **out,
                                                   .where = r->where};
         }
     }
+    /* Build the meshes, then test every pair of regions. */
     murk_status status = MURK_OK;
     if (n > 0) {
         status = murk_boundary_meshes_create(&made, desc, n, err);

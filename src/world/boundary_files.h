@@ -1,18 +1,23 @@
-/* The regions of a scene that are meshes: their boundary meshes, from the files
- * as read.
- */
+/* Boundary meshes of those regions of a scene whose shape is a mesh, made from
+ * the imported files. */
 #ifndef MURK_WORLD_BOUNDARY_FILES_H
 #define MURK_WORLD_BOUNDARY_FILES_H
 
 #include "geometry/boundary_meshes.h"
 #include "scene/scene.h"
 
-/* mesh[n_regions]: NULL for regions of other shapes. *out is the caller's
- * (murk_boundary_meshes_destroy()), NULL where no region is a mesh. Fails at
- * the region's place with MURK_BAD_VALUE where a mesh is open, or where two
- * regions with an index cross, one of them a mesh (pairs of other shapes are
- * the medium room's to check). A box's face in a side of the domain or beyond
- * it is none: there the box goes on. */
+/* Builds the boundary meshes of all regions whose shape is a mesh, and checks
+ * them.
+ *
+ * mesh[n_regions] holds the imported mesh of each region, NULL for a region of
+ * another shape. domain is the domain of the scene. *out is NULL if no region
+ * is a mesh; otherwise the caller owns it (murk_boundary_meshes_destroy()).
+ *
+ * Fails with MURK_BAD_VALUE at the place of a region in the scene if a mesh is
+ * open, or if two regions with an index of refraction cross and at least one of
+ * them is a mesh. (The room medium checks pairs of other shapes.) A face of a
+ * box that lies in a side of the domain or beyond that side does not count as a
+ * boundary: the box is taken to continue outside the domain. */
 murk_status murk_enclose(murk_boundary_meshes **out,
                          const murk_scene_desc *scene, murk_mesh *const *mesh,
                          const murk_box *domain, murk_error *err);

@@ -1,8 +1,13 @@
+/* Bounding boxes of the items of a scene: each shape is bounded in local
+ * coordinates, and the corners of that box are transformed into the world. The
+ * box of a rotated item is therefore an upper bound, not the smallest one. */
 #include "world/extent.h"
 
 #include "world/sky.h"
 
-#define DOMAIN_MARGIN 0.01 /* of the longest side (contract: 1 %) */
+#define DOMAIN_MARGIN                                          \
+    0.01 /* fraction of the longest edge: 1 % by the manual of \
+          * scene files */
 
 static murk_box box_around(const murk_affine *placed, const murk_box *box)
 {
@@ -81,7 +86,9 @@ static murk_box meet(murk_box a, murk_box b)
     return is_none ? murk_box_empty() : both;
 }
 
-/* Nearest voxels reach half a voxel beyond their centres, linear ones one. */
+/* The box of the active voxels. The field of nearest interpolation ends half a
+ * voxel beyond the outermost voxel centres, the field of linear interpolation
+ * one voxel beyond them. */
 static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
                             bool is_linear)
 {
@@ -99,7 +106,8 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
     return box_around(&whole, &voxels);
 }
 
-/* What a profile leaves of a shape, in the region's own frame. */
+/* The intersection of a shape with the layers of a profile, in the local
+ * coordinates of the region. */
 static murk_box box_of_shape(const murk_scene_region *r,
                              const murk_scene_numbers *z_m)
 {
@@ -118,6 +126,7 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     const murk_affine placed =
         murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
     const bool is_linear = scene->media[r->medium].is_linear;
+    /* The box of the shape alone. */
     murk_box box = murk_box_empty();
     switch (r->shape) {
     case MURK_SCENE_IN_SPHERE:
@@ -136,6 +145,9 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     case MURK_SCENE_BELOW:
         return box;
     }
+    /* A region that replaces other media, or has an index, counts with the
+     * whole shape. Otherwise the medium is limited to the layers of a profile
+     * or to the voxels of a grid. */
     const murk_scene_numbers *z_m = &scene->media[r->medium].profile_z_m;
     if (r->replaces || r->ior > 0) {
         return box;
@@ -148,6 +160,7 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     return grid ? meet(box, box_of_grid(&placed, grid, is_linear)) : box;
 }
 
+/* The box of a lamp; empty for distant light. */
 static murk_box light_box(const murk_scene_light *light)
 {
     const murk_source lamp = murk_sky_lamp(light);
@@ -162,10 +175,12 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
         *out = scene->domain;
         return MURK_OK;
     }
+    /* Bound the geometry alone: half spaces and distant light need it. */
     murk_box solid = murk_box_empty();
     for (size_t i = 0; i < scene->geometries; ++i) {
         solid = join(solid, murk_extent_geometry(&scene->geometry[i], mesh[i]));
     }
+    /* Add the regions that are finite. */
     murk_box all = solid;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
@@ -178,6 +193,7 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
                                                region_mesh[i]));
         }
     }
+    /* Add the lamps. */
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_scene_light *light = &scene->lights[i];
         if (murk_scene_light_is_distant(light) && is_empty(&solid)) {
@@ -186,6 +202,7 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
         }
         all = join(all, light_box(light));
     }
+    /* The box must have a length; then it is grown by the margin. */
     const murk_vec3 size = murk_sub(all.max, all.min);
     const double longest = fmax(size.x, fmax(size.y, size.z));
     if (!(longest > 0 && isfinite(longest))) {

@@ -1,4 +1,5 @@
-/* How far the things of a scene reach, and the domain that follows. */
+/* Axis-aligned bounding boxes of the geometry, regions and light sources of a
+ * scene, and the domain that follows from them. */
 #ifndef MURK_WORLD_EXTENT_H
 #define MURK_WORLD_EXTENT_H
 
@@ -6,21 +7,26 @@
 #include "medium/grid.h"
 #include "scene/scene.h"
 
-/* World box of one item; mesh for files, the grid of the region's medium or
- * NULL. A shape around a grid reaches as far as both do, unless it replaces. */
+/* The bounding box of one item in world coordinates. mesh is the imported mesh
+ * if the item is a mesh file. grid is the density grid of the medium of a
+ * region, NULL if the medium has none. A region with a shape and a grid reaches
+ * as far as both do, unless the region replaces other media or has an index of
+ * refraction: then the shape alone counts. */
 murk_box murk_extent_geometry(const murk_scene_geometry *geometry,
                               const murk_mesh *mesh);
 murk_box murk_extent_region(const murk_scene_desc *scene,
                             const murk_scene_region *region,
                             const murk_grid *grid, const murk_mesh *mesh);
 
-/* Whether that box is finite: neither everywhere nor a half space. */
+/* True if the box of the region is finite: the region is neither the whole
+ * domain nor a half space. */
 bool murk_extent_is_bounded(const murk_scene_region *region);
 
-/* The scene's own domain, else the box of geometry, finite regions and lamps,
- * grown by 1 % of its longest side. mesh[geometries], grid[n_media] and
- * region_mesh[n_regions] as in murk_stage. Fails where nothing finite is there
- * to be lit. */
+/* Sets *out to the domain that the scene gives. Without one, the domain is the
+ * box of all geometry, finite regions and lamps, grown on each side by 1 % of
+ * the longest edge. mesh[geometries], grid[n_media] and region_mesh[n_regions]
+ * are those of murk_stage. Fails if nothing finite determines the domain, or if
+ * a half space or distant light has no geometry to refer to. */
 murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
                                murk_mesh *const *mesh, murk_grid *const *grid,
                                murk_mesh *const *region_mesh, murk_error *err);

@@ -1,5 +1,6 @@
-/* Checksums (XXH3, 128 bits: base/file.h) of the files that a scene names. A
- * table of the files met keeps each from being read more than once. */
+/* Prints checksums (XXH3, 128 bits: base/file.h) of the files that a scene
+ * names. A table of the paths asked for so far keeps each file from being read
+ * more than once. */
 #include "world/file_sums.h"
 
 #include "base/file.h"
@@ -22,14 +23,17 @@ void murk_file_sums_release(murk_file_sums *sums)
     *sums = (murk_file_sums){0};
 }
 
-/* NULL when out of memory. */
+/* The checksum of a file as hexadecimal digits, or "-". NULL when out of
+ * memory. */
 static const char *sum_of(murk_file_sums *sums, const char *path)
 {
+    /* A file that was asked for before has an entry. */
     for (size_t i = 0; i < sums->n; ++i) {
         if (strcmp(sums->path[i], path) == 0) {
             return sums->sum[i];
         }
     }
+    /* Grow the table by one entry. */
     char **paths = realloc(sums->path, (sums->n + 1) * sizeof *paths);
     sums->path = paths ? paths : sums->path;
     char(*all)[33] = realloc(sums->sum, (sums->n + 1) * sizeof *all);
@@ -39,6 +43,7 @@ static const char *sum_of(murk_file_sums *sums, const char *path)
         free(copy);
         return NULL;
     }
+    /* Read the file. */
     uint64_t sum[2];
     const bool is_read =
         murk_file_checksum(path, FILE_BYTES_MAX, sum, NULL) == MURK_OK;
@@ -68,7 +73,8 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
     for (size_t i = 0; i < scene->files && is_whole; ++i) {
         is_whole = murk_file_sums_put(out, sums, scene->file[i]);
     }
-    /* those that patterns of frames stand for */
+    /* Files of frames: the scene names them by a pattern, which is not in the
+     * list of files. */
     for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
         is_whole = murk_file_sums_put(out, sums, scene->media[i].vdb) &&
                    murk_file_sums_put(out, sums, scene->media[i].albedo_vdb);

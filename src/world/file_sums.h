@@ -1,6 +1,7 @@
-/* Checksums of the files that a scene names: what tells two scenes apart that
- * read alike. Files count by their contents alone, so that a scene gives the
- * same checksums in any folder and on any machine. */
+/* Checksums of the files that a scene names. Two scenes with the same text
+ * differ if the contents of their files differ. The folder and name of a file
+ * do not enter a checksum, so a scene has the same checksums in any folder and
+ * on any machine. */
 #ifndef MURK_WORLD_FILE_SUMS_H
 #define MURK_WORLD_FILE_SUMS_H
 
@@ -8,7 +9,8 @@
 
 #include <stdio.h>
 
-/* The files met so far, each of which is read once. Begins as zeros. */
+/* A cache of checksums by path, so that each file is read once. Begins as
+ * zeros; murk_file_sums_release() frees the contents. */
 typedef struct murk_file_sums {
     size_t n;
     char **path, (*sum)[33];
@@ -16,12 +18,13 @@ typedef struct murk_file_sums {
 
 void murk_file_sums_release(murk_file_sums *sums);
 
-/* Prints a line with the checksum of one file: "-" for NULL, and for a file
- * that cannot be read, which its reader will refuse. False when out of memory.
- */
+/* Prints one line with the checksum of a file to out. The line has "-" in place
+ * of a checksum if path is NULL or if the file cannot be read; the reader of
+ * the file reports that error later. Returns false when out of memory. */
 bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path);
 
-/* Such a line for each file that the scene and its conditions name. */
+/* Prints such a line for each file that the scene and the conditions of the
+ * scene name. Returns false when out of memory. */
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
                           const murk_scene_desc *scene);
 

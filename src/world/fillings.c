@@ -1,3 +1,7 @@
+/* Imports the grids of density and albedo of a scene's media and borrows their
+ * profiles from the scene. The grids are read in subprocesses by medium/grid.h;
+ * a missing frame of a sequence is reported with the list of frames that exist.
+ */
 #include "world/fillings.h"
 
 #include "scene/frames.h"
@@ -7,7 +11,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* A file that is missing from a sequence, or named by its pattern alone. */
+/* Fails if the file of a medium is a frame that does not exist, or if a pattern
+ * of a sequence is given without a frame number. */
 static murk_status find_frame(const murk_scene_medium *m, murk_error *err)
 {
     const char *pattern = m->vdb_frames ? m->vdb_frames : m->vdb;
@@ -57,6 +62,7 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
 murk_status murk_fillings_create(murk_fillings **out,
                                  const murk_scene_desc *scene, murk_error *err)
 {
+    /* Allocate the arrays, one element for each medium. */
     murk_status status = MURK_OK;
     murk_fillings *f = calloc(1, sizeof *f);
     if (f) {
@@ -70,6 +76,7 @@ murk_status murk_fillings_create(murk_fillings **out,
                            "no memory for what fills its media");
         goto done;
     }
+    /* Read the files of each medium. */
     for (size_t i = 0; i < f->n && !status; ++i) {
         const murk_scene_medium *m = &scene->media[i];
         f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,

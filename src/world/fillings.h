@@ -1,5 +1,5 @@
-/* What fills the scene's media: grids of density and albedo, read from their
- * files, and profiles. */
+/* The spatial structure of the media of a scene: grids of density and albedo,
+ * read from their files, and vertical profiles. */
 #ifndef MURK_WORLD_FILLINGS_H
 #define MURK_WORLD_FILLINGS_H
 
@@ -8,23 +8,27 @@
 #include "scene/scene.h"
 
 typedef struct murk_fillings {
-    size_t n;                   /* the scene's media */
-    murk_grid **grid, **albedo; /* [n]; NULL where there is none */
-    murk_profile *profile;      /* [n]; n 0 where there is none */
+    size_t n;                   /* number of media of the scene */
+    murk_grid **grid, **albedo; /* [n]; NULL if the medium has none */
+    murk_profile *profile;      /* [n]; a profile without nodes if the medium
+                                 * has none */
 } murk_fillings;
 
-/* The files of the scene's i-th medium, for checksums: at most two, the rest
- * NULL. A frame that is not there is refused with those that are. */
+/* The files that the i-th medium of the scene names, for checksums. At most two
+ * are set, the others are NULL. Fails if a frame of a sequence does not exist;
+ * the message lists the frames that do. */
 murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
                                 const char *file[2], murk_error *err);
 
-/* Reads all grids, in child processes (medium/grid.h). *out is the caller's:
- * murk_fillings_destroy(). The scene must outlive it. */
+/* Imports all grids, each in a subprocess (medium/grid.h). The caller owns *out
+ * (murk_fillings_destroy()); the scene must outlive it. */
 murk_status murk_fillings_create(murk_fillings **out,
                                  const murk_scene_desc *scene, murk_error *err);
 void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */
 
-/* Puts what fills the scene's i-th medium into it. */
+/* Sets grid, albedo grid and profile of the i-th medium. A profile states the
+ * extinction by itself, so the extinction coefficient of the medium becomes 1.
+ */
 void murk_fillings_give(const murk_fillings *fillings, size_t i,
                         murk_medium *medium);
 

@@ -1,3 +1,7 @@
+/* Regions of interest and the target mesh of a scene. Meshes are imported
+ * first; later, when the surfaces exist, boundary meshes are built from them
+ * and every region is checked: a region in which no photon could ever be stored
+ * is refused before anything is traced. */
 #include "world/goals.h"
 
 #include "base/position.h"
@@ -31,6 +35,7 @@ murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
     murk_goals *goals = calloc(1, sizeof *goals);
     if (!goals) {
         return no_memory(scene, err);
+        /* Allocate. */
     }
     goals->scene = scene;
     goals->mesh = calloc(settings->n_interests + 1, sizeof *goals->mesh);
@@ -39,6 +44,7 @@ murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
         status = no_memory(scene, err);
         goto done;
     }
+    /* Import the meshes of the regions of interest. */
     for (size_t i = 0; i < settings->n_interests && !status; ++i) {
         const murk_scene_interest *r = &settings->interest[i];
         const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
@@ -47,6 +53,7 @@ murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
                                     err);
         }
     }
+    /* Import the mesh of the targets. */
     const murk_scene_targets *t = &settings->targets;
     if (!status && t->mesh) {
         const murk_mesh_import import = {.unit_m = t->unit_m, .up = t->up};
@@ -96,6 +103,8 @@ static murk_status check_name(const murk_scene_placement *settings, size_t i,
     return MURK_OK;
 }
 
+/* The bounding box of the i-th region of interest; infinite if the region has
+ * no shape. */
 static murk_box box_of(const murk_goals *goals, size_t i)
 {
     const murk_scene_interest *r = &goals->scene->placement.interest[i];
@@ -133,7 +142,9 @@ static bool fills_a_region(const murk_scene_desc *scene, int medium)
     return false;
 }
 
-/* What no light could ever be stored in, whatever is traced. */
+/* Fails if no photon could be stored in a region of interest, whatever is
+ * traced: the region lies outside the domain, no surface has the material, or
+ * no region contains the medium. */
 static murk_status check_place(const murk_goals *goals, size_t i,
                                const murk_surfaces *surfaces,
                                const murk_box *domain, murk_error *err)
@@ -183,6 +194,7 @@ static murk_interest_region region_of(const murk_scene_interest *r)
 static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
 {
     const murk_scene_placement *settings = &goals->scene->placement;
+    /* The meshes of the regions of interest form one set. */
     murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
     size_t n = 0;
     for (size_t i = 0; i < settings->n_interests; ++i) {
@@ -200,6 +212,7 @@ static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
         n > 0
             ? murk_boundary_meshes_create(&goals->boundary_meshes, desc, n, err)
             : MURK_OK;
+    /* The mesh of the targets is a set of its own. */
     const murk_scene_targets *t = &settings->targets;
     if (!status && goals->target_mesh) {
         const murk_boundary_mesh_desc target = {
@@ -213,7 +226,8 @@ static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
     return status;
 }
 
-/* Sensors that ask where light comes from see nothing of what has none. */
+/* Fails if a sensor type selects light by arrival direction although the scene
+ * has targets: a target is a point without arriving light. */
 static murk_status check_arrival(const murk_scene_desc *scene, murk_error *err)
 {
     for (size_t i = 0; i < scene->sensors.types; ++i) {

@@ -1,5 +1,5 @@
-/* What a scene's plans are to see: its regions of interest, and the mesh that
- * targets may be drawn from. */
+/* The things that a plan of this scene must cover: the regions of interest, and
+ * the mesh whose volume targets are drawn from. */
 #ifndef MURK_WORLD_GOALS_H
 #define MURK_WORLD_GOALS_H
 
@@ -9,30 +9,38 @@
 
 typedef struct murk_goals murk_goals;
 
-/* Imports the meshes, in child processes: call before any thread or ray device
- * exists. *out is the caller's: murk_goals_destroy(). The scene must outlive
+/* Imports the meshes in subprocesses; call it before any thread or ray device
+ * exists. The caller owns *out (murk_goals_destroy()). The scene must outlive
  * it. */
 murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
                               murk_error *err);
 void murk_goals_destroy(murk_goals *goals); /* NULL is fine */
 
-/* Makes them ready for these surfaces. Fails with MURK_BAD_VALUE at the place
- * of a region of interest: a name given twice, an open mesh, a place where
- * nothing can be stored; or of targets: an open mesh. */
+/* Builds the regions of interest and the target mesh for these surfaces and
+ * this domain. Fails with MURK_BAD_VALUE at the place of a region of interest
+ * if two regions have the same name, if a mesh is open, or if no photon could
+ * be stored in the region; at the place of the targets if their mesh is open;
+ * and at the place of a sensor type if it selects light by arrival although the
+ * scene has targets. */
 murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
                              const murk_domain *domain, murk_error *err);
 
-/* Built; NULL where there are no regions of interest. */
+/* The regions of interest; NULL if the scene has none. Only after
+ * murk_goals_build(). */
 const murk_interest *murk_goals_interest(const murk_goals *goals);
 
-/* Built, of one region, number 0; NULL where targets have no mesh. */
+/* The mesh that targets are drawn from, as boundary mesh number 0; NULL if the
+ * scene has none. Only after murk_goals_build(). */
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals);
 
-/* The regions of interest that something seen lies in, bit i for region i. */
+/* The regions of interest that contain at least one record of the sight: bit i
+ * is set for region i. */
 uint64_t murk_goals_seen(const murk_sight *sight);
 
-/* Fails with MURK_RUN_FAILED at the place of one that is not among them: by one
- * sight, or several together (over conditions, smoke may be in one only). */
+/* Fails with MURK_RUN_FAILED at the place of the first region of interest whose
+ * bit is not set in seen. Over several conditions, seen is the union of the
+ * bits of all conditions: smoke, for example, may be present in one condition
+ * only. */
 murk_status murk_goals_check_seen(const murk_goals *goals, uint64_t seen,
                                   murk_error *err);
 

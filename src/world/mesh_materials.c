@@ -1,6 +1,8 @@
 /* Lists the material names of imported meshes with the area of their triangles
- * and the scene's material that these got (geometry/gather.c assigns it by the
- * same function), and warns of names and entries that met nothing. */
+ * and with the material of the scene that each name was given.
+ * (geometry/gather.c assigns the materials by the same function.) Warns of
+ * names that match no entry of `materials` and of entries that no surface uses.
+ */
 #include "world/mesh_materials.h"
 
 #include "base/log.h"
@@ -11,19 +13,21 @@
 #include <string.h>
 #include <strings.h>
 
-/* Names in one warning: as many as some 400 characters hold. */
+/* Names that one warning lists, and the size of the text: 8 names fill some 400
+ * characters. */
 #define NAMES_IN_WARNING 8
 #define WARNING_SIZE     480
 
-/* What importers call the material of triangles that have none in the file:
- * no name that a user has written. */
+/* Importers give these names to triangles that have no material in the file;
+ * the user has not written them. */
 static bool is_no_name(const char *name)
 {
     return !*name || strcasecmp(name, "default") == 0 ||
            strcasecmp(name, "DefaultMaterial") == 0;
 }
 
-/* Adds the area of each triangle, placed in the world, to its name's. */
+/* Adds the area of each triangle in world coordinates to the sum of the
+ * material name. */
 static void add_areas(double *area_m2, const murk_mesh *mesh,
                       const murk_affine *to_world)
 {
@@ -41,6 +45,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
                                 const murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
+    /* Count the names of all meshes, and the most names of one mesh. */
     size_t all = 0, max = 0;
     for (size_t i = 0; i < scene->geometries; ++i) {
         const size_t names = stage->mesh[i] ? stage->mesh[i]->materials : 0;
@@ -55,6 +60,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
         return murk_fail(err, MURK_NO_MEMORY, scene->path,
                          "no memory for %zu names of materials", all);
     }
+    /* Sum the areas of each mesh and list the names that have an area. */
     size_t found = 0;
     for (size_t i = 0; i < scene->geometries; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
@@ -68,7 +74,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
         add_areas(area_m2, mesh, &to_world);
         for (size_t k = 0; k < mesh->materials; ++k) {
             if (!(area_m2[k] > 0)) {
-                continue; /* the file defines it and no triangle has it */
+                continue; /* defined in the file, but no triangle uses it */
             }
             murk_mesh_material *m = &list[found++];
             *m = (murk_mesh_material){.geometry = i,
@@ -87,7 +93,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
     return MURK_OK;
 }
 
-/* "walls", "floor" and 3 more: those of one mesh that fell to `default`. */
+/* One warning for the names of one mesh that got the material `default`. */
 static void warn_of_names(const murk_mesh_material *list, size_t n,
                           const murk_scene_desc *scene)
 {

@@ -1,6 +1,6 @@
-/* The materials that mesh files name, and what the scene makes of them. A name
- * that no entry of `materials` has falls to `default` without being an error,
- * so the user must be able to see it. */
+/* The material names of imported mesh files and the materials of the scene that
+ * they were given. A name without an entry in `materials` gets the material
+ * `default` without an error, so the user must be able to see that. */
 #ifndef MURK_WORLD_MESH_MATERIALS_H
 #define MURK_WORLD_MESH_MATERIALS_H
 
@@ -8,21 +8,24 @@
 
 /* One material name of one mesh file of `geometry`. */
 typedef struct murk_mesh_material {
-    size_t geometry;  /* index into the scene's geometry */
+    size_t geometry;  /* index into the geometry of the scene */
     const char *name; /* as the importer gives it; borrowed from the mesh */
-    double area_m2;   /* of its triangles, in the world; more than 0 */
-    int material;     /* index into the scene's materials: what they got */
-    bool is_forced;   /* geometry.*.material says so, not the name */
-    bool is_named;    /* an entry of `materials` has the name */
+    double area_m2;   /* area of the triangles with this name, in world
+                       * coordinates; above 0 */
+    int material;     /* index into the materials of the scene: the material
+                       * that the triangles got */
+    bool is_forced;   /* the key geometry.*.material chose the material, not the
+                       * name */
+    bool is_named;    /* `materials` has an entry of this name */
 } murk_mesh_material;
 
-/* All names that have an area, in the order of geometry and file. *out is the
- * caller's: free(). */
+/* All material names that have an area, ordered by geometry and by their order
+ * in the file. The caller owns *out: free(). */
 murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
                                 const murk_stage *stage, murk_error *err);
 
-/* Warns of names that fell to `default`, a line a mesh, and of entries of
- * `materials` that neither a name nor a geometry refers to. */
+/* Warns of names that got the material `default`, one line for each mesh, and
+ * of entries of `materials` that no surface uses. */
 void murk_warn_of_materials(const murk_stage *stage);
 
 #endif

@@ -1,3 +1,7 @@
+/* Tabulates a mixture of phase functions: evaluates each part at a common set
+ * of scattering angles (medium/phase.h), adds the values weighted by the
+ * shares, and passes the rows to the table builder of medium/phase_table.h. A
+ * mixture that is one table only is passed on unchanged. */
 #include "world/mixtures.h"
 
 #include "medium/phase.h"
@@ -7,12 +11,13 @@
 
 #define RADIANS (3.14159265358979323846 / 180)
 
-/* Steps of the angles at which densities are summed. Between them the table's
- * law is straight in log angle and log value: off by step^2 / 8 times the
- * second derivative there, which is some 2 for Henyey-Greenstein and 10 for
- * the backward rise of Rayleigh's: 1e-5. */
+/* The scattering angles of the rows: logarithmic steps from FIRST_DEG to
+ * EVEN_DEG, even steps beyond. Between two rows the table is linear in log
+ * angle and log value. The relative error is step^2 / 8 times the second
+ * derivative there, which is about 2 for Henyey-Greenstein and 10 for the
+ * backward rise of Rayleigh scattering: 1e-5. */
 #define FIRST_DEG      1e-3
-#define LOG_STEPS      400 /* a decade, up to EVEN_DEG */
+#define LOG_STEPS      400 /* per decade, up to EVEN_DEG */
 #define EVEN_DEG       10.0
 #define EVEN_STEP_DEG  .1
 #define STEPS_MAX      (4 * LOG_STEPS + 1700 + 1)
@@ -32,6 +37,8 @@ static murk_status no_memory(const char *where, murk_error *err)
                      "no memory for a phase function");
 }
 
+/* The table of a part that has no closed form with an inverse cumulative
+ * distribution: Fournier-Forand or given rows. */
 static murk_status table_of(murk_phase_table **out,
                             const murk_mixture_part *part, const char *where,
                             murk_error *err)
@@ -65,11 +72,13 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Even steps and the angles of the tables, each once. */
+/* Fills m->angle_deg with the steps above and the angles of all given tables,
+ * in rising order, each angle once. */
 static void lay_angles(mixing *m)
 {
     double *at = m->angle_deg;
     size_t n = 0;
+    /* Logarithmic steps up to EVEN_DEG, even steps to 180 degrees. */
     const double decades = log10(EVEN_DEG / FIRST_DEG);
     for (double i = 0; i < decades * LOG_STEPS; ++i) {
         at[n++] = FIRST_DEG * pow(10, i / LOG_STEPS);
@@ -77,6 +86,7 @@ static void lay_angles(mixing *m)
     for (double i = 0; i <= EVEN_STEPS_DEG / EVEN_STEP_DEG; ++i) {
         at[n++] = fmin(EVEN_DEG + i * EVEN_STEP_DEG, 180);
     }
+    /* The angles of given tables, because their values may bend there. */
     for (size_t i = 0; i < m->mixture->n; ++i) {
         const murk_mixture_part *part = &m->mixture->part[i];
         for (size_t k = 0; k < part->angles; ++k) {
@@ -85,6 +95,8 @@ static void lay_angles(mixing *m)
             }
         }
     }
+    /* Sort, and drop angles that agree to 1e-9 of their value: a smaller step
+     * would leave the slope of the table to rounding. */
     qsort(at, n, sizeof *at, compare);
     m->angles = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -94,6 +106,7 @@ static void lay_angles(mixing *m)
     }
 }
 
+/* Evaluates the mixture at every angle and builds the table. */
 static murk_status add_up(murk_phase_table **out, const mixing *m,
                           const char *where, murk_error *err)
 {
@@ -128,6 +141,7 @@ murk_status murk_mixture_table(murk_phase_table **out,
     for (size_t i = 0; i < mixture->n; ++i) {
         max += mixture->part[i].angles;
     }
+    /* Evaluate each part at all angles and add. */
     mixing m = {.mixture = mixture,
                 .phase = calloc(mixture->n, sizeof *m.phase),
                 .table = calloc(mixture->n, sizeof *m.table),
@@ -141,6 +155,7 @@ murk_status murk_mixture_table(murk_phase_table **out,
         lay_angles(&m);
         status = add_up(out, &m, where, err);
     }
+    /* Free the tables of the parts: the result has rows of its own. */
     for (size_t i = 0; m.table && i < mixture->n; ++i) {
         murk_phase_table_destroy(m.table[i]);
     }

@@ -1,14 +1,16 @@
-/* A preset's mixture of phase functions as one table. */
+/* The mixture of phase functions of a preset, tabulated as one phase function.
+ */
 #ifndef MURK_WORLD_MIXTURES_H
 #define MURK_WORLD_MIXTURES_H
 
 #include "medium/phase_table.h"
 #include "preset/preset.h"
 
-/* Within some MURK_PHASE_TOLERANCE of the sum of shares times densities, except
- * that below .001 degrees the law of the first rows goes on. *out is the
- * caller's: murk_phase_table_destroy(). Fails with MURK_BAD_VALUE at `where`,
- * or at the row of a table. */
+/* Tabulates the sum of share times phase function over the parts of the
+ * mixture. The table agrees with the sum within about MURK_PHASE_TOLERANCE;
+ * below 0.001 degrees the power law of the first two rows is continued. The
+ * caller owns *out (murk_phase_table_destroy()). Fails with MURK_BAD_VALUE at
+ * `where`, or at a row of a given table. */
 murk_status murk_mixture_table(murk_phase_table **out,
                                const murk_mixture *mixture, const char *where,
                                murk_error *err);

@@ -1,3 +1,7 @@
+/* Builds the phase functions of the media of a scene from the scene structs.
+ * Phase functions in closed form are set directly; Fournier-Forand, measured
+ * tables (CSV) and mixtures of presets become tables (medium/phase_table.h),
+ * and phase functions with equal parameters share one table. */
 #include "world/phases.h"
 
 #include "base/log.h"
@@ -9,10 +13,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Some 130 MB: a scene may name many files. */
+/* Limit on the nodes of all tables of a scene, some 130 MB: a scene may name
+ * many files. */
 #define NODES_MAX 4000000
 
-/* Share that no row speaks of, from which on it is worth a warning. */
+/* A table is extended beyond the first and the last row. Warn if more than this
+ * share of the scattered light lies in such an extension. */
 #define BEYOND_ROWS .1
 
 static murk_status no_memory(const char *where, murk_error *err)
@@ -32,7 +38,7 @@ static murk_status find_column(const murk_table *csv, const char *name,
                                     name);
 }
 
-/* A column's numbers; the caller's. */
+/* Reads the numbers of one column. The caller owns *out. */
 static murk_status read_column(double **out, const murk_table *csv,
                                const char *name, murk_error *err)
 {
@@ -52,6 +58,7 @@ static murk_status read_column(double **out, const murk_table *csv,
     return status;
 }
 
+/* Warns if much of the light lies outside the rows of a table. */
 static void warn_of_guesses(const murk_phase_table *table, const char *path)
 {
     const murk_phase_facts *facts = murk_phase_table_facts(table);
@@ -63,11 +70,13 @@ static void warn_of_guesses(const murk_phase_table *table, const char *path)
     }
 }
 
+/* Reads a table of scattering angle and phase function from a CSV file. */
 static murk_status read_table(murk_phase_table **out, const char *path,
                               murk_error *err)
 {
     murk_table *csv = NULL;
     double *angle = NULL, *value = NULL;
+    /* Read both columns. */
     murk_status status = murk_table_read(&csv, path, err);
     if (!status) {
         status = read_column(&angle, csv, "angle_deg", err);
@@ -75,6 +84,7 @@ static murk_status read_table(murk_phase_table **out, const char *path,
     if (!status) {
         status = read_column(&value, csv, "phase_per_sr", err);
     }
+    /* Normalise them and build the table. */
     if (!status) {
         const murk_phase_rows rows = {.rows = csv->rows,
                                       .angle_deg = angle,
@@ -98,6 +108,8 @@ static bool needs_table(const murk_scene_phase *phase)
            murk_phase_is_tabulated(phase->kind);
 }
 
+/* True if two phase functions that need a table have the same table. Mixtures
+ * are compared by identity alone. */
 static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
 {
     if (a->mixture || b->mixture) {
@@ -120,8 +132,8 @@ static murk_status make_table(murk_phase_table **out,
                                               phase->where, err);
 }
 
-/* The table of this phase: one that is there already, or a new one. NULL in
- * *out where it needs none. */
+/* Sets *out to the table of a phase function, one that exists already or a new
+ * one; to NULL if the phase function needs no table. */
 static murk_status find_table(const murk_phase_table **out, murk_phases *phases,
                               const murk_scene_phase *phase, murk_error *err)
 {
@@ -129,12 +141,14 @@ static murk_status find_table(const murk_phase_table **out, murk_phases *phases,
     if (!needs_table(phase)) {
         return MURK_OK;
     }
+    /* Search the existing tables. */
     for (size_t i = 0; i < phases->n && !*out; ++i) {
         *out = is_same(phases->of[i], phase) ? phases->table[i] : NULL;
     }
     if (*out) {
         return MURK_OK;
     }
+    /* Build a new table; their total size is limited. */
     murk_phase_table *made = NULL;
     const murk_status status = make_table(&made, phase, err);
     if (status) {
@@ -160,6 +174,8 @@ static murk_phase phase_of(const murk_scene_phase *p, int band,
                                       : murk_phase_of(p->kind, p->value);
 }
 
+/* Sets the phase functions of one medium: one for all bands, or one for each
+ * band. */
 static murk_status fill_medium(murk_phases *phases,
                                const murk_scene_desc *scene, size_t medium,
                                murk_error *err)
@@ -182,6 +198,8 @@ static murk_status fill_medium(murk_phases *phases,
 murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
                                murk_error *err)
 {
+    /* Allocate for the largest number of tables: one for each phase function.
+     */
     murk_status status = MURK_OK;
     murk_phases *phases = calloc(1, sizeof *phases);
     size_t max = 0;
@@ -197,6 +215,7 @@ murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
         status = no_memory(scene->path, err);
         goto done;
     }
+    /* Build the phase functions of each medium. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
         status = fill_medium(phases, scene, i, err);
     }

@@ -1,3 +1,5 @@
+/* Converts the tallies of a scene into those of the photon tracer
+ * (transport/tallies.h) and creates them for a run. */
 #include "world/scene_tallies.h"
 
 #include <stdlib.h>

@@ -4,18 +4,19 @@
 
 #include "world/stage.h"
 
-/* What the scene asks for, checked against the domain: scene->n_tallies of
- * them, NULL for none. *out is the caller's to free(). */
+/* Converts the tallies of the scene and checks them against the domain. *out
+ * has scene->n_tallies elements and belongs to the caller: free(); it is NULL
+ * if the scene has no tallies. */
 murk_status murk_tallies_asked(murk_tally_desc **out,
                                const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err);
 
-/* Bytes that a run with the stage's tallies takes for them, at most. */
+/* An upper bound on the bytes that the tallies of this stage take in a run. */
 double murk_tallies_bytes(const murk_stage *stage, unsigned threads);
 
-/* Made for that many threads; *out is NULL where the scene has none. Refused
- * where they take more than memory_most_bytes. *out is the caller's:
- * murk_tallies_destroy(). */
+/* Creates the tallies of a run for that many threads; *out is NULL if the scene
+ * has none. Fails if they would take more than memory_max_bytes. The caller
+ * owns *out: murk_tallies_destroy(). */
 murk_status murk_tallies_of_stage(murk_tallies **out, const murk_stage *stage,
                                   unsigned threads, double memory_max_bytes,
                                   murk_error *err);

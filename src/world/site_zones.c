@@ -1,12 +1,17 @@
+/* Converts the zones of a scene (boxes, spheres, meshes) into those of
+ * geometry/zones.h. Meshes are imported early, before any ray device exists;
+ * the zones are built when candidate sites are wanted. */
 #include "world/site_zones.h"
 
 #include <stdlib.h>
 
 struct murk_site_meshes {
-    size_t n;         /* zones to avoid, then those to keep within */
-    murk_mesh **mesh; /* [n] NULL for other shapes */
+    size_t n;         /* number of zones to avoid, followed by those to keep
+                       * within */
+    murk_mesh **mesh; /* [n]; NULL if the zone is not a mesh */
 };
 
+/* The i-th zone: zones to avoid come first. */
 static const murk_scene_site_zone *
 zone_at(const murk_scene_candidates *settings, size_t i)
 {
@@ -17,6 +22,7 @@ zone_at(const murk_scene_candidates *settings, size_t i)
 murk_status murk_site_meshes_read(murk_site_meshes **out,
                                   const murk_scene_desc *scene, murk_error *err)
 {
+    /* Allocate. */
     const murk_scene_candidates *settings = &scene->sensors.candidates;
     murk_status status = MURK_OK;
     murk_site_meshes *made = calloc(1, sizeof *made);
@@ -29,6 +35,7 @@ murk_status murk_site_meshes_read(murk_site_meshes **out,
                            "no memory for its zones");
         goto done;
     }
+    /* Import the meshes. */
     for (size_t i = 0; i < made->n && !status; ++i) {
         const murk_scene_site_zone *zone = zone_at(settings, i);
         const murk_mesh_import import = {.unit_m = zone->unit_m,

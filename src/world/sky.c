@@ -1,3 +1,11 @@
+/* Light sources of the sky for a place and a time. The position of sun and moon
+ * comes from source/ephemeris.h, irradiance under a clear sky from
+ * source/clear_sky.h, spectra from source/solar_spectrum.h, moonlight, twilight
+ * and airglow from source/moonlight.h, source/twilight.h and
+ * source/night_sky.h; each of these headers cites the model. This file adds
+ * clouds (Kasten and Czeplak 1980, below), the radiance distribution of the sky
+ * (CIE standard general sky), the split of the irradiance into bands, and the
+ * schedules of lamps. */
 #include "world/sky.h"
 
 #include <assert.h>
@@ -13,17 +21,18 @@
 #include "source/solar_spectrum.h"
 #include "source/twilight.h"
 
-#define DAY_S     86400.0
-#define RAD       (MURK_PI / 180)
-#define RIGHT_DEG 90.0
+#define DAY_S     86400.0         /* seconds of a day */
+#define RAD       (MURK_PI / 180) /* radians in a degree */
+#define RIGHT_DEG 90.0            /* elevation of the zenith */
 
-/* The sun's middle at sunrise and sunset, as almanacs count them: refraction
- * at the horizon of 34' and a semidiameter of 16'. */
+/* Elevation of the centre of the sun at sunrise and sunset by the convention of
+ * almanacs: refraction at the horizon of 34' and a semidiameter of 16'. */
 #define SUNRISE_DEG (-50.0 / 60)
 
-/* What cloud over a share N of the sky leaves of the global irradiance, and
- * how much of that comes from the sky: 1 - .75 N^3.4 and .3 + .7 N^2. Source:
- * F. Kasten and G. Czeplak, Solar Energy 24 (1980) 177,
+/* The effect of clouds over a share N of the sky: left is the share of the
+ * global irradiance of a clear sky that remains, 1 - .75 N^3.4; diffuse is the
+ * share of the remaining irradiance that is diffuse, .3 + .7 N^2. Source: F.
+ * Kasten and G. Czeplak, Solar Energy 24 (1980) 177,
  * doi:10.1016/0038-092X(80)90391-6. */
 typedef struct clouds {
     double left, diffuse;
@@ -38,7 +47,7 @@ static clouds clouds_of(murk_scene_cover cover)
     return (clouds){1 - .75 * pow(n, 3.4), .3 + .7 * n * n};
 }
 
-/* ---- where things stand ---- */
+/* ---- positions of sun and moon ---- */
 
 static murk_observer observer_of(const murk_scene_site *site)
 {
@@ -53,6 +62,8 @@ static murk_observer observer_of(const murk_scene_site *site)
 typedef murk_status (*body_finder)(murk_body *out, const murk_observer *,
                                    double, murk_error *);
 
+/* Computes the position of a body at the site and time; an error names the
+ * time. */
 static murk_status find(murk_body *out, body_finder at,
                         const murk_scene_site *site, const char *where,
                         murk_error *err)
@@ -69,7 +80,8 @@ static murk_status find(murk_body *out, body_finder at,
     return murk_fail(err, status, where, "at %s: %s", time, told.text);
 }
 
-/* From the ground to a body, for a scene's north. */
+/* Unit vector from the ground towards a body; north is the unit vector of north
+ * in the coordinates of the scene. */
 static murk_vec3 towards(const murk_body *body, murk_vec3 north)
 {
     const murk_vec3 east = murk_vec(north.y, -north.x, 0);
@@ -82,8 +94,8 @@ static murk_vec3 towards(const murk_body *body, murk_vec3 north)
 
 /* ---- schedules ---- */
 
-/* Whether the local clock is within one of the spans; one that ends before it
- * begins passes midnight. */
+/* True if the local time of day lies in one of the spans. A span whose end is
+ * before its begin passes midnight. */
 static bool is_within_spans(const murk_scene_schedule *schedule,
                             const murk_scene_site *site)
 {
@@ -99,6 +111,7 @@ static bool is_within_spans(const murk_scene_schedule *schedule,
     return false;
 }
 
+/* True if the sun is below the horizon at the time of the scene. */
 static murk_status is_night(bool *out, const murk_scene_desc *scene,
                             const char *where, murk_error *err)
 {
@@ -116,6 +129,8 @@ static murk_status is_night(bool *out, const murk_scene_desc *scene,
     return status;
 }
 
+/* True if the schedule of a lamp has it switched on at the time of the scene.
+ */
 static murk_status shines(bool *out, const murk_scene_desc *scene,
                           const murk_scene_light *light, murk_error *err)
 {
@@ -135,10 +150,10 @@ static murk_status shines(bool *out, const murk_scene_desc *scene,
     return MURK_OK;
 }
 
-/* ---- how much comes ---- */
+/* ---- irradiance and spectrum ---- */
 
-/* Beyond its ends a spectrum has no light, which is no more than its model's
- * silence. */
+/* Warns if a band reaches beyond the wavelengths of the spectrum: the spectrum
+ * is 0 there only because the model ends. */
 static void warn_beyond(const murk_scene_desc *scene,
                         const murk_scene_light *light,
                         const murk_solar_spectrum *spectrum)
@@ -158,8 +173,9 @@ static void warn_beyond(const murk_scene_desc *scene,
     }
 }
 
-/* A model's irradiance over all wavelengths [W/m2], spread over the bands; or
- * the light's own, where it has one. */
+/* Splits an irradiance over all wavelengths [W/m2] into bands by the spectrum.
+ * A total that the user gives replaces the irradiance of the model; irradiances
+ * that the user gives for each band are used as they are. */
 static murk_spectrum spread(const murk_scene_desc *scene,
                             const murk_scene_light *light,
                             const murk_solar_spectrum *spectrum,
@@ -170,15 +186,17 @@ static murk_spectrum spread(const murk_scene_desc *scene,
         return out;
     }
     warn_beyond(scene, light, spectrum);
+    /* Shares of the bands in the spectrum. */
     double all = 0;
     for (int b = 0; b < scene->bands; ++b) {
         out.band[b] =
             scene->has_edges
                 ? murk_solar_spectrum_share(spectrum, scene->band_edge_nm[b],
                                             scene->band_edge_nm[b + 1])
-                : 1; /* one line, of a given total */
-        all += out.band[b];
+                : 1;        /* one line, of a given total */
+        all += out.band[b]; /* a single wavelength: the user gives the total */
     }
+    /* Scale the shares to the irradiance. */
     const double scale = !light->has_irradiance ? irradiance
                          : all > 0              ? light->power_w.band[0] / all
                                                 : 0;
@@ -188,16 +206,17 @@ static murk_spectrum spread(const murk_scene_desc *scene,
     return out;
 }
 
-/* Lumens in a watt of the whole spectrum. */
+/* Luminous efficacy of the spectrum: lumens per watt over all wavelengths. */
 static double lumen_per_watt(const murk_solar_spectrum *spectrum)
 {
-    const double from = 380, to = 780; /* what eyes see */
+    const double from = 380, to = 780; /* nm; limits of the photopic luminosity
+                                        * function */
     return murk_solar_spectrum_share(spectrum, from, to) *
            murk_quantity_per_watt_of(MURK_PHOTOMETRIC, from, to,
                                      murk_solar_spectrum_at, spectrum);
 }
 
-/* The spectrum of light from a body at this height. */
+/* The spectrum of sun, moon or sky for a body at this apparent elevation. */
 static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
                                        const murk_scene_light *light,
                                        double elevation_deg)
@@ -214,7 +233,7 @@ static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
     return out;
 }
 
-/* The sun and what a clear sky makes of it. */
+/* Position of the sun and irradiance under a clear sky. */
 typedef struct daylight {
     murk_body sun;
     murk_clear_sky clear;
@@ -241,7 +260,7 @@ static murk_status look_up(daylight *out, const murk_scene_light *light,
     return MURK_OK;
 }
 
-/* Where a light's rays go from a body at this place. */
+/* Sets a directional source whose rays come from the body. */
 static void aim_from(murk_source *out, const murk_body *body, murk_vec3 north)
 {
     out->direction = murk_scale(-1, towards(body, north));
@@ -261,6 +280,8 @@ static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
     facts->elevation_deg = day.sun.elevation_deg;
     facts->is_on = day.sun.elevation_deg > 0;
     aim_from(out, &day.sun, scene->north);
+    /* Clouds leave the share that is not diffuse; never more than the direct
+     * irradiance of a clear sky. */
     double direct = day.clear.direct_w_per_m2;
     if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
         const clouds c = clouds_of(light->cover);
@@ -291,6 +312,7 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     if (status) {
         return status;
     }
+    /* Moonlight of a clear sky. */
     const murk_moon moon = moon_of(&body);
     const murk_moonlight moonlight = murk_moonlight_at(
         &moon,
@@ -299,6 +321,7 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     facts->elevation_deg = body.elevation_deg;
     facts->is_on = body.elevation_deg > 0;
     aim_from(out, &body, scene->north);
+    /* Clouds dim the moon as they dim the sun, relative to a clear sky. */
     const clouds c = clouds_of(light->cover),
                  none = clouds_of(MURK_SCENE_CLEAR);
     const double seen = c.left * (1 - c.diffuse) / (1 - none.diffuse);
@@ -310,7 +333,8 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
-/* Diffuse light of day and twilight on a level plane [W/m2]. */
+/* Diffuse irradiance on a level plane by day and in twilight [W/m2]: the larger
+ * of both models, so that they join without a gap. */
 static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
                                  const murk_solar_spectrum *spectrum)
 {
@@ -328,12 +352,14 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
                              const murk_scene_desc *scene,
                              const murk_scene_light *light, murk_error *err)
 {
+    /* CIE standard general sky types: 12 clear, 7 partly cloudy, 1 overcast. */
     static const int type_of[] = {[MURK_SCENE_CLEAR] = 12,
                                   [MURK_SCENE_INTERMEDIATE] = 7,
                                   [MURK_SCENE_OVERCAST] = 1};
     const murk_spectrum_source source = light->cover == MURK_SCENE_CLEAR
                                             ? MURK_SPECTRUM_CLEAR_SKY
                                             : MURK_SPECTRUM_OVERCAST;
+    /* Positions of sun and moon. */
     daylight day;
     murk_body body;
     murk_status status = look_up(&day, light, err);
@@ -343,6 +369,7 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     if (status) {
         return status;
     }
+    /* Diffuse irradiance from the sun and from the moon. */
     const murk_moon moon = moon_of(&body);
     const murk_moonlight moonlight = murk_moonlight_at(
         &moon,
@@ -354,6 +381,7 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     const double by_moon = clouds_of(light->cover).left *
                            moonlight.diffuse_lux /
                            lumen_per_watt(&facts->spectrum);
+    /* The brighter of the two shapes the radiance distribution. */
     const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
     facts->azimuth_deg = day.sun.azimuth_deg;
     facts->elevation_deg = day.sun.elevation_deg;
@@ -364,8 +392,9 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
-/* Airglow is a layer: brighter towards the horizon, where more air dims it
- * again; an even sky of the same level irradiance stands for both. */
+/* Airglow comes from a layer: its radiance rises towards the horizon, and the
+ * longer path through air lowers it again. An even sky of the same irradiance
+ * on a level plane stands for both. */
 static murk_status night_light(murk_source *out, murk_sky_facts *facts,
                                const murk_scene_desc *scene,
                                const murk_scene_light *light, murk_error *err)
@@ -420,6 +449,7 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     murk_status status;
     *facts = (murk_sky_facts){
         .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
+    /* Sources of the sky are computed; lamps follow their schedule. */
     if (murk_scene_light_is_of_sky(l)) {
         *out = (murk_source){.type = l->type, .where = l->where};
         status = of_sky[l->type](out, facts, scene, l, err);
@@ -430,6 +460,7 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     if (status) {
         return status;
     }
+    /* A source that is off has no power; a source without power is off. */
     if (!facts->is_on) {
         out->power_w = murk_spectrum_flat(0, MURK_BANDS_MAX);
     }

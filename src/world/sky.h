@@ -1,7 +1,9 @@
-/* The scene's lights as the light room wants them: where sun and moon stand,
- * how much comes from them and from the sky, and which lamps are on.
+/* Converts the light sources of a scene into those of the room source: computes
+ * the positions of sun and moon, the irradiance of sun, moon and sky, and which
+ * lamps are on at the time of the scene.
  *
- * Irradiances are those of a real atmosphere, at the domain's boundary. */
+ * Irradiances are those of a real atmosphere and hold at the boundary of the
+ * domain. */
 #ifndef MURK_WORLD_SKY_H
 #define MURK_WORLD_SKY_H
 
@@ -10,25 +12,30 @@
 #include "source/solar_spectrum.h"
 #include "source/sources.h"
 
-/* What was found of one light. */
+/* Properties that were computed for one light source of the scene. */
 typedef struct murk_sky_facts {
-    bool is_on;         /* lamps: by their schedule; else: any light from it */
-    double azimuth_deg; /* sun, moon; sky: of the sun; clockwise from north */
-    double elevation_deg;       /* of the same, apparent */
-    double irradiance_w_per_m2; /* distant light, over all bands: sun, moon and
-                                   directional at right angles to the beam,
-                                   skies on a level plane */
-    murk_solar_spectrum spectrum; /* of sun, moon and skies; else no nodes: even
-                                     within a band */
+    bool is_on;           /* true if the source emits: a lamp according to its
+                           * schedule, distant light if the irradiance is not 0 */
+    double azimuth_deg;   /* azimuth of sun or moon, for a sky that of the sun;
+                           * clockwise from north */
+    double elevation_deg; /* apparent elevation of the same body */
+    double irradiance_w_per_m2;   /* of distant light, summed over the bands:
+                                   * normal to the beam for sun, moon and
+                                   * directional light, on a level plane for skies
+                                   */
+    murk_solar_spectrum spectrum; /* spectrum of sun, moon and skies; without
+                                   * nodes for other sources, whose power is
+                                   * even within a band */
 } murk_sky_facts;
 
-/* A light that is not of the sky, as the scene states it; it borrows from the
- * scene. */
+/* Converts a light source that does not belong to the sky: a lamp or
+ * directional light. The result borrows from the scene. */
 murk_source murk_sky_lamp(const murk_scene_light *light);
 
-/* One light of the scene; it borrows from the scene. All of its power_w is 0
- * where it does not shine at the scene's time. Fails at the light's place
- * where its time is not one that the ephemeris knows. */
+/* Converts one light source of the scene. *out borrows from the scene. Every
+ * element of power_w is 0 if the source does not emit at the time of the scene.
+ * Fails at the place of the light source if the ephemeris does not cover the
+ * time. */
 murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
                            const murk_scene_desc *scene, size_t light,
                            murk_error *err);

@@ -1,3 +1,6 @@
+/* Prints the geometry of each light source of a scene, as the photon tracer
+ * sees it, in hexadecimal floating point, so that equal texts mean equal bits.
+ */
 #include "world/source_shapes.h"
 
 #include "world/sky.h"
@@ -17,8 +20,9 @@ static void put_vector(FILE *out, murk_vec3 v)
     fprintf(out, "%a %a %a\n", v.x, v.y, v.z);
 }
 
-/* All of a light but its power. Of distant light that does not shine it is
- * nothing: where a sun that is down stands makes no difference. */
+/* Prints all properties of a source but its power. Distant light that does not
+ * emit prints one word: the position of a sun below the horizon changes no
+ * photon. */
 static void put_light(FILE *out, const murk_source *l)
 {
     if (murk_source_is_distant(l) && !shines(l)) {
@@ -32,7 +36,8 @@ static void put_light(FILE *out, const murk_source *l)
     put_vector(out, l->direction);
     fprintf(out, "%a %a %a %a %a %a\n", l->angular_radius_rad, l->dome.a,
             l->dome.b, l->dome.c, l->dome.d, l->dome.e);
-    if (l->dome.c != 0 || l->dome.e != 0) { /* else it is not read */
+    if (l->dome.c != 0 || l->dome.e != 0) { /* otherwise the direction is not
+                                             * used */
         put_vector(out, l->dome.towards);
     }
     for (size_t i = 0; i < l->portals; ++i) {

@@ -1,5 +1,5 @@
-/* All of a scene's lights but their power, as text: scenes of equal texts have
- * lights that differ in power alone. */
+/* A text that describes the light sources of a scene except their power. If two
+ * scenes have the same text, their light sources differ in power alone. */
 #ifndef MURK_WORLD_SOURCE_SHAPES_H
 #define MURK_WORLD_SOURCE_SHAPES_H
 
@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-/* Fails as murk_sky_light(). */
+/* Prints the text to out. Fails as murk_sky_light() does. */
 murk_status murk_source_shapes_print(FILE *out, const murk_scene_desc *scene,
                                      murk_error *err);
 

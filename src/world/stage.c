@@ -1,4 +1,5 @@
-/* Questions about a built stage, and the trace of its world. */
+/* Properties of a stage that has been built, and the settings for tracing
+ * photons in it. */
 #include "world/stage.h"
 
 murk_trace murk_stage_trace(const murk_stage *stage)

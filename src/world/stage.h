@@ -1,8 +1,6 @@
-/* The world of a scene: the one place where the scene's structs become
- * surfaces, media and lights.
- *
- * Meshes and grids are imported first, in child processes, before any ray
- * device or thread exists. */
+/* The world of a scene: surfaces, media, light sources, tallies and goals,
+ * converted from the structs of the scene. stage_build.h makes it; after that
+ * it does not change. */
 #ifndef MURK_WORLD_STAGE_H
 #define MURK_WORLD_STAGE_H
 
@@ -18,26 +16,30 @@
 typedef struct murk_stage {
     const murk_scene_desc *scene; /* borrowed */
     murk_transport_world world;
-    murk_fillings *fillings; /* of media */
-    murk_grid **grid;        /* fillings->grid: NULL for media without one */
-    murk_mesh **mesh; /* [scene->geometries]; NULL for the other shapes */
-    murk_mesh **region_mesh;       /* [scene->n_regions]; likewise */
-    murk_site_meshes *site_meshes; /* of zones of candidates */
+    murk_fillings *fillings; /* grids and profiles of the media */
+    murk_grid **grid;        /* fillings->grid; NULL for a medium without a grid
+                              */
+    murk_mesh **mesh; /* [scene->geometries]; NULL unless the shape is a mesh */
+    murk_mesh **region_mesh;       /* [scene->n_regions]; NULL unless the shape
+                                    * is a mesh */
+    murk_site_meshes *site_meshes; /* meshes of the zones of candidate sites */
     murk_phases *phases;
     murk_surfaces *surfaces;
     murk_media *media;
-    murk_boundary_meshes *boundary_meshes; /* NULL: no region is a mesh */
+    murk_boundary_meshes *boundary_meshes; /* NULL if no region is a mesh */
     murk_sources *lights;
-    murk_sky_facts *sky; /* [scene->n_lights] what they were made of */
+    murk_sky_facts *sky; /* [scene->n_lights]; properties of the light sources
+                          */
     murk_goals *goals;
-    murk_tally_desc *tally; /* [scene->n_tallies]; NULL for none */
-    char *light_key; /* the scene's, and a checksum of each file it names: equal
-                        keys trace equal light */
-    bool borrows;    /* meshes and fillings are another stage's */
+    murk_tally_desc *tally; /* [scene->n_tallies]; NULL if there are none */
+    char *light_key; /* light_key of the scene, followed by a checksum of each
+                      * file that the light depends on: stages with equal keys
+                      * trace equal light */
+    bool borrows;    /* meshes and fillings belong to another stage */
 } murk_stage;
 
-/* A trace of this world as the scene wants it; stream, photons, threads and
- * sink are the caller's to set. */
+/* The settings of a trace of this world as the scene gives them. The caller
+ * sets stream, photons, threads and sink. */
 murk_trace murk_stage_trace(const murk_stage *stage);
 
 /* True if no light source of the scene emits: lamps off, the sun below the

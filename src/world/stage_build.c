@@ -1,3 +1,7 @@
+/* Imports the files of a scene and builds the world of the photon tracer from
+ * it: phase functions, domain, boundary meshes, surfaces, media, light sources,
+ * goals and tallies, in this order, because each step uses earlier ones. Every
+ * file that the light depends on adds its checksum to the light key. */
 #include "world/stage_build.h"
 
 #include "base/file.h"
@@ -19,12 +23,14 @@
  */
 #define FILE_BYTES_MAX (UINT64_C(8) << 30)
 
-/* Step of single precision over the extent of a mesh from which on it is
- * told: reached where the mesh lies some 160 times its extent from 0. */
+/* Warn if the step of single precision is more than this share of the extent of
+ * a mesh. A mesh that lies 160 times its extent from the origin reaches it (160
+ * * 2^-24 = 1e-5). */
 #define STEP_TOLD 1e-5
 
-/* Adds the checksum of a file's bytes to the light's key; the key names the
- * file already, and not its folder, so that a scene may move with its files. */
+/* Appends the checksum of a file to the light key. The key has the name of the
+ * file already, without its folder, so that a scene may be moved together with
+ * its files. */
 static murk_status sign_file(murk_stage *stage, const char *path,
                              const char *where, murk_error *err)
 {
@@ -46,18 +52,21 @@ static murk_status sign_file(murk_stage *stage, const char *path,
     return MURK_OK;
 }
 
-/* A mesh file is read in single precision; where that is coarser than sensors
- * must keep clear of surfaces, what they see is not known. A
- * step that is a noticeable share of the mesh itself is told. */
+/* A mesh file is read in single precision. Fails if the rounding step is larger
+ * than the clearance that sensors must keep from surfaces, because visibility
+ * is then unknown. Warns if the step is a noticeable share of the extent of the
+ * mesh. */
 static murk_status check_step(const murk_scene_desc *scene,
                               const murk_mesh *mesh, const char *file,
                               double scale, const char *where, murk_error *err)
 {
+    /* The step, the clearance and the extent, all in world units. */
     const double clearance_m =
         scene->sensors.given ? scene->sensors.candidates.clearance_m : 0;
     const double step_m = mesh->step_m * scale;
     const murk_vec3 size = murk_sub(mesh->bounds_m.max, mesh->bounds_m.min);
     const double longest_m = fmax(size.x, fmax(size.y, size.z)) * scale;
+    /* Refuse or warn. */
     if (clearance_m > 0 && step_m > clearance_m) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "%s is read in single precision, whose step at its "
@@ -76,6 +85,7 @@ static murk_status check_step(const murk_scene_desc *scene,
     return MURK_OK;
 }
 
+/* Imports a mesh file, adds it to the light key and checks its precision. */
 static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
                                const char *file, const murk_mesh_import *import,
                                double scale, const char *where, murk_error *err)
@@ -88,11 +98,12 @@ static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
                   : check_step(stage->scene, *out, file, scale, where, err);
 }
 
-/* What the scene's world is made of, and its light's key. */
+/* Imports the meshes and grids of the scene and completes the light key. */
 static murk_status import_world(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
     murk_status status = MURK_OK;
+    /* Meshes of geometry. */
     for (size_t i = 0; i < scene->geometries && !status; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
         if (g->shape == MURK_SCENE_FILE) {
@@ -102,6 +113,7 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
                                  g->scale, g->where, err);
         }
     }
+    /* Meshes of regions. */
     for (size_t i = 0; i < scene->n_regions && !status; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (r->shape == MURK_SCENE_IN_MESH) {
@@ -110,6 +122,7 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
                                  &import, r->scale, r->where, err);
         }
     }
+    /* Files of media: checksums first, then the grids themselves. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
         const char *file[2] = {NULL, NULL}, *where = scene->media[i].where;
         status = murk_fillings_files(scene, i, file, err);
@@ -120,6 +133,7 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     return status ? status : murk_fillings_create(&stage->fillings, scene, err);
 }
 
+/* Takes meshes, grids and checksums from another stage. */
 static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
                                 murk_error *err)
 {
@@ -141,6 +155,7 @@ static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
     return MURK_OK;
 }
 
+/* Reads the phase functions; tables in files enter the light key. */
 static murk_status make_phases(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -182,6 +197,7 @@ static murk_surface_desc surface_of(const murk_scene_geometry *g,
 static murk_status build_surfaces(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
+    /* Convert geometry and materials. */
     murk_surface_desc *surface = calloc(scene->geometries + 1, sizeof *surface);
     murk_material *material = calloc(scene->n_materials, sizeof *material);
     murk_status status = MURK_OK;
@@ -219,7 +235,8 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
                : status;
 }
 
-/* Those of all lights, one after the other; the caller's. */
+/* The portals of all light sources, one after the other. The caller owns the
+ * array. */
 static murk_portal *portals_of(const murk_scene_desc *scene)
 {
     size_t n = 0;
@@ -249,10 +266,12 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
                            "no memory for the lights");
         goto done;
     }
+    /* Convert each light source, with the portals that belong to it. */
     for (size_t i = 0; i < scene->n_lights && !status; ++i) {
         if (scene->lights[i].portals > 0 && scene->continues &&
             murk_media_bends(stage->media)) {
-            /* the way to a portal is straight, and would have to be bent */
+            /* The path to a portal is taken to be straight, but refraction
+             * would bend it. */
             status = murk_fail(err, MURK_UNSUPPORTED, scene->lights[i].where,
                                "aim: portals beside a region with an ior do "
                                "not go with domain.outside: continued, use "
@@ -265,6 +284,7 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
         light[i].portals = scene->lights[i].portals;
         next += light[i].portals;
     }
+    /* Create the sources in the domain. */
     if (!status) {
         status = murk_sources_create(&stage->lights, light, scene->n_lights,
                                      scene->bands, &stage->world.domain, err);
@@ -275,6 +295,8 @@ done:
     return status;
 }
 
+/* Imports a scene; other is NULL, or the stage whose meshes and grids are
+ * borrowed. */
 static murk_status import(murk_stage **out, const murk_scene_desc *scene,
                           const murk_stage *other, murk_error *err)
 {
@@ -284,6 +306,7 @@ static murk_status import(murk_stage **out, const murk_scene_desc *scene,
         return murk_fail(err, MURK_NO_MEMORY, scene->path,
                          "no memory for the world");
     }
+    /* Allocate; messages about positions use the origin of the scene. */
     stage->scene = scene;
     murk_position_origin(scene->origin);
     stage->mesh = calloc(scene->geometries + 1, sizeof *stage->mesh);
@@ -294,9 +317,11 @@ static murk_status import(murk_stage **out, const murk_scene_desc *scene,
         status = murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for the world");
     } else {
+        /* Read files, or borrow them. */
         status =
             other ? borrow_world(stage, other, err) : import_world(stage, err);
     }
+    /* Read the files of goals and zones. */
     if (!status) {
         status = murk_goals_import(&stage->goals, scene, err);
     }
@@ -329,6 +354,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
     murk_position_origin(scene->origin);
+    /* Build each part from those before it. */
     murk_status status = make_phases(stage, err);
     if (!status) {
         status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,
@@ -359,6 +385,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     if (status) {
         return status;
     }
+    /* Assemble the world of the photon tracer. */
     stage->world.surfaces = stage->surfaces;
     stage->world.media = stage->media;
     stage->world.boundary_meshes = stage->boundary_meshes;
@@ -385,6 +412,7 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
     return MURK_OK;
 }
 
+/* Frees what a borrowing stage does not own. */
 static void destroy_world(murk_stage *stage)
 {
     murk_fillings_destroy(stage->fillings);

@@ -1,3 +1,4 @@
+/* Converts the media and regions of a scene into those of the room medium. */
 #include "world/stage_media.h"
 
 #include "world/winds.h"
@@ -56,9 +57,11 @@ murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
                            "no memory for the media");
         goto done;
     }
+    /* Convert the media. */
     for (size_t i = 0; i < scene->n_media; ++i) {
         medium[i] = medium_of(scene, i, fillings, phases);
     }
+    /* Convert the regions; the box of a mesh is that of the boundary mesh. */
     for (size_t i = 0; i < scene->n_regions; ++i) {
         region[i] = region_of(&scene->regions[i]);
         if (region[i].shape == MURK_REGION_MESH) {

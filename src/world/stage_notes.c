@@ -1,3 +1,6 @@
+/* Warns of settings that are valid but probably not meant: geometry and regions
+ * that reach out of the domain, media that touch an open side under sun or sky,
+ * portals that face away from their light, a dark scene. */
 #include "world/stage_notes.h"
 
 #include "base/log.h"
@@ -6,6 +9,7 @@
 #include "world/mesh_materials.h"
 #include "world/winds.h"
 
+/* Warns if an item reaches out of the domain. */
 static void warn_if_cut(const char *where, const murk_box *box,
                         const murk_box *domain)
 {
@@ -19,8 +23,9 @@ static void warn_if_cut(const char *where, const murk_box *box,
     }
 }
 
-/* Nothing bends light in a side of the domain; where a periodic one joins the
- * cut of a region to what is not that region, it should. */
+/* Light is not refracted in a side of the domain. In a periodic domain a region
+ * with an index that reaches one side but not the opposite one is joined to the
+ * other index without refraction: warn. */
 static void warn_if_cut_once(const murk_stage *stage,
                              const murk_scene_region *r, const murk_box *box)
 {
@@ -57,7 +62,7 @@ static void warn_of_cuts(const murk_stage *stage)
     }
 }
 
-/* Whether a region reaches any side of the domain. */
+/* True if a region reaches any side of the domain. */
 static bool touches_sides(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];
@@ -75,6 +80,7 @@ static bool touches_sides(const murk_stage *stage, size_t i)
            box.min.z <= domain->min.z || box.max.z >= domain->max.z;
 }
 
+/* Notes of suns and moons below the horizon. */
 static void note_of_set(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -92,7 +98,8 @@ static void note_of_set(const murk_stage *stage)
     }
 }
 
-/* Of a light that shines, portals turned away from it. */
+/* Notes of portals that no light of an emitting source passes, because they
+ * face away from it. */
 static void note_of_portals(const murk_stage *stage)
 {
     for (size_t i = 0; i < murk_sources_count(stage->lights); ++i) {
@@ -122,9 +129,9 @@ static void note_of_dark(const murk_stage *stage)
     }
 }
 
-/* A medium that touches an open side goes on outside, as a rule, but takes
- * nothing from light of the sun and sky on its way there, unless
- * domain.outside says so. */
+/* A medium that touches an open side usually continues outside. Unless
+ * domain.outside says so, it does not attenuate sun and sky light outside the
+ * domain: warn. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;

@@ -1,11 +1,11 @@
-/* What a user should know of a stage, though it stops nothing: what is cut off
- * by the domain, what is dark. */
+/* Warnings and notes about a stage that do not stop a run: items that the
+ * domain cuts off, light sources that do not emit. */
 #ifndef MURK_WORLD_STAGE_NOTES_H
 #define MURK_WORLD_STAGE_NOTES_H
 
 #include "world/stage.h"
 
-/* Warns and notes, once all is built. */
+/* Prints the warnings and notes. Call it when the stage is complete. */
 void murk_stage_tell(const murk_stage *stage);
 
 #endif

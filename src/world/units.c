@@ -1,3 +1,5 @@
+/* Conversion factors from watts to the quantity that the user asks for
+ * (base/photometry.h), by light source and band, and sums of estimates. */
 #include "world/units.h"
 
 #include "base/log.h"
@@ -17,7 +19,7 @@ murk_units murk_units_of(murk_quantity quantity)
     return KNOWN[quantity];
 }
 
-/* spectrum NULL: even in wavelength. */
+/* spectrum is NULL for a light source that is even in wavelength. */
 static double per_watt(murk_quantity quantity, const murk_scene_desc *scene,
                        int band, const murk_solar_spectrum *spectrum)
 {

@@ -1,9 +1,12 @@
-/* What users read of light: watts, lumens or photons, by the scene's `units`.
+/* Conversion of radiant power into the quantity of the key `units`: watts,
+ * lumens, photons per second, or photosynthetic photons.
  *
- * One factor a light and band. A line is what it is. Between edges light of
- * sun, moon and sky has the spectrum that it has at the domain's boundary, a
- * lamp's is even in wavelength: what a medium or a wall takes within a band
- * changes no factor, since a photon knows its band alone. */
+ * There is one factor for each light source and band. A band without edges is a
+ * single wavelength. Within a band that has edges, the light of sun, moon and
+ * sky has the spectrum that it has at the boundary of the domain, and the light
+ * of a lamp is even in wavelength. Attenuation by media and surfaces within a
+ * band does not change the factor, because a photon carries a band and no
+ * wavelength. */
 #ifndef MURK_WORLD_UNITS_H
 #define MURK_WORLD_UNITS_H
 
@@ -14,26 +17,29 @@
 typedef struct murk_units {
     const char *power;      /* "W", "lm", "1/s", "umol/s" */
     const char *irradiance; /* "W/m2", "lux", "1/s/m2", "umol/s/m2" */
-    const char *suffix;     /* of JSON keys: "w", "lm", "photons_per_s" .. */
+    const char *suffix;     /* suffix of JSON keys: "w", "lm", "photons_per_s",
+                             * "umol_per_s" */
 } murk_units;
 
 murk_units murk_units_of(murk_quantity quantity);
 
-/* What a watt of one of the stage's lights counts as in a band. */
+/* The value of one watt of a light source in a band, in the quantity. */
 double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
                            size_t light, int band);
 
-/* What packets of packet_w watts count as, both [lights * bands], light by
- * light: given to murk_tallies_read in place of watts, they make tallies and
- * their errors ones of the quantity. */
+/* Converts the power of photon packets, packet_w[lights * bands], ordered by
+ * light source, into out[lights * bands] in the quantity. Passed to
+ * murk_tallies_read() in place of watts, out makes tallies and their errors
+ * come out in the quantity. */
 void murk_units_packets(double *out, murk_quantity quantity,
                         const murk_stage *stage, const double *packet_w);
 
-/* The sum over n bands of values in one unit: bands have photons of their own,
- * so their errors are independent. */
+/* The sum of n estimates of different bands. Each band has its own photons, so
+ * the errors are independent. */
 murk_estimate murk_units_sum(const murk_estimate *value, int n);
 
-/* A note where bands count nothing: light that eyes or plants do not see. */
+/* Prints a note if a band counts 0 in the quantity: light that eyes or plants
+ * do not detect. */
 void murk_units_note(const murk_scene_desc *scene);
 
 #endif

@@ -1,3 +1,5 @@
+/* Wave slopes of regions under wind, and the warnings about wind speeds and
+ * sightlines. */
 #include "world/winds.h"
 
 #include "base/log.h"
