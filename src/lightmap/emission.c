@@ -1,18 +1,29 @@
+/* Traces photons in waves of up to MURK_WAVE_BATCHES batches. The waves exist
+ * for two reasons: the number of stored records is known only after tracing,
+ * and the record buffers of one wave are emptied in the order of batches, so
+ * that the order of records does not depend on threads.
+ *
+ * With `store`, the photon whose record reaches the number becomes the last
+ * photon, and the photons after it are traced once more with negative sign,
+ * which removes them from the ledger and the tallies. Both are sums of
+ * integers, so the removal is exact. */
 #include "lightmap/emission.h"
 
 #include "base/interrupt.h"
 
 #include <math.h>
 
-#define STORE_EMISSIONS                                  \
-    UINT64_C(1000) /* emissions a stored photon, at most \
-                    */
+/* Photons that may be emitted for each record that `store` asks for. A scene
+ * that stores less than one record in 1000 photons is refused, because it would
+ * run for hours to little effect. */
+#define STORE_EMISSIONS UINT64_C(1000)
 
 static const murk_scene_photons *settings_of(const murk_emission *e)
 {
     return &e->stage->scene->photons;
 }
 
+/* Records to store in all; 0 if the number of photons is given. */
 static uint64_t wanted(const murk_emission *e)
 {
     return e->emit ? 0 : settings_of(e)->store;
@@ -35,7 +46,7 @@ static murk_trace trace_of(const murk_emission *e, uint64_t first,
     return trace;
 }
 
-/* Photons that may be emitted at most. */
+/* Upper limit of the number of photons. */
 static uint64_t emissions_max(const murk_emission *e)
 {
     return e->emit ? e->emit
@@ -44,8 +55,10 @@ static uint64_t emissions_max(const murk_emission *e)
                : UINT32_MAX;
 }
 
-/* The next wave: all that is left, or as many as should bring what is left to
- * store, in whole batches (but for the last). */
+/* Number of photons of the next wave: the remaining photons, or, with `store`,
+ * the number that should produce the missing records plus 2 %, in whole batches
+ * except for the last wave. The first wave of a run with `store` is one batch,
+ * because the number of records for each photon is not yet known. */
 static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
@@ -62,7 +75,7 @@ static uint64_t wave_photons(const murk_emission *e)
     return photons < left ? photons : left;
 }
 
-/* Takes photons [first, last) back from the ledger and the tallies. */
+/* Removes photons [first, last) from the ledger and the tallies. */
 static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
 {
     murk_trace trace = trace_of(e, first, last);
@@ -70,6 +83,7 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
     murk_trace_run(&trace, e->ledger);
 }
 
+/* The settings of a trace with the sinks of the emission. */
 static murk_trace heard_trace(const murk_emission *e, uint64_t first,
                               uint64_t last)
 {
@@ -85,7 +99,8 @@ static murk_trace heard_trace(const murk_emission *e, uint64_t first,
     return trace;
 }
 
-/* One wave. Sets *is_done when all are emitted, or `store` is reached. */
+/* Traces one wave. Sets *is_done when all photons are emitted or `store` is
+ * reached. */
 static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
 {
     const uint64_t first = e->emitted;
@@ -93,6 +108,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     const murk_trace trace = heard_trace(e, first, end);
     murk_trace_run(&trace, e->ledger);
 
+    /* Find the photon that reaches `store`, and remove those after it. */
     uint64_t last = UINT64_MAX;
     if (wanted(e) && !murk_interrupted()) {
         last = murk_record_buffers_photon_of(e->buffers, wanted(e) - stored(e));
@@ -101,6 +117,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
         take_back(e, last + 1, end);
         end = last + 1;
     }
+    /* Count the photons, and keep the records. */
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
@@ -141,6 +158,7 @@ murk_status murk_emission_run(murk_emission *e, murk_error *err)
 
 murk_status murk_emission_check_losses(const murk_emission *e, murk_error *err)
 {
+    /* Sum the lost photons over the causes. */
     murk_tally *const lost_photons = e->ledger->lost_photons;
     double lost = 0;
     for (int i = 0; i < MURK_LOSSES; ++i) {

@@ -1,51 +1,59 @@
-/* Photons sent out wave by wave: a number of them, or as many as it takes until
- * enough are stored. The photon that reaches that is the last, and its records
- * are kept whole; what was traced beyond it is taken back. */
+/* Traces photons in waves of batches: either a given number of photons, or as
+ * many as it takes until a given number of records is stored. In the second
+ * case the photon that reaches the number is the last one; all of its records
+ * are kept, and photons that were traced beyond it are removed from the ledger
+ * and the tallies. */
 #ifndef MURK_LIGHTMAP_EMISSION_H
 #define MURK_LIGHTMAP_EMISSION_H
 
 #include "lightmap/record_buffers.h"
 #include "world/stage.h"
 
-/* A light whose lost share is above this is refused: it would not be the
- * scene's light. */
+/* A run that loses a larger share of the photons is refused, because the result
+ * would not be the light of the scene. The value is that of the manual. */
 #define MURK_LOST_SHARE_MAX 0.01
 
 typedef struct murk_emission {
     const murk_stage *stage;
     uint32_t stream;
     unsigned threads;
-    uint64_t emit;       /* photons; 0: until the scene's `store` are stored */
-    bool is_first_small; /* one batch, for whoever forecasts from it */
-    murk_record_buffers *buffers; /* counts what is stored */
+    uint64_t emit;       /* photons to emit; 0: until scene->photons.store
+                          * records are stored */
+    bool is_first_small; /* the first wave is one batch, so that its records can
+                          * be used for a forecast */
+    murk_record_buffers *buffers; /* stores and counts the records */
     murk_ledger *ledger;
-    murk_tallies *tallies; /* NULL: none */
+    murk_tallies *tallies; /* NULL if the scene has none */
 
-    /* Who hears of events and legs instead of the set of record buffers, and
-     * must let it know; and keeps, after each wave, what came of it up to and
-     * with photon `last`. NULL: the set of record buffers alone. */
+    /* Optional sinks that receive events and segments instead of the record
+     * buffers; they must pass the events on to the record buffers, which count
+     * them. gather is then called after each wave and keeps the records of
+     * photons up to and including `last`. If sink and gather are NULL, the
+     * record buffers alone are used. */
     murk_event_sink sink;
     murk_leg_sink leg;
-    void *context; /* of both */
+    void *context; /* passed to sink and leg */
     murk_status (*gather)(void *gather_context, uint64_t last, murk_error *err);
     void *gather_context;
 
-    uint64_t emitted; /* so far */
+    uint64_t emitted; /* photons so far */
 } murk_emission;
 
-/* Refuses fewer photons than there are channels with power. */
+/* Fails if the number of photons is smaller than the number of channels (light
+ * source and band) with power. */
 murk_status murk_emission_check(const murk_emission *emission, murk_error *err);
 
-/* All of them; none where all is dark. Fails where too many photons would be
- * needed for `store`, when interrupted, and as gathering does. */
+/* Traces all photons; none if no light source emits. Fails if `store` records
+ * would need too many photons, when interrupted, or if gather fails. */
 murk_status murk_emission_run(murk_emission *emission, murk_error *err);
 
-/* Fails where too many of them were lost. */
+/* Fails if more than MURK_LOST_SHARE_MAX of the photons were lost. */
 murk_status murk_emission_check_losses(const murk_emission *emission,
                                        murk_error *err);
 
-/* What a packet is worth: packet_w[light * bands + band] is 0 without photons;
- * emitted_in[channels] photons. */
+/* Sets packet_w[channels] to the power of one photon packet of each channel,
+ * light * bands + band, and emitted_in[channels] to the number of photons
+ * emitted in that channel. The power is 0 for a channel without photons. */
 void murk_emission_price(const murk_emission *emission, uint64_t *emitted_in,
                          double *packet_w);
 

@@ -1,7 +1,12 @@
+/* Traces a few photons of each band and looks at the ledger. A band without
+ * absorption or escape loses every photon at the limit of events; the message
+ * then depends on whether any surface or medium absorbs in that band. */
 #include "lightmap/ending.h"
 
-/* Photons followed, for each band; and how many of a band must be lost, and no
- * other end: where one in a hundred may be lost, 1e-8 by chance. */
+/* Photons traced for each band, and the number of lost photons from which a
+ * band is refused if no photon of the band ended otherwise. At the largest loss
+ * that is accepted, one photon in 100, four lost photons have a probability of
+ * 1e-8. */
 #define PHOTONS_A_BAND 8
 #define LOST_MIN       4
 
@@ -10,7 +15,7 @@ static bool is_whole(double share)
     return share >= 1;
 }
 
-/* Whether any surface or medium that is there takes light of the band. */
+/* True if any surface or medium of the scene absorbs light of the band. */
 static bool absorbs(const murk_stage *stage, int band)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -31,7 +36,8 @@ static bool absorbs(const murk_stage *stage, int band)
     return false;
 }
 
-/* Photons of the band that were lost; 0 where any ended otherwise. */
+/* The number of lost photons of a band; 0 if any photon of the band ended
+ * otherwise. */
 static double lost_alone(const murk_stage *stage, const murk_ledger *ledger,
                          int band)
 {
@@ -53,10 +59,12 @@ murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
     if (status) {
         return status;
     }
+    /* Trace the first photons. */
     murk_trace trace = murk_stage_trace(stage);
     trace.stream = stream;
     trace.last = PHOTONS_A_BAND * (uint64_t)scene->bands;
     murk_trace_run(&trace, ledger);
+    /* Refuse the first band whose photons were all lost. */
     for (int band = 0; band < scene->bands && !status; ++band) {
         const double lost = lost_alone(stage, ledger, band);
         if (lost >= LOST_MIN) {

@@ -1,3 +1,6 @@
+/* Traces the light of a scene: a pilot run forecasts records and memory, the
+ * emission (lightmap/emission.h) traces the photons in waves, and the records
+ * become two kd-trees. */
 #include "lightmap/lightmap.h"
 
 #include "base/log.h"
@@ -12,12 +15,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* One batch, the smallest unit of tracing */
 #define PILOT_PHOTONS MURK_BATCH_PHOTONS
 
-/* Above this share of escaped power a closed room is doubted. */
+/* In a closed room most of the light is absorbed. A share above one half is
+ * worth a warning. */
 #define ESCAPE_SHARE_MAX 0.5
 
-/* Escaped of emitted power, by each channel's own power. */
+/* Share of the emitted power that escaped. Each channel counts by its power,
+ * because a channel is traced by a number of photons that only approximates its
+ * share. */
 static double escaped_share(const murk_stage *stage, const murk_ledger *ledger)
 {
     double escaped_w = 0, emitted_w = 0;
@@ -57,6 +64,7 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     const bool is_dark = murk_sources_lit(stage->lights) == 0;
+    /* The pilot has one batch, or fewer photons if the run has fewer. */
     const uint64_t n = is_dark ? 0
                        : settings->emit && settings->emit < PILOT_PHOTONS
                            ? settings->emit
@@ -76,6 +84,7 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
     if (status) {
         goto done;
     }
+    /* Trace the pilot. */
     murk_trace trace = murk_stage_trace(stage);
     trace.stream = stream;
     trace.last = n;
@@ -89,6 +98,7 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         goto done;
     }
+    /* Count the records of each map. */
     double surface = 0, volume = 0;
     for (size_t i = 0; i < h->buffer[0].n; ++i) {
         if (murk_photon_is_volume(&h->buffer[0].photon[i])) {
@@ -97,13 +107,15 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
             ++surface;
         }
     }
+    /* Scale to the full run. */
     const double all = surface + volume;
     const double grow = is_dark          ? 0
                         : settings->emit ? (double)settings->emit / (double)n
                         : all > 0        ? (double)settings->store / all
                                          : 0;
-    /* growing arrays hold up to 1.5 times what is in them, and twice that
-     * while they move; the trees are built from what is left of it */
+    /* A growing array holds up to 1.5 times the memory of its content, and both
+     * the old and the new array exist while it moves: 2.5 times. The kd-trees
+     * are built afterwards from the content alone. */
     const double records = all * grow;
     *out = (murk_forecast){.pilot_photons = n,
                            .escaped_share = escaped_share(stage, ledger),
@@ -121,6 +133,7 @@ done:
     return status;
 }
 
+/* Fails if the forecast exceeds max_stored or the free memory. */
 static murk_status check_forecast(const murk_forecast *forecast,
                                   const murk_scene_photons *settings,
                                   murk_error *err)
@@ -145,6 +158,7 @@ static murk_status check_forecast(const murk_forecast *forecast,
 
 /* ---- tracing ---- */
 
+/* Sets the power of the photon packets of each channel. */
 static murk_status price_packets(murk_traced *traced,
                                  const murk_emission *emission, murk_error *err)
 {
@@ -158,6 +172,8 @@ static murk_status price_packets(murk_traced *traced,
     return MURK_OK;
 }
 
+/* Checks the losses, turns shares of a packet into watts, and builds the maps.
+ */
 static murk_status finish(murk_traced *traced, const murk_emission *emission,
                           murk_error *err)
 {
@@ -195,6 +211,7 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                        .threads = threads,
                        .emit = settings->emit};
     murk_traced *traced = NULL;
+    /* Check before tracing: number of photons, end of light, forecast. */
     murk_status status = murk_emission_check(&e, err);
     if (!status && settings->maps == MURK_SCENE_MAPS_NONE) {
         status = murk_ending_check(stage, stream, err);
@@ -207,6 +224,7 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
     if (status) {
         return status;
     }
+    /* Allocate; tallies belong to stream 0 alone. */
     traced = murk_traced_create(stage, stream, err);
     e.buffers = murk_record_buffers_create(settings);
     if (!traced || !e.buffers) {
@@ -224,17 +242,20 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
         goto done;
     }
     e.tallies = traced->tallies;
+    /* Trace. */
     const double begun_s = murk_clock_s();
     murk_progress_begin("trace", (uint64_t)forecast.emitted, "photons");
     status = murk_emission_run(&e, err);
     murk_progress_end();
     traced->emitted = e.emitted;
     traced->trace_s = murk_clock_s() - begun_s;
+    /* Build the maps and hand over. */
     if (!status) {
         status = finish(traced, &e, err);
     }
     if (!status) {
-        if (stream == 0) { /* the first map's: said once */
+        if (stream == 0) { /* for the first map only, so that the warning
+                            * appears once */
             murk_warn_of_escape(stage, escaped_share(stage, traced->ledger));
         }
         *out = traced;

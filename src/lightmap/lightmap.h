@@ -1,8 +1,9 @@
-/* Light, traced: both photon maps, the ledger, and what a packet is worth.
+/* The light of a scene: surface and volume photon map, energy ledger, tallies,
+ * and the power of photon packets.
  *
- * Joins transport's events to the maps' records. A record's power is what
- * leaves its event, so that stored when reflected and stored when hit agree in
- * the mean (contract: Stored). */
+ * The power of a record is the power that leaves the event. Records stored when
+ * a photon is reflected (power after Russian roulette) and records stored when
+ * a photon hits (expected power) therefore agree in the mean. */
 #ifndef MURK_LIGHTMAP_LIGHTMAP_H
 #define MURK_LIGHTMAP_LIGHTMAP_H
 
@@ -10,51 +11,59 @@
 #include "world/stage.h"
 
 typedef struct murk_traced {
-    murk_photon_map *surface, *volume; /* empty where not stored */
+    murk_photon_map *surface, *volume; /* empty if not stored */
     uint64_t emitted;
     uint32_t seed, stream;
-    size_t channels;  /* light * bands + band */
-    double *packet_w; /* [channels]: power of one packet; 0 without photons */
+    size_t channels;  /* number of channels: light * bands + band */
+    double *packet_w; /* [channels]: power of one photon packet; 0 for a channel
+                       * without photons */
     murk_ledger *ledger;
-    murk_tallies *tallies; /* of stream 0; NULL: none asked for, or light from
-                              a file */
-    double trace_s, map_s; /* for the run's own record */
+    murk_tallies *tallies; /* tallies of stream 0; NULL if the scene has none or
+                            * the light was read from a file */
+    double trace_s, map_s; /* wall-clock times of tracing and of building the
+                            * maps, for the record of the run */
 } murk_traced;
 
-/* What a short pilot foretells. */
+/* Forecast from a short pilot run. */
 typedef struct murk_forecast {
     uint64_t pilot_photons;
-    double surface, volume; /* records at the end */
+    double surface, volume; /* records of both maps at the end */
     double emitted;         /* photons at the end */
-    double memory_bytes;    /* most that tracing and both maps take */
-    double escaped_share;   /* of the emitted power; 0 where all is dark */
+    double memory_bytes;    /* upper limit of the memory of tracing and of both
+                             * maps */
+    double escaped_share;   /* share of the emitted power that escapes; 0 if
+                             * nothing is emitted */
 } murk_forecast;
 
+/* Traces a pilot run of one batch and extrapolates. Fails as
+ * murk_ending_check(). */
 murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
                                    uint32_t stream, unsigned threads,
                                    murk_error *err);
 
-/* Warns where more than half of the power escapes from a scene of lamps and
- * surfaces without sun, sky or other distant light: then walls may be missing.
- * murk_lightmap_trace() does it for the first map, murk_lightmap_forecast()
- * leaves it to the caller. */
+/* Warns if more than half of the emitted power escapes from a scene that has
+ * surfaces and lamps, but no sun, sky or other distant light: walls may be
+ * missing. murk_lightmap_trace() calls it for the first map; after
+ * murk_lightmap_forecast() the caller may. */
 void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
 
-/* Traces emit photons, or until `store` are stored. Refused before tracing, by
- * forecast, when more than max_stored records or more memory than the machine
- * has would be needed. *out is the caller's: murk_traced_destroy(). */
+/* Traces scene->photons.emit photons, or until scene->photons.store records are
+ * stored. A stream is an independent set of photons. Fails before tracing if
+ * the forecast exceeds max_stored records or the free memory of the machine.
+ * The caller owns *out (murk_traced_destroy()). */
 murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
 void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
 
-/* Nothing traced yet and no maps: for murk_lightmap_trace and
- * murk_lightmap_load. NULL, and err filled, when out of memory. */
+/* A light without photons and without maps, to be filled. NULL, with err set,
+ * when out of memory. */
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
                                 murk_error *err);
 
-/* light.murk. Reading refuses a file whose seed or scene keys that the light
- * depends on differ, and names the first difference. */
+/* Writes light to, and reads it from, a file light.murk. Reading fails if the
+ * seed, or one of the scene keys that light depends on, differs from that of
+ * the stage; the message names the first difference. */
 murk_status murk_lightmap_save(const murk_traced *traced,
                                const murk_stage *stage, const char *path,
                                murk_error *err);
@@ -62,8 +71,9 @@ murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
                                const char *path, unsigned threads,
                                murk_error *err);
 
-/* What a run must ask for to get this light: the seed, and the number of
- * emitted or of stored photons (0: not the one that was asked for). */
+/* The settings of the run that wrote a light.murk: the seed, and the number of
+ * emitted photons or of stored records, whichever was asked for; the other is
+ * 0. */
 typedef struct murk_lightmap_counts {
     uint32_t seed;
     uint64_t emit, store;

@@ -1,8 +1,12 @@
+/* Record buffers of the photon tracer: events become 32-byte records
+ * (photonmap/map.h), one buffer for each batch of a wave; the buffers are then
+ * moved, batch by batch, to one list of surface records and one of volume
+ * records. */
 #include "lightmap/record_buffers.h"
 
 #include <stdlib.h>
 
-#define FIRST_ROOM 256
+#define FIRST_ROOM 256 /* first capacity of a list: 8 kB */
 
 static murk_photon record_of(const murk_event *event, double share)
 {
@@ -20,6 +24,7 @@ static murk_photon record_of(const murk_event *event, double share)
         .kind = murk_photon_kind(is_volume, (int)event->event_class)};
 }
 
+/* Appends a record; the capacity grows by half. False when out of memory. */
 static bool put(murk_record_list *buffer, const murk_photon *photon)
 {
     if (buffer->n == buffer->room) {
@@ -107,6 +112,7 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
 murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
                                        murk_error *err)
 {
+    /* Append the records of each batch to the list of their map. */
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
         murk_record_list *buffer = &h->buffer[b];
         bool fits = !buffer->is_short_of_memory;
@@ -123,6 +129,7 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
         }
         buffer->n = 0;
     }
+    /* The scene limits the number of records. */
     if (h->surface.n + h->volume.n > h->settings->max_stored) {
         return murk_fail(err, MURK_RUN_FAILED, h->settings->where,
                          "max_stored: more than %llu photons were stored",
@@ -153,6 +160,7 @@ murk_status murk_record_buffers_map(murk_photon_map **out,
 {
     murk_photon *photons = buffer->photon;
     const size_t n = buffer->n;
+    /* Return unused memory before the map is built. */
     if (n == 0) {
         free(photons);
         photons = NULL;

@@ -1,8 +1,8 @@
-/* From events to records: what the tracer's callback keeps for the maps.
+/* Turns the events of the photon tracer into records of the photon maps.
  *
- * Each batch of a wave has its own record buffer, written by one thread; record
- * buffers are emptied in batch order, so the records come in the order of the
- * photons' indices whatever the threads did. */
+ * Each batch of a wave has a buffer of its own, which one thread writes. The
+ * buffers are emptied in the order of the batches, so the records are ordered
+ * by photon for any number of threads. */
 #ifndef MURK_LIGHTMAP_RECORD_BUFFERS_H
 #define MURK_LIGHTMAP_RECORD_BUFFERS_H
 
@@ -10,7 +10,9 @@
 #include "scene/scene.h"
 #include "transport/trace.h"
 
-#define MURK_WAVE_BATCHES 64 /* traced between two looks at the count */
+/* Batches that are traced before the records are counted: enough work for
+ * the threads of a large machine */
+#define MURK_WAVE_BATCHES 64
 
 typedef struct murk_record_list {
     murk_photon *photon;
@@ -20,10 +22,11 @@ typedef struct murk_record_list {
 
 typedef struct murk_record_buffers {
     const murk_scene_photons *settings;
-    bool keeps_surface, keeps_volume;
+    bool keeps_surface, keeps_volume; /* which maps the scene asks for */
     murk_record_list
-        buffer[MURK_WAVE_BATCHES];    /* this wave's, in order of events */
-    murk_record_list surface, volume; /* all that was gathered */
+        buffer[MURK_WAVE_BATCHES];    /* records of this wave, one buffer for
+                                       * each batch, in the order of events */
+    murk_record_list surface, volume; /* all records gathered so far */
 } murk_record_buffers;
 
 /* NULL when out of memory. */
@@ -32,32 +35,36 @@ murk_record_buffers_create(const murk_scene_photons *settings);
 void murk_record_buffers_destroy(
     murk_record_buffers *buffers); /* NULL is fine */
 
-/* The share of a packet that a record of the event is worth: what leaves it in
- * the mean (stored when hit) or now (stored when reflected); 0 where none is
- * stored. */
+/* The share of a photon packet that a record of the event gets: the expected
+ * share that leaves the event (stored when hit) or the actual share (stored
+ * when reflected). 0 if the event is not stored. */
 double murk_record_buffers_share(const murk_record_buffers *buffers,
                                  const murk_event *event);
 
-/* The tracer's callback; context is the set of record buffers. A record's power
- * is a share of its packet until murk_record_buffers_price(). */
+/* The event sink of the photon tracer; context is the murk_record_buffers. The
+ * power of a record is a share of the packet until murk_record_buffers_price()
+ * is called. */
 void murk_record_buffers_event(void *context, uint64_t batch,
                                const murk_event *event);
 
-/* The photon whose record is the `wanted`th (1..) of this wave; UINT64_MAX
- * when the wave has fewer. */
+/* The photon of the `wanted`-th record (counted from 1) of this wave;
+ * UINT64_MAX if the wave has fewer records. */
 uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,
                                        uint64_t wanted);
 
-/* Moves this wave's records, up to and with photon `last`, to surface and
- * volume. Fails when out of memory or beyond wish->max_stored. */
+/* Moves the records of this wave, up to and including photon `last`, to the
+ * lists of surface and volume records. Fails when out of memory or if more than
+ * settings->max_stored records are stored. */
 murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
                                        uint64_t last, murk_error *err);
 
-/* Shares of a packet become watts. packet_w[light * bands + band]. */
+/* Multiplies each record by the power of a packet of the same channel,
+ * packet_w[light * bands + band], so that shares become watts. */
 void murk_record_buffers_price(murk_record_buffers *buffers,
                                const double *packet_w, int bands);
 
-/* Hands the record buffer's records over to a new map; *out is the caller's. */
+/* Passes the records of a list to a new photon map, which owns them; the list
+ * becomes empty. The caller owns *out. */
 murk_status murk_record_buffers_map(murk_photon_map **out,
                                     murk_record_list *buffer, unsigned threads,
                                     murk_error *err);

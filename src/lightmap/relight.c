@@ -1,3 +1,7 @@
+/* Scales traced light to light sources of other powers, and chooses the powers
+ * to trace with so that one traced light serves several scenes. Sampling each
+ * channel by the largest share it has in any scene bounds the noise of every
+ * scene by that of a run of its own. */
 #include "lightmap/relight.h"
 
 #include "world/sky.h"
@@ -11,7 +15,8 @@ static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
                      "no memory for the lights");
 }
 
-/* The scene's lights for free(), and whether any shines. */
+/* Converts the light sources of a scene, to be freed with free(); *shines is
+ * true if any source emits. */
 static murk_status lights_of(murk_source **out, bool *shines,
                              const murk_scene_desc *scene, murk_error *err)
 {
@@ -42,6 +47,8 @@ murk_status murk_relight_powers(double **out, const murk_scene_desc *scene,
     bool shines = false;
     double *power_w = calloc(channels + 1, sizeof *power_w);
     murk_status status = power_w ? lights_of(&light, &shines, scene, err)
+                                 /* The power of a channel follows from the
+                                  * sources in the domain. */
                                  : no_memory(scene, err);
     if (!status && shines) {
         status = murk_sources_create(&lights, light, scene->n_lights,
@@ -69,7 +76,8 @@ static double sum_of(const double *power_w, size_t channels)
     return sum;
 }
 
-/* Of each channel the largest share, and the scene that has it; n: none. */
+/* Finds the largest share of each channel, and the scene that has it; n if no
+ * scene has power in the channel. */
 static void find_largest(double *share, size_t *who, double *const *power_w,
                          size_t n, size_t channels)
 {
@@ -88,8 +96,9 @@ static void find_largest(double *share, size_t *who, double *const *power_w,
     }
 }
 
-/* Puts the shares into the lights: power goes by power_w of a light, whatever
- * that is the power of. */
+/* Sets the power of each light source so that each channel has its share. The
+ * power of a channel is proportional to power_w of the source, so the ratio of
+ * shares scales it, whatever quantity power_w is for that type. */
 static murk_status share_out(murk_source *light, const double *share,
                              const size_t *who,
                              const murk_scene_desc *const *scene,
@@ -101,6 +110,7 @@ static murk_status share_out(murk_source *light, const double *share,
         murk_source own = {0};
         murk_sky_facts facts;
         murk_spectrum power = {{0}};
+        /* Scale each band from the scene that has the largest share. */
         for (size_t b = 0; b < bands && !status; ++b) {
             const size_t c = i * bands + b, k = who[c];
             if (k < n) {
@@ -109,7 +119,7 @@ static murk_status share_out(murk_source *light, const double *share,
                     own.power_w.band[b] * (share[c] / power_w[k][c]);
             }
         }
-        if (!status && !own.where) { /* it shines in none of them */
+        if (!status && !own.where) { /* the source emits in no scene */
             status = murk_sky_light(&own, &facts, scene[0], i, err);
         }
         own.power_w = power;
@@ -132,6 +142,7 @@ murk_status murk_relight_lights(murk_sources **out, double *grow,
         status = no_memory(scene[0], err);
         goto done;
     }
+    /* Find the shares, then build sources of these powers. */
     find_largest(share, who, power_w, n, channels);
     *grow = sum_of(share, channels);
     status = share_out(light, share, who, scene, power_w, n, err);
@@ -146,7 +157,7 @@ done:
     return status;
 }
 
-/* The map's records that still have power, with what they have. */
+/* Copies the records that have power in the wanted scene, scaled. */
 static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
                              const double *factor, int bands, unsigned threads,
                              murk_error *err)
@@ -159,6 +170,7 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for %zu stored photons", n);
     }
+    /* The factor depends on the channel of the record. */
     for (size_t i = 0; i < n; ++i) {
         const size_t channel =
             (size_t)from[i].light * (size_t)bands + from[i].band;
@@ -184,6 +196,8 @@ murk_status murk_relight(murk_traced **out, const murk_traced *traced,
     double *factor = calloc(channels + 1, sizeof *factor);
     murk_traced *made = calloc(1, sizeof *made);
     murk_status status = MURK_OK;
+    /* Allocate; the properties of the emission are those of the traced light.
+     */
     if (made) {
         made->emitted = traced->emitted;
         made->seed = traced->seed;
@@ -195,11 +209,13 @@ murk_status murk_relight(murk_traced **out, const murk_traced *traced,
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for light");
         goto done;
     }
+    /* Ratio of the wanted to the traced power of each channel. */
     for (size_t c = 0; c < channels; ++c) {
         const double traced_w = murk_sources_channel_power_w(lights, c);
         factor[c] = traced_w > 0 ? power_w[c] / traced_w : 0;
         made->packet_w[c] = traced->packet_w[c] * factor[c];
     }
+    /* Scale both maps. */
     status =
         scale_map(&made->surface, traced->surface, factor, bands, threads, err);
     if (!status) {

@@ -1,32 +1,36 @@
-/* Light that only scales: what was traced for one scene, as light of another
- * whose lights differ in power alone.
+/* Light of a scene made from traced light of another scene, if the light
+ * sources of both differ in power alone.
  *
- * A record says which light and band it is of, and tallies and ledger are kept
- * by these channels; so each channel's packets get the power that they have in
- * the other scene, and one without power drops out. */
+ * A record names the light source and band it belongs to, so no photon has to
+ * be traced again: each record is multiplied by the ratio of the channel
+ * powers, and records of channels without power are dropped. */
 #ifndef MURK_LIGHTMAP_RELIGHT_H
 #define MURK_LIGHTMAP_RELIGHT_H
 
 #include "lightmap/lightmap.h"
 
-/* The power of each channel of a scene's lights in a domain: [lights * bands]
- * for free(); all 0 where none shines. */
+/* The power of each channel of the light sources of a scene in a domain:
+ * (*out)[lights * bands], to be freed with free(); 0 for sources that do not
+ * emit. */
 murk_status murk_relight_powers(double **out, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err);
 
-/* Lights that serve n scenes at once, powers[n][channels], whose lights are
- * alike but for their power: each channel shines by the largest share that it
- * has of any scene's light. scene[n]; one of them at least has power. `grow` is
- * how many times the photons of one scene give every channel at least as many
- * as a scene of its own would. *out is the caller's. */
+/* Light sources whose traced light serves n scenes at once. The scenes have the
+ * same light sources except for power; power_w[n][channels] gives the channel
+ * powers of each scene, at least one of them above 0. Each channel gets the
+ * largest share that it has of the total power of any scene. *grow is the sum
+ * of these shares: if *grow times as many photons are emitted as for one scene,
+ * then every channel gets at least as many photons as it would get in a run of
+ * any scene alone. The caller owns *out. */
 murk_status murk_relight_lights(murk_sources **out, double *grow,
                                 const murk_scene_desc *const *scene,
                                 double *const *power_w, size_t n,
                                 const murk_domain *domain, murk_error *err);
 
-/* The traced light of `lights` as that of channels' powers power_w. *out, for
- * murk_traced_destroy(), has maps and packet_w, but neither ledger nor tallies,
- * which stay with `traced`. */
+/* Scales traced light. lights are the sources it was traced with;
+ * power_w[channels] are the channel powers of the wanted scene. *out
+ * (murk_traced_destroy()) has maps and packet powers, but no ledger and no
+ * tallies; these exist for `traced` only. */
 murk_status murk_relight(murk_traced **out, const murk_traced *traced,
                          const murk_sources *lights, const double *power_w,
                          int bands, unsigned threads, murk_error *err);

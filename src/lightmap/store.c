@@ -1,5 +1,6 @@
-/* light.murk: which sections it has, and whether it belongs to a scene. What
- * its numbers may be is checked in light_check.c. */
+/* Writes and reads light.murk: the sections of the file, and whether the file
+ * belongs to a scene. store_check.c checks the ranges of all numbers;
+ * photonmap/map_file.h has the container format. */
 #include "lightmap/lightmap.h"
 #include "lightmap/store_check.h"
 #include "photonmap/map_file.h"
@@ -8,13 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The section "facts", as it lies in the file. */
+/* The section "facts" as it is stored in the file. */
 typedef struct facts {
     uint64_t emitted, channels, photons, collisions;
     uint64_t lost_photons[MURK_LOSSES];
     uint32_t seed, stream;
 } facts;
 
+/* Emitted, absorbed by surfaces and by media, escaped, lost */
 #define LEDGER_COLUMNS 5
 
 static void ledger_columns(const murk_ledger *ledger,
@@ -27,12 +29,13 @@ static void ledger_columns(const murk_ledger *ledger,
     column[4] = ledger->lost;
 }
 
-/* Quanta by [channel][material, then medium]. */
+/* Number of cells of energy by channel and absorber (materials, then media). */
 static size_t absorbers(const murk_ledger *ledger)
 {
     return ledger->channels * (ledger->materials + ledger->media);
 }
 
+/* Copies these cells to out. */
 static void absorbed_cells(const murk_ledger *ledger, int64_t *out)
 {
     for (size_t c = 0; c < ledger->channels; ++c) {
@@ -60,7 +63,8 @@ static facts facts_of(const murk_traced *traced)
     return f;
 }
 
-/* Casts const away for a borrowed section: the writer only reads. */
+/* Describes a section. The cast removes const from borrowed bytes; the writer
+ * only reads them. */
 static murk_section section_of(const char *name, const void *bytes, size_t size)
 {
     murk_section section = {.size = size};
@@ -69,6 +73,7 @@ static murk_section section_of(const char *name, const void *bytes, size_t size)
     return section;
 }
 
+/* True if the coordinates of the scene have a local origin. */
 static bool has_origin(const murk_scene_desc *scene)
 {
     const murk_vec3 o = scene->origin;
@@ -86,6 +91,7 @@ murk_status murk_lightmap_save(const murk_traced *traced,
     if (!energy) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
     }
+    /* Copy the energies of the ledger. */
     murk_tally *column[LEDGER_COLUMNS];
     ledger_columns(traced->ledger, column);
     for (size_t k = 0; k < LEDGER_COLUMNS; ++k) {
@@ -95,6 +101,7 @@ murk_status murk_lightmap_save(const murk_traced *traced,
     }
     int64_t *absorbed = energy + LEDGER_COLUMNS * channels;
     absorbed_cells(traced->ledger, absorbed);
+    /* List the sections; the origin is written only if there is one. */
     const facts f = facts_of(traced);
     const murk_vec3 o = stage->scene->origin;
     const murk_section sections[] = {
@@ -127,7 +134,8 @@ static int line_length(const char *text, const char *end)
     return (int)((newline ? newline : end) - text);
 }
 
-/* The first line in which the file's key and the scene's differ. */
+/* Compares the light key of a file with that of the scene, line by line; fails
+ * with the first line that differs. */
 static murk_status check_key(const murk_section *key, const char *light_key,
                              const char *path, murk_error *err)
 {
@@ -148,9 +156,10 @@ static murk_status check_key(const murk_section *key, const char *light_key,
     return MURK_OK;
 }
 
-/* Records count from the local origin of the scene that they were traced for.
- * Where that scene has no domain, its origin follows from its sensors as well,
- * of which the key says nothing. */
+/* Positions of records are relative to the local origin of the scene that they
+ * were traced for. In a scene without a domain the origin depends on the
+ * sensors as well, which the light key does not contain, so it is compared
+ * here. */
 static murk_status check_origin(const murk_section *origin,
                                 const murk_scene_desc *scene, const char *path,
                                 murk_error *err)
@@ -183,6 +192,7 @@ static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
                             const char *path, unsigned threads, murk_error *err)
 {
     const char *name = is_volume ? "volume" : "surface";
+    /* Find and check the records. */
     const murk_section *section = murk_map_file_find(sections, n, name);
     if (!section || section->size % sizeof(murk_photon) != 0) {
         return bad_section(path, name, err);
@@ -193,6 +203,7 @@ static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
     if (status) {
         return status;
     }
+    /* Copy them into a map. */
     murk_photon *photons = NULL;
     if (section->size) {
         photons = malloc(section->size);
@@ -206,6 +217,7 @@ static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
                                   threads, err);
 }
 
+/* Adds the stored energies and counts to an empty ledger. */
 static void load_ledger(murk_traced *traced, const facts *f,
                         const murk_section *energy,
                         const murk_section *absorbed)
@@ -221,7 +233,9 @@ static void load_ledger(murk_traced *traced, const facts *f,
     }
     const int64_t *share = absorbed->bytes;
     for (size_t i = 0; i < absorbers(ledger); ++i) {
-        murk_tally_add(&ledger->absorber[i], share[i]); /* the first lane */
+        murk_tally_add(&ledger->absorber[i], share[i]); /* a ledger has lanes of
+                                                         * threads; the first
+                                                         * one takes all */
     }
     for (int i = 0; i < MURK_LOSSES; ++i) {
         murk_tally_add(&ledger->lost_photons[i], (int64_t)f->lost_photons[i]);
@@ -234,6 +248,8 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
                         size_t n, const murk_stage *stage, const char *path,
                         unsigned threads, murk_error *err)
 {
+    /* Find the sections; the light key and the origin must be those of the
+     * scene. */
     const murk_section *key = murk_map_file_find(sections, n, "key");
     const murk_section *fact = murk_map_file_find(sections, n, "facts");
     const murk_section *worth = murk_map_file_find(sections, n, "packet_w");
@@ -250,6 +266,7 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
     if (status) {
         return status;
     }
+    /* The size of each section must fit the scene. */
     if (!fact || fact->size != sizeof(facts)) {
         return bad_section(path, "facts", err);
     }
@@ -274,6 +291,7 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
         absorbed->size != absorbers(traced->ledger) * sizeof(int64_t)) {
         return bad_section(path, "absorbed", err);
     }
+    /* Check the numbers. */
     const size_t channels = traced->channels;
     const int64_t *column = energy->bytes;
     const murk_lightmap_numbers numbers = {
@@ -292,6 +310,7 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
     if (status) {
         return status;
     }
+    /* Fill the ledger and build the maps. */
     traced->emitted = f.emitted;
     memcpy(traced->packet_w, worth->bytes, worth->size);
     load_ledger(traced, &f, energy, absorbed);
@@ -324,7 +343,8 @@ murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
     return MURK_OK;
 }
 
-/* The whole number behind `word` in a line of the light's key; 0: none. */
+/* The integer after `word` in a line of the light key; 0 if the word is
+ * missing. */
 static uint64_t number_behind(const char *line, const char *end,
                               const char *word)
 {
@@ -353,8 +373,9 @@ murk_status murk_lightmap_read_counts(murk_lightmap_counts *out,
         facts f;
         memcpy(&f, fact->bytes, sizeof f);
         *out = (murk_lightmap_counts){.seed = f.seed};
-        /* the key is YAML as murk_scene_desc_read() writes it, a line a key of
-         * the scene; a file that lacks the line is refused later, by its key */
+        /* The light key is YAML as murk_scene_desc_read() writes it, one line
+         * for each key of the scene. If the line is missing, the file is
+         * refused later by its light key. */
         char *text = strndup(key->bytes, key->size);
         const char *line = text ? strstr(text, photons) : NULL;
         if (line) {

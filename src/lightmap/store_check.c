@@ -1,23 +1,25 @@
-/* Holds the numbers of a light.murk against what the scene fixes.
+/* Compares the numbers of a light.murk with those that the scene determines.
  *
- * The scene and the number of emitted photons fix how many photons each channel
- * (light and band) emits, the power of a photon packet of each channel and the
- * channel of each photon (source/sources.h). Energy is conserved to the quantum
- * (base/tally.h), so absorbed, escaped and lost quanta are shares of the
- * emitted ones that add up. What is left to the file is bounded: a record lies
- * in the domain, its directions exist, its power is at most its packet's. */
+ * The scene and the number of emitted photons determine how many photons each
+ * channel (light source and band) emits, the power of a photon packet of each
+ * channel, and the channel of each photon (source/sources.h). Energy is
+ * conserved exactly in quanta (base/tally.h), so absorbed, escaped and lost
+ * quanta must add up to the emitted quanta. Other values are bounded: a record
+ * lies in the domain, its directions exist, its power is at most that of a
+ * packet. */
 #include "lightmap/store_check.h"
 
 #include <float.h>
 #include <stdlib.h>
 
-/* Rounding between machines: sums and quotients of a few doubles. */
+/* rounding between machines: sums and quotients of a few doubles */
 #define PACKET_TOLERANCE 1e-9
-/* A record's power is rounded to float. */
+/* the power of a record is rounded to float */
 #define POWER_TOLERANCE (2.0 * FLT_EPSILON)
-/* Records are rounded to float, and those on a side of the domain may lie
- * beyond it by the step that rays take off a surface (8 float steps of the
- * largest coordinate, geometry/surfaces.h): twice that. */
+/* Positions of records are rounded to float, and a record on a side of the
+ * domain may lie beyond it by the step that rays take off a surface, 8 float
+ * steps of the largest coordinate (geometry/surfaces.h). Twice that step is
+ * allowed. */
 #define PLACE_TOLERANCE (16.0 * FLT_EPSILON)
 
 static murk_status impossible(const char *path, const char *section,
@@ -28,8 +30,8 @@ static murk_status impossible(const char *path, const char *section,
                      section, what);
 }
 
-/* True if every part is 0 or more and all parts add up to `whole`. Nothing can
- * overflow: what is left never grows. */
+/* True if every part is at least 0 and the parts add up to `whole`. No sum can
+ * overflow, because the remainder never grows. */
 static bool adds_up(int64_t whole, const int64_t *part, size_t n)
 {
     int64_t left = whole;
@@ -42,6 +44,7 @@ static bool adds_up(int64_t whole, const int64_t *part, size_t n)
     return left == 0;
 }
 
+/* Checks the packet power and the energy balance of one channel. */
 static murk_status check_channel(const murk_lightmap_numbers *f, size_t c,
                                  uint64_t count, const murk_stage *stage,
                                  const char *path, murk_error *err)
@@ -82,6 +85,7 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
 {
     const size_t channels = murk_sources_channels(stage->lights);
     uint64_t lost = 0;
+    /* Counts: every photon is counted, and at most that many are lost. */
     bool is_possible = f->emitted <= UINT32_MAX && f->counted == f->emitted &&
                        f->collisions <= INT64_MAX;
     for (int i = 0; i < MURK_LOSSES && is_possible; ++i) {
@@ -91,6 +95,7 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
     if (!is_possible) {
         return impossible(path, "facts", "counts that are out of range", err);
     }
+    /* The number of photons of each channel, then each channel. */
     uint64_t *count = calloc(channels + 1, sizeof *count);
     if (!count) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to check it");
@@ -104,7 +109,7 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
     return status;
 }
 
-/* The first thing about a record that cannot be, or NULL. */
+/* A description of the first impossible property of a record, or NULL. */
 static const char *flaw_of(const murk_photon *p, bool is_volume,
                            uint64_t emitted, const double *packet_w,
                            const murk_stage *stage, const murk_box *within)
@@ -113,6 +118,7 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
     const size_t materials = is_volume ? scene->n_media : scene->n_materials;
     const size_t channel =
         (size_t)p->light * (size_t)scene->bands + (size_t)p->band;
+    /* Indices must exist in the scene; then class and kind must exist. */
     if (p->band >= scene->bands || p->light >= scene->n_lights ||
         p->material >= materials || p->emitted >= emitted) {
         return "an index that is out of range";
@@ -121,6 +127,8 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
         (murk_photon_is_volume(p) != 0) != is_volume) {
         return "a kind that its map has not";
     }
+    /* The number of a photon determines its channel, the channel limits its
+     * power. */
     if (murk_sources_channel_of(stage->lights, p->emitted) != channel) {
         return "a photon of another light or band than its number's";
     }
@@ -128,6 +136,7 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
           (double)p->power_w <= packet_w[channel] * (1 + POWER_TOLERANCE))) {
         return "a power that is not 0 to its photon packet's";
     }
+    /* Position and directions. */
     if (!murk_box_contains(within, murk_photon_place(p))) {
         return "a position outside the domain";
     }
@@ -148,7 +157,7 @@ murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         const murk_stage *stage,
                                         const char *path, murk_error *err)
 {
-    /* the domain, wider by what rounding may do */
+    /* The domain, grown by the rounding of positions. */
     murk_box within = stage->world.domain.box;
     const double maximum =
         fmax(largest_coordinate(within.min), largest_coordinate(within.max));

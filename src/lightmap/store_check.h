@@ -1,5 +1,6 @@
-/* Whether the contents of a light.murk can be what a run of this scene wrote.
- * Checksums say that a file is whole, not that its contents are possible. */
+/* Checks that the contents of a light.murk can have been written by a run of
+ * this scene. Checksums show that a file is undamaged, not that the contents
+ * are possible. */
 #ifndef MURK_LIGHTMAP_STORE_CHECK_H
 #define MURK_LIGHTMAP_STORE_CHECK_H
 
@@ -9,8 +10,8 @@
 
 /* The sections "facts", "packet_w", "ledger" and "absorbed" of a file. */
 typedef struct murk_lightmap_numbers {
-    uint64_t emitted;                        /* photons */
-    uint64_t counted, collisions;            /* the ledger's plain counts */
+    uint64_t emitted;                        /* number of photons */
+    uint64_t counted, collisions;            /* counts of the ledger */
     const uint64_t *lost_photons;            /* [MURK_LOSSES] */
     const double *packet_w;                  /* [channels] */
     const int64_t *emitted_quanta;           /* [channels] */
@@ -21,13 +22,13 @@ typedef struct murk_lightmap_numbers {
     const int64_t *absorbed; /* [channels][materials, then media] */
 } murk_lightmap_numbers;
 
-/* MURK_BAD_FILE at `path` where a count, power or amount of energy is none that
- * a run of this scene with so many photons has. */
+/* Fails with MURK_BAD_FILE at `path` if a count, a power or an amount of energy
+ * cannot result from a run of this scene with that many photons. */
 murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *numbers,
                                         const murk_stage *stage,
                                         const char *path, murk_error *err);
 
-/* The same for the n records of the surface or the volume map. */
+/* The same check for the n records of the surface map or the volume map. */
 murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         bool is_volume, uint64_t emitted,
                                         const double *packet_w,

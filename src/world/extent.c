@@ -5,9 +5,9 @@
 
 #include "world/sky.h"
 
-#define DOMAIN_MARGIN                                          \
-    0.01 /* fraction of the longest edge: 1 % by the manual of \
-          * scene files */
+/* Margin as a fraction of the longest edge: 1 % by the manual of scene files.
+ */
+#define DOMAIN_MARGIN 0.01
 
 static murk_box box_around(const murk_affine *placed, const murk_box *box)
 {
