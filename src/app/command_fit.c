@@ -192,7 +192,7 @@ check_settings_list(const fit *f, const murk_session *session, murk_error *err)
             status = murk_covered_check(session->scene, err);
         }
     }
-    return !status && f->options->fit.next
+    return !status && murk_option_number(f->options, "--next", 0)
                ? murk_next_check(m, session->scene, err)
                : status;
 }
@@ -282,26 +282,28 @@ static murk_status write_files(const fit *f, murk_session *session,
 static murk_status run(fit *f, murk_session *session, murk_error *err)
 {
     const murk_options *o = f->options;
-    const murk_calibration_desc desc = {.keys = f->keys,
-                                        .measured = f->measured,
-                                        .imported = &f->imported,
-                                        .loss = o->fit.loss,
-                                        .loss_width = o->fit.loss_width,
-                                        .starts = (size_t)o->fit.starts,
-                                        .traces_max = (size_t)o->fit.traces,
-                                        .threads = o->threads,
-                                        .seed = session->scene->seed,
-                                        .only_predicts = o->fit.predict != NULL,
-                                        .watch = tell_step,
-                                        .forecast = tell_memory,
-                                        .context = f};
+    const murk_calibration_desc desc = {
+        .keys = f->keys,
+        .measured = f->measured,
+        .imported = &f->imported,
+        .loss = o->fit.loss,
+        .loss_width = o->fit.loss_width,
+        .starts = (size_t)murk_option_number(o, "--starts", 0),
+        .traces_max = (size_t)murk_option_number(o, "--traces", 0),
+        .threads = o->threads,
+        .seed = session->scene->seed,
+        .only_predicts = o->fit.predict != NULL,
+        .watch = tell_step,
+        .forecast = tell_memory,
+        .context = f};
+    const uint64_t next = murk_option_number(o, "--next", 0);
     murk_progress_begin_over("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
     murk_progress_end();
-    if (!status && o->fit.next) {
+    if (!status && next > 0) {
         murk_progress_begin_over("next", 0, "");
-        status = murk_next_propose(&f->next, (size_t)o->fit.next, &f->found,
-                                   &desc, err);
+        status =
+            murk_next_propose(&f->next, (size_t)next, &f->found, &desc, err);
         murk_progress_end();
     }
     return status ? status : write_files(f, session, err);
@@ -313,7 +315,7 @@ static murk_status check_options(const murk_options *o, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "fit needs --data FILE, a CSV of what was measured");
     }
-    if (o->fit.predict && (o->fit.free.n || o->fit.next)) {
+    if (o->fit.predict && (o->fit.free.n || murk_option_text(o, "--next"))) {
         return murk_fail(err, MURK_BAD_VALUE, "--predict",
                          "fits nothing, so it goes with neither --free nor "
                          "--next");

@@ -7,22 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where results go, and what is said on the way. */
-static bool is_left_out(const murk_option *option)
-{
-    switch (option->id) {
-    case MURK_OPTION_OUT:
-    case MURK_OPTION_THREADS:
-    case MURK_OPTION_FORCE:
-    case MURK_OPTION_FORMAT:
-    case MURK_OPTION_QUIET:
-    case MURK_OPTION_PROGRESS:
-        return true;
-    default:
-        return false;
-    }
-}
-
 static char *append(char *line, const char *word)
 {
     char *quoted = murk_utf8_shell_word(word);
@@ -65,7 +49,7 @@ murk_status murk_command_line(char **out, int argc, char **argv,
         may_be_option &= strcmp(text, "--") != 0; /* which ends the options */
         const int words = words_of(option, text);
         for (int k = 0; line && k < words && i < argc; ++k, ++i) {
-            if (!option || !is_left_out(option)) {
+            if (!option || !option->is_left_out) {
                 line = append(line, argv[i]);
             }
         }

@@ -368,8 +368,9 @@ murk_status murk_command_media(const murk_options *options, murk_error *err)
     if (options->profile) {
         return murk_command_media_profile(options, err);
     }
-    if (options->out || options->column || options->rows || options->voxel ||
-        options->width) {
+    if (options->out || murk_option_text(options, "--column") ||
+        murk_option_text(options, "--rows") || options->voxel ||
+        murk_option_text(options, "--width")) {
         return murk_fail(err, MURK_BAD_VALUE, "media",
                          "-o, --column, --rows, --voxel and --width need "
                          "--profile");

@@ -57,9 +57,10 @@ static murk_status print_json(const murk_profile_layers *l,
 murk_status murk_command_media_profile(const murk_options *options,
                                        murk_error *err)
 {
-    murk_profile_settings settings = {.csv = options->profile,
-                                      .column = options->column,
-                                      .rows = options->rows};
+    murk_profile_settings settings = {
+        .csv = options->profile,
+        .column = murk_option_text(options, "--column"),
+        .rows = murk_option_text(options, "--rows")};
     if (options->input) {
         return murk_fail(err, MURK_BAD_VALUE, "media",
                          "%.80s and --profile, must be one of them",
@@ -72,7 +73,8 @@ murk_status murk_command_media_profile(const murk_options *options,
     murk_status status =
         read_length("--voxel", options->voxel, &settings.voxel_m, err);
     if (!status) {
-        status = read_length("--width", options->width, &settings.width_m, err);
+        status = read_length("--width", murk_option_text(options, "--width"),
+                             &settings.width_m, err);
     }
     if (status) {
         return status;

@@ -421,7 +421,8 @@ static murk_status place(murk_session *session, const murk_options *options,
         status = murk_exports_begin(session, err);
     }
     if (!status) {
-        status = expect_files(session, options->repeat > 0, err);
+        status = expect_files(
+            session, murk_option_text(options, "--repeat") != NULL, err);
     }
     if (!status) {
         status = murk_plan_prepare(plan, session->stage, threads, err);
@@ -452,7 +453,8 @@ static murk_status place_over(murk_session *session,
         over, plan, session->scene, options->threads, err);
     session->run.load_s = murk_clock_s() - session->begun_s;
     if (!status) {
-        status = expect_files(session, options->repeat > 0, err);
+        status = expect_files(
+            session, murk_option_text(options, "--repeat") != NULL, err);
     }
     if (!status) {
         status = murk_condition_plans_make(over, plan, options->threads, err);
@@ -465,6 +467,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     if (options->matrix) {
         return murk_place_matrix(options, err);
     }
+    const uint64_t seeds = murk_option_number(options, "--repeat", 0);
     murk_session session;
     murk_plan_result plan = {0};
     murk_condition_plans *over = NULL;
@@ -472,7 +475,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     murk_error late = {0};
     murk_status status = murk_session_read(&session, options, err);
     if (!status) {
-        status = check_repeat(&session, options->repeat, err);
+        status = check_repeat(&session, seeds, err);
     }
     if (!status) {
         status = murk_exports_check(options->exports,
@@ -493,12 +496,12 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         session.run.place_s = plan.place_s;
         status = add_files(&session, &plan, over, &late, err);
     }
-    if (!status && options->repeat && plan.is_dark) {
+    if (!status && seeds && plan.is_dark) {
         murk_note("--repeat", "it is dark, so nothing hangs on chance: once is "
                               "enough");
-    } else if (!status && options->repeat) {
-        status = repeat_all(&session, &plan, over, &repeat,
-                            (size_t)options->repeat, &late, err);
+    } else if (!status && seeds) {
+        status = repeat_all(&session, &plan, over, &repeat, (size_t)seeds,
+                            &late, err);
     }
     if (!status) {
         status = finish(&session, &plan, over, &repeat, err);

@@ -102,7 +102,8 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
     murk_session session;
     murk_ledger *ledger = NULL;
     cJSON *root = NULL;
-    if (!options->has_photon) {
+    const uint64_t photon = murk_option_number(options, "--photon", 0);
+    if (!murk_option_text(options, "--photon")) {
         return murk_fail(err, MURK_BAD_VALUE, "", "replay needs --photon N");
     }
     murk_status status = murk_session_begin(&session, options, err);
@@ -110,11 +111,11 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
         goto done;
     }
     const uint64_t emit = session.scene->photons.emit;
-    if (emit && options->photon >= emit) {
+    if (emit && photon >= emit) {
         status =
             murk_fail(err, MURK_BAD_VALUE, "--photon",
                       "%llu, must be 0..%llu: the scene emits %llu",
-                      (unsigned long long)options->photon,
+                      (unsigned long long)photon,
                       (unsigned long long)(emit - 1), (unsigned long long)emit);
         goto done;
     }
@@ -122,18 +123,18 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
     if (status) {
         goto done;
     }
-    replay r = {.session = &session, .photon = options->photon};
+    replay r = {.session = &session, .photon = photon};
     if (options->json) {
         root = murk_json_begin(session.scene);
-        cJSON_AddNumberToObject(root, "photon", (double)options->photon);
+        cJSON_AddNumberToObject(root, "photon", (double)photon);
         r.events = cJSON_AddArrayToObject(root, "events");
     } else if (murk_session_speaks(&session)) {
         murk_print("event kind            x m       y m       z m  direction "
                    "out            path m\n");
     }
     murk_trace trace = murk_stage_trace(session.stage);
-    trace.first = options->photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;
-    trace.last = options->photon + 1;
+    trace.first = photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;
+    trace.last = photon + 1;
     trace.sink = on_event;
     trace.context = &r;
     murk_trace_run(&trace, ledger);

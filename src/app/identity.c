@@ -10,45 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef enum part { NONE, TEXT, FILE_CONTENTS } part;
-
-/* What an option has to do with results, beside what it does to the scene. */
-static part part_of(murk_option_id id)
-{
-    switch (id) {
-    case MURK_OPTION_DATA:
-    case MURK_OPTION_MATRIX:
-    case MURK_OPTION_PREDICT:
-    case MURK_OPTION_PROFILE:
-    case MURK_OPTION_SENSORS:
-        return FILE_CONTENTS;
-    case MURK_OPTION_BOUNDS:
-    case MURK_OPTION_CAMERA:
-    case MURK_OPTION_COLUMN:
-    case MURK_OPTION_EXPOSURE:
-    case MURK_OPTION_FALSE_COLOUR:
-    case MURK_OPTION_FREE:
-    case MURK_OPTION_FROM_SENSOR:
-    case MURK_OPTION_LOSS:
-    case MURK_OPTION_METHOD:
-    case MURK_OPTION_NEXT:
-    case MURK_OPTION_PHOTON:
-    case MURK_OPTION_PIXELS:
-    case MURK_OPTION_RANGE:
-    case MURK_OPTION_REPEAT:
-    case MURK_OPTION_ROWS:
-    case MURK_OPTION_SAMPLES:
-    case MURK_OPTION_SCALE:
-    case MURK_OPTION_STARTS:
-    case MURK_OPTION_TRACES:
-    case MURK_OPTION_VOXEL:
-    case MURK_OPTION_WIDTH:
-        return TEXT;
-    default: /* where results go, what is printed, keys of the scene */
-        return NONE;
-    }
-}
-
 /* Prints all of a scene that results follow from, wherever it lies. */
 static bool write_scene(FILE *to, const murk_scene_desc *scene)
 {
@@ -62,17 +23,17 @@ static bool write_scene(FILE *to, const murk_scene_desc *scene)
 static murk_status write_option(FILE *to, const murk_option *option,
                                 const char *value, murk_error *err)
 {
-    const part counts = part_of((murk_option_id)option->id);
+    const murk_option_part part = option->part;
     char sum[65];
     murk_status status = MURK_OK;
-    if (counts == FILE_CONTENTS) {
+    if (part == MURK_OPTION_AS_FILE) {
         status = murk_file_sha256(value, sum, err);
     }
-    if (!status && counts != NONE) {
+    if (!status && part != MURK_OPTION_NO_PART) {
         fprintf(to, "%s %s\n", option->name,
-                counts == FILE_CONTENTS ? sum
-                : value                 ? value
-                                        : "");
+                part == MURK_OPTION_AS_FILE ? sum
+                : value                     ? value
+                                            : "");
     }
     return status;
 }

@@ -1,64 +1,54 @@
-/* Every option: how it is spelled, what it takes, which commands know it. */
+/* Every option, one row each: how it is spelled, the value that it takes, the
+ * member or the scene key that the value goes to, which commands know it, and
+ * its help. Parsing, --help, the man pages and the identity of a run read the
+ * table.
+ *
+ * An option of one command needs no member of murk_options: the command asks
+ * murk_option_text() or murk_option_number() by its name. */
 #ifndef MURK_APP_OPTION_TABLE_H
 #define MURK_APP_OPTION_TABLE_H
 
-#include <stddef.h>
+#include "base/status.h"
 
-typedef enum murk_option_id {
-    MURK_OPTION_OUT,
-    MURK_OPTION_SEED,
-    MURK_OPTION_THREADS,
-    MURK_OPTION_EMIT,
-    MURK_OPTION_STORE,
-    MURK_OPTION_COUNT,
-    MURK_OPTION_TARGET,
-    MURK_OPTION_BUDGET,
-    MURK_OPTION_SET,
-    MURK_OPTION_LIGHT,
-    MURK_OPTION_SENSORS,
-    MURK_OPTION_MATRIX,
-    MURK_OPTION_EXPORT,
-    MURK_OPTION_REPEAT,
-    MURK_OPTION_PHOTON,
-    MURK_OPTION_DATA,
-    MURK_OPTION_FREE,
-    MURK_OPTION_BOUNDS,
-    MURK_OPTION_LOSS,
-    MURK_OPTION_STARTS,
-    MURK_OPTION_TRACES,
-    MURK_OPTION_NEXT,
-    MURK_OPTION_PREDICT,
-    MURK_OPTION_CAMERA,
-    MURK_OPTION_METHOD,
-    MURK_OPTION_FROM_SENSOR,
-    MURK_OPTION_PIXELS,
-    MURK_OPTION_SAMPLES,
-    MURK_OPTION_PNG,
-    MURK_OPTION_EXPOSURE,
-    MURK_OPTION_FALSE_COLOUR,
-    MURK_OPTION_RANGE,
-    MURK_OPTION_SCALE,
-    MURK_OPTION_PROFILE,
-    MURK_OPTION_COLUMN,
-    MURK_OPTION_ROWS,
-    MURK_OPTION_VOXEL,
-    MURK_OPTION_WIDTH,
-    MURK_OPTION_FORMAT,
-    MURK_OPTION_FORCE,
-    MURK_OPTION_QUIET,
-    MURK_OPTION_PROGRESS,
-    MURK_OPTION_HELP,
-    MURK_OPTION_VERSION,
-    MURK_OPTION_MAN
-} murk_option_id;
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct murk_options murk_options;
+
+typedef enum murk_option_kind {
+    MURK_OPTION_SWITCH, /* no value; a bool */
+    MURK_OPTION_TEXT,   /* const char * */
+    MURK_OPTION_COUNT,  /* a whole number min..max; uint64_t or unsigned */
+    MURK_OPTION_WORD,   /* one of `words`; the index: bool or int */
+    MURK_OPTION_OWN     /* as `read` reads it */
+} murk_option_kind;
+
+/* What an option has to do with results, beside what it does to the scene. */
+typedef enum murk_option_part {
+    MURK_OPTION_NO_PART,
+    MURK_OPTION_AS_TEXT, /* results depend on the value */
+    MURK_OPTION_AS_FILE  /* results depend on the contents of that file */
+} murk_option_part;
 
 typedef struct murk_option {
-    murk_option_id id;
     const char *name;     /* "--seed" */
     const char *other;    /* "-o", or NULL */
     const char *argument; /* "N", or NULL for a switch */
     const char *commands; /* "place sense", or NULL for all */
     const char *help;     /* NULL: not shown */
+    murk_option_kind kind;
+    uint64_t min, max;
+    const char *const *words; /* NULL ends them */
+    murk_status (*read)(murk_options *out, const char *name, const char *value,
+                        murk_error *err);
+    const char *key; /* scene key that gets the value; NULL: none */
+    size_t at, size; /* member of murk_options; size 0: none */
+    bool has_flag;
+    size_t flag_at; /* a bool: the option is given */
+    murk_option_part part;
+    bool is_left_out; /* of the command line that is kept with results: where
+                         results go, and what is printed */
 } murk_option;
 
 #define MURK_OPTIONS_MAX 96 /* of the table */
@@ -73,6 +63,6 @@ const murk_option *murk_option_find(const char *text, size_t length);
 const murk_option *murk_option_find_short(const char *text);
 
 /* Whether a list such as "place sense" holds the name; NULL holds all. */
-int murk_option_belongs(const murk_option *option, const char *command);
+bool murk_option_belongs(const murk_option *option, const char *command);
 
 #endif

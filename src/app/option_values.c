@@ -70,18 +70,6 @@ murk_status murk_option_override(murk_options *out, const char *key,
     return MURK_OK;
 }
 
-murk_status murk_option_set_count(murk_options *out, const char *name,
-                                  const char *key, const char *value,
-                                  uint64_t low, uint64_t high, murk_error *err)
-{
-    uint64_t n = 0;
-    const murk_status status =
-        murk_option_count(name, value, low, high, &n, err);
-    char digits[32];
-    snprintf(digits, sizeof digits, "%llu", (unsigned long long)n);
-    return status ? status : murk_option_override(out, key, digits, name, err);
-}
-
 murk_status murk_option_choice(const char *name, const char *value,
                                const char *const *allowed, int *out,
                                murk_error *err)
@@ -96,6 +84,27 @@ murk_status murk_option_choice(const char *name, const char *value,
                  i ? " | " : "", allowed[i]);
     }
     return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be %s", value, list);
+}
+
+murk_status murk_option_out(murk_options *out, const char *name,
+                            const char *value, murk_error *err)
+{
+    out->out = value;
+    return *value ? MURK_OK
+                  : murk_fail(err, MURK_BAD_VALUE, name,
+                              "\"\", must name a folder");
+}
+
+murk_status murk_option_method(murk_options *out, const char *name,
+                               const char *value, murk_error *err)
+{
+    static const char *const methods[] = {"maps", "path", "maps-only", NULL};
+    int which = 0;
+    const murk_status status =
+        murk_option_choice(name, value, methods, &which, err);
+    out->by_path = which == 1;
+    out->maps_only = which == 2;
+    return status;
 }
 
 murk_status murk_option_exports(murk_options *out, const char *name,
@@ -126,7 +135,7 @@ murk_status murk_option_exports(murk_options *out, const char *name,
     }
 }
 
-murk_status murk_option_words(murk_words_given *words, const char *value,
+static murk_status take_words(murk_words_given *words, const char *value,
                               const char *name, murk_error *err)
 {
     for (const char *at = value;;) {
@@ -153,9 +162,22 @@ murk_status murk_option_words(murk_words_given *words, const char *value,
     }
 }
 
-murk_status murk_option_loss(murk_fit_options *fit, const char *name,
+murk_status murk_option_free(murk_options *out, const char *name,
                              const char *value, murk_error *err)
 {
+    return take_words(&out->fit.free, value, name, err);
+}
+
+murk_status murk_option_bounds(murk_options *out, const char *name,
+                               const char *value, murk_error *err)
+{
+    return take_words(&out->fit.bounds, value, name, err);
+}
+
+murk_status murk_option_loss(murk_options *out, const char *name,
+                             const char *value, murk_error *err)
+{
+    murk_fit_options *fit = &out->fit;
     static const char *const losses[] = {"none", "huber", "cauchy"};
     static const double widths[] = {1, 1.345, 2.385};
     const size_t length = strcspn(value, ":");
@@ -209,8 +231,9 @@ static murk_status add_value(murk_options *out, const murk_yaml *map, size_t i,
     return murk_option_override(out, map->key[i], node->text, option, err);
 }
 
-murk_status murk_option_values_of(murk_options *out, const char *file,
-                                  murk_error *err)
+/* --set @FILE: a map of keys by their paths, such as fit's calibrated.yaml. */
+static murk_status values_of(murk_options *out, const char *file,
+                             murk_error *err)
 {
     murk_yaml *root = NULL;
     char *text = NULL;
@@ -237,4 +260,16 @@ murk_status murk_option_values_of(murk_options *out, const char *file,
     free(text);
     murk_yaml_destroy(root);
     return status;
+}
+
+murk_status murk_option_set(murk_options *out, const char *name,
+                            const char *value, murk_error *err)
+{
+    if (*value == '@') {
+        return values_of(out, value + 1, err);
+    }
+    return strchr(value, '=') && *value != '='
+               ? murk_option_override(out, "", value, NULL, err)
+               : murk_fail(err, MURK_BAD_VALUE, name, "%s, must be KEY=VALUE",
+                           value);
 }

@@ -13,27 +13,25 @@ murk_status murk_option_count(const char *name, const char *text, uint64_t low,
 murk_status murk_option_override(murk_options *out, const char *key,
                                  const char *value, const char *option,
                                  murk_error *err);
-/* The same of a whole number. */
-murk_status murk_option_set_count(murk_options *out, const char *name,
-                                  const char *key, const char *value,
-                                  uint64_t low, uint64_t high, murk_error *err);
-
 /* One of allowed[], which ends with NULL. */
 murk_status murk_option_choice(const char *name, const char *value,
                                const char *const *allowed, int *out,
                                murk_error *err);
 
-/* Words with commas between: --export, and those of a fit. */
+/* Readers of options that have a form of their own (option_table.h). */
+murk_status murk_option_out(murk_options *out, const char *name,
+                            const char *value, murk_error *err);
+murk_status murk_option_set(murk_options *out, const char *name,
+                            const char *value, murk_error *err);
+murk_status murk_option_method(murk_options *out, const char *name,
+                               const char *value, murk_error *err);
 murk_status murk_option_exports(murk_options *out, const char *name,
                                 const char *value, murk_error *err);
-murk_status murk_option_words(murk_words_given *words, const char *value,
-                              const char *name, murk_error *err);
-
-murk_status murk_option_loss(murk_fit_options *fit, const char *name,
+murk_status murk_option_free(murk_options *out, const char *name,
                              const char *value, murk_error *err);
-
-/* --set @FILE: a map of keys by their paths, such as fit's calibrated.yaml. */
-murk_status murk_option_values_of(murk_options *out, const char *file,
-                                  murk_error *err);
+murk_status murk_option_bounds(murk_options *out, const char *name,
+                               const char *value, murk_error *err);
+murk_status murk_option_loss(murk_options *out, const char *name,
+                             const char *value, murk_error *err);
 
 #endif

@@ -3,20 +3,12 @@
 #include "app/command_line.h"
 #include "app/option_table.h"
 #include "app/option_values.h"
-#include "app/render_options.h"
 #include "app/unknown.h"
 #include "base/pool.h"
 
-#include <errno.h>
-#include <math.h>
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define THREADS_MAX 256
-#define REPEATS_MAX 10000
-#define STARTS_MAX  1000
-#define TRACES_MAX  1000
-#define NEXT_MAX    100
 
 static murk_status find_command(murk_options *out, const char *name,
                                 murk_error *err)
@@ -30,148 +22,66 @@ static murk_status find_command(murk_options *out, const char *name,
     return murk_unknown_command(name, err);
 }
 
-static murk_status apply(murk_options *out, const murk_option *option,
-                         const char *value, murk_error *err)
+/* Stores a number of the member's size. */
+static void store(murk_options *out, size_t at, size_t size, uint64_t value)
 {
-    static const char *const formats[] = {"text", "json", NULL};
-    static const char *const methods[] = {"maps", "path", "maps-only", NULL};
-    static const char *const progresses[] = {"never", "auto", "always", NULL};
-    const char *name = option->name;
-    murk_status status = MURK_OK;
-    uint64_t n = 0;
-    int which = 0;
-    switch (option->id) {
-    case MURK_OPTION_OUT:
-        out->out = value;
-        if (!*value) {
-            status = murk_fail(err, MURK_BAD_VALUE, name,
-                               "\"\", must name a folder");
-        }
-        break;
-    case MURK_OPTION_SEED:
-        return murk_option_set_count(out, name, "seed", value, 0, UINT32_MAX,
-                                     err);
-    case MURK_OPTION_THREADS:
-        status = murk_option_count(name, value, 1, THREADS_MAX, &n, err);
-        out->threads = (unsigned)n;
-        break;
-    case MURK_OPTION_EMIT:
-        return murk_option_set_count(out, name, "photons.emit", value, 1,
-                                     UINT32_MAX, err);
-    case MURK_OPTION_STORE:
-        return murk_option_set_count(out, name, "photons.store", value, 1,
-                                     UINT32_MAX, err);
-    case MURK_OPTION_COUNT:
-        return murk_option_set_count(out, name, "sensors.count", value, 1,
-                                     1000000, err);
-    case MURK_OPTION_TARGET:
-        return murk_option_override(out, "sensors.target", value, name, err);
-    case MURK_OPTION_BUDGET:
-        return murk_option_override(out, "sensors.budget", value, name, err);
-    case MURK_OPTION_SET:
-        if (*value == '@') {
-            return murk_option_values_of(out, value + 1, err);
-        }
-        if (!strchr(value, '=') || *value == '=') {
-            return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be KEY=VALUE",
-                             value);
-        }
-        return murk_option_override(out, "", value, NULL, err);
-    case MURK_OPTION_DATA:
-        out->fit.data = value;
-        break;
-    case MURK_OPTION_FREE:
-        return murk_option_words(&out->fit.free, value, name, err);
-    case MURK_OPTION_BOUNDS:
-        return murk_option_words(&out->fit.bounds, value, name, err);
-    case MURK_OPTION_LOSS:
-        return murk_option_loss(&out->fit, name, value, err);
-    case MURK_OPTION_STARTS:
-        return murk_option_count(name, value, 1, STARTS_MAX, &out->fit.starts,
-                                 err);
-    case MURK_OPTION_TRACES:
-        return murk_option_count(name, value, 1, TRACES_MAX, &out->fit.traces,
-                                 err);
-    case MURK_OPTION_NEXT:
-        return murk_option_count(name, value, 1, NEXT_MAX, &out->fit.next, err);
-    case MURK_OPTION_PREDICT:
-        out->fit.predict = value;
-        break;
-    case MURK_OPTION_LIGHT:
-        out->light = value;
-        break;
-    case MURK_OPTION_SENSORS:
-        out->sensors = value;
-        break;
-    case MURK_OPTION_MATRIX:
-        out->matrix = value;
-        break;
-    case MURK_OPTION_CAMERA:
-        out->camera = value;
-        break;
-    case MURK_OPTION_METHOD:
-        status = murk_option_choice(name, value, methods, &which, err);
-        out->by_path = which == 1;
-        out->maps_only = which == 2;
-        break;
-    case MURK_OPTION_FROM_SENSOR:
-    case MURK_OPTION_PIXELS:
-    case MURK_OPTION_SAMPLES:
-    case MURK_OPTION_PNG:
-    case MURK_OPTION_EXPOSURE:
-    case MURK_OPTION_FALSE_COLOUR:
-    case MURK_OPTION_RANGE:
-    case MURK_OPTION_SCALE:
-        return murk_render_option(&out->render, option, value, err);
-    case MURK_OPTION_PROFILE:
-        out->profile = value;
-        break;
-    case MURK_OPTION_COLUMN:
-        out->column = value;
-        break;
-    case MURK_OPTION_ROWS:
-        out->rows = value;
-        break;
-    case MURK_OPTION_VOXEL:
-        out->voxel = value;
-        break;
-    case MURK_OPTION_WIDTH:
-        out->width = value;
-        break;
-    case MURK_OPTION_EXPORT:
-        return murk_option_exports(out, name, value, err);
-    case MURK_OPTION_REPEAT:
-        return murk_option_count(name, value, 1, REPEATS_MAX, &out->repeat,
-                                 err);
-    case MURK_OPTION_PHOTON:
-        out->has_photon = true;
-        return murk_option_count(name, value, 0, UINT32_MAX - UINT64_C(1),
-                                 &out->photon, err);
-    case MURK_OPTION_FORMAT:
-        status = murk_option_choice(name, value, formats, &which, err);
-        out->json = which == 1;
-        break;
-    case MURK_OPTION_FORCE:
-        out->force = true;
-        break;
-    case MURK_OPTION_QUIET:
-        out->quiet = true;
-        break;
-    case MURK_OPTION_PROGRESS:
-        status = murk_option_choice(name, value, progresses, &which, err);
-        out->progress = (murk_progress_mode)which;
-        break;
-    case MURK_OPTION_HELP:
-        out->wants_help = true;
-        break;
-    case MURK_OPTION_VERSION:
-        out->wants_version = true;
-        break;
-    case MURK_OPTION_MAN:
-        out->wants_man = true;
-        break;
+    char *member = (char *)out + at;
+    const bool is_true = value != 0;
+    const unsigned whole = (unsigned)value;
+    if (size == sizeof is_true) {
+        memcpy(member, &is_true, sizeof is_true);
+    } else if (size == sizeof whole) {
+        memcpy(member, &whole, sizeof whole);
+    } else if (size == sizeof value) {
+        memcpy(member, &value, sizeof value);
     }
-    return status;
+}
+
+/* The value of one option, checked, into its member or scene key. */
+static murk_status apply(murk_options *out, const murk_option *option,
+                         const char *value, uint64_t *number, murk_error *err)
+{
+    const char *name = option->name;
+    char digits[32];
+    int which = 0;
+    murk_status status = MURK_OK;
+    /* Check the value. */
+    switch (option->kind) {
+    case MURK_OPTION_SWITCH:
+        *number = 1;
+        break;
+    case MURK_OPTION_TEXT:
+        break;
+    case MURK_OPTION_COUNT:
+        status = murk_option_count(name, value, option->min, option->max,
+                                   number, err);
+        snprintf(digits, sizeof digits, "%llu", (unsigned long long)*number);
+        break;
+    case MURK_OPTION_WORD:
+        status = murk_option_choice(name, value, option->words, &which, err);
+        *number = (uint64_t)which;
+        break;
+    case MURK_OPTION_OWN:
+        return option->read(out, name, value, err);
+    }
+    if (status) {
+        return status;
+    }
+    /* Keep it. */
+    if (option->key) {
+        const bool is_count = option->kind == MURK_OPTION_COUNT;
+        return murk_option_override(out, option->key, is_count ? digits : value,
+                                    name, err);
+    }
+    if (option->has_flag) {
+        store(out, option->flag_at, sizeof(bool), true);
+    }
+    if (option->kind == MURK_OPTION_TEXT && option->size) {
+        memcpy((char *)out + option->at, &value, sizeof value);
+    } else {
+        store(out, option->at, option->size, *number);
+    }
+    return MURK_OK;
 }
 
 /* Notes and applies it. */
@@ -183,8 +93,34 @@ static murk_status take(murk_options *out, const murk_option *option,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
     }
     out->given = grown;
-    out->given[out->n_given++] = (murk_given){option, value};
-    return apply(out, option, value, err);
+    murk_given *given = &out->given[out->n_given++];
+    *given = (murk_given){.option = option, .value = value};
+    return apply(out, option, value, &given->number, err);
+}
+
+static const murk_given *last_given(const murk_options *options,
+                                    const char *name)
+{
+    assert(murk_option_find(name, strlen(name)));
+    for (size_t i = options->n_given; i-- > 0;) {
+        if (strcmp(options->given[i].option->name, name) == 0) {
+            return &options->given[i];
+        }
+    }
+    return NULL;
+}
+
+const char *murk_option_text(const murk_options *options, const char *name)
+{
+    const murk_given *given = last_given(options, name);
+    return given ? given->value : NULL;
+}
+
+uint64_t murk_option_number(const murk_options *options, const char *name,
+                            uint64_t otherwise)
+{
+    const murk_given *given = last_given(options, name);
+    return given ? given->number : otherwise;
 }
 
 /* One option and its value, which stands behind "=" or in the next argument;

@@ -1,9 +1,8 @@
-/* The command line: which command, which file, which options.
- *
- * One table (options.c) feeds parsing, --help and the man page. */
+/* The command line: which command, which file, which options. */
 #ifndef MURK_APP_OPTIONS_H
 #define MURK_APP_OPTIONS_H
 
+#include "app/option_table.h"
 #include "base/progress.h"
 #include "base/status.h"
 #include "fit/least_squares.h"
@@ -13,9 +12,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
-
-struct murk_option;
-typedef struct murk_options murk_options;
 
 typedef struct murk_command {
     const char *name, *arguments, *summary;
@@ -34,8 +30,6 @@ typedef struct murk_fit_options {
     murk_words_given bounds; /* --bounds */
     murk_loss_function loss; /* --loss */
     double loss_width;       /* in standard errors */
-    uint64_t starts, traces; /* 0: not given */
-    uint64_t next;           /* --next */
     const char *predict;     /* --predict */
 } murk_fit_options;
 
@@ -53,8 +47,9 @@ typedef struct murk_render_options {
 } murk_render_options;
 
 typedef struct murk_given {
-    const struct murk_option *option;
+    const murk_option *option;
     const char *value; /* NULL: it takes none */
+    uint64_t number;   /* of a count; of a word its index */
 } murk_given;
 
 struct murk_options {
@@ -68,13 +63,9 @@ struct murk_options {
     const char *camera;  /* --camera */
     bool by_path;        /* --method path */
     bool maps_only;      /* --method maps-only */
-    const char *profile; /* --profile; with it: */
-    const char *column, *rows, *width;
-    const char *voxel; /* --voxel, of a profile's grid and of --export */
-    unsigned exports;  /* --export: murk_export bits */
-    uint64_t repeat;   /* --repeat; 0: not given */
-    bool has_photon;
-    uint64_t photon; /* --photon */
+    const char *profile; /* --profile */
+    const char *voxel;   /* --voxel, of a profile's grid and of --export */
+    unsigned exports;    /* --export: murk_export bits */
     murk_fit_options fit;
     murk_render_options render;
     unsigned threads;
@@ -98,6 +89,12 @@ extern const size_t murk_commands_count;
 murk_status murk_options_parse(murk_options *out, int argc, char **argv,
                                murk_error *err);
 void murk_options_release(murk_options *options);
+
+/* The value of an option by its name in the table, the last one that is given.
+ * Text: NULL where it is not given; number: `otherwise`. */
+const char *murk_option_text(const murk_options *options, const char *name);
+uint64_t murk_option_number(const murk_options *options, const char *name,
+                            uint64_t otherwise);
 
 /* --help of one command, or of the program (NULL). */
 void murk_help_print(FILE *to, const murk_command *command);

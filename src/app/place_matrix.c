@@ -120,7 +120,7 @@ static murk_status read_settings(murk_matrix_plan *p,
         return murk_fail(err, MURK_BAD_VALUE, "--light",
                          "a matrix has no light; leave it out with --matrix");
     }
-    if (options->repeat) {
+    if (murk_option_text(options, "--repeat")) {
         return murk_fail(err, MURK_BAD_VALUE, "--repeat",
                          "a matrix is one sample, other seeds have no other; "
                          "leave it out with --matrix");

@@ -1,6 +1,5 @@
 #include "app/render_options.h"
 
-#include "app/option_values.h"
 #include "render/render.h"
 
 #include <math.h>
@@ -8,7 +7,6 @@
 #include <string.h>
 
 #define SIDE_MAX     65536
-#define SENSORS_MAX  1000000
 #define EXPOSURE_MAX 100.0 /* stops: 2^100 is beyond any radiance */
 
 static bool is_side(unsigned long n)
@@ -17,7 +15,7 @@ static bool is_side(unsigned long n)
 }
 
 /* "640x480" */
-static murk_status take_pixels(size_t pixels[2], const char *name,
+murk_status murk_option_pixels(murk_options *out, const char *name,
                                const char *value, murk_error *err)
 {
     char *end = NULL, *last = NULL;
@@ -33,12 +31,12 @@ static murk_status take_pixels(size_t pixels[2], const char *name,
                          "1..%d, %llu pixels together at most",
                          value, SIDE_MAX, (unsigned long long)MURK_PIXELS_MAX);
     }
-    pixels[0] = width;
-    pixels[1] = height;
+    out->render.pixels[0] = width;
+    out->render.pixels[1] = height;
     return MURK_OK;
 }
 
-static murk_status take_exposure(murk_render_options *out, const char *name,
+murk_status murk_option_exposure(murk_options *out, const char *name,
                                  const char *value, murk_error *err)
 {
     char *end;
@@ -48,13 +46,13 @@ static murk_status take_exposure(murk_render_options *out, const char *name,
                          "%s, must be a number of stops, %g..%g", value,
                          -EXPOSURE_MAX, EXPOSURE_MAX);
     }
-    out->has_exposure = true;
-    out->exposure_stops = stops;
+    out->render.has_exposure = true;
+    out->render.exposure_stops = stops;
     return MURK_OK;
 }
 
 /* "LOW:HIGH" */
-static murk_status take_range(murk_render_options *out, const char *name,
+murk_status murk_option_range(murk_options *out, const char *name,
                               const char *value, murk_error *err)
 {
     char *middle, *end = NULL;
@@ -68,46 +66,10 @@ static murk_status take_range(murk_render_options *out, const char *name,
                          "than the second",
                          value);
     }
-    out->has_range = true;
-    out->range[0] = low;
-    out->range[1] = high;
+    out->render.has_range = true;
+    out->render.range[0] = low;
+    out->render.range[1] = high;
     return MURK_OK;
-}
-
-murk_status murk_render_option(murk_render_options *out,
-                               const murk_option *option, const char *value,
-                               murk_error *err)
-{
-    static const char *const scales[] = {"linear", "log", NULL};
-    const char *name = option->name;
-    int which = 0;
-    murk_status status = MURK_OK;
-    switch (option->id) {
-    case MURK_OPTION_FROM_SENSOR:
-        return murk_option_count(name, value, 1, SENSORS_MAX, &out->from_sensor,
-                                 err);
-    case MURK_OPTION_PIXELS:
-        return take_pixels(out->pixels, name, value, err);
-    case MURK_OPTION_SAMPLES:
-        return murk_option_count(name, value, 1, MURK_SAMPLES_MAX,
-                                 &out->samples, err);
-    case MURK_OPTION_PNG:
-        out->png = true;
-        break;
-    case MURK_OPTION_EXPOSURE:
-        return take_exposure(out, name, value, err);
-    case MURK_OPTION_FALSE_COLOUR:
-        out->false_colour = value;
-        break;
-    case MURK_OPTION_RANGE:
-        return take_range(out, name, value, err);
-    default: /* MURK_OPTION_SCALE */
-        status = murk_option_choice(name, value, scales, &which, err);
-        out->has_scale = true;
-        out->is_log = which == 1;
-        break;
-    }
-    return status;
 }
 
 static murk_status needs(const char *option, const char *other, murk_error *err)

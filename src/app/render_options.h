@@ -3,13 +3,15 @@
 #ifndef MURK_APP_RENDER_OPTIONS_H
 #define MURK_APP_RENDER_OPTIONS_H
 
-#include "app/option_table.h"
 #include "app/options.h"
 
-/* Takes one of them. */
-murk_status murk_render_option(murk_render_options *out,
-                               const murk_option *option, const char *value,
-                               murk_error *err);
+/* Readers of options that have a form of their own (option_table.h). */
+murk_status murk_option_pixels(murk_options *out, const char *name,
+                               const char *value, murk_error *err);
+murk_status murk_option_exposure(murk_options *out, const char *name,
+                                 const char *value, murk_error *err);
+murk_status murk_option_range(murk_options *out, const char *name,
+                              const char *value, murk_error *err);
 
 /* What they need of each other and of --sensors. */
 murk_status murk_render_options_check(const murk_options *options,

@@ -53,7 +53,8 @@ static void test_defaults(void)
     CHECK_TEXT(o.command->name, "trace");
     CHECK_TEXT(o.input, "s.yaml");
     CHECK(!o.out && !o.light && !o.sensors && !o.matrix && !o.json);
-    CHECK(!o.quiet && o.threads >= 1 && o.n_overrides == 0 && o.repeat == 0);
+    CHECK(!o.quiet && o.threads >= 1 && o.n_overrides == 0 &&
+          !murk_option_text(&o, "--repeat"));
     CHECK(o.progress == MURK_PROGRESS_AUTO);
     murk_options_release(&o);
 }
@@ -61,7 +62,8 @@ static void test_defaults(void)
 static void test_whole_numbers_and_their_limits(void)
 {
     murk_options o = taken("place s.yaml -j 3 --repeat 10000 --emit 1e6");
-    CHECK(o.threads == 3 && o.repeat == 10000 && o.n_overrides == 1);
+    CHECK(o.threads == 3 && murk_option_number(&o, "--repeat", 0) == 10000 &&
+          o.n_overrides == 1);
     CHECK_TEXT(o.overrides[0].text, "photons.emit=1000000");
     CHECK_TEXT(o.overrides[0].option, "--emit");
     murk_options_release(&o);
@@ -71,10 +73,13 @@ static void test_whole_numbers_and_their_limits(void)
     CHECK_TEXT(o.overrides[1].text, "photons.store=4294967295");
     murk_options_release(&o);
     o = taken("replay s.yaml --photon 0 --seed 0");
-    CHECK(o.has_photon && o.photon == 0);
+    CHECK(murk_option_text(&o, "--photon") &&
+          murk_option_number(&o, "--photon", 1) == 0);
     murk_options_release(&o);
     o = taken("fit s.yaml --data d.csv --starts 1000 --traces 1 --next 100");
-    CHECK(o.fit.starts == 1000 && o.fit.traces == 1 && o.fit.next == 100);
+    CHECK(murk_option_number(&o, "--starts", 0) == 1000 &&
+          murk_option_number(&o, "--traces", 0) == 1 &&
+          murk_option_number(&o, "--next", 0) == 100);
     murk_options_release(&o);
     refused("trace s.yaml -j 0", "--threads", "0, must be a whole number 1..");
     refused("trace s.yaml -j 257", "--threads", "whole number 1..256");
