@@ -8,8 +8,8 @@
 #include "results/version.h"
 
 #include "base/log.h"
-#include "cases/sweep_kept.h"
 #include "cases/sweep_run.h"
+#include "cases/sweep_store.h"
 
 #include <math.h>
 #include <stdlib.h>

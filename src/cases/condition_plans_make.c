@@ -137,8 +137,7 @@ static murk_status shake(murk_condition_plans *plans,
                                    plans->plan[plans->chosen].count, err);
 }
 
-static murk_status make_room_for_jitter(murk_condition_plans *plans,
-                                        murk_error *err)
+static murk_status allocate_jitter(murk_condition_plans *plans, murk_error *err)
 {
     const murk_scene_desc *scene = plans->conditions->scene;
     const size_t n = murk_robust_draws(scene) * plans->conditions->n;
@@ -368,7 +367,7 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
                                    &plan->in_sample, err);
     }
     if (!status) {
-        status = make_room_for_jitter(plans, err);
+        status = allocate_jitter(plans, err);
     }
     const bool is_more = murk_plan_can_see_anew(all->scene);
     const bool holds_out = is_more && all->scene->placement.hold_out;

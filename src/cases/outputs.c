@@ -71,7 +71,7 @@ static murk_status check_needs(const murk_outputs *out,
                          "coverage_fixed needs a plan: FILE, sensors.csv or "
                          "plan.json");
     }
-    if (murk_outputs_look(out) && !scene->sensors.given) {
+    if (murk_outputs_need_sensors(out) && !scene->sensors.given) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "coverage needs sensors, and the scene %s has none",
                          scene->path);
@@ -125,7 +125,7 @@ murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
     return check_needs(out, scene, err);
 }
 
-bool murk_outputs_look(const murk_outputs *outputs)
+bool murk_outputs_need_sensors(const murk_outputs *outputs)
 {
     return outputs->wants[MURK_OUTPUT_FIXED] ||
            outputs->wants[MURK_OUTPUT_BEST] ||

@@ -33,7 +33,7 @@ murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
                                 const murk_scene_desc *scene, murk_error *err);
 
 /* Whether sensors are looked from at all. */
-bool murk_outputs_look(const murk_outputs *outputs);
+bool murk_outputs_need_sensors(const murk_outputs *outputs);
 
 /* Whether a plan for all rows is asked for. */
 bool murk_outputs_plan_for_all(const murk_outputs *outputs);

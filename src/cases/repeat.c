@@ -94,9 +94,10 @@ static murk_status run_again(murk_repeat_run *out,
 }
 
 /* The plan's coverage over conditions as they are lit and seen. */
-static murk_status measure_over(murk_estimate *out,
-                                const murk_plan_result *plan,
-                                const murk_conditions *all, murk_error *err)
+static murk_status measure_conditions(murk_estimate *out,
+                                      const murk_plan_result *plan,
+                                      const murk_conditions *all,
+                                      murk_error *err)
 {
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
@@ -116,10 +117,10 @@ static murk_status measure_over(murk_estimate *out,
     return status;
 }
 
-static murk_status run_over_again(murk_repeat_run *out,
-                                  const murk_repeat_first *first,
-                                  uint32_t later, unsigned threads,
-                                  murk_error *err)
+static murk_status run_conditions_again(murk_repeat_run *out,
+                                        const murk_repeat_first *first,
+                                        uint32_t later, unsigned threads,
+                                        murk_error *err)
 {
     murk_condition_plans *over = calloc(1, sizeof *over);
     if (!over) {
@@ -135,7 +136,8 @@ static murk_status run_over_again(murk_repeat_run *out,
         *out = run_of(&plan, over->conditions->scene->seed);
     }
     if (!status && murk_plan_can_see_anew(over->conditions->scene)) {
-        status = measure_over(&out->plan, first->plan, over->conditions, err);
+        status =
+            measure_conditions(&out->plan, first->plan, over->conditions, err);
     }
     murk_condition_plans_release(over);
     free(over);
@@ -169,7 +171,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
         murk_progress_part(out->runs + 1, asked, out->runs);
         status = first->stage
                      ? run_again(run, first, later, threads, &told)
-                     : run_over_again(run, first, later, threads, &told);
+                     : run_conditions_again(run, first, later, threads, &told);
         if (status) {
             status = murk_fail(err, status, told.where, "seed %lu: %s",
                                (unsigned long)scene->seed + later, told.text);

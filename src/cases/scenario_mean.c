@@ -52,7 +52,7 @@ static double read_seen(const murk_coverage_result *of, size_t i)
     return of->seen_by_at_least[i];
 }
 
-static double read_views(const murk_coverage_result *of, size_t i)
+static double read_sum_of_views(const murk_coverage_result *of, size_t i)
 {
     (void)i;
     return of->sum_of_views;
@@ -107,7 +107,7 @@ static murk_status fill(murk_coverage_result *out,
         (regions && !out->region)) {
         return MURK_NO_MEMORY;
     }
-    out->sum_of_views = mean_of(of, weight, n, read_views, 0);
+    out->sum_of_views = mean_of(of, weight, n, read_sum_of_views, 0);
     for (size_t i = 0; i < sensors; ++i) {
         out->covers[i] = mean_of(of, weight, n, read_covers, i);
         out->only_it_covers[i] = mean_of(of, weight, n, read_only, i);

@@ -233,7 +233,8 @@ murk_status murk_scenarios_place(murk_place_result *out,
 
 murk_status murk_scenarios_place_one(murk_place_result *out,
                                      const murk_scenarios *j, size_t block,
-                                     bool as_joint, const murk_place_desc *desc,
+                                     bool with_problem_weights,
+                                     const murk_place_desc *desc,
                                      murk_error *err)
 {
     murk_matrix *matrix = NULL;
@@ -245,7 +246,8 @@ murk_status murk_scenarios_place_one(murk_place_result *out,
                          problem.photons);
     }
     memcpy(weight + first,
-           as_joint ? j->weight + first : j->part[block].problem.weight,
+           with_problem_weights ? j->weight + first
+                                : j->part[block].problem.weight,
            j->part[block].problem.photons * sizeof *weight);
     murk_status status = murk_matrix_reweigh(&matrix, j->matrix, weight, err);
     if (!status) {

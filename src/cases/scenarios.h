@@ -60,7 +60,7 @@ murk_status murk_scenarios_place(murk_place_result *out,
  * of all scenarios, which references of a regret must be counted by. */
 murk_status murk_scenarios_place_one(murk_place_result *out,
                                      const murk_scenarios *scenarios,
-                                     size_t block, bool as_joint,
+                                     size_t block, bool with_problem_weights,
                                      const murk_place_desc *desc,
                                      murk_error *err);
 

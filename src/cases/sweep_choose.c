@@ -3,8 +3,8 @@
 #include "base/log.h"
 #include "base/machine.h"
 #include "cases/scenarios.h"
-#include "cases/sweep_kept.h"
-#include "cases/sweep_looks.h"
+#include "cases/sweep_coverage.h"
+#include "cases/sweep_store.h"
 #include "plan/plan.h"
 
 #include <math.h>
@@ -249,7 +249,7 @@ static void release(choosing *ch)
     free(ch->light);
 }
 
-murk_status murk_sweep_choose(murk_isolated *apart, void *context,
+murk_status murk_sweep_choose(murk_isolated *isolated, void *context,
                               murk_error *err)
 {
     const murk_sweep *sweep = context;
@@ -269,7 +269,7 @@ murk_status murk_sweep_choose(murk_isolated *apart, void *context,
             status = choose(&ch, &plan, p, err);
         }
         if (!status) {
-            status = murk_sweep_send(apart, (size_t)p, &plan, err);
+            status = murk_sweep_send(isolated, (size_t)p, &plan, err);
         }
         murk_study_row_release(&plan);
     }

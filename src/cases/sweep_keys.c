@@ -55,19 +55,19 @@ static bool finish(FILE *out, char **text, const size_t *size, char hash[65])
     return is_whole;
 }
 
-static bool is_of_looks(const char *key)
+static bool is_of_placement(const char *key)
 {
     return strcmp(key, "sensors") == 0 || strcmp(key, "placement") == 0;
 }
 
 /* Sensors and placement, as the scene has them resolved. */
-static murk_status sign_looks(char hash[65], const murk_scene_desc *scene,
-                              murk_error *err)
+static murk_status sign_placement(char hash[65], const murk_scene_desc *scene,
+                                  murk_error *err)
 {
     murk_yaml *root = NULL;
     murk_status status = murk_yaml_parse(
         &root, scene->resolved, strlen(scene->resolved), scene->path, err);
-    char *text = status ? NULL : murk_print_file(root, is_of_looks);
+    char *text = status ? NULL : murk_print_file(root, is_of_placement);
     if (text) {
         murk_sha256_hex(text, strlen(text), hash);
     } else if (!status) {
@@ -106,6 +106,6 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
         return no_memory(err);
     }
     return murk_outputs_plan_for_all(outputs)
-               ? sign_looks(out->looks, scene, err)
+               ? sign_placement(out->placement, scene, err)
                : MURK_OK;
 }

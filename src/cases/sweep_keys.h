@@ -9,9 +9,9 @@
 typedef struct murk_sweep_keys {
     char world[65]; /* rows alike in this differ by the power of lights alone */
     char light[65]; /* alike: the same light */
-    char looks[65]; /* alike: the same sensors and wishes for placing them; made
-                       where a plan for all rows is asked for */
-    char own[65];   /* all of the row, but for what others are in its group */
+    char placement[65]; /* alike: the same sensors and wishes for placing them;
+                       made where a plan for all rows is asked for */
+    char own[65]; /* all of the row, but for what others are in its group */
 } murk_sweep_keys;
 
 /* Of one row's scene. Files that are missing are left for later to refuse.

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static murk_status make_room(murk_sweep_light *l, murk_error *err)
+static murk_status allocate(murk_sweep_light *l, murk_error *err)
 {
     l->scene = calloc(l->n, sizeof *l->scene);
     l->stage = calloc(l->n, sizeof *l->stage);
@@ -26,7 +26,7 @@ murk_status murk_sweep_light_import(murk_sweep_light *l,
     const murk_sweep_desc *desc = &sweep->desc;
     const murk_stage *other = NULL;
     *l = (murk_sweep_light){.sweep = sweep, .group = group, .n = group->n};
-    murk_status status = make_room(l, err);
+    murk_status status = allocate(l, err);
     for (size_t k = 0; k < l->n && !status; ++k) {
         status = murk_study_row_scene(&l->scene[k], desc->study, group->row[k],
                                       desc->overrides, desc->n_overrides, err);

@@ -4,7 +4,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "cases/sweep_choose.h"
-#include "cases/sweep_kept.h"
+#include "cases/sweep_store.h"
 #include "cases/sweep_work.h"
 
 #include <math.h>

@@ -6,11 +6,11 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "cases/sweep_coverage.h"
 #include "cases/sweep_groups.h"
-#include "cases/sweep_kept.h"
 #include "cases/sweep_keys.h"
-#include "cases/sweep_looks.h"
 #include "cases/sweep_plans.h"
+#include "cases/sweep_store.h"
 #include "cases/sweep_work.h"
 #include "plan/placement_in.h"
 
@@ -66,8 +66,8 @@ static murk_status check_plan(const murk_sweep_desc *desc,
 
 /* What is wrong with the outputs is wrong with the study; else the row alone
  * fails. */
-static murk_status look_at_first(reading *r, const murk_scene_desc *scene,
-                                 murk_error *err)
+static murk_status read_first(reading *r, const murk_scene_desc *scene,
+                              murk_error *err)
 {
     murk_sweep *sweep = r->sweep;
     memcpy(sweep->scene_sha256, scene->sha256, sizeof scene->sha256);
@@ -98,7 +98,7 @@ static murk_status read_row(reading *r, size_t i, murk_error *err)
         goto done;
     }
     if (!r->has_outputs) {
-        status = look_at_first(r, scene, err);
+        status = read_first(r, scene, err);
     }
     if (!status) {
         murk_sweep_keys_of(&r->keys[i], &r->sums, scene, &sweep->outputs,
@@ -149,7 +149,7 @@ static murk_status check_overrides(const murk_sweep_desc *desc, murk_error *err)
 }
 
 /* One plan for all rows is of one list of candidates. */
-static murk_status check_looks(const reading *r, murk_error *err)
+static murk_status check_placement(const reading *r, murk_error *err)
 {
     const murk_sweep *sweep = r->sweep;
     const murk_study_file *study = sweep->desc.study;
@@ -162,7 +162,7 @@ static murk_status check_looks(const reading *r, murk_error *err)
             continue;
         }
         first = first == study->rows ? i : first;
-        if (strcmp(r->keys[i].looks, r->keys[first].looks) != 0) {
+        if (strcmp(r->keys[i].placement, r->keys[first].placement) != 0) {
             return murk_fail(err, MURK_BAD_VALUE, study->outputs_where,
                              "one plan for all rows needs sensors and "
                              "placement to be the same in all, and those of "
@@ -191,7 +191,7 @@ static murk_status read_rows(reading *r, murk_error *err)
                            r->first.text);
     }
     if (!status) {
-        status = check_looks(r, err);
+        status = check_placement(r, err);
     }
     if (!status) {
         status = murk_sweep_group_rows(sweep, r->keys, err);

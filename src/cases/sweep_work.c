@@ -2,8 +2,8 @@
 
 #include "base/log.h"
 #include "base/progress.h"
-#include "cases/sweep_kept.h"
-#include "cases/sweep_looks.h"
+#include "cases/sweep_coverage.h"
+#include "cases/sweep_store.h"
 #include "plan/plan.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 /* A group under way. */
 typedef struct group_work {
     const murk_sweep_job *job;
-    murk_isolated *apart;
+    murk_isolated *isolated;
     murk_sweep_light light;
     /* Warnings of the imports, and of building the first world. */
     char of_world[MURK_ROW_TEXT_SIZE], of_first[MURK_ROW_TEXT_SIZE];
@@ -24,24 +24,25 @@ typedef struct group_work {
 /* ---- warnings ---- */
 
 /* Warnings are the row's: the sink of base/log.h knows of nobody else. */
-static char heard[MURK_ROW_TEXT_SIZE];
+static char warnings[MURK_ROW_TEXT_SIZE];
 
-static void hear(const char *where, const char *text)
+static void add_warning(const char *where, const char *text)
 {
     static const char cut[] = " ...";
     char line[MURK_ROW_TEXT_SIZE];
     snprintf(line, sizeof line, "%s: %s", where, text);
-    const size_t n = strlen(heard), room = sizeof heard - n;
-    if (!strstr(heard, line) && (size_t)snprintf(heard + n, room, "%s%s",
-                                                 n ? "; " : "", line) >= room) {
-        memcpy(heard + sizeof heard - sizeof cut, cut, sizeof cut);
+    const size_t n = strlen(warnings), room = sizeof warnings - n;
+    if (!strstr(warnings, line) &&
+        (size_t)snprintf(warnings + n, room, "%s%s", n ? "; " : "", line) >=
+            room) {
+        memcpy(warnings + sizeof warnings - sizeof cut, cut, sizeof cut);
     }
 }
 
-static void take_heard(char out[MURK_ROW_TEXT_SIZE])
+static void take_warnings(char out[MURK_ROW_TEXT_SIZE])
 {
-    memcpy(out, heard, sizeof heard);
-    heard[0] = '\0';
+    memcpy(out, warnings, sizeof warnings);
+    warnings[0] = '\0';
 }
 
 /* ---- what a row measures ---- */
@@ -125,7 +126,7 @@ static murk_status measure_row(group_work *w, size_t k, murk_study_row *row,
                                     l->sweep->desc.threads, err);
     }
     if (!status) {
-        status = murk_sweep_look(l, k, row, traced, err);
+        status = murk_sweep_measure_coverage(l, k, row, traced, err);
     }
     if (is_own) {
         murk_traced_destroy(traced);
@@ -165,7 +166,7 @@ static murk_status measure_plans(group_work *w, size_t k, murk_study_row *row,
 static murk_status send_row(const group_work *w, size_t k,
                             const murk_study_row *row, murk_error *err)
 {
-    return murk_sweep_send(w->apart, w->light.group->row[k], row, err);
+    return murk_sweep_send(w->isolated, w->light.group->row[k], row, err);
 }
 
 static murk_status send_failure(const group_work *w, size_t k,
@@ -196,7 +197,7 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     }
     murk_study_row_add_note(&row, w->of_world);
     murk_study_row_add_note(&row, l->stage[k] == l->first ? w->of_first : "");
-    take_heard(own);
+    take_warnings(own);
     murk_study_row_add_note(&row, own);
     status = send_row(w, k, &row, err);
     murk_progress_add_over(1);
@@ -249,18 +250,18 @@ static murk_status light_up(group_work *w, murk_error *err)
     return status;
 }
 
-murk_status murk_sweep_work(murk_isolated *apart, void *context,
+murk_status murk_sweep_work(murk_isolated *isolated, void *context,
                             murk_error *err)
 {
-    group_work w = {.job = context, .apart = apart};
+    group_work w = {.job = context, .isolated = isolated};
     murk_sweep_light *l = &w.light;
-    murk_warn_to(hear);
+    murk_warn_to(add_warning);
     murk_status status = import_wanted(&w, err);
-    take_heard(w.of_world);
+    take_warnings(w.of_world);
     if (!status) {
         status = light_up(&w, err);
     }
-    take_heard(w.of_first);
+    take_warnings(w.of_first);
     for (size_t k = 0; l->first && k < l->n && !status; ++k) {
         if (l->stage[k]) {
             status = do_row(&w, k, err);

@@ -13,8 +13,8 @@ typedef struct murk_sweep_job {
 } murk_sweep_job;
 
 /* A murk_isolated_work: context is the job. Sends each row of it
- * (cases/sweep_kept.h). */
-murk_status murk_sweep_work(murk_isolated *apart, void *context,
+ * (cases/sweep_store.h). */
+murk_status murk_sweep_work(murk_isolated *isolated, void *context,
                             murk_error *err);
 
 #endif

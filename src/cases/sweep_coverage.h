@@ -1,6 +1,6 @@
 /* What sensors see in one row of a study. Private to the sweep. */
-#ifndef MURK_CASES_SWEEP_LOOKS_H
-#define MURK_CASES_SWEEP_LOOKS_H
+#ifndef MURK_CASES_SWEEP_COVERAGE_H
+#define MURK_CASES_SWEEP_COVERAGE_H
 
 #include "cases/sweep_light.h"
 
@@ -16,9 +16,10 @@ bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced);
 /* Adds coverage_fixed and coverage_best, as far as they are asked for, and the
  * best plan's sensors. `traced` is the light that chooses; NULL: there is
  * nothing to see, so values are NaN. */
-murk_status murk_sweep_look(murk_sweep_light *light, size_t k,
-                            murk_study_row *row, const murk_traced *traced,
-                            murk_error *err);
+murk_status murk_sweep_measure_coverage(murk_sweep_light *light, size_t k,
+                                        murk_study_row *row,
+                                        const murk_traced *traced,
+                                        murk_error *err);
 
 /* Coverage of a plan: on light that did not choose, where the scene holds some
  * out; else on the light that does. Where there is nothing to see it is NaN. */

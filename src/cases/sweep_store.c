@@ -1,4 +1,4 @@
-#include "cases/sweep_kept.h"
+#include "cases/sweep_store.h"
 
 #include "base/file.h"
 #include "base/staging.h"
@@ -138,7 +138,7 @@ murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
 
 /* ---- messages ---- */
 
-murk_status murk_sweep_send(murk_isolated *apart, size_t number,
+murk_status murk_sweep_send(murk_isolated *isolated, size_t number,
                             const murk_study_row *row, murk_error *err)
 {
     char *text = murk_study_row_print(row), *message = NULL;
@@ -151,7 +151,7 @@ murk_status murk_sweep_send(murk_isolated *apart, size_t number,
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
     } else {
         const int n = snprintf(message, size, "%zu\n%s", number, text);
-        status = murk_isolated_send(apart, message, (size_t)n, err);
+        status = murk_isolated_send(isolated, message, (size_t)n, err);
     }
     free(message);
     free(text);

@@ -1,8 +1,8 @@
 /* What a study keeps of what is done: FOLDER/rows, a small file each, by a
  * checksum of all that it follows from; and how rows travel between processes.
  * Private to the sweep. */
-#ifndef MURK_CASES_SWEEP_KEPT_H
-#define MURK_CASES_SWEEP_KEPT_H
+#ifndef MURK_CASES_SWEEP_STORE_H
+#define MURK_CASES_SWEEP_STORE_H
 
 #include "base/isolated.h"
 #include "cases/sweep.h"
@@ -33,7 +33,7 @@ murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
                            murk_error *err);
 
 /* A message: a number, a line end, a row's text. */
-murk_status murk_sweep_send(murk_isolated *apart, size_t number,
+murk_status murk_sweep_send(murk_isolated *isolated, size_t number,
                             const murk_study_row *row, murk_error *err);
 /* And back: number below `most`, *text within bytes. Release *out, also after a
  * failure. */

@@ -1,4 +1,4 @@
-#include "cases/sweep_looks.h"
+#include "cases/sweep_coverage.h"
 
 #include "plan/placement_in.h"
 #include "plan/plan.h"
@@ -143,8 +143,10 @@ static murk_status add_nothing(const murk_outputs *outputs, murk_study_row *row,
                : status;
 }
 
-murk_status murk_sweep_look(murk_sweep_light *l, size_t k, murk_study_row *row,
-                            const murk_traced *traced, murk_error *err)
+murk_status murk_sweep_measure_coverage(murk_sweep_light *l, size_t k,
+                                        murk_study_row *row,
+                                        const murk_traced *traced,
+                                        murk_error *err)
 {
     const murk_stage *stage = l->stage[k];
     const murk_outputs *outputs = &l->sweep->outputs;
