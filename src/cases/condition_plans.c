@@ -1,4 +1,5 @@
-/* Questions about plans over conditions that are made already. */
+/* Plans over conditions that are made already: the regret of one plan in one
+ * condition, and the release of all of them. */
 #include "cases/condition_plans.h"
 
 #include <stdlib.h>

@@ -1,59 +1,64 @@
-/* A plan over conditions: for their mean coverage, for the worst of them, or
- * for the least largest regret; and what it costs to plan for one condition and
- * meet another (regret).
+/* Plans over the conditions of a scene: the plan for the mean coverage, for the
+ * worst condition or for the least largest regret, and for comparison the plan
+ * of each condition alone. The regret of a plan in a condition is the coverage
+ * that the best plan known for that condition has there, less the coverage of
+ * the plan.
  *
- * Each condition's coverage is measured in its own light; dark ones are left
- * out. Its held-out map is
- * independent of all other maps, those of other conditions too; the maps that
- * choose share their random numbers, which leaves differences between
- * conditions less noise. */
+ * The coverage in each condition is measured in the light of that condition;
+ * dark conditions are left out. The held-out map of a condition is independent
+ * of all other maps, also of those of other conditions. The maps that choose
+ * share their random numbers between conditions, so that differences between
+ * conditions have less noise. */
 #ifndef MURK_CASES_CONDITION_PLANS_H
 #define MURK_CASES_CONDITION_PLANS_H
 
 #include "cases/conditions.h"
 #include "plan/plan.h"
 
-/* One plan, used in each condition. */
+/* One plan and the coverage that it has in each condition. */
 typedef struct murk_condition_plan {
-    murk_scene_name made_for; /* a condition, mean, worst,
-                                regret */
+    murk_scene_name made_for; /* name of a condition, or mean, worst, regret */
     size_t count;
     murk_pose *sensor; /* [count] */
     murk_estimate in_sample[MURK_SCENE_CONDITIONS_MAX];
     murk_estimate held_out[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plan;
 
+/* A plan for each condition, and one for each of three objectives. */
 #define MURK_CONDITION_PLANS_MAX (MURK_SCENE_CONDITIONS_MAX + 3)
 
 typedef struct murk_condition_plans {
     murk_conditions *conditions;
-    murk_condition_plan plan[MURK_CONDITION_PLANS_MAX]; /* each condition's own,
-                                                 in their order; mean; worst
-                                                 (known environment); regret,
-                                                 where it is asked for */
-    size_t plans;  /* 0: it is dark in all of them */
-    size_t chosen; /* the one that was asked for */
-    bool has_held_out;
-    murk_coverage_result coverage[MURK_SCENE_CONDITIONS_MAX]; /* of the chosen
-                                                          one, in sample */
-    murk_estimate *shaken; /* [conditions * draws] the chosen one's, by
-                              condition, where jitter is asked for */
-    size_t unmoved;        /* of each condition's draws */
-    /* With over: regret, of the sample that chose. The largest regret of the
-     * plan to the best plans known; the least that any plan has, to these and
-     * so to the true optima, which are not less; and the largest that this
-     * plan can have to the true optima. */
+    /* The plan of each condition in their order; then the plans for the mean,
+     * for the worst condition (in a known environment) and for the regret (if
+     * it is asked for). */
+    murk_condition_plan plan[MURK_CONDITION_PLANS_MAX];
+    size_t plans;      /* 0: every condition is dark */
+    size_t chosen;     /* number of the plan that is asked for */
+    bool has_held_out; /* held_out of the plans is measured */
+    /* Of the chosen plan, in sample. */
+    murk_coverage_result coverage[MURK_SCENE_CONDITIONS_MAX];
+    murk_estimate *shaken; /* [conditions * draws] coverage of the chosen plan
+                              with jitter; NULL without jitter */
+    size_t unmoved;        /* moves that found no free place, of draws times
+                              sensors in one condition */
+    /* With the objective regret, on the sample that chose: the largest regret
+     * of the chosen plan to the best plans known; a lower bound of the largest
+     * regret of any plan, which holds for the true optima too, because these
+     * are not less than the best plans known; and an upper bound of the largest
+     * regret of the chosen plan to the true optima. */
     double regret, regret_lower, regret_upper;
-    uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX]; /* coverage by all
-                              candidates, over MURK_SHARE_ONE, likewise */
+    /* With the objective regret: coverage by all candidates, as a share in
+     * units of 1 / MURK_SHARE_ONE. */
+    uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plans;
 
-/* How far from the best plan known for condition c the coverage `of` is there:
- * held out where it is. */
+/* Regret of a plan in condition c, from held-out coverages if there are some,
+ * else from those in sample. */
 double murk_condition_plans_regret(const murk_condition_plans *plans,
                                    const murk_condition_plan *plan, size_t c);
 
-/* Also after a failure. */
+/* Releases all plans and the conditions, also after a failure. */
 void murk_condition_plans_release(murk_condition_plans *plans);
 
 #endif

@@ -1,3 +1,7 @@
+/* Chooses the plans over conditions: the plan by the objective that is asked
+ * for, and for comparison the plan of each condition alone and the plans by
+ * the other objectives, by the same method and with the same number of
+ * sensors. */
 #include "cases/condition_plans_choose.h"
 
 #include "base/progress.h"
@@ -114,12 +118,16 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     const bool is_regret = objective == MURK_SCENE_OVER_REGRET;
     murk_status status = MURK_OK;
     size_t block = 0;
+    /* The plan that is asked for comes first, because the plans to compare
+     * with take its number of sensors. A plan of least regret needs the plans
+     * of the conditions first. */
     ch->desc = murk_scenarios_desc(ch->scenarios, objective);
     murk_place_desc asked = ch->desc;
     if (!is_regret) {
         status = murk_scenarios_place(&ch->plan->place, ch->scenarios,
                                       objective, &asked, err);
     }
+    /* The own plan of each condition. */
     choose_to_compare(ch);
     for (size_t c = 0; !status && c < all->n; ++c) {
         const murk_scene_condition *settings = all->condition[c].settings;
@@ -138,6 +146,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         }
         murk_place_release(&place);
     }
+    /* The plans by each objective, among them the one that is asked for. */
     const char *const name[] = {[MURK_SCENE_OVER_MEAN] = "mean",
                                 [MURK_SCENE_OVER_WORST] = "worst",
                                 [MURK_SCENE_OVER_REGRET] = "regret"};

@@ -27,6 +27,8 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                                          unsigned threads, murk_error *err)
 {
     const murk_scene_placement *settings = &scene->placement;
+    /* Refuse combinations of keys that have no meaning for several conditions.
+     */
     if (settings->knowledge == MURK_SCENE_EXPLORE) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "over: knowledge explore goes through the scene as it "
@@ -46,6 +48,7 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                          "sensors.target must not be given; give sensors.count "
                          "or sensors.budget");
     }
+    /* Build the world of each condition and check what its plan needs. */
     murk_progress_begin_over("build", 0, "");
     murk_status status = murk_conditions_create(&out->conditions, scene, err);
     murk_progress_end();
@@ -53,6 +56,7 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
         status =
             murk_plan_check(out->conditions->condition[c].stage, threads, err);
     }
+    /* Find the candidates that are usable in every condition. */
     if (!status) {
         status = murk_conditions_sites(&plan->candidates, out->conditions,
                                        threads, err);
@@ -159,6 +163,7 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
         return murk_fail(err, MURK_NO_MEMORY, all->scene->path,
                          "no memory for %zu draws of jitter", draws);
     }
+    /* One figure of all conditions for each draw, by the objective. */
     for (size_t d = 0; d < draws; ++d) {
         murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
         size_t worst;
@@ -168,6 +173,7 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
         covered[d] = murk_conditions_estimate(
             all, of, all->scene->placement.over, plans->has_held_out, &worst);
     }
+    /* The spread of the draws about the figure of the plan as it stands. */
     const murk_status status =
         draws == 0
             ? MURK_OK
@@ -190,6 +196,7 @@ static murk_status measure_on(murk_condition_plans *plans,
     const murk_stage *stage = plans->conditions->condition[c].stage;
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
+    /* Trace other light of the condition and build the sight onto it. */
     murk_status status = murk_lightmap_trace(
         &other, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
     if (!status) {
@@ -197,6 +204,7 @@ static murk_status measure_on(murk_condition_plans *plans,
         plan->map_s += other->map_s;
         status = murk_plan_sight(&sight, stage, other, threads, err);
     }
+    /* Measure the chosen plan alone, or all plans and the jitter. */
     if (!status) {
         status = confirmed ? measure_plan(plans, plans->chosen, sight, NULL,
                                           confirmed, err)
@@ -222,6 +230,7 @@ static murk_status sum_up(murk_coverage_result *out,
     murk_estimate total[MURK_SCENE_CONDITIONS_MAX];
     double weight[MURK_SCENE_CONDITIONS_MAX];
     size_t worst;
+    /* Find the condition that the objective looks at. */
     murk_conditions_weights(all, weight);
     for (size_t c = 0; c < all->n; ++c) {
         total[c] = of[c].total;
@@ -232,6 +241,8 @@ static murk_status sum_up(murk_coverage_result *out,
         plans->conditions->regret_at = worst;
         plans->conditions->has_regret_at = true;
     }
+    /* An objective other than the mean takes the coverage of that condition
+     * alone. */
     if (all->scene->placement.over != MURK_SCENE_OVER_MEAN) {
         memset(weight, 0, sizeof weight);
         weight[worst] = 1;
@@ -247,10 +258,12 @@ static murk_status measure_held_out(murk_condition_plans *plans,
 {
     murk_coverage_result held_out[MURK_SCENE_CONDITIONS_MAX] = {0}, sum = {0};
     murk_status status = MURK_OK;
+    /* Measure all plans in the held-out light of each condition. */
     for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
         status = measure_on(plans, plan, c, MURK_HELD_OUT_STREAM, NULL,
                             &held_out[c], threads, err);
     }
+    /* Sum the conditions up and hand the result to the plan. */
     if (!status) {
         status = sum_up(&sum, plans, held_out, true, err);
     }
@@ -299,9 +312,13 @@ static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
     const murk_condition_plan *chosen = &plans->plan[plans->chosen];
     murk_place_result *place = &plan->place;
     const double one = (double)place->whole;
+    /* The largest regret of the plan and the least regret of any plan, to the
+     * best plans that are known. */
     plans->regret = 1 - (double)place->value / one;
     plans->regret_lower = 1 - (double)place->upper / one;
     plans->regret_upper = plans->regret;
+    /* The largest regret that the plan can have to the true optima: each best
+     * plan known is replaced by the upper bound of its condition. */
     for (size_t c = 0; c < all->n; ++c) {
         murk_condition at = all->condition[c];
         at.best_known = at.best_upper;
@@ -311,6 +328,7 @@ static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
             plans->regret_upper = max;
         }
     }
+    /* Value and bound of the plan in the condition of the largest regret. */
     size_t at;
     murk_conditions_estimate(all, chosen->in_sample, MURK_SCENE_OVER_REGRET,
                              false, &at);
@@ -348,6 +366,7 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
         return murk_fail(err, MURK_NO_MEMORY, all->scene->path,
                          "no memory for the plan");
     }
+    /* Coverage of all plans on the light that chose them. */
     memcpy(plan->sensor, chosen->sensor, chosen->count * sizeof *plan->sensor);
     for (size_t c = 0; !status && c < all->n; ++c) {
         status = measure_all(plans, c, all->condition[c].sight, false,
@@ -369,6 +388,7 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
     if (!status) {
         status = allocate_jitter(plans, err);
     }
+    /* Held-out light, jitter and the confirmation of a target. */
     const bool is_more = murk_plan_can_see_anew(all->scene);
     const bool holds_out = is_more && all->scene->placement.hold_out;
     for (size_t c = 0; !status && !holds_out && c < all->n; ++c) {

@@ -1,3 +1,6 @@
+/* The conditions of a scene: builds the world of each condition, traces light
+ * in it, or takes the light of an earlier condition whose light key is equal,
+ * and turns the coverages of a plan in all conditions into one figure. */
 #include "cases/conditions.h"
 
 #include "base/machine.h"
@@ -43,6 +46,8 @@ murk_status murk_conditions_create(murk_conditions **out,
     all->scene = scene;
     all->n = scene->n_conditions;
     murk_status status = MURK_OK;
+    /* Import the files of all conditions before any ray device exists, then
+     * build the worlds. */
     for (size_t c = 0; !status && c < all->n; ++c) {
         all->condition[c].settings = &scene->conditions[c];
         status = murk_stage_import(&all->condition[c].stage,
@@ -129,6 +134,7 @@ murk_status murk_conditions_again(murk_conditions **out,
         return murk_fail(err, MURK_NO_MEMORY, from->scene->path,
                          "no memory for conditions");
     }
+    /* Each condition borrows the built world of the original. */
     all->scene = all->again;
     for (size_t c = 0; !status && c < from->n + from->dark; ++c) {
         status = condition_again(&all->condition[c], &from->condition[c], later,
@@ -179,6 +185,8 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
 {
     double stay = 0, more = 0;
     size_t lights = 0;
+    /* Add up the maps that stay in memory; find the largest amount that one
+     * trace needs besides. */
     for (size_t c = 0; c < all->n; ++c) {
         if (find_alike(all, c)) {
             continue;
@@ -194,6 +202,7 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
         more = fmax(more, f.memory_bytes - mine);
         ++lights;
     }
+    /* Compare with the free memory. */
     const double have = murk_machine_memory_bytes();
     return stay + more <= have
                ? MURK_OK
@@ -270,6 +279,7 @@ murk_estimate murk_conditions_estimate(const murk_conditions *all,
     murk_conditions_weights(all, weight);
     double min = 0;
     *worst = all->n;
+    /* Find the condition with the least coverage or the largest regret. */
     for (size_t c = 0; c < all->n; ++c) {
         const murk_condition *one = &all->condition[c];
         const double less =
@@ -281,6 +291,8 @@ murk_estimate murk_conditions_estimate(const murk_conditions *all,
             min = less;
         }
     }
+    /* The condition of the largest regret is fixed once the plan is measured
+     * in sample. */
     if (objective == MURK_SCENE_OVER_REGRET && all->has_regret_at) {
         *worst = all->regret_at;
     }

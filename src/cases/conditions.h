@@ -1,10 +1,10 @@
-/* The scene's conditions as worlds: each with its own stage, light and sight,
- * and one list of places where sensors may stand in all of them.
+/* The conditions of a scene as worlds: each has a stage, light and sight of its
+ * own, and all share the candidates that are usable in every condition.
  *
- * A condition is lit once; those that the light does not tell apart share it.
- * One of weight 0 is lit and measured, and has no say. One in which it is dark
- * (plan/dark.h) has nothing to see, so it is neither: plans are made for the
- * others, and its coverage is null. */
+ * Light is traced once for each condition; conditions whose light depends on
+ * equal keys share it. A condition of weight 0 is lit and measured, but no plan
+ * is chosen for it. In a dark condition there is nothing to see: plans are
+ * chosen for the others, and its coverage is null (plan/dark.h). */
 #ifndef MURK_CASES_CONDITIONS_H
 #define MURK_CASES_CONDITIONS_H
 
@@ -14,56 +14,59 @@
 #include "plan/targets.h"
 
 typedef struct murk_condition {
-    const murk_scene_condition *settings;
+    const murk_scene_condition *settings; /* name, weight and scene */
     murk_stage *stage;
-    murk_scene_desc
-        *borrowed;       /* of a stage whose parts are another's; else NULL */
-    murk_traced *traced; /* the light that chooses */
-    bool borrows_light;  /* an earlier condition's */
-    murk_sight *sight;
-    murk_target_facts targets; /* points 0: photons are seen */
-    /* With over: regret, once plans are chosen: the coverage of the best plan
-     * known for this condition alone, and what no plan exceeds there. */
+    murk_scene_desc *borrowed; /* not NULL: the parts of the stage belong to
+                                  another set of conditions */
+    murk_traced *traced;       /* the light that chooses */
+    bool borrows_light;        /* traced belongs to an earlier condition */
+    murk_sight *sight;         /* onto that light; NULL before lighting */
+    murk_target_facts targets; /* points 0: photons are seen, no targets */
+    /* With the objective regret, once plans are chosen: the coverage of the
+     * best plan known for this condition alone, and the upper bound of the
+     * coverage of any plan there. */
     double best_known, best_upper;
 } murk_condition;
 
 typedef struct murk_conditions {
     const murk_scene_desc *scene; /* borrowed */
-    murk_scene_desc *again; /* it, of murk_conditions_again(); else NULL */
-    size_t n;               /* that there is something to see in */
-    size_t dark; /* that follow them, and have no sight; where no condition that
-                    has a say is lit, all do */
-    murk_condition condition[MURK_SCENE_CONDITIONS_MAX]; /* [n + dark], else in
-                                                            the scene's order */
-    bool has_regret_at; /* over: regret, once the plan is measured in sample: */
-    size_t regret_at;   /* where its regret is largest; results speak of it */
-    double trace_s, map_s;
+    murk_scene_desc *again; /* owned copy of it: of murk_conditions_again() */
+    size_t n;               /* conditions in which there is something to see */
+    size_t dark; /* dark conditions, which follow these and have no sight; all
+                    conditions, if none that has weight is lit */
+    /* [n + dark], otherwise in the order of the scene. */
+    murk_condition condition[MURK_SCENE_CONDITIONS_MAX];
+    /* With the objective regret, once the plan is measured in sample: the
+     * number of the condition in which its regret is largest. */
+    bool has_regret_at;
+    size_t regret_at;
+    double trace_s, map_s; /* seconds of all traces, and of building maps */
 } murk_conditions;
 
-/* Imports the files of all conditions, then builds them. *out is the caller's:
- * murk_conditions_destroy(). The scene must outlive it. */
+/* Imports the files of all conditions and then builds their worlds. *out is the
+ * caller's: murk_conditions_destroy(). The scene must outlive *out. */
 murk_status murk_conditions_create(murk_conditions **out,
                                    const murk_scene_desc *scene,
                                    murk_error *err);
 void murk_conditions_destroy(murk_conditions *conditions); /* NULL is fine */
 
-/* The same worlds under seeds that are `later` by so much, for another job, and
- * without jitter; nothing is lit yet. Borrows what `from` is built of: destroy
- * it first. Fails with MURK_NO_MEMORY. */
+/* The same worlds with seeds that are `later` greater, for another run of the
+ * same job, without jitter and without light. *out borrows the worlds of
+ * `from`: destroy *out first. Fails with MURK_NO_MEMORY. */
 murk_status murk_conditions_again(murk_conditions **out,
                                   const murk_conditions *from, uint32_t later,
                                   murk_error *err);
 
-/* The candidates that are usable in every condition, by their places. Counts
- * of why others are not are those of the first; those that only a later one
- * drops count as unreached. */
+/* The candidates that are usable in every condition. The counts of refused
+ * candidates are those of the first condition; candidates that only a later
+ * condition refuses count as not reached. */
 murk_status murk_conditions_sites(murk_candidates **out,
                                   const murk_conditions *conditions,
                                   unsigned threads, murk_error *err);
 
-/* Lights every condition and looks: fills traced and, of the first n, sight.
- * Refused before any is traced, by forecast, when they do not fit in memory
- * together. */
+/* Traces the light of every condition, and builds the sight of the first n:
+ * fills traced, sight and targets. Refused before any trace, by forecast, if
+ * the maps do not fit in memory together. */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
 

@@ -1,3 +1,5 @@
+/* The outputs that a study asks for: reads the words of `outputs`, and refuses
+ * outputs that are unknown or that lack something they need. */
 #include "cases/outputs.h"
 
 #include "scene/words.h"
@@ -66,6 +68,7 @@ static murk_status check_needs(const murk_outputs *out,
 {
     const murk_study_file *study = out->study;
     const char *where = study->outputs > 0 ? study->outputs_where : study->path;
+    /* Coverage needs a plan or sensors. */
     if (out->wants[MURK_OUTPUT_FIXED] && !study->plan) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "coverage_fixed needs a plan: FILE, sensors.csv or "
@@ -76,6 +79,8 @@ static murk_status check_needs(const murk_outputs *out,
                          "coverage needs sensors, and the scene %s has none",
                          scene->path);
     }
+    /* A best plan needs a number of sensors, a target or a budget, and plain
+     * coverage as the goal. */
     if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
         !places(scene)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -91,6 +96,8 @@ static murk_status check_needs(const murk_outputs *out,
                          "use placement.redundancy",
                          scene->path);
     }
+    /* One plan for all rows needs an environment that all candidates can be
+     * compared in. */
     const murk_scene_knowledge knows = scene->placement.knowledge;
     if (murk_outputs_plan_for_all(out) && knows == MURK_SCENE_EXPLORE) {
         return murk_fail(err, MURK_BAD_VALUE, where,

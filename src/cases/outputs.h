@@ -1,10 +1,11 @@
-/* What a study's rows are asked for, and what its lights are traced with. */
+/* The outputs that a study asks of each of its rows. */
 #ifndef MURK_CASES_OUTPUTS_H
 #define MURK_CASES_OUTPUTS_H
 
 #include "scene/study_file.h"
 
-/* Words of `outputs`; other entries are names of the scene's tallies. */
+/* The words of the key `outputs`; other entries are names of tallies of the
+ * scene. */
 typedef enum murk_output {
     MURK_OUTPUT_DENSITY,
     MURK_OUTPUT_STORED,
@@ -22,20 +23,20 @@ typedef struct murk_outputs {
     bool wants[MURK_OUTPUTS];
 } murk_outputs;
 
-/* The word that an entry is; MURK_OUTPUT_TALLY: none. */
+/* The output that a word names; MURK_OUTPUT_TALLY if it is none of them. */
 murk_output murk_output_of(const char *word);
 
-/* Fails at the study's place where an output is not known, or what it needs is
- * missing. `scene` is that of a row, for names of tallies. Without outputs it
- * is density, coverage_fixed where the study has a plan and coverage_best where
- * the scene says what to place. */
+/* Reads the outputs of a study. `scene` is the scene of one row, which names
+ * the tallies. A study without `outputs` gets density, coverage_fixed if it has
+ * a plan, and coverage_best if the scene asks for sensors. Fails at the place
+ * in the study if an output is unknown or lacks something it needs. */
 murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
                                 const murk_scene_desc *scene, murk_error *err);
 
-/* Whether sensors are looked from at all. */
+/* True if any output needs sensors. */
 bool murk_outputs_need_sensors(const murk_outputs *outputs);
 
-/* Whether a plan for all rows is asked for. */
+/* True if one plan for all rows is asked for. */
 bool murk_outputs_plan_for_all(const murk_outputs *outputs);
 
 #endif

@@ -1,3 +1,7 @@
+/* Repeats the whole job with other seeds and sums the runs up: the spread of
+ * coverage, and a confidence interval of the optimality gap of the first plan
+ * by the method of Mak, Morton and Wood (1999,
+ * doi:10.1016/S0167-6377(98)00054-6). */
 #include "cases/repeat.h"
 
 #include "base/progress.h"
@@ -126,6 +130,8 @@ static murk_status run_conditions_again(murk_repeat_run *out,
     if (!over) {
         return no_memory(1, err);
     }
+    /* Choose a plan under the other seed, in the worlds and with the
+     * candidates of the first run. */
     murk_plan_result plan = plan_again(first->plan);
     murk_status status = murk_conditions_again(
         &over->conditions, first->over->conditions, later, err);
@@ -135,6 +141,7 @@ static murk_status run_conditions_again(murk_repeat_run *out,
     if (!status) {
         *out = run_of(&plan, over->conditions->scene->seed);
     }
+    /* Measure the plan of the first run on the maps of this run. */
     if (!status && murk_plan_can_see_anew(over->conditions->scene)) {
         status =
             measure_conditions(&out->plan, first->plan, over->conditions, err);
@@ -150,6 +157,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
 {
     const murk_scene_desc *scene =
         first->stage ? first->stage->scene : first->over->conditions->scene;
+    /* The first run is the job that is already done. */
     *out = (murk_repeat){.run = calloc(asked, sizeof *out->run),
                          .asked = asked,
                          .target = scene->sensors.target,
@@ -162,6 +170,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     out->run[0] = run_of(first->plan, scene->seed);
     out->run[0].plan = out->run[0].held_out;
     murk_status status = MURK_OK;
+    /* The other runs, one seed after the other. */
     murk_progress_begin_over("repeat", asked, "seeds");
     murk_progress_add_over(1);
     for (out->runs = 1; out->runs < asked && !status;) {
@@ -233,6 +242,7 @@ murk_status murk_repeat_sum_up(murk_repeat_summary *out,
     if (!x) {
         return no_memory(n, err);
     }
+    /* Spread of the number of sensors and of the coverage in sample. */
     murk_repeat_summary s = {.best = n};
     for (size_t i = 0; i < n; ++i) {
         x[i] = (double)repeat->run[i].sensors;
@@ -242,6 +252,7 @@ murk_status murk_repeat_sum_up(murk_repeat_summary *out,
         x[i] = repeat->run[i].in_sample;
     }
     s.in_sample = spread_of(x, n);
+    /* Held-out coverage: the best run, and the runs that meet the target. */
     for (size_t i = 0; i < n; ++i) {
         const double held_out = x[i] = repeat->run[i].held_out.value;
         if (held_out > (s.best < n ? repeat->run[s.best].held_out.value : -1)) {
@@ -250,6 +261,8 @@ murk_status murk_repeat_sum_up(murk_repeat_summary *out,
         s.met += repeat->target > 0 && held_out >= repeat->target;
     }
     s.held_out = spread_of(x, n);
+    /* Upper bounds, and coverage of the first plan on the maps of the other
+     * runs. */
     for (size_t i = 0; i < n; ++i) {
         x[i] = repeat->run[i].upper;
     }
@@ -262,6 +275,7 @@ murk_status murk_repeat_sum_up(murk_repeat_summary *out,
         }
     }
     s.plan = murk_mean_estimate(x, measured);
+    /* The gap: upper bound less coverage of the first plan, run by run. */
     size_t pairs = 0;
     for (size_t i = 0; i < n; ++i) {
         if (isfinite(repeat->run[i].plan.value) && repeat->has_gap) {

@@ -1,20 +1,23 @@
-/* The whole job again with other seeds: how far its result hangs on chance.
+/* Repeats the whole job with other seeds: how much the result depends on
+ * chance.
  *
- * Run k is the job of seed + k, by itself: `murk place --seed` of it gives the
- * same. The plan is that of the first run, chosen before any other was seen.
+ * Run k is the job with the seed of the first run plus k: `murk place --seed`
+ * of that seed gives the same plan. The plan under test is the plan of the
+ * first run, which was chosen before any other run.
  *
- * The best plan of a sample reads high, in the mean over samples at least as
- * high as the best plan truly covers; so the mean of the runs' upper bounds
- * less what the plan truly covers is at least the plan's distance from the
- * best. Both are measured on each run's map, so that the noise they share goes
- * (Mak, Morton, Wood, Oper. Res. Lett. 24 (1999) 47,
- * doi:10.1016/S0167-6377(98)00054-6). The first run's own map chose the plan:
- * its held-out map stands in there. */
+ * The best plan of a sample overestimates: over many samples the mean of its
+ * coverage in the sample is at least the largest true coverage of any plan. So
+ * the mean of the upper bounds of the runs less the true coverage of a plan is
+ * at least the optimality gap of that plan. Both are measured on the map of
+ * each run, so that their common noise cancels (Mak, Morton, Wood, Oper. Res.
+ * Lett. 24 (1999) 47, doi:10.1016/S0167-6377(98)00054-6). The map of the first
+ * run chose the plan: its held-out map takes that place there. */
 #ifndef MURK_CASES_REPEAT_H
 #define MURK_CASES_REPEAT_H
 
 #include "cases/condition_plans.h"
 
+/* Far more runs than a confidence interval gains from. */
 #define MURK_REPEATS_MAX 10000
 
 typedef struct murk_repeat_run {
@@ -31,34 +34,36 @@ typedef struct murk_repeat {
     murk_repeat_run *run; /* [asked], the first `runs` of them finished */
     size_t runs, asked;
     double target; /* asked of every run; 0: none */
-    bool has_gap;  /* a run's bound says what plans are truly worth: not with a
-                      target, where runs take different numbers of sensors; nor
-                      for the worst of conditions, where the best of a sample
-                      may read low */
+    /* The bounds of the runs estimate a gap. They do not with a target, because
+     * runs then take different numbers of sensors, nor for the worst condition,
+     * because the best plan of a sample may underestimate there. */
+    bool has_gap;
 } murk_repeat;
 
-/* The first run: a plan in a stage, or over conditions. */
+/* The first run: a plan for the scene as it stands, or over conditions. */
 typedef struct murk_repeat_first {
     const murk_plan_result *plan;
     const murk_stage *stage; /* NULL: conditions */
     const murk_condition_plans *over;
 } murk_repeat_first;
 
-/* Runs asked - 1 more jobs, asked >= 1. On a failure (of a run, or
- * MURK_INTERRUPTED) *out has what was finished before. Release it also then. */
+/* Makes asked - 1 further runs, asked >= 1. After a failure of a run or
+ * MURK_INTERRUPTED *out holds the runs that were finished. Release *out also
+ * then. */
 murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
                              size_t asked, unsigned threads, murk_error *err);
 void murk_repeat_release(murk_repeat *repeat);
 
 typedef struct murk_spread {
-    double median, min, max; /* NaN where a run has no such value */
+    double median, min, max; /* NaN if a run has no such value */
 } murk_spread;
 
-/* 95 % confidence, if differences are normal. They are skewed where most
- * samples choose the same plan: 12 runs of such worlds held the mean 91 times
- * in a hundred, and the best plan lay below the upper end every time. */
+/* The optimality gap with a confidence interval of 95 %, for normal
+ * differences. Differences are skewed if most samples choose the same plan: of
+ * such worlds the interval of 12 runs held the mean in 91 of 100 cases, and the
+ * true gap was below the upper end in all of them. */
 typedef struct murk_gap {
-    size_t runs; /* that have both of its parts; below 2 there are no limits */
+    size_t runs; /* that have bound and coverage; below 2: no limits */
     double value, lower, upper; /* mean of upper - plan, +- Student's t for
                                    runs - 1 degrees of freedom */
 } murk_gap;
@@ -71,7 +76,7 @@ typedef struct murk_repeat_summary {
     size_t best; /* run of the greatest held-out coverage; runs: none */
 } murk_repeat_summary;
 
-/* Of the finished runs, at least one. */
+/* Sums up the finished runs, at least one. Fails with MURK_NO_MEMORY. */
 murk_status murk_repeat_sum_up(murk_repeat_summary *out,
                                const murk_repeat *repeat, murk_error *err);
 

@@ -1,3 +1,6 @@
+/* A row of a study: values by name, the sensors of its plan, and notes. Rows
+ * are written as YAML text, so that a subprocess can send a row and a folder
+ * can keep it, and read back with equal bits. */
 #include "cases/row.h"
 
 #include "base/number.h"
@@ -9,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Degrees in a radian. */
 #define DEG (180 / MURK_PI)
 
 murk_status murk_study_row_add(murk_study_row *row, const char *name,
@@ -190,11 +194,13 @@ char *murk_study_row_print(const murk_study_row *row)
     murk_yaml *root = murk_yaml_make(MURK_YAML_MAP, ""),
               *values = murk_yaml_make(MURK_YAML_LIST, ""),
               *sensors = murk_yaml_make(MURK_YAML_LIST, "");
+    /* The keys of the row itself. */
     bool is_whole = root && values && sensors &&
                     add_text(root, "failed", row->failed, true) &&
                     add_text(root, "note", row->note, true) &&
                     add_number(root, "emitted", (double)row->emitted) &&
                     add_text(root, "fluence", row->fluence, true);
+    /* The lists of values and sensors; root owns a list once it is added. */
     for (size_t i = 0; is_whole && i < row->values; ++i) {
         is_whole = add_value(values, &row->value[i]);
     }
@@ -258,6 +264,7 @@ static bool take_all(murk_study_row *row, const murk_yaml *root)
     const murk_yaml *values = murk_yaml_get(root, "values"),
                     *sensors = murk_yaml_get(root, "sensors"),
                     *emitted = murk_yaml_get(root, "emitted");
+    /* The keys of the row itself. */
     bool is_whole =
         take_text(murk_yaml_get(root, "failed"), row->failed,
                   sizeof row->failed) &&
@@ -267,6 +274,7 @@ static bool take_all(murk_study_row *row, const murk_yaml *root)
         emitted && murk_yaml_count(emitted, &row->emitted) && values &&
         values->kind == MURK_YAML_LIST && sensors &&
         sensors->kind == MURK_YAML_LIST;
+    /* The lists of values and sensors. */
     if (is_whole) {
         row->value = calloc(values->n + 1, sizeof *row->value);
         row->sensor = calloc(sensors->n + 1, sizeof *row->sensor);

@@ -1,6 +1,6 @@
-/* What one row of a study has found: named values with their errors, and the
- * plan made for it; as text, which another process hands over or a file keeps.
- */
+/* The result of one row of a study: values by name with their errors, and the
+ * sensors of its best plan. A row can be printed as text and read back with
+ * equal bits, for messages between processes and for files. */
 #ifndef MURK_CASES_ROW_H
 #define MURK_CASES_ROW_H
 
@@ -9,6 +9,8 @@
 #include "scene/scene.h"
 #include "sensing/sensor.h"
 
+/* Bytes of a name (a tally, a suffix and a wavelength), of a note, and of a
+ * checksum of 128 bits as hexadecimal text; each with its end. */
 #define MURK_ROW_NAME_SIZE 160
 #define MURK_ROW_TEXT_SIZE 4096
 #define MURK_ROW_SUM_SIZE  33
@@ -16,50 +18,55 @@
 typedef struct murk_study_value {
     char name[MURK_ROW_NAME_SIZE];
     char unit[24];
-    murk_estimate of; /* NaN: there is none */
+    murk_estimate of; /* NaN: the row has no such value */
 } murk_study_value;
 
 typedef struct murk_study_sensor {
     murk_scene_name type;
     murk_vec3 position;
-    double heading_deg, tilt_deg; /* NaN: sees all round */
+    double heading_deg, tilt_deg; /* NaN: the type sees in all directions */
 } murk_study_sensor;
 
 typedef struct murk_study_row {
-    char failed[MURK_ROW_TEXT_SIZE]; /* why, in one line; empty: not */
-    char note[MURK_ROW_TEXT_SIZE];   /* what is worth knowing; may be empty */
+    char failed[MURK_ROW_TEXT_SIZE]; /* the reason, in one line; empty: the row
+                                        has not failed */
+    char note[MURK_ROW_TEXT_SIZE];   /* warnings and remarks; may be empty */
     uint64_t emitted;                /* photons; 0: none were traced */
-    char fluence[MURK_ROW_SUM_SIZE]; /* checksum of its grid; empty: none */
+    char fluence[MURK_ROW_SUM_SIZE]; /* checksum of the grid of the fluence
+                                        rate; empty: none */
     murk_study_value *value;         /* [values] */
     size_t values;
     murk_study_sensor *sensor; /* [sensors] the best plan for this row */
     size_t sensors;
 } murk_study_row;
 
-/* Fails with MURK_NO_MEMORY. */
+/* Adds a value. Fails with MURK_NO_MEMORY. */
 murk_status murk_study_row_add(murk_study_row *row, const char *name,
                                const char *unit, murk_estimate of,
                                murk_error *err);
+/* Replaces the sensors, in the coordinates of the user. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_study_row_set_sensors(murk_study_row *row,
                                        const murk_scene_desc *scene,
                                        const murk_pose *sensor, size_t n,
                                        murk_error *err);
-/* Its sensors as poses[row->sensors] for free(), by the scene's types. Fails
- * with MURK_BAD_VALUE where the scene has no such type, or MURK_NO_MEMORY. */
+/* The sensors as poses in the coordinates of the scene: *out[row->sensors] is
+ * for free(). Fails with MURK_BAD_VALUE if the scene lacks a sensor type, or
+ * with MURK_NO_MEMORY. */
 murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
                                  const murk_scene_desc *scene, murk_error *err);
-/* Puts a text behind the note, cut with "..." where it is full; "" changes
- * nothing. */
+/* Appends a text to the note. A text that does not fit is cut, with "..." at
+ * the end; an empty text changes nothing. */
 void murk_study_row_add_note(murk_study_row *row, const char *text);
-/* Says in `failed` why. */
+/* Marks the row as failed, for this reason. */
 void murk_study_row_fail(murk_study_row *row, const murk_error *why);
 /* The value of that name, or NULL. */
 const murk_study_value *murk_study_row_get(const murk_study_row *row,
                                            const char *name);
 void murk_study_row_release(murk_study_row *row);
 
-/* Text for free(), NULL when out of memory; and from it. Numbers read back the
- * same. Release *out, also after a failure. */
+/* Prints a row as text for free(), NULL when out of memory, and reads it back
+ * with equal numbers. Release *out, also after a failure. */
 char *murk_study_row_print(const murk_study_row *row);
 murk_status murk_study_row_read(murk_study_row *out, const char *text,
                                 size_t size, const char *source,

@@ -1,3 +1,6 @@
+/* Tallies of one row of a study: photon density over the domain and in regions
+ * of interest, the tallies of the scene as single numbers, and the grid of the
+ * fluence rate. Density is track length over free volume. */
 #include "cases/row_tallies.h"
 
 #include "medium/grid_write.h"
@@ -78,6 +81,7 @@ static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
     char name[MURK_ROW_NAME_SIZE];
     const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
     snprintf(name, sizeof name, "density_%s", r->name);
+    /* The part of a box that lies in the domain. */
     if (r->shape == MURK_SCENE_ZONE_BOX) {
         const murk_box box = {murk_vec(fmax(r->box.min.x, domain->min.x),
                                        fmax(r->box.min.y, domain->min.y),
@@ -91,6 +95,8 @@ static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
         } else {
             note(g, "lies outside the domain", name);
         }
+        /* A sphere that lies wholly in the domain; other shapes are named in
+         * the note. */
     } else if (r->shape == MURK_SCENE_ZONE_SPHERE &&
                murk_box_contains(domain, murk_sub(r->center, edge)) &&
                murk_box_contains(domain, murk_add(r->center, edge))) {
@@ -143,6 +149,8 @@ murk_status murk_row_tallies_create(murk_row_tallies *out,
 {
     const murk_scene_desc *scene = stage->scene;
     const murk_box *domain = &stage->world.domain.box;
+    /* Room for every tally of the scene, every region, the domain and the
+     * grid. */
     const size_t maximum = scene->n_tallies + scene->placement.n_interests + 2;
     *out = (murk_row_tallies){.study = outputs->study,
                               .desc = calloc(maximum, sizeof *out->desc),
@@ -151,12 +159,14 @@ murk_status murk_row_tallies_create(murk_row_tallies *out,
     if (!out->desc || !out->row_tally) {
         return no_memory(scene, err);
     }
+    /* Densities of the domain and of the regions. */
     if (outputs->wants[MURK_OUTPUT_DENSITY]) {
         add_box(out, domain, "density", scene->path);
         for (size_t i = 0; i < scene->placement.n_interests; ++i) {
             add_region(out, &scene->placement.interest[i], domain);
         }
     }
+    /* The tallies of the scene that the study names. */
     for (size_t i = 0; i < outputs->study->outputs; ++i) {
         const char *word = outputs->study->output[i];
         for (size_t k = 0; k < scene->n_tallies; ++k) {
@@ -166,6 +176,7 @@ murk_status murk_row_tallies_create(murk_row_tallies *out,
             }
         }
     }
+    /* The grid of the fluence rate. */
     out->fluence = SIZE_MAX;
     if (outputs->wants[MURK_OUTPUT_FLUENCE]) {
         add_fluence(out, outputs->study, domain);
@@ -239,14 +250,17 @@ static murk_status add_values(murk_study_row *row,
     const source s = {watts->tallies, watts->emitted, packet};
     murk_estimate band[MURK_BANDS_MAX];
     char name[MURK_ROW_NAME_SIZE];
+    /* The worth of a packet in the quantity that the row shows. */
     if (watts->tallies) {
         murk_units_packets(packet, quantity, stage, watts->packet_w);
     }
+    /* The value of the cell in each band. */
     for (int b = 0; b < scene->bands; ++b) {
         band[b] = read_cell(&s, number, b, cell);
         band[b].value *= row_tally->per_unit;
         band[b].standard_error *= row_tally->per_unit;
     }
+    /* The sum of all bands, then each band if there are several. */
     snprintf(name, sizeof name, "%.120s%s", row_tally->name, suffix);
     murk_status status = murk_study_row_add(
         row, name, units.irradiance,
@@ -278,9 +292,12 @@ murk_row_tallies_read(murk_study_row *row, const murk_row_tallies *row_tallies,
     const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
     murk_open_space *space = NULL;
     murk_status status = MURK_OK;
+    /* Free space is needed only if there are surfaces. */
     if (tallies && facts.triangles + facts.spheres > 0) {
         status = murk_stage_free_space(&space, stage, threads, err);
     }
+    /* All tallies but the grid, cell by cell; densities refer to the free
+     * share of their volume. */
     for (size_t i = 0; i < row_tallies->n && !status; ++i) {
         const murk_row_tally *row_tally = &row_tallies->row_tally[i];
         if (i == row_tallies->fluence) {
@@ -309,6 +326,8 @@ murk_status murk_row_tallies_write_fluence(
     const source s = {tallies, emitted, packet_w};
     const murk_tally_desc *d = &row_tallies->desc[row_tallies->fluence];
     const size_t cells = murk_tally_cells(d);
+    /* The transform from cells to the coordinates of the user; values stand at
+     * the centres of the cells. */
     const murk_vec3 a = d->box.min, all = murk_sub(d->box.max, a);
     const murk_vec3 e =
         murk_vec(all.x / (double)d->size[0], all.y / (double)d->size[1],
@@ -324,6 +343,7 @@ murk_status murk_row_tallies_write_fluence(
     if (!value) {
         return no_memory(scene, err);
     }
+    /* One field for each band. */
     for (int b = 0; b < scene->bands; ++b) {
         float *field = value + (size_t)b * cells;
         for (size_t c = 0; c < cells; ++c) {
@@ -348,6 +368,7 @@ char *murk_row_tallies_sign(const murk_scene_desc *scene,
     if (!out) {
         return NULL;
     }
+    /* The outputs, the tallies and the regions of interest, with all digits. */
     for (size_t i = 0; i < outputs->study->outputs; ++i) {
         fprintf(out, "%s\n", outputs->study->output[i]);
     }

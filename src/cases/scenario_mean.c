@@ -1,3 +1,6 @@
+/* The weighted mean of estimates and of whole coverage results over scenarios,
+ * with the error of independent estimates or, if they share random numbers, an
+ * upper bound of it. */
 #include "cases/scenario_mean.h"
 
 #include <math.h>
@@ -99,6 +102,7 @@ static murk_status fill(murk_coverage_result *out,
                         const murk_coverage_result *of, const double *weight,
                         size_t n, size_t sensors, size_t regions)
 {
+    /* Allocate the arrays by sensor and by region. */
     out->covers = calloc(sensors + 1, sizeof *out->covers);
     out->only_it_covers = calloc(sensors + 1, sizeof *out->only_it_covers);
     out->seen_by_at_least = calloc(sensors + 1, sizeof *out->seen_by_at_least);
@@ -107,6 +111,7 @@ static murk_status fill(murk_coverage_result *out,
         (regions && !out->region)) {
         return MURK_NO_MEMORY;
     }
+    /* Means by sensor; counts of photons are added. */
     out->sum_of_views = mean_of(of, weight, n, read_sum_of_views, 0);
     for (size_t i = 0; i < sensors; ++i) {
         out->covers[i] = mean_of(of, weight, n, read_covers, i);
@@ -136,6 +141,8 @@ murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for the coverage of %zu sensors", sensors);
     }
+    /* Each estimate of a coverage result has a function that reads it from one
+     * scenario and a place that receives the mean. */
     enum { PLAIN = 5 };
     const reader readers[PLAIN] = {read_total, read_surface, read_volume,
                                    read_map_surface, read_map_volume};
@@ -151,6 +158,7 @@ murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
         *(k < PLAIN ? to[k] : &mean.region[k - PLAIN].coverage) =
             murk_scenario_mean(each, weight, n, are_independent);
     }
+    /* The two maps, surface and volume. */
     for (size_t p = 0; p < 2; ++p) {
         mean.map[p].weight = map[p].value;
         mean.map[p].standard_error = map[p].standard_error;

@@ -245,10 +245,12 @@ murk_status murk_scenarios_place_one(murk_place_result *out,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu photons",
                          problem.photons);
     }
+    /* Weights of all other scenarios are 0. */
     memcpy(weight + first,
            with_problem_weights ? j->weight + first
                                 : j->part[block].problem.weight,
            j->part[block].problem.photons * sizeof *weight);
+    /* The matrix of all scenarios serves with these weights. */
     murk_status status = murk_matrix_reweigh(&matrix, j->matrix, weight, err);
     if (!status) {
         problem.weight = weight;

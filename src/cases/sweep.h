@@ -1,15 +1,15 @@
-/* A study: its rows as runs, one after the other, of which one that fails
- * leaves the others alone.
+/* A study (parameter sweep): its rows, their groups, and plans for all rows.
  *
- * Rows whose light differs by the power of their lights alone are a group: its
- * light is traced once (lightmap/relight.h). Each group runs in a process of
- * its own (base/isolated.h), so that its files are imported before any ray
- * device exists, and its memory ends with it.
+ * Rows whose light differs only by the power of their lights are a group, whose
+ * light is traced once (lightmap/relight.h). Each group runs in a subprocess
+ * (base/isolated.h), so that files are imported before any ray device exists,
+ * and so that its memory ends with it. A row that fails leaves the other rows
+ * alone.
  *
- * What is finished is kept in FOLDER/rows, a file a row, named by a checksum of
- * all that the row follows from: its scene as resolved, the files that this
- * names, outputs, version, and the other lights of its group. The same study
- * goes on from there. */
+ * A finished row is stored in FOLDER/rows, in a file named by a hash of
+ * everything that the row follows from: the resolved scene, the files that it
+ * names, the outputs, the version of murk, and the other lights of its group.
+ * The same study continues from the stored rows. */
 #ifndef MURK_CASES_SWEEP_H
 #define MURK_CASES_SWEEP_H
 
@@ -20,36 +20,38 @@ typedef struct murk_sweep_row {
     murk_study_row found;
     char key[65];
     size_t group;
-    bool is_done;   /* found says what there is; also where it failed */
-    bool has_plans; /* found has the values of the plans for all rows */
-    bool is_kept;   /* of an earlier run */
+    bool is_done;   /* found is filled; also if the row failed */
+    bool has_plans; /* found holds the coverage of the plans for all rows */
+    bool is_kept;   /* taken over from an earlier run */
 } murk_sweep_row;
 
 typedef struct murk_sweep_group {
     size_t *row; /* [n] */
     size_t n;
-    size_t lights; /* that differ, by power */
+    size_t lights; /* different sets of powers */
     bool was_traced;
 } murk_sweep_group;
 
-/* One plan for all rows that have not failed, for the mean of their coverages
- * or for the least. */
+/* Plans for all rows that have not failed: for the mean of their coverages, and
+ * for the least of them. */
 enum { MURK_SWEEP_MEAN, MURK_SWEEP_WORST, MURK_SWEEP_PLANS };
 
-/* Lit rows that a plan is chosen for; of more, so many have a say. */
+/* Rows that take part in the choice of a plan for all rows. Of more rows that
+ * many take part, evenly spread in their order: their light is held in memory
+ * at one time. */
 #define MURK_SWEEP_CHOOSERS_MAX 64
 
 typedef struct murk_sweep_plan {
     bool is_wanted, is_kept;
-    murk_study_row
-        found; /* its sensors, in_sample and upper_bound; failed: why there
-            is none; neither: there is nothing to see in any row */
+    /* Sensors, in_sample and upper_bound; or failed, if there is no plan; or
+     * neither, if no row has anything to see. */
+    murk_study_row found;
     char key[65];
-    murk_estimate mean; /* over the rows that have a value; error: the mean of
-                           theirs, which is more, as rows share their random
-                           numbers */
+    /* Mean over the rows that have a value. The standard error is the mean of
+     * theirs, an upper bound, because rows share their random numbers. */
+    murk_estimate mean;
     murk_estimate worst;
-    size_t worst_row; /* rows: none has a value */
+    size_t worst_row; /* the number of rows, if none has a value */
 } murk_sweep_plan;
 
 typedef struct murk_sweep_desc {
@@ -57,9 +59,9 @@ typedef struct murk_sweep_desc {
     const murk_override *overrides;
     size_t n_overrides;
     const char *folder;  /* NULL: nothing is kept */
-    bool force;          /* replaces grids of fluence that are not murk's */
-    const char *version; /* of the program: other versions' rows are made anew
-                          */
+    bool force;          /* also replaces grids that murk did not write */
+    const char *version; /* of the program: rows of other versions are made
+                            again */
     unsigned threads;
     void (*row_done)(void *context, size_t row); /* may be NULL */
     void *context;
@@ -74,16 +76,18 @@ typedef struct murk_sweep {
     murk_sweep_plan plan[MURK_SWEEP_PLANS];
     size_t chooser[MURK_SWEEP_CHOOSERS_MAX]; /* [choosers] rows, in order */
     size_t choosers;
-    bool sees_in_the_dark; /* targets stand in for light */
-    bool cannot_keep;      /* a row's file cannot be written */
-    char scene_sha256[65]; /* of the base scene's file */
+    bool sees_in_the_dark; /* targets take the place of light */
+    bool cannot_keep;      /* the file of a row cannot be written */
+    char scene_sha256[65]; /* of the file of the base scene */
     uint32_t seed;         /* of the first row that could be read */
 } murk_sweep;
 
-size_t murk_sweep_done(const murk_sweep *sweep);   /* failed ones, too */
-size_t murk_sweep_failed(const murk_sweep *sweep); /* rows */
-/* Why a plan for all rows that was asked for could not be made; NULL: all were.
- */
+/* Rows that are done, with those that failed; and rows that failed. */
+size_t murk_sweep_done(const murk_sweep *sweep);
+size_t murk_sweep_failed(const murk_sweep *sweep);
+
+/* The reason why a plan for all rows that was asked for could not be made; NULL
+ * if all were made. */
 const char *murk_sweep_why_no_plan(const murk_sweep *sweep);
 
 /* The name of the output that a plan for all rows gives: "coverage_one_mean".

@@ -1,3 +1,6 @@
+/* Chooses one plan for all rows of a study, in a process of its own: imports
+ * and lights the worlds of the rows that take part, joins them as scenarios
+ * (cases/scenarios.h), and sends each plan that is asked for. */
 #include "cases/sweep_choose.h"
 
 #include "base/log.h"
@@ -156,6 +159,7 @@ static murk_status join(choosing *ch, murk_error *err)
     murk_sight *sight[MURK_SWEEP_CHOOSERS_MAX];
     double share[MURK_SWEEP_CHOOSERS_MAX];
     size_t n = 0;
+    /* The rows in which something can be seen. */
     for (size_t i = 0; i < sweep->choosers; ++i) {
         if (ch->row[i].sight) {
             stage[n] = ch->row[i].stage;
@@ -167,6 +171,8 @@ static murk_status join(choosing *ch, murk_error *err)
     if (n == 0) {
         return MURK_OK;
     }
+    /* Candidates that are usable in all of these rows, and the problem of all.
+     */
     const unsigned threads = sweep->desc.threads;
     murk_status status =
         murk_sites_find_common(&ch->candidates, stage, where, n, threads, err);
@@ -187,9 +193,11 @@ static murk_status tell(const choosing *ch, const murk_place_result *found,
     if (!sensor) {
         return no_memory(err);
     }
+    /* The sensors of the plan. */
     for (size_t i = 0; i < found->count; ++i) {
         sensor[i] = ch->poses->pose[found->sensor[i]];
     }
+    /* Value and upper bound of the plan, as shares. */
     const double whole = (double)found->whole;
     murk_status status = murk_study_row_set_sensors(
         out, ch->row[0].stage->scene, sensor, found->count, err);

@@ -1,3 +1,5 @@
+/* Coverage of sensors in one row of a study: of the given placement, of the
+ * best plan for the row, and of plans for all rows. */
 #include "cases/sweep_coverage.h"
 
 #include "plan/placement_in.h"
@@ -51,10 +53,12 @@ static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
     bool is_own = true;
+    /* Targets need no light; photons are those of another stream of the row. */
     murk_status status =
         murk_sweep_needs_no_light(stage->scene)
             ? murk_plan_see_anew(&traced, stage, stream, threads, err)
             : murk_sweep_light_of(l, k, stream, &traced, &is_own, err);
+    /* Measure if there is something to see. */
     if (!status && murk_sweep_has_seen(stage, traced)) {
         status = murk_plan_sight(&sight, stage, traced, threads, err);
         if (!status) {
@@ -110,6 +114,7 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
     const murk_stage *stage = l->stage[k];
     murk_plan_result plan = {.without_curve = true};
     murk_estimate value = NONE;
+    /* Choose the plan on the light of the row. */
     murk_status status =
         murk_plan_prepare(&plan, stage, l->sweep->desc.threads, err);
     if (!status) {
@@ -120,6 +125,7 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
         status =
             murk_study_row_set_sensors(row, stage->scene, plan.sensor, n, err);
     }
+    /* Measure it on held-out light where the scene has some. */
     if (!status && holds_out(stage->scene)) {
         status = measure_anew(l, k, MURK_HELD_OUT_STREAM, plan.sensor, n,
                               &value, err);
@@ -156,6 +162,7 @@ murk_status murk_sweep_measure_coverage(murk_sweep_light *l, size_t k,
     if (!is_fixed && !is_best) {
         return MURK_OK;
     }
+    /* Without anything to see all coverages are NaN. */
     if (!traced || !murk_sweep_has_seen(stage, traced)) {
         if (traced) {
             murk_study_row_add_note(row,
@@ -163,6 +170,7 @@ murk_status murk_sweep_measure_coverage(murk_sweep_light *l, size_t k,
         }
         return add_nothing(outputs, row, err);
     }
+    /* One sight serves both coverages. */
     murk_status status =
         murk_plan_sight(&sight, stage, traced, l->sweep->desc.threads, err);
     if (!status && is_fixed) {

@@ -1,3 +1,5 @@
+/* Groups of rows that share the world and differ at most by the power of their
+ * lights, so that their light is traced once (lightmap/relight.h). */
 #include "cases/sweep_groups.h"
 
 #include "base/file.h"
@@ -54,6 +56,7 @@ static murk_status sign_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
         if (!lights) {
             return no_memory(sweep, err);
         }
+        /* Collect the different lights of the group. */
         for (size_t k = 0; k < group->n; ++k) {
             const char *own = keys[group->row[k]].light;
             bool is_new = true;
@@ -64,6 +67,7 @@ static murk_status sign_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
                 memcpy(lights + 64 * group->lights++, own, 64);
             }
         }
+        /* The key of a row holds its own key and all lights of the group. */
         for (size_t k = 0; k < group->n; ++k) {
             char text[130], all[65];
             murk_sha256_hex(lights, 64 * group->lights, all);

@@ -1,3 +1,6 @@
+/* Keys of the rows of a study: hashes of everything that the light, the
+ * placement or the whole row depends on. Rows of equal world keys share a
+ * trace; a stored row is valid as long as its key is the same. */
 #include "cases/sweep_keys.h"
 
 #include "base/file.h"
@@ -86,6 +89,9 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
     char *text = NULL;
     size_t size = 0;
     murk_sha256_hex(scene->light_key, strlen(scene->light_key), out->light);
+    /* The key of the world: shapes of the lights, keys of the world, files and
+     * tallies. */
+    /* The key of the row: version, outputs and the whole scene. */
     FILE *to = open_memstream(&text, &size);
     if (!to) {
         return no_memory(err);

@@ -1,5 +1,5 @@
-/* What rows of a study are known by: which share a light, and whether a kept
- * one is still what it says. Private to the sweep. */
+/* Keys of the rows of a study: hashes that tell which rows share a trace, and
+ * whether a stored row is still valid. Inside this room only. */
 #ifndef MURK_CASES_SWEEP_KEYS_H
 #define MURK_CASES_SWEEP_KEYS_H
 
@@ -7,15 +7,20 @@
 #include "world/file_sums.h"
 
 typedef struct murk_sweep_keys {
-    char world[65]; /* rows alike in this differ by the power of lights alone */
-    char light[65]; /* alike: the same light */
-    char placement[65]; /* alike: the same sensors and wishes for placing them;
-                       made where a plan for all rows is asked for */
-    char own[65]; /* all of the row, but for what others are in its group */
+    /* Rows of equal world keys differ at most in the power of their lights. */
+    char world[65];
+    /* Rows of equal light keys have the same light. */
+    char light[65];
+    /* Rows of equal placement keys have the same sensors and the same settings
+     * of the placement. Only filled if a plan for all rows is asked for. */
+    char placement[65];
+    /* Everything that the row depends on but the other rows of its group. */
+    char own[65];
 } murk_sweep_keys;
 
-/* Of one row's scene. Files that are missing are left for later to refuse.
- * Fails as murk_sky_light(). */
+/* Keys of the scene of one row. A missing file is no failure here, because the
+ * row refuses it later. Fails as murk_sky_light() does, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_scene_desc *scene,
                                const murk_outputs *outputs, const char *version,

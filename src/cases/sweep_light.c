@@ -1,3 +1,5 @@
+/* The light of a group of rows: reads and imports their scenes, and traces one
+ * light whose records are scaled to the powers of each row. */
 #include "cases/sweep_light.h"
 
 #include "lightmap/relight.h"
@@ -119,6 +121,7 @@ murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
 {
     size_t k = 0;
     double grow = 1;
+    /* The first imported row lends its world to the trace. */
     while (k < l->n && !l->stage[k]) {
         ++k;
     }
@@ -127,6 +130,7 @@ murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
     }
     murk_status status = murk_stage_build(l->stage[k], err);
     l->first = l->stage[k];
+    /* The lights of all rows together, and the tallies of the rows. */
     if (!status) {
         status = find_lights(l, &grow, err);
     }
@@ -134,6 +138,8 @@ murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
         status = murk_row_tallies_create(&l->row_tallies, l->first,
                                          &l->sweep->outputs, err);
     }
+    /* The scene that is traced: the first one under these lights, with more
+     * photons where lights differ. */
     l->lit_scene = *l->first->scene;
     l->lit_scene.n_tallies = l->row_tallies.n;
     l->lit_scene.photons.emit = grown(l->lit_scene.photons.emit, grow);

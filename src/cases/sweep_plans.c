@@ -1,3 +1,7 @@
+/* One plan for all rows of a study, for the mean of their coverages or for the
+ * worst row: picks the rows that take part, has the plans chosen in one
+ * process (cases/sweep_choose.h), and has each group measure them in its rows.
+ */
 #include "cases/sweep_plans.h"
 
 #include "base/file.h"
@@ -241,12 +245,15 @@ static murk_status measure_group(murk_sweep *sweep,
         .sweep = sweep, .group = group, .measures_plans = true};
     murk_error why = {0};
     size_t lack = 0;
+    /* Nothing is left to do if every row has its values. */
     for (size_t k = 0; k < group->n; ++k) {
         lack += murk_sweep_lacks_values(&sweep->row[group->row[k]]);
     }
     if (lack == 0) {
         return MURK_OK;
     }
+    /* The process of the group measures; rows that it did not reach have
+     * failed. */
     const murk_status made =
         murk_isolated_run(murk_sweep_work, &job, take_values, sweep, &why);
     murk_status status = after(sweep, made, &why, err);

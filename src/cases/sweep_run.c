@@ -93,10 +93,12 @@ static murk_status read_row(reading *r, size_t i, murk_error *err)
     murk_scene_desc *scene = NULL;
     murk_error why = {0};
     murk_status status = MURK_OK;
+    /* The scene of the row; a failure fails this row alone. */
     if (murk_study_row_scene(&scene, desc->study, i, desc->overrides,
                              desc->n_overrides, &why)) {
         goto done;
     }
+    /* The first scene that can be read decides which outputs there are. */
     if (!r->has_outputs) {
         status = read_first(r, scene, err);
     }
@@ -202,6 +204,7 @@ static murk_status read_rows(reading *r, murk_error *err)
 murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
                               murk_error *err)
 {
+    /* Allocate the rows and their keys. */
     const size_t rows = desc->study->rows;
     murk_sweep *sweep = calloc(1, sizeof *sweep);
     reading r = {.sweep = sweep, .keys = calloc(rows, sizeof *r.keys)};
@@ -211,6 +214,7 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
     }
     murk_status status =
         sweep && sweep->row && r.keys ? MURK_OK : no_memory(desc, err);
+    /* Check the study and read the scenes of all rows. */
     if (!status) {
         status = check_overrides(desc, err);
     }
@@ -220,6 +224,7 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
     if (!status) {
         status = murk_sweep_check_folder(sweep, err);
     }
+    /* Take over finished rows of an earlier run. */
     for (size_t i = 0; !status && desc->folder && i < rows; ++i) {
         load_row(sweep, i);
         if (!sweep->row[i].is_done) {
@@ -269,6 +274,7 @@ static murk_status take_row(void *context, const char *bytes, size_t size,
         murk_study_row_release(&found);
         return status;
     }
+    /* Keep the row, unless it failed: a failed row is tried again. */
     murk_sweep_row *row = &sweep->row[i];
     murk_study_row_release(&row->found);
     row->found = found;
@@ -278,6 +284,7 @@ static murk_status take_row(void *context, const char *bytes, size_t size,
                                  size - (size_t)(text - bytes), err);
         sweep->cannot_keep = status != MURK_OK;
     }
+    /* Report progress. */
     if (!status) {
         murk_progress_add_over(1);
     }

@@ -4,17 +4,18 @@
 
 #include "cases/sweep.h"
 
-/* Reads the scenes of all rows and what is kept of earlier runs; traces
- * nothing. Rows that cannot be read have failed; the study fails where all
- * have. *out is the caller's; the desc is copied, what it points to must
- * outlive it. */
+/* Reads the scenes of all rows, and the stored rows of earlier runs; traces
+ * nothing. A row whose scene cannot be read has failed; the study fails if all
+ * rows have. *out is the caller's: murk_sweep_destroy(). The desc is copied;
+ * the objects that it points to must outlive *out. */
 murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
                               murk_error *err);
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
 
-/* Runs what is not done, then makes the plans for all rows. Fails where it was
- * interrupted, or a row cannot be kept; rows that fail do not make it fail.
- * Call it while this process has no threads. */
+/* Runs the rows that are not done, then makes the plans for all rows. Fails
+ * with MURK_INTERRUPTED, or if a finished row cannot be stored; a row that
+ * fails is no failure of the study. Call it while this process has no threads
+ * (fork). */
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
 
 #endif

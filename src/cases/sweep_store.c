@@ -1,3 +1,6 @@
+/* The rows of a study that are done, stored in FOLDER/rows in one file for
+ * each key, the grids of the fluence rate beside them, and rows as messages
+ * between processes. */
 #include "cases/sweep_store.h"
 
 #include "base/file.h"
@@ -10,7 +13,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#define ROW_BYTES_MAX     16000000
+/* A row has a few values for each tally and band and a line for each sensor: a
+ * longer file is not one of murk. */
+#define ROW_BYTES_MAX 16000000
+/* 64 GB: more than any grid that fits in the memory of a workstation. */
 #define FLUENCE_BYTES_MAX (UINT64_C(64) << 30)
 
 static murk_status too_long(const murk_sweep *sweep, murk_error *err)

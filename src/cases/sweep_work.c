@@ -1,3 +1,6 @@
+/* The subprocess of one group of a study: imports the scenes of its rows,
+ * traces their light, measures each row and sends it. Warnings become the
+ * notes of the row that they concern. */
 #include "cases/sweep_work.h"
 
 #include "base/log.h"
@@ -187,6 +190,7 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     const size_t done_before = murk_sweep_done(l->sweep);
     murk_progress_part(l->group->row[k] + 1, l->sweep->desc.study->rows,
                        done_before + w->done++);
+    /* Build and measure; a failure is a row that has failed. */
     murk_status status = murk_sweep_light_build(l, k, &why);
     if (!status) {
         status = w->job->measures_plans ? measure_plans(w, k, &row, &why)
@@ -195,6 +199,7 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     if (status) {
         murk_study_row_fail(&row, &why);
     }
+    /* Warnings of the import, of the first world and of the row. */
     murk_study_row_add_note(&row, w->of_world);
     murk_study_row_add_note(&row, l->stage[k] == l->first ? w->of_first : "");
     take_warnings(own);

@@ -1,4 +1,4 @@
-/* The rows of one group, in their own process. Private to the sweep. */
+/* The subprocess that measures the rows of one group. Inside this room only. */
 #ifndef MURK_CASES_SWEEP_WORK_H
 #define MURK_CASES_SWEEP_WORK_H
 
@@ -8,12 +8,12 @@
 typedef struct murk_sweep_job {
     const murk_sweep *sweep;
     const murk_sweep_group *group;
-    bool measures_plans; /* of rows that are done, what the plans for all rows
-                            are worth in them; else rows that are not done */
+    bool measures_plans; /* true: measures the plans for all rows, in the rows
+                            that are done; false: runs the rows that are not */
 } murk_sweep_job;
 
-/* A murk_isolated_work: context is the job. Sends each row of it
- * (cases/sweep_store.h). */
+/* A murk_isolated_work: context is the job. Sends each row
+ * (murk_sweep_send()). */
 murk_status murk_sweep_work(murk_isolated *isolated, void *context,
                             murk_error *err);
 
