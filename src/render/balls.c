@@ -1,3 +1,6 @@
+/* A hierarchy of axis-parallel boxes over balls, sixteen to a group, so that
+ * one wide comparison tests a group. The balls that hold a point are found by
+ * descending into the boxes that hold it. */
 #include "render/balls.h"
 
 #include "photonmap/scan.h"
@@ -50,6 +53,8 @@ static void widen(murk_boxes *boxes, size_t box, int axis, float min, float max)
 
 static void fill(murk_balls *b, const murk_ball_extent *ball)
 {
+    /* The balls themselves, and a box around each sixteen of them. Bounds are
+     * widened by one float step, so that rounding loses no point. */
     for (size_t i = 0; i < groups_of(b->n) * MURK_WIDE; ++i) {
         sixteen *s = &b->ball[i / MURK_WIDE];
         const size_t k = i % MURK_WIDE;
@@ -62,6 +67,7 @@ static void fill(murk_balls *b, const murk_ball_extent *ball)
                   nextafterf(c - r, -INFINITY), nextafterf(c + r, INFINITY));
         }
     }
+    /* Each higher level holds the boxes of the level below. */
     size_t n = groups_of(b->n);
     for (unsigned level = 1; level < b->levels; ++level) {
         for (size_t i = 0; i < n; ++i) {
@@ -83,6 +89,8 @@ murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
     const murk_scan *const *scans = murk_scans(&n_scans);
     murk_balls *b = calloc(1, sizeof *b);
     bool is_there = b != NULL;
+    /* Allocate the balls and one level of boxes after the other, up to a
+     * single group. */
     if (is_there && n > 0) {
         b->scan = scans[n_scans - 1];
         b->n = n;
@@ -107,6 +115,7 @@ murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for the kernels of %zu photons", n);
     }
+    /* Fill the levels. */
     if (n > 0) {
         fill(b, ball);
     }

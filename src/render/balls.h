@@ -1,8 +1,8 @@
-/* Balls of different sizes: which of them hold a point.
+/* Balls of different sizes, and the search for those that hold a point.
  *
- * Sixteen balls have a box, sixteen boxes another one, and so on; balls that
- * follow one another should lie near each other, as a photon map's records do.
- * Immutable after creation: any number of threads may ask. */
+ * Sixteen balls share a box, sixteen boxes share a larger box, and so on. Balls
+ * that follow one another should lie near each other, as the records of a
+ * photon map do. Immutable after creation: any number of threads may search. */
 #ifndef MURK_RENDER_BALLS_H
 #define MURK_RENDER_BALLS_H
 
@@ -11,8 +11,8 @@
 
 #include <stddef.h>
 
-/* How far a ball reaches along each axis, at most radius: a smaller reach is
- * for who knows that no point beyond it will be asked for. */
+/* A ball and its reach along each axis, at most the radius. A reach below the
+ * radius is for a caller that never asks for points beyond it. */
 typedef struct murk_ball_extent {
     float center[3], radius;
     float reach[3];
@@ -29,11 +29,12 @@ void murk_balls_destroy(murk_balls *balls); /* NULL is fine */
 /* Bytes that n balls take. */
 double murk_balls_memory_for(double n);
 
-/* A ball that holds the point: which, and the squared distance from its center
- * as a share of the squared radius, below 1. */
+/* Called for each ball that holds the point: the number of the ball, and the
+ * squared distance of the point from the center of the ball as a share of the
+ * squared radius, below 1. */
 typedef void (*murk_balls_told)(void *context, size_t ball, double square);
 
-/* In increasing order. */
+/* Calls `told` for each ball that holds the point, in increasing order. */
 void murk_balls_at(const murk_balls *balls, murk_vec3 point,
                    murk_balls_told told, void *context);
 

@@ -1,3 +1,5 @@
+/* Perspective and equirectangular cameras: the direction of each place of the
+ * picture, the place of each direction, and the solid angle of a pixel. */
 #include "render/camera.h"
 
 murk_camera murk_camera_look(murk_vec3 from, murk_vec3 to, murk_vec3 up,

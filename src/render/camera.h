@@ -1,4 +1,5 @@
-/* A camera: where it stands, where each place of its picture looks.
+/* A camera: position, projection, and the direction of each place of its
+ * picture.
  *
  * The picture is `width` by `height` pixels; places on it are counted in pixels
  * from its upper left corner, x to the right and y down, so that the first
@@ -30,8 +31,9 @@ typedef struct murk_camera {
     size_t width, height; /* pixels */
 } murk_camera;
 
-/* Looks from one point to another, `up` being up in the picture as far as may
- * be: not parallel to the way it looks. Pixels are square. */
+/* A perspective camera that looks from one point to another, with square
+ * pixels. `up` points upwards in the picture as far as the direction allows; it
+ * must not be parallel to the direction. */
 murk_camera murk_camera_look(murk_vec3 from, murk_vec3 to, murk_vec3 up,
                              double vfov_rad, size_t width, size_t height);
 
@@ -55,7 +57,8 @@ murk_vec3 murk_camera_sight(const murk_camera *camera, double x, double y);
 murk_vec3 murk_camera_draw(const murk_camera *camera, size_t column, size_t row,
                            double u, double v);
 
-/* Where in the picture a direction (any length) is seen; false: nowhere. */
+/* The place of the picture that shows a direction of any length. False if the
+ * picture does not show it. */
 bool murk_camera_find(const murk_camera *camera, murk_vec3 direction, double *x,
                       double *y);
 

@@ -1,3 +1,5 @@
+/* The table of channels of a picture: names as in OpenEXR files, titles and
+ * units, and the search for a channel by the names that users write. */
 #include "render/channels.h"
 
 #include <stdio.h>
@@ -57,6 +59,8 @@ static void add_band(filling *f, const murk_image *p, int b, double nm)
 size_t murk_channels_list(const murk_image *p, int bands, const double *band_nm,
                           bool has_coverage, murk_channel *list)
 {
+    /* The three colours, their errors and the three coordinates have a row
+     * each. */
     static const struct {
         const char *colour, *colour_title, *error, *error_title, *axis,
             *axis_title;
@@ -72,6 +76,7 @@ size_t murk_channels_list(const murk_image *p, int bands, const double *band_nm,
         add(&f, of[k].axis, of[k].axis_title, "m", MURK_CHANNEL_LENGTH,
             p ? p->position[k] : NULL);
     }
+    /* The distance, the channels of each band, and the coverage. */
     add(&f, "Z", "distance", "m", MURK_CHANNEL_LENGTH,
         p ? p->distance_m : NULL);
     for (int b = 0; b < bands; ++b) {

@@ -11,6 +11,9 @@
 
 #include "render/render.h"
 
+/* Bytes of the longest name, "standard error at 1234.567 nm", and its end; and
+ * the channels of a picture: five for each band, nine of colours and positions,
+ * the distance and two of the coverage. */
 #define MURK_CHANNEL_NAME_SIZE 48
 #define MURK_CHANNELS_MAX      (5 * MURK_BANDS_MAX + 12)
 

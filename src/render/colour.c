@@ -1,3 +1,6 @@
+/* Weights of bands for linear RGB: colour matching functions by the fits of
+ * Wyman, Sloan and Shirley (2013), averaged over each band, and the matrix
+ * from XYZ to the primaries of ITU-R BT.709. */
 #include "render/colour.h"
 
 #include <math.h>
@@ -50,6 +53,7 @@ static void mean_of_band(double from_nm, double to_nm, double xyz[3])
 void murk_colour_weights(int bands, const double *from_nm, const double *to_nm,
                          double weight[3][MURK_BANDS_MAX])
 {
+    /* XYZ to linear RGB, from the primaries and the white of IEC 61966-2-1. */
     static const double rgb[3][3] = {{3.2404542, -1.5371385, -0.4985314},
                                      {-0.9692660, 1.8760108, 0.0415560},
                                      {0.0556434, -0.2040259, 1.0572252}};

@@ -1,3 +1,7 @@
+/* Direct light at a place by shadow rays: picks a number of shadow rays for
+ * each light (render/choice.h), draws a point of the light, and weighs the
+ * contribution against the ray that goes on by the balance heuristic of Veach
+ * and Guibas (1995, doi:10.1145/218380.218498). */
 #include "render/direct.h"
 
 #include "render/choice.h"
@@ -64,6 +68,7 @@ static double light_from(const murk_scenery *scenery,
                          const murk_address *address, uint32_t slot,
                          double rays, murk_balance balance)
 {
+    /* In a periodic domain one image of the lamp is drawn. */
     const murk_transport_world *world = scenery->world;
     const murk_source *l = murk_sources_get(world->lights, light);
     const bool is_distant = murk_source_is_distant(l);
@@ -78,11 +83,13 @@ static double light_from(const murk_scenery *scenery,
         seen_from.x -= periods[0] * images.period_m[0];
         seen_from.y -= periods[1] * images.period_m[1];
     }
+    /* Draw a point or a direction of the light. */
     murk_shine shine;
     if (!murk_sources_shine(world->lights, light, place->band, seen_from,
                             random.u, &shine)) {
         return 0;
     }
+    /* The share of this contribution by the balance heuristic. */
     const double answers = answer(place, shine.direction);
     const bool is_met =
         balance.goes_on &&
@@ -94,6 +101,7 @@ static double light_from(const murk_scenery *scenery,
     if (!(rays > 0 && radiance > 0)) {
         return 0;
     }
+    /* The shadow ray starts and ends clear of the surfaces. */
     const murk_vec3 start =
         place->phase ? place->position
                      : murk_surfaces_leave(world->surfaces, place->position,

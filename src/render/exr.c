@@ -1,3 +1,5 @@
+/* Writes a picture as an OpenEXR file through the OpenEXR core library, which
+ * hands bytes to a file that is renamed once it is whole. */
 #include "render/exr.h"
 
 #include <stdio.h>
@@ -40,6 +42,7 @@ static int64_t put(exr_const_context_t context, void *data, const void *bytes,
 static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
                                  const murk_channel *list, size_t n)
 {
+    /* One part of scanlines, compressed by ZIP. */
     int part = 0;
     exr_result_t result =
         exr_add_part(file, "murk", EXR_STORAGE_SCANLINE, &part);
@@ -48,6 +51,7 @@ static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
             file, part, (int32_t)exr->picture->width,
             (int32_t)exr->picture->height, EXR_COMPRESSION_ZIP);
     }
+    /* Projection and shape of the pixels. */
     if (!result && exr->is_all_round) {
         result = exr_attr_set_envmap(file, part, "envmap", EXR_ENVMAP_LATLONG);
     }
@@ -55,6 +59,7 @@ static exr_result_t write_header(exr_context_t file, const murk_exr *exr,
         result =
             exr_set_pixel_aspect_ratio(file, part, (float)exr->pixel_aspect);
     }
+    /* The channels, and the texts about the picture. */
     for (size_t i = 0; i < n && !result; ++i) {
         result = exr_add_channel(file, part, list[i].name, EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LINEAR, 1, 1);
@@ -89,6 +94,7 @@ static exr_result_t write_rows(exr_context_t file, const murk_exr *exr,
     }
     result = is_first ? exr_encoding_initialize(file, 0, &chunk, encoder)
                       : exr_encoding_update(file, 0, &chunk, encoder);
+    /* Each channel reads its rows from the picture. */
     const size_t width = exr->picture->width;
     for (int c = 0; c < encoder->channel_count && !result; ++c) {
         exr_coding_channel_info_t *of = &encoder->channels[c];
@@ -129,6 +135,7 @@ murk_status murk_exr_write(const murk_exr *exr, const char *path,
     if (!list) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory for an image");
     }
+    /* The channels of the picture, and the file that receives them. */
     const murk_image *p = exr->picture;
     const size_t n =
         murk_channels_list(p, p->bands, exr->band_nm, p->seen_by != NULL, list);
@@ -138,6 +145,7 @@ murk_status murk_exr_write(const murk_exr *exr, const char *path,
         free(list);
         return status;
     }
+    /* Write through the library, and discard the file after a failure. */
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
     setup.error_handler_fn = ignore;
     setup.user_data = out;

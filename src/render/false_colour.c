@@ -1,3 +1,6 @@
+/* Draws one channel of a picture in the colours of viridis, with a legend:
+ * chooses the range by quantiles, maps values to colours, and sets round
+ * numbers below the bar. */
 #include "render/false_colour.h"
 
 #include <math.h>
@@ -8,11 +11,12 @@
 #include "render/glyphs.h"
 #include "render/spread.h"
 
-#define CELLS 32
+#define CELLS 32 /* between colours of the table: render/false_colour.h */
 
 /* A logarithmic range spans no more than this. */
 #define SPAN_MAX 1e6
 
+/* Every eighth of the 256 colours of viridis: render/false_colour.h. */
 static const uint8_t VIRIDIS[CELLS + 1][3] = {
     {68, 1, 84},    {71, 13, 96},   {72, 24, 106},  {72, 35, 116},
     {71, 45, 123},  {69, 54, 129},  {66, 64, 134},  {63, 73, 137},
@@ -24,6 +28,8 @@ static const uint8_t VIRIDIS[CELLS + 1][3] = {
     {171, 220, 50}, {192, 223, 36}, {213, 226, 26}, {234, 229, 26},
     {253, 231, 37}};
 
+/* A middle grey is none of the colours of viridis; the legend is black on
+ * white. */
 static const uint8_t NOTHING[3] = {128, 128, 128}, PAPER[3] = {255, 255, 255},
                      INK[3] = {0, 0, 0};
 
@@ -63,6 +69,7 @@ murk_status murk_false_colour_range(murk_false_colour *out,
                                     const murk_channel *channel, size_t n,
                                     bool is_log, murk_error *err)
 {
+    /* Clarities and counts have ranges of their own. */
     *out = (murk_false_colour){is_log ? 0.1 : 0, 1, is_log};
     if (!is_log && channel->kind == MURK_CHANNEL_CLARITY) {
         return MURK_OK;
@@ -71,6 +78,7 @@ murk_status murk_false_colour_range(murk_false_colour *out,
         out->high = fmax(1, (double)max_of(channel, n));
         return MURK_OK;
     }
+    /* All other channels: quantiles of the pixels that have a value. */
     float *value = malloc(MURK_SPREAD_MAX * sizeof *value);
     if (!value) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
@@ -120,7 +128,7 @@ static double place_of(const murk_false_colour *c, double value)
 
 /* ---- legend ---- */
 
-#define TICKS_MAX 64
+#define TICKS_MAX 64 /* many times as many as a bar has room for */
 
 typedef struct ticks {
     double value[TICKS_MAX];
@@ -181,6 +189,7 @@ static size_t legend_height(const legend *l)
 static void draw_legend(murk_raster *raster, const legend *l,
                         const murk_channel *channel, const murk_false_colour *c)
 {
+    /* The title and the bar of colours. */
     const size_t s = l->scale, left = l->pad, across = l->width - 2 * l->pad;
     const size_t bar = l->top + (MURK_GLYPH_HEIGHT + 7) * s;
     murk_raster_fill(raster, 0, l->top, l->width, legend_height(l), PAPER);
@@ -190,6 +199,8 @@ static void draw_legend(murk_raster *raster, const legend *l,
         murk_false_colour_at(((double)x + 0.5) / (double)across, rgb);
         murk_raster_fill(raster, left + x, bar, 1, 8 * s, rgb);
     }
+    /* Ticks, as many as fit with their numbers; a number that would touch the
+     * last one is left out. */
     const double room = (double)across / (double)(7 * MURK_GLYPH_ADVANCE * s);
     const ticks t = ticks_of(c, channel->kind == MURK_CHANNEL_COUNT,
                              fmax(1, fmin(8, room)));

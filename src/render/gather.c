@@ -1,3 +1,6 @@
+/* Density estimate on the photon maps: lays a kernel around each record that
+ * counts, as wide as the k-th nearest record is far, and sums the kernels that
+ * hold a place. */
 #include "render/gather.h"
 
 #include <stdlib.h>
@@ -8,7 +11,7 @@
 #include "render/kernel.h"
 #include "source/shine.h"
 
-#define RECORDS_AT_ONCE 1024
+#define RECORDS_AT_ONCE 1024 /* in a batch, the unit of work of a thread */
 
 /* Of the domain's diagonal: records that lie on one spot, as those of a beam
  * without width do, are spread at least so far. */
@@ -118,6 +121,7 @@ static void lay(void *context, uint64_t batch)
     const size_t k = murk_gather_nearest(n) + 1; /* itself is one of them */
     uint32_t found[MURK_GATHER_MAX + 1];
     double square_m2[MURK_GATHER_MAX + 1];
+    /* Each batch lays the kernels of as many records. */
     const size_t first = (size_t)batch * RECORDS_AT_ONCE;
     const size_t end =
         n < first + RECORDS_AT_ONCE ? n : first + RECORDS_AT_ONCE;
@@ -141,6 +145,7 @@ static murk_status make(layer *out, const murk_gathering_desc *desc,
     if (status) {
         return status;
     }
+    /* Allocate the kernels of the records that count. */
     const size_t n = murk_photon_map_count(out->map);
     const murk_box *box = &desc->scenery->world->domain.box;
     laying l = {.desc = desc,
@@ -150,6 +155,8 @@ static murk_status make(layer *out, const murk_gathering_desc *desc,
                 .min_m =
                     MIN_RADIUS * murk_length(murk_sub(box->max, box->min))};
     out->kernel = calloc(n + 1, sizeof *out->kernel);
+    /* Lay the kernels on all threads, and build the hierarchy that finds them.
+     */
     if (!l.extent || !out->kernel) {
         status = murk_fail(err, MURK_NO_MEMORY, "render",
                            "no memory for the kernels of %zu photons", n);
@@ -178,6 +185,7 @@ murk_status murk_gather_create(murk_gather **out,
     if (!g) {
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for maps");
     }
+    /* Groups of photons emitted one after the other. */
     g->scenery = desc->scenery;
     const double last =
         fmax(last_emitted(desc->surface), last_emitted(desc->volume));
@@ -187,6 +195,7 @@ murk_status murk_gather_create(murk_gather **out,
                         murk_photon_map_count(desc->surface) +
                             murk_photon_map_count(desc->volume),
                         "photons");
+    /* The kernels of both maps, band by band. */
     for (int band = 0; band < desc->scenery->world->bands && !status; ++band) {
         status = make(&g->surface[band], desc, desc->surface, band, err);
         if (!status) {

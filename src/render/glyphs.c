@@ -1,3 +1,5 @@
+/* A font of 5 by 8 pixels for legends, drawn into a raster in whole multiples
+ * of its size. */
 #include "render/glyphs.h"
 
 #include <string.h>

@@ -6,6 +6,7 @@
 
 #include "render/png.h"
 
+/* Pixels at scale 1. */
 #define MURK_GLYPH_HEIGHT  8
 #define MURK_GLYPH_ADVANCE 6 /* from one letter to the next */
 

@@ -1,3 +1,5 @@
+/* Writes a raster as a PNG file through libpng, with texts about the picture,
+ * to a file that is renamed once it is whole. */
 #include "render/png.h"
 
 #include <setjmp.h>

@@ -1,3 +1,5 @@
+/* Finds the surface point that the middle of each pixel shows, row by row on
+ * all threads, as records that sensors can be asked about. */
 #include "render/points.h"
 
 #include <stdlib.h>

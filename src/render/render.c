@@ -1,3 +1,7 @@
+/* Takes a picture: follows the rays of each pixel in every band, sums
+ * radiances and their squares, and derives the standard errors. Pixels are
+ * computed in square tiles; the sums of a tile are added in the order of the
+ * tiles, so that the result does not depend on threads. */
 #include "render/render.h"
 
 #include <assert.h>
@@ -121,6 +125,7 @@ static double share_of_mean(const murk_camera *c, size_t x, size_t y)
 static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
                  tile_sums *tile)
 {
+    /* Sums of the pixel: by band, by colour, and by group of photons. */
     const murk_render *render = r->render;
     const murk_trace *trace = render->trace;
     murk_image *p = r->picture;
@@ -131,6 +136,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
     group_sums group[MURK_BANDS_MAX], records[3] = {{.all = {0, 0}}};
     memset(group, 0, (size_t)p->bands * sizeof *group);
     size_t lit = 0; /* rays that meet a light straight away */
+    /* Follow the samples; all bands of a sample share a direction. */
     for (size_t i = 0; i < render->samples; ++i) {
         const uint64_t number = (uint64_t)at * render->samples + i;
         const murk_random4 u = murk_random(
@@ -165,6 +171,8 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
             }
         }
     }
+    /* Radiances and errors of the bands, and their part in the mean of the
+     * picture. */
     const double share = share_of_mean(&render->camera, x, y);
     for (int b = 0; b < p->bands; ++b) {
         const double variance = mean_variance(&band[b], n);
@@ -181,6 +189,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         tile[b].radiance += share * (band[b].sum / n);
         tile[b].variance += share * share * variance;
     }
+    /* Radiances and errors of the colours. */
     for (int k = 0; k < 3; ++k) {
         const double noise = take_means(&records[k], n);
         p->rgb[k][at] = (float)(colour[k].sum / n);
@@ -250,6 +259,7 @@ static murk_image *picture_create(size_t width, size_t height, int bands)
         free(p);
         return NULL;
     }
+    /* All channels are one piece of memory, one behind the other. */
     p->width = width;
     p->height = height;
     p->bands = bands;
@@ -297,6 +307,7 @@ murk_status murk_image_add_coverage(murk_image *picture, murk_error *err)
 
 static murk_status set_up(run *r, size_t tiles, murk_error *err)
 {
+    /* Allocate the picture and the sums. */
     const murk_render *render = r->render;
     const murk_transport_world *world = render->trace->world;
     const unsigned threads = render->threads;
@@ -318,6 +329,7 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
                          render->camera.width, render->camera.height,
                          world->bands);
     }
+    /* Prepare the world for shadow rays, and the maps for density estimates. */
     murk_status status = murk_scenery_prepare(&r->scenery, world, err);
     if (!status && render->method != MURK_BY_PATHS) {
         const murk_gathering_desc desc = {.scenery = &r->scenery,
@@ -351,6 +363,7 @@ static void add_up(run *r, size_t tiles)
     const double n = (double)(p->width * p->height);
     for (int b = 0; b < p->bands; ++b) {
         tile_sums all = {0};
+        /* Sums in the order of the tiles. */
         for (size_t t = 0; t < tiles; ++t) {
             const tile_sums *tile = &r->tile[t * (size_t)p->bands + (size_t)b];
             all.radiance += tile->radiance;
@@ -360,6 +373,8 @@ static void add_up(run *r, size_t tiles)
                 all.group[g] += tile->group[g];
             }
         }
+        /* The error of the mean: noise of the samples, and noise of the
+         * records, of which the part that the samples bring is counted once. */
         p->mean[b] = all.radiance / n;
         p->mean_error[b] =
             sqrt(all.variance +
@@ -407,6 +422,7 @@ murk_status murk_render_run(murk_image **out, const murk_render *render,
     const size_t tiles = across * tiles_along(c->height);
     run r = {.render = render, .tiles_across = across};
     const murk_status status = set_up(&r, tiles, err);
+    /* Render the tiles on all threads, then sum them up. */
     if (!status) {
         murk_progress_begin("render", c->width * c->height * render->samples,
                             "rays");
@@ -419,6 +435,7 @@ murk_status murk_render_run(murk_image **out, const murk_render *render,
         *out = r.picture;
         r.picture = NULL;
     }
+    /* Release everything but the picture that is handed over. */
     for (unsigned i = 0; r.sampler && i < render->threads; ++i) {
         murk_sampler_destroy(r.sampler[i]);
     }

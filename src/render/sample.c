@@ -1,3 +1,6 @@
+/* Follows one ray of a picture backwards through the world and sums the
+ * radiance that it finds: lights that it meets, direct light by shadow rays,
+ * and light from the photon maps, according to the method. */
 #include "render/sample.h"
 
 #include <stdlib.h>
@@ -241,6 +244,9 @@ static void hear_event(void *context, uint64_t batch, const murk_event *event)
 {
     murk_sampler *s = context;
     (void)batch;
+    /* Surfaces, media and the sky bring light; interfaces bend the ray, so
+     * that no shadow ray could have found the light beyond; a periodic side
+     * moves the ray. */
     switch (event->kind) {
     case MURK_EVENT_SURFACE:
         meet_surface(s, event);
@@ -306,6 +312,7 @@ murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
         free(cone);
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a ray");
     }
+    /* The ray is followed as a photon is, with sinks of its own. */
     s->cone = cone;
     s->scenery = scenery;
     s->method = method;

@@ -1,3 +1,5 @@
+/* Exposure, tone curve (Reinhard et al. 2002, doi:10.1145/566654.566575) and
+ * sRGB encoding of a picture. */
 #include "render/tone.h"
 
 #include <math.h>
@@ -5,6 +7,8 @@
 
 #include "render/spread.h"
 
+/* Reflectance of middle grey and the luminance that becomes white:
+ * render/tone.h. */
 #define MIDDLE_GREY 0.18
 #define WHITE       4.0
 
