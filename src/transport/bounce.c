@@ -1,3 +1,6 @@
+/* The outcome of a photon that meets a surface, drawn by Russian roulette
+ * between diffuse reflection, mirror, transmission and absorption; at the
+ * boundary of a solid by Snell and Fresnel (medium/fresnel.h). */
 #include "transport/bounce.h"
 
 #include "medium/fresnel.h"

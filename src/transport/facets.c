@@ -36,6 +36,8 @@ bool murk_meet_facets(const murk_address *address, double n_from, double n_to,
                       double mean_square_slope, murk_vec3 direction,
                       murk_vec3 normal, murk_bounce *bounce)
 {
+    /* The ray starts above all of the surface: the share h that lies lower is
+     * 1. */
     const double width = sqrt(mean_square_slope);
     murk_vec3 up = normal;
     double index = n_from, beyond = n_to, log_h = 0;
@@ -43,6 +45,7 @@ bool murk_meet_facets(const murk_address *address, double n_from, double n_to,
     for (uint32_t k = 0; k < MURK_FACETS_MAX; ++k) {
         const double cosine = fmax(-1, fmin(1, -murk_dot(direction, up)));
         const murk_random4 way = murk_random_at(address, 1 + 2 * k);
+        /* Draw the height of the next facet, or leave if none is left. */
         const double seen = murk_facets_seen(width, cosine);
         log_h += cosine / seen * log(way.u[0]);
         if (cosine < 0 && !(log_h < 0)) {
@@ -50,12 +53,14 @@ bool murk_meet_facets(const murk_address *address, double n_from, double n_to,
                 is_through ? MURK_TRANSMITTED : MURK_MIRRORED, direction};
             return true;
         }
+        /* Draw the facet at that height, and reflect or refract there. */
         const murk_random4 drawn = murk_random_at(address, 2 + 2 * k);
         const murk_vec3 facet =
             facet_normal(direction, up, width, cosine, drawn.u);
         const murk_bounce met =
             murk_refract(index, beyond, direction, facet, drawn.u[3]);
         direction = met.direction;
+        /* Through the facet: the same surface seen from the other side. */
         if (met.outcome == MURK_TRANSMITTED) {
             const double other = index;
             index = beyond;

@@ -1,3 +1,5 @@
+/* Follows a ray by the walk of the photon tracer (transport/walk.h), with sums
+ * that nobody reads: a ray carries radiance, not power. */
 #include "transport/follow.h"
 
 #include <stdlib.h>
@@ -28,11 +30,13 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for a ray's way");
     }
+    /* The walk, without tallies. */
     f->trace = *trace;
     f->trace.tallies = NULL;
     f->events_max = trace->events_max;
     f->course = murk_course_of(&f->trace);
     f->absorber = absorber;
+    /* The heights of a periodic domain that a ray must not jump over. */
     const murk_status status =
         murk_jump_heights(&f->busy, &f->course.n_busy, world, err);
     if (status) {
@@ -41,6 +45,7 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
     }
     f->course.busy = (const double(*)[2])f->busy;
     f->course.jumps = world->domain.is_periodic;
+    /* Sums for the walk to add to. */
     f->sums.absorber = absorber;
     f->sums.materials = materials;
     f->sums.absorbers = absorbers;

@@ -1,8 +1,13 @@
+/* The energy ledger: integer quanta that were emitted, absorbed, escaped or
+ * lost, by light and band, so that the balance is exact. Absorption by
+ * material and medium is kept in several lanes that threads add to and readers
+ * sum up. */
 #include "transport/trace.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
+/* Emitted, absorbed by surfaces and by media, escaped, lost. */
 #define ACCOUNTS 5
 
 /* As many lanes as bring this many cells at most: beyond, threads seldom meet

@@ -1,3 +1,6 @@
+/* Scores one photon: crossings of planes, chords of spheres and track lengths
+ * in grids. The values of the photon are rounded to whole numbers once, at its
+ * end, and added to the sums and the sums of squares. */
 #include "transport/score.h"
 
 #include <math.h>

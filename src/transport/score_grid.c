@@ -99,6 +99,7 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
                         murk_vec3 from, murk_vec3 direction, double length_m,
                         double quanta)
 {
+    /* The start and the direction in units of cells. */
     const double *const k = lattice->cells_per_m;
     const double at[3] = {(from.x - lattice->box.min.x) * k[0],
                           (from.y - lattice->box.min.y) * k[1],
@@ -106,11 +107,14 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
     const double pace[3] = {direction.x * k[0], direction.y * k[1],
                             direction.z * k[2]};
     const double quanta_per_m = quanta * lattice->per_m;
+    /* Most steps in dense media stay in one cell. */
     uint32_t cell;
     if (stays(lattice, at, pace, length_m, &cell)) {
         murk_score_add(scorer, cell, length_m * quanta_per_m);
         return;
     }
+    /* Else from face to face through the part of the leg that lies in the
+     * grid. */
     double begin_m = 0, end_m = length_m;
     if (!murk_box_clip(&lattice->box, from, direction, &begin_m, &end_m)) {
         return;

@@ -1,3 +1,6 @@
+/* Tallies: prepares planes, spheres and grids for scoring, gives each thread a
+ * scorer, and reads values with their standard errors by emitted photon from
+ * integer sums. */
 #include "transport/tallies.h"
 
 #include <assert.h>
@@ -148,6 +151,7 @@ murk_status murk_tallies_create(murk_tallies **out,
     if (status) {
         return status;
     }
+    /* Refuse tallies that do not fit in memory, and name the largest one. */
     const double bytes =
         murk_tallies_memory(descs, n, channels, bands, threads);
     if (!(bytes <= memory_max_bytes)) {
@@ -165,6 +169,7 @@ murk_status murk_tallies_create(murk_tallies **out,
                          bytes / 1e9, murk_tally_cells(&descs[largest]),
                          channels, memory_max_bytes / 1e9);
     }
+    /* Prepare the tallies and the scorers of all threads. */
     murk_tallies *t = calloc(1, sizeof *t);
     if (t) {
         t->n = n;

@@ -30,6 +30,8 @@
 /* Sums hold 2^32 photons of so many legs each. */
 #define MURK_TALLY_LEGS_MAX (1 << 17)
 
+/* Tallies of a scene, and bytes of the name of one, which becomes the name of a
+ * file. */
 #define MURK_TALLIES_MAX     64
 #define MURK_TALLY_NAME_SIZE 64
 #define MURK_TALLY_CELLS_MAX (UINT64_C(1) << 31) /* of all tallies together */

@@ -1,3 +1,6 @@
+/* Traces photons in batches on all threads. Each batch has sums of its own,
+ * which are added to the ledger as integers, so that the result does not
+ * depend on the threads. */
 #include "transport/trace.h"
 
 #include <assert.h>

@@ -1,3 +1,5 @@
+/* The variance of whole numbers from their sum and the sum of their squares,
+ * in integers of 192 bits, so that it is exact before one last rounding. */
 #include "transport/wide.h"
 
 #define LIMBS 6 /* of 32 bits: n sum x^2 is below 2^160, its fellow no more */
