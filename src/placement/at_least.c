@@ -28,7 +28,7 @@ typedef struct run {
     const murk_place_desc *desc;
     const murk_evaluator *evaluator;
     const murk_constraint_set *set; /* NULL: no rules but a count */
-    size_t views;                   /* that each photon is to have */
+    size_t redundancy;                   /* that each photon is to have */
     murk_incumbent mean;            /* plans by the mean */
     murk_partial_plan partial;      /* with rules: of what stands */
     murk_cover cover;               /* of what stands */
@@ -158,7 +158,7 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
     for (size_t i = 0; i < words; ++i) {
         const uint64_t enough = r->cover.full[i];
         const uint64_t nearly =
-            r->views > 1 ? r->cover.full[words + i] : UINT64_MAX;
+            r->redundancy > 1 ? r->cover.full[words + i] : UINT64_MAX;
         r->one_missing.full[i] = enough | ~nearly;
     }
     const unsigned threads = o->problem->threads;
@@ -253,7 +253,7 @@ static void complete_plan(run *r, size_t n)
 static murk_status branch_and_bound(run *r, size_t n, uint64_t *upper,
                                     murk_error *err)
 {
-    const uint64_t below = r->desc->target * r->views - 1;
+    const uint64_t below = r->desc->target * r->redundancy - 1;
     const uint64_t left = r->desc->nodes > r->result->nodes
                               ? r->desc->nodes - r->result->nodes
                               : 0;
@@ -316,10 +316,10 @@ static murk_status find_count(run *r, size_t n, bool from,
         try_plan(r);
     }
     uint64_t upper = mean->upper;
-    if (r->value < r->desc->target && upper / r->views >= r->desc->target) {
+    if (r->value < r->desc->target && upper / r->redundancy >= r->desc->target) {
         status = branch_and_bound(r, n, &upper, err);
     }
-    upper /= r->views;
+    upper /= r->redundancy;
     *point =
         (murk_curve_point){n, r->value, upper > r->value ? upper : r->value};
     return status;
@@ -330,7 +330,7 @@ static murk_status find_all(run *r, murk_error *err)
 {
     murk_incumbent *p = &r->mean;
     murk_place_result *result = r->result;
-    const size_t first = p->first > r->views ? p->first : r->views;
+    const size_t first = p->first > r->redundancy ? p->first : r->redundancy;
     /* Fewer sensors see no more where each plan can be filled up: then what is
      * proven of a count is proven of all below. */
     const bool may_fill = !(r->set && r->set->has_conflicts);
@@ -396,18 +396,18 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
         add_candidate(r, j);
     }
     r->result->ceiling = strict_of(&r->cover, o->layout);
-    r->result->whole = o->layout->whole / r->views;
+    r->result->whole = o->layout->whole / r->redundancy;
     if (r->desc->target > r->result->ceiling) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "target %.6g cannot be reached: where all %zu usable "
                          "candidates stand, %zu or more see %.6g",
                          (double)r->desc->target / (double)r->result->whole,
-                         o->candidates, r->views,
+                         o->candidates, r->redundancy,
                          (double)r->result->ceiling / (double)r->result->whole);
     }
     /* Where the mean is this much, so is the strict share; and branch and bound
      * is for the strict one alone. */
-    const uint64_t enough = r->desc->target + (r->views - 1) * r->result->whole;
+    const uint64_t enough = r->desc->target + (r->redundancy - 1) * r->result->whole;
     desc->target = enough < o->ceiling ? enough : o->ceiling;
     desc->nodes = 0;
     const murk_status status =
@@ -427,12 +427,12 @@ static murk_status report_miss(const run *r, murk_error *err)
                          "target %.6g cannot be reached: with %zu sensors, the "
                          "most that the rules allow, no plan shows so much to "
                          "%zu or more",
-                         target, r->mean.last, r->views);
+                         target, r->mean.last, r->redundancy);
     }
     return murk_fail(err, MURK_RUN_FAILED, "",
                      "no plan found that reaches the target %.6g with at most "
                      "%zu sensors: of the best found %zu or more see %.6g",
-                     target, r->mean.last, r->views,
+                     target, r->mean.last, r->redundancy,
                      (double)r->result->value / whole);
 }
 
@@ -468,7 +468,7 @@ murk_status murk_place_at_least(murk_place_result *out,
     run r = {.desc = desc,
              .evaluator = &evaluator,
              .set = desc->constraints ? &rulebook : NULL,
-             .views = murk_problem_layers(problem),
+             .redundancy = murk_problem_layers(problem),
              .result = &result};
     murk_status status = murk_place_check(problem, true, desc, err);
     if (!status && r.set) {

@@ -8,7 +8,7 @@
 __extension__ typedef unsigned __int128 wide;
 
 typedef struct gain_task {
-    const murk_block_views *views;
+    const murk_block_layouts *layouts;
     const murk_cover *cover;
     const uint32_t *candidate;
     uint64_t *gain;
@@ -19,29 +19,29 @@ uint64_t murk_share_units(uint64_t part, uint64_t whole)
     return (uint64_t)((wide)part * MURK_SHARE_ONE / whole);
 }
 
-uint64_t murk_block_worth(const murk_block_views *views, size_t c,
+uint64_t murk_block_worth(const murk_block_layouts *layouts, size_t c,
                           uint64_t value)
 {
-    return murk_share_units(value, views->unit[c]) + views->offset[c];
+    return murk_share_units(value, layouts->unit[c]) + layouts->offset[c];
 }
 
 static void gain_of_one(void *context, unsigned worker, uint64_t k)
 {
     const gain_task *g = context;
-    const size_t n = g->views->blocks->n;
+    const size_t n = g->layouts->blocks->n;
     const murk_row row =
-        murk_evaluator_row(g->views->evaluator, worker, g->candidate[k]);
+        murk_evaluator_row(g->layouts->evaluator, worker, g->candidate[k]);
     for (size_t c = 0; c < n; ++c) {
         g->gain[k * n + c] =
-            murk_row_gain(&g->views->layout[c], &row, g->cover);
+            murk_row_gain(&g->layouts->layout[c], &row, g->cover);
     }
 }
 
-void murk_block_gains(const murk_block_views *views, const murk_cover *cover,
+void murk_block_gains(const murk_block_layouts *layouts, const murk_cover *cover,
                       const uint32_t *candidate, size_t count, uint64_t *gain)
 {
-    gain_task g = {views, cover, candidate, gain};
-    const unsigned threads = murk_evaluator_threads(views->evaluator, count);
+    gain_task g = {layouts, cover, candidate, gain};
+    const unsigned threads = murk_evaluator_threads(layouts->evaluator, count);
     if (threads > 1) {
         murk_pool_run_workers(threads, count, gain_of_one, &g);
         return;
@@ -52,7 +52,7 @@ void murk_block_gains(const murk_block_views *views, const murk_cover *cover,
 }
 
 /* The weights of one block, the others without. */
-static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
+static murk_status view_block(murk_block_layouts *v, size_t c, uint32_t *weight,
                               murk_error *err)
 {
     const murk_problem *problem = v->evaluator->problem;
@@ -78,7 +78,7 @@ static murk_status view_block(murk_block_views *v, size_t c, uint32_t *weight,
                            "nothing to see in condition %zu", c + 1);
 }
 
-static murk_status find_gain_bounds(murk_block_views *v, murk_error *err)
+static murk_status find_gain_bounds(murk_block_layouts *v, murk_error *err)
 {
     const murk_evaluator *o = v->evaluator;
     murk_cover cover = {0};
@@ -108,12 +108,12 @@ static murk_status find_gain_bounds(murk_block_views *v, murk_error *err)
     return MURK_OK;
 }
 
-murk_status murk_block_views_init(murk_block_views *out,
+murk_status murk_block_layouts_init(murk_block_layouts *out,
                                   const murk_evaluator *evaluator,
                                   const murk_blocks *blocks, murk_error *err)
 {
     const size_t photons = evaluator->problem->photons;
-    *out = (murk_block_views){.blocks = blocks, .evaluator = evaluator};
+    *out = (murk_block_layouts){.blocks = blocks, .evaluator = evaluator};
     uint32_t *weight = calloc(photons + 1, sizeof *weight);
     out->max = calloc(evaluator->candidates * blocks->n + 1, sizeof *out->max);
     murk_status status =
@@ -129,11 +129,11 @@ murk_status murk_block_views_init(murk_block_views *out,
     return status ? status : find_gain_bounds(out, err);
 }
 
-void murk_block_views_release(murk_block_views *views)
+void murk_block_layouts_release(murk_block_layouts *layouts)
 {
     for (size_t c = 0; c < MURK_BLOCKS_MAX; ++c) {
-        murk_layout_release(&views->layout[c]);
+        murk_layout_release(&layouts->layout[c]);
     }
-    free(views->max);
-    *views = (murk_block_views){0};
+    free(layouts->max);
+    *layouts = (murk_block_layouts){0};
 }

@@ -1,23 +1,24 @@
-/* How much any plan of a count can be worth at most.
+/* Upper bounds on the value of any plan of a count: the Lagrangian bound of
+ * facility location, lowered by subgradient steps.
  *
- * For any thresholds t_i in 0..MURK_CLEAR, with w the weights, p the clarities:
+ * For any multipliers t_i in 0..MURK_CLEAR, with weights w and clarities p,
  *
  *     bound(t) = sum_i w_i t_i + top-n_j sum_i w_i max(0, p_ij - t_i)
  *
- * is at least the value of every plan of n (a plan's value is at most
- * sum w t + the sum over its members of what lies above t). It is the
- * Lagrangian bound of facility location, with u_i = w_i t_i; for 0/1 rows it
- * is sum (w - u) + top-n sum b u with u = w (1 - t). Where more than the
- * clearest view counts, or views are independent chances, both sums are others
- * (placement/multipliers.h). Thresholds are whole numbers, so the bound is an
- * exact integer and holds in spite of rounding. Subgradient steps lower it,
- * by the volume algorithm: from where it was lowest, down the mean of the
- * slopes met. Candidates that provably are in no plan better than the best
- * known are left out on the way.
+ * is an upper bound on the value of every plan of n: the value is at most sum w
+ * t plus the parts of the members' entries above t. In the usual form the
+ * multipliers are u_i = w_i t_i; for 0/1 rows the bound is sum (w - u) + top-n
+ * sum b u with u = w (1 - t). With redundancy, and with detection
+ * probabilities, both sums differ (placement/multipliers.h). Multipliers are
+ * rounded to whole numbers, so the bound is an exact integer and holds in spite
+ * of rounding. The volume algorithm lowers the bound: each step starts at the
+ * multipliers of the lowest bound and goes down the mean of the subgradients
+ * met so far. Candidates that provably belong to no better plan than the best
+ * known one are fixed out on the way.
  *
- * Under rules the top n become the best that the rules allow, or a little more
- * (placement/relaxation.h); fixed sensors are in every set, by thresholds that
- * do not go below what they see.
+ * Under constraints the top n become the best feasible choice or a relaxation
+ * of it (placement/relaxation.h). Fixed sensors belong to every plan; the
+ * multipliers do not go below their entries.
  *
  * Source: Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977) 789,
  * doi:10.1287/mnsc.23.8.789; Barahona and Anbil, Math. Program. 87 (2000) 385,
@@ -31,50 +32,55 @@
 
 typedef struct murk_bound {
     const murk_evaluator *evaluator;
-    float *multiplier; /* [slots] where the last call stopped */
-    float *lowest;     /* [slots] where its bound was lowest */
-    float *mean;       /* [slots] of slopes, of `round` rounds so far */
+    float *multiplier; /* [slots] of the present evaluation */
+    float *lowest;     /* [slots] of the lowest bound */
+    float
+        *mean; /* [slots] weighted mean of the subgradients of `round` rounds */
     size_t round, since_gain;
     double step;
-    size_t last_count;  /* that these belong to; 0: to none */
-    float *subgradient; /* [slots] slopes */
+    size_t
+        last_count; /* count of sensors that mean and step belong to; 0: none */
+    float *subgradient; /* [slots] of the last evaluation, per weight */
     murk_multipliers multipliers;
-    murk_cover cover; /* of the plan it starts from, or of the fixed */
-    uint64_t *gain;   /* [candidates] above the thresholds */
-    uint32_t *live;   /* [candidates] not yet left out */
+    murk_cover cover; /* of the starting plan, or of the fixed sensors */
+    uint64_t *gain;   /* [candidates] part above the multipliers, of live[] */
+    uint32_t *live;   /* [candidates] not fixed out */
     size_t live_count;
-    uint64_t base;        /* the first sum of the last evaluation */
-    murk_ranked *top;     /* [candidates] */
-    uint64_t evaluations; /* candidates weighed */
+    uint64_t base;        /* first sum of the last evaluation */
+    murk_ranked *top;     /* [candidates] the choice that makes the bound */
+    uint64_t evaluations; /* gains computed */
     uint64_t queries;
-    murk_relaxation relaxed;          /* with rules: instead of the top n */
-    const murk_partial_plan *partial; /* what the n join; NULL: no rules */
-    murk_partial_plan fixed;          /* with rules: the fixed sensors */
+    murk_relaxation relaxed; /* with constraints: in place of the top n */
+    const murk_partial_plan
+        *partial; /* that the n candidates extend; NULL: no constraints */
+    murk_partial_plan fixed; /* with constraints: the fixed sensors */
 } murk_bound;
 
 murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
                             murk_error *err);
 void murk_bound_release(murk_bound *bound);
 
-/* Starts the thresholds at the plan's cover (NULL: goes on from where the last
- * call stopped), and makes at most `rounds` evaluations, each a weighing of the
- * live candidates. `lower` is the value of a known plan of n. Returns an upper
- * bound for plans of n, at least `lower`, and stops early when it meets it. */
+/* Bounds the value of plans of n sensors. The multipliers start at the cover of
+ * plan[plan_count]; plan NULL: they go on from the last call. Makes at most
+ * `rounds` evaluations, each of all live candidates. `lower` is the value of a
+ * known plan of n. Returns an upper bound, at least `lower`, and stops early
+ * when the bound reaches `lower`. */
 uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds);
 
-/* The same for plans that hold a given set and n more, all of them among
- * bound->live, which the caller fills: `stand` is the set's cover, of clarities
- * or doses, and with rules bound->standing the set itself.
- * Goes on from the present thresholds, raised to what stands. Afterwards live
- * and gain are those that can still be in a plan worth more than `lower`. */
+/* The same for plans that consist of a partial plan and n more candidates of
+ * bound->live, which the caller fills. `partial` is the cover of the partial
+ * plan (clarities or doses); with constraints bound->partial is the partial
+ * plan. The multipliers go on from the present ones, raised to the cover.
+ * Afterwards live[] and gain[] have the candidates that can still belong to a
+ * plan worth more than `lower`. */
 uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,
                                    const murk_cover *partial, size_t rounds);
 
-/* Which of the live candidates the bound adds up at the thresholds of the last
- * call, where `n` may still join: top[], room for all candidates. Returns how
- * many they are. */
+/* Fills top[] (room for all candidates) with the live candidates that make the
+ * bound at the present multipliers if n candidates are still to be chosen.
+ * Returns their number. */
 size_t murk_bound_top(murk_bound *bound, size_t n, uint32_t *top);
 
 #endif

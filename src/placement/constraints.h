@@ -1,11 +1,11 @@
-/* What a plan must keep to, beside its count: classes with least and greatest
- * counts, costs and a budget, fixed sensors, and candidates that exclude each
- * other. Everything that is zero is no rule.
+/* The constraints on a plan besides the count of sensors: classes (sensor
+ * types) with minimum and maximum counts, costs and a budget, fixed sensors,
+ * and conflicts between candidates. A member that is zero is no constraint.
  *
- * Without a budget a plan has exactly the count asked for; with one it has as
- * many sensors as pay, at most that count. Fixed sensors are in every plan and
- * count: in the count, in their class, in the budget (cost 0: already paid),
- * and against those that they exclude. */
+ * Without a budget a plan has exactly the wanted count of sensors. With a
+ * budget a plan has at most that count. Fixed sensors belong to every plan;
+ * they count towards the wanted count, towards their class and the budget (cost
+ * 0: already paid), and their conflicts hold. */
 #ifndef MURK_PLACEMENT_CONSTRAINTS_H
 #define MURK_PLACEMENT_CONSTRAINTS_H
 
@@ -15,52 +15,60 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MURK_COST_MAX INT64_C(1000000000000) /* of one candidate */
+/* Largest cost of one candidate: sums over 1e6 candidates fit 63 bits. */
+#define MURK_COST_MAX INT64_C(1000000000000)
 
 typedef struct murk_constraints {
     size_t classes;           /* 0: no classes */
-    const uint32_t *class_of; /* [candidates], each below classes */
-    const size_t *min, *max;  /* [classes] sensors; NULL: 0, any number */
-    const int64_t *cost;      /* [candidates], 0 .. MURK_COST_MAX; NULL: none */
-    int64_t budget;           /* cost of a plan at most, in the same unit */
-    const size_t *fixed;      /* [fixed_count] distinct candidates */
+    const uint32_t *class_of; /* [candidates], each below `classes` */
+    const size_t *min,
+        *max;            /* [classes] counts of sensors; NULL: 0, no maximum */
+    const int64_t *cost; /* [candidates], 0 .. MURK_COST_MAX; NULL: none */
+    int64_t budget;      /* maximum cost of a plan, in the same unit; 0: none */
+    const size_t *fixed; /* [fixed_count] distinct candidates */
     size_t fixed_count;
-    const uint32_t *site; /* [candidates] one sensor a site; NULL: none */
+    const uint32_t *site; /* [candidates] number of the site; one sensor a site;
+                             NULL: no such constraint */
     const double (*position_m)[3]; /* [candidates], for spacing_m */
-    double spacing_m;              /* no two sensors closer than this */
-    /* Candidate j excludes conflict[conflict_first[j] .. conflict_first[j+1]),
-     * rising, and is excluded by each of them. NULL: none. */
+    double spacing_m;              /* minimum distance of two sensors */
+    /* Candidate j is in conflict with conflict[conflict_first[j] ..
+     * conflict_first[j+1]), which increase; conflicts must be listed for both
+     * candidates. NULL: none. */
     const size_t *conflict_first; /* [candidates + 1] */
     const uint32_t *conflict;
-    /* For messages. */
-    const char *const *class_name; /* [classes]; NULL: by number */
-    double cost_unit;              /* of costs and budget as told; 0: 1 */
+    /* For messages only. */
+    const char *const
+        *class_name;  /* [classes]; NULL: messages give the number */
+    double cost_unit; /* user's unit of cost and budget; 0: 1 */
 } murk_constraints;
 
-/* Rules, checked and indexed. Immutable while plans are searched. */
+/* Constraints, checked and indexed. Immutable while plans are searched. */
 typedef struct murk_constraint_set {
     const murk_constraints *constraints;
     size_t candidates, classes;
-    size_t min_sensors, max_sensors; /* that a plan may have, >= 1 */
+    size_t min_sensors, max_sensors; /* limits of a plan's size, >= 1 */
     uint32_t *class_of;              /* [candidates] */
-    uint32_t *site;                  /* [candidates] below sites; NULL: none */
+    uint32_t *site; /* [candidates] renumbered without gaps; NULL: none */
     size_t sites;
-    size_t *min, *max;   /* [classes]; most at most the class's size */
-    bool *is_fixed;      /* [candidates] */
-    uint32_t *by_cost;   /* [candidates] class by class, cheapest first */
-    size_t *class_first; /* [classes + 1] into by_cost */
+    size_t *min, *max; /* [classes]; max is at most the size of the class */
+    bool *is_fixed;    /* [candidates] */
+    uint32_t *by_cost; /* [candidates] by class, then by increasing cost */
+    size_t
+        *class_first; /* [classes + 1] first entry of each class in by_cost */
     uint64_t budget;
     bool has_budget, has_min, has_caps, has_conflicts;
 } murk_constraint_set;
 
-/* Refuses, in one line, rules that contradict each other. `count` sensors are
- * wanted; with is_most, at most so many. Borrows the rules. */
+/* Checks and indexes the constraints, which are borrowed. `count` sensors are
+ * wanted, or at most so many with is_max. Fails with MURK_BAD_VALUE and one
+ * line if the constraints contradict each other. */
 murk_status murk_constraint_set_init(murk_constraint_set *out,
                                      const murk_constraints *constraints,
                                      size_t candidates, size_t count,
                                      bool is_max, murk_error *err);
 void murk_constraint_set_release(murk_constraint_set *set);
 
+/* The cost of one candidate; 0 without costs. */
 static inline uint64_t murk_constraint_set_cost(const murk_constraint_set *set,
                                                 uint32_t candidate)
 {
@@ -68,12 +76,13 @@ static inline uint64_t murk_constraint_set_cost(const murk_constraint_set *set,
                                   : 0;
 }
 
-/* Whether two distinct candidates exclude each other. */
+/* True if no plan may have both of two distinct candidates. */
 bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
                                   uint32_t b);
 
-/* Whether b, which sees no more than a, is needed in no plan: wherever it may
- * stand a may, too, and where both stand b may go, or serve to fill. */
+/* Candidate a dominates candidate b in coverage. True if b may be dropped: a
+ * may take the place of b in every plan, and a plan with both stays feasible
+ * without b, or can be filled up to the count again. */
 bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
                                   uint32_t b);
 

@@ -1,42 +1,46 @@
-/* Chances as doses, which simply add up.
+/* Doses: detection probabilities in a form that adds up.
  *
- * Sensors that each see a photon with chance p_j, independently, see it with
- * chance 1 - prod (1 - p_j) = 1 - exp(-sum d_j), d_j = -ln(1 - p_j). Doses are
- * whole numbers, so a sum does not depend on its order. What a dose is worth is
- * a clarity, in whole units: it never falls as doses grow, lies less than
- * MURK_WORTH_ERROR below MURK_CLEAR (1 - exp(-dose)) and not above it, and one
- * clarity's own dose is worth exactly that clarity. */
+ * Sensors that detect a photon independently with probabilities p_j detect it
+ * together with probability 1 - prod (1 - p_j) = 1 - exp(-sum d_j), where d_j =
+ * -ln(1 - p_j) is called the dose. Doses are whole numbers, so a sum does not
+ * depend on the order. murk_dose_worth() turns a dose into a clarity. The worth
+ * never falls as the dose grows; it lies less than MURK_WORTH_ERROR below
+ * MURK_CLEAR (1 - exp(-dose)) and never above; and the dose of one clarity is
+ * worth exactly that clarity. */
 #ifndef MURK_PLACEMENT_DOSE_H
 #define MURK_PLACEMENT_DOSE_H
 
 #include "placement/problem.h"
 
-/* A dose of 1, and the one that is certainty: 65535 exp(-16) < .008, so taking
- * it for that moves a worth by less. Sums stay there. */
+/* The dose 1.0, and the dose that stands for certainty. 65535 exp(-16) < .008
+ * clarity units, so a dose of 16 taken for certainty changes a worth by less
+ * than that. Sums stop there. */
 #define MURK_DOSE_ONE  (UINT32_C(1) << 20)
 #define MURK_DOSE_FULL (16 * MURK_DOSE_ONE)
 
-/* The chord between nodes: 65535 / 1024^2 / 8 < .008; rounding down: 1. */
+/* Error of murk_dose_worth() in clarity units: less than 1 by rounding down,
+ * less than .008 by linear interpolation between nodes, 65535 / 1024^2 / 8. */
 #define MURK_WORTH_ERROR 1.01
 
-/* Gains may grow as others join, by rounding alone: two worths, each off by
- * less than MURK_WORTH_ERROR one way and less than .008 the other, so a
- * difference of differences is off by less than 3 and whole. */
+/* Rounding alone lets a gain grow when other sensors join. A gain is the
+ * difference of two worths, each wrong by less than MURK_WORTH_ERROR to one
+ * side and .008 to the other; the difference of two gains is wrong by less than
+ * 3, and is a whole number. */
 #define MURK_WORTH_SLACK 2
 
-#define MURK_DOSE_STEP  1024 /* between nodes */
+#define MURK_DOSE_STEP  1024 /* dose between two nodes */
 #define MURK_DOSE_NODES (MURK_DOSE_FULL / MURK_DOSE_STEP + 1)
 
 typedef struct murk_doses {
-    uint32_t of[MURK_CLEAR + 1];    /* the least worth that clarity */
-    uint32_t below[MURK_CLEAR + 1]; /* -ln(1 - clarity / MURK_CLEAR) rounded
+    uint32_t of[MURK_CLEAR + 1];    /* the smallest dose with this worth */
+    uint32_t below[MURK_CLEAR + 1]; /* -ln(1 - clarity / MURK_CLEAR), rounded
                                        down; MURK_DOSE_FULL for the last */
-    uint32_t node[MURK_DOSE_NODES]; /* worth, in 2^-16 */
+    uint32_t node[MURK_DOSE_NODES]; /* worth in units of 2^-16 */
 } murk_doses;
 
 void murk_doses_fill(murk_doses *out);
 
-/* For dose up to MURK_DOSE_FULL. */
+/* The worth of a dose up to MURK_DOSE_FULL. */
 static inline uint16_t murk_dose_worth(const murk_doses *doses, uint32_t dose)
 {
     if (dose == MURK_DOSE_FULL) {
@@ -47,7 +51,7 @@ static inline uint16_t murk_dose_worth(const murk_doses *doses, uint32_t dose)
     return (uint16_t)((node[0] + rise / MURK_DOSE_STEP) >> 16);
 }
 
-/* Both up to MURK_DOSE_FULL. */
+/* The sum of two doses up to MURK_DOSE_FULL. */
 static inline uint32_t murk_dose_add(uint32_t a, uint32_t b)
 {
     return a + b < MURK_DOSE_FULL ? a + b : MURK_DOSE_FULL;

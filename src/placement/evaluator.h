@@ -1,5 +1,6 @@
-/* What every solver asks of an environment, known or unknown, with the same
- * answers: a candidate's row, and what candidates add to a cover. */
+/* The evaluator answers the questions of every solver, with equal answers for a
+ * known and an unknown environment: the row of a candidate, and the gains of
+ * candidates over a cover. The evaluator also holds the results of presolve. */
 #ifndef MURK_PLACEMENT_EVALUATOR_H
 #define MURK_PLACEMENT_EVALUATOR_H
 
@@ -7,7 +8,7 @@
 #include "placement/gain.h"
 #include "placement/matrix.h"
 
-/* A candidate and the most it can add to whatever cover is asked about. */
+/* A candidate with an upper bound on the gain. */
 typedef struct murk_ranked {
     uint64_t bound;
     uint32_t candidate;
@@ -16,33 +17,36 @@ typedef struct murk_ranked {
 typedef struct murk_evaluator {
     const murk_problem *problem;
     const murk_matrix *matrix;      /* NULL: unknown environment */
-    const murk_constraint_set *set; /* NULL: no rules but a count */
+    const murk_constraint_set *set; /* NULL: no constraint but a count */
     const murk_layout *layout;
-    murk_layout own_layout; /* unknown environment */
+    murk_layout own_layout; /* unknown environment only */
     size_t candidates;
-    bool is_binary;         /* covers may be bits */
-    size_t row_bytes;       /* of the matrix, in the mean */
-    uint64_t *single_value; /* [candidates] value of each by itself */
-    uint64_t *slack;        /* [candidates] by which a gain may have grown, by
-                               rounding; NULL: none may */
-    /* Where the clearest view alone counts, one that is dominated can add the
-     * most only where its dominator does. Else nobody counts as dominated in
-     * `ranked`, only in `needed`. */
-    uint32_t *dominator; /* [candidates] an undominated candidate that
-                            sees all it sees as clearly; or itself */
-    murk_ranked *ranked; /* [candidates] undominated ones first, by falling
-                            alone (and slack), then number */
+    bool is_binary; /* all rows are BITS or CLEAR_LIST, so covers may be bits */
+    size_t row_bytes;       /* mean size of a matrix row */
+    uint64_t *single_value; /* [candidates] value of each candidate alone */
+    uint64_t *slack; /* [candidates] the amount by which a gain may grow later,
+                        through rounding; NULL: gains never grow */
+    /* If only the largest entry of a photon counts, a dominated candidate can
+     * have the largest gain only if the dominator has it, too. Otherwise
+     * `ranked` takes no candidate for dominated, and only `presolved` leaves
+     * candidates out. */
+    uint32_t *dominator; /* [candidates] an undominated candidate whose entries
+                            are nowhere smaller; or the candidate itself */
+    murk_ranked *ranked; /* [candidates] undominated candidates first; by
+                            falling single_value + slack, then by index */
     size_t undominated;
-    murk_ranked *presolved; /* [needed_count] the best plan is found among these
-                            by the same order */
+    murk_ranked *presolved; /* [presolved_count] candidates that suffice for an
+                               optimal plan, in the same order */
     size_t presolved_count;
-    uint64_t ceiling, grain; /* every plan's value is a multiple of grain */
-    uint64_t queries;        /* made at creation */
-    uint64_t search_work;    /* that searches may take; 0: MURK_SEARCH_WORK */
+    uint64_t ceiling, grain; /* ceiling: value of all candidates together; each
+                                value is a multiple of grain */
+    uint64_t queries;        /* rows asked of the problem at creation */
+    uint64_t
+        search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK */
 } murk_evaluator;
 
-/* Matrix NULL: unknown environment. Looks once at every candidate. Plans have
- * at most `most` sensors. With keep_dominated nobody is taken for dominated. */
+/* matrix NULL: unknown environment. Asks once for the row of each candidate.
+ * Plans have at most `max` sensors. keep_dominated: without presolve. */
 murk_status murk_evaluator_init(murk_evaluator *out,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,
@@ -50,7 +54,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
                                 bool keep_dominated, murk_error *err);
 void murk_evaluator_release(murk_evaluator *evaluator);
 
-/* The most that the candidate can add to any cover. */
+/* Upper bound on the gain of the candidate over any cover. */
 static inline uint64_t
 murk_evaluator_gain_bound(const murk_evaluator *evaluator, uint32_t candidate)
 {
@@ -58,37 +62,37 @@ murk_evaluator_gain_bound(const murk_evaluator *evaluator, uint32_t candidate)
            (evaluator->slack ? evaluator->slack[candidate] : 0);
 }
 
-/* Valid until the worker's next call. */
+/* The row of a candidate, valid until the worker's next call. */
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate);
 
-/* The work of weighing so many candidates against a cover, in the unit that
- * limits count: so many weighings of one photon. Rows of clarities, and of
- * chances, take longer; and a short row as long as one of MURK_ROW_WORK_MIN
- * photons, for what is done once a row. */
+/* The work of evaluating candidates against a cover, in evaluations of one
+ * photon of a 0/1 row. Rows of clarities and of probabilities take longer. A
+ * row has some fixed cost, so the work of a row is at least that of
+ * MURK_ROW_WORK_MIN photons. */
 #define MURK_ROW_WORK_MIN 1024
 uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
                              uint64_t candidates);
 
-/* Threads worth using to weigh n candidates. */
+/* The number of threads that are worth using to evaluate n candidates. */
 unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n);
 
-/* gain[k] = what candidate[k] would add to the cover, k < n, over `threads` at
- * most, as is worth while; with one, as `worker`. */
+/* gain[k] = the gain of candidate[k] over the cover, k < n. Uses at most
+ * `threads` threads; a single thread works as `worker`. */
 void murk_evaluator_gains(const murk_evaluator *evaluator,
                           const murk_cover *cover, const uint32_t *candidate,
                           size_t n, unsigned threads, unsigned worker,
                           uint64_t *gain);
 
-/* The same, but most[k] is not less than the gain; where evaluator->slack, and
- * many times quicker. */
+/* The same with upper bounds instead of gains, many times faster. Only if
+ * evaluator->slack is set. */
 void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
                                 const murk_cover *cover,
                                 const uint32_t *candidate, size_t n,
                                 unsigned threads, unsigned worker,
                                 uint64_t *max);
 
-/* Falling bound, then rising number. */
+/* Sorts by falling bound, then by index. */
 void murk_ranked_sort(murk_ranked *ranked, size_t n);
 
 #endif

@@ -1,17 +1,17 @@
-/* Branch and bound: the best plan of a count, or how far from it the best
- * known can be.
+/* Branch and bound: finds the best plan of a count, or an upper bound close to
+ * the best known plan.
  *
- * Depth first over sets of undominated candidates. A node holds the candidates
- * chosen so far and those that may still join them; its bound is that of
- * placement/bound.h with thresholds not below what the chosen see, lowered by
- * a few subgradient steps from where its parent stopped; on the way candidates
- * that are in no better plan drop out. Children take the candidates in falling
- * order of what they add above the thresholds, each leaving those before it to
- * its elder brothers.
+ * Depth first over sets of candidates. A node consists of the chosen candidates
+ * and those that may be added. The bound of a node is that of placement/bound.h
+ * with multipliers not below the entries of the chosen candidates, lowered by a
+ * few subgradient steps from the parent's multipliers; candidates that belong
+ * to no better plan are fixed out on the way. The children of a node add the
+ * candidates in falling order of their gain above the multipliers, and each
+ * child leaves out the candidates that earlier children added.
  *
- * Under rules the root holds the fixed sensors, a node hands on only whom its
- * chosen admit, and it is itself a plan where it can be filled up with anyone:
- * where nothing excludes.
+ * Under constraints the root holds the fixed sensors, and a node passes on only
+ * candidates that can be added. Without conflicts every node can be completed,
+ * so a node counts as a plan itself.
  *
  * Source: Land and Doig, Econometrica 28 (1960) 497, doi:10.2307/1910129. */
 #ifndef MURK_PLACEMENT_EXACT_H
@@ -19,14 +19,15 @@
 
 #include "placement/bound.h"
 
-/* The unit of work that is limited, so that the same run gives the same plan:
- * so many weighings of one photon for one candidate (murk_evaluator_work). */
+/* A unit of work: evaluations of one photon for one candidate
+ * (murk_evaluator_work). Work is limited instead of time, so the same run gives
+ * the same plan. 2^15 evaluations are some 2 microseconds for 0/1 rows. */
 #define MURK_NODE_WEIGHINGS 32768
 
-/* Where a plan is not judged by its value under the bound's weights: judge()
- * is shown each plan worth more than the value known, and says what a plan must
- * be worth more than from then on to be worth showing. It keeps what it likes.
- */
+/* Replaces the objective of the search by another one that the bound's
+ * objective limits. The callback receives each plan whose value exceeds the
+ * cutoff `known`, and returns the new cutoff. It stores the plans that it wants
+ * to keep. */
 typedef struct murk_exact_callback {
     uint64_t (*callback)(void *context, const uint32_t *plan, size_t size,
                          uint64_t known);
@@ -34,18 +35,18 @@ typedef struct murk_exact_callback {
 } murk_exact_callback;
 
 typedef struct murk_exact {
-    uint64_t value, upper; /* of the plan; no plan of n is worth more */
+    uint64_t value, upper; /* of the plan; upper bound on any plan of n */
     uint64_t nodes;        /* work done */
-    bool is_cut;           /* by the limit, or interrupted */
-    size_t size; /* of the plan: under rules it may still have to be filled up,
-                    by whoever the rules admit */
+    bool is_cut;           /* by the limit, or by an interrupt */
+    size_t size; /* sensors of the plan; under constraints the caller may have
+                    to complete it with any candidates that can be added */
 } murk_exact;
 
-/* Improves plan[size], worth `value`, by at most `nodes` of work; size is n,
- * or with a budget at most n. The bound must have been tightened for plans of
- * n last, and gives `upper`; its thresholds are then the root's. Needs a
- * matrix. judge NULL: plans are worth their value; with one, plan stays as it
- * is. Fails when out of memory. */
+/* Improves plan[size], worth `value`, with at most `nodes` units of work. size
+ * is n, or with a budget at most n. The last call of murk_bound_tighten() must
+ * have been for plans of n; `upper` is the bound, and the root takes the
+ * multipliers. Needs a matrix. callback NULL: the value is the objective;
+ * otherwise plan[] stays as it is. Fails when out of memory. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,

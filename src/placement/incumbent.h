@@ -1,5 +1,5 @@
-/* The best plan of one count after another, by the method that is asked for:
- * greedy, starts, relocation, bound, and branch and bound. */
+/* Finds the best plan of one count after another, and a bound for each: greedy,
+ * starts, relocation, Lagrangian bound, and branch and bound. */
 #ifndef MURK_PLACEMENT_INCUMBENT_H
 #define MURK_PLACEMENT_INCUMBENT_H
 
@@ -10,29 +10,29 @@
 typedef struct murk_incumbent {
     const murk_evaluator *evaluator;
     const murk_place_desc *desc;
-    const murk_constraint_set *set; /* NULL: no rules but a count */
-    size_t first, last;             /* sensors tried, at least and at most */
-    murk_gain_scan search;          /* spread over all threads */
+    const murk_constraint_set *set; /* NULL: no constraint but a count */
+    size_t first, last;             /* smallest and largest count tried */
+    murk_gain_scan search;          /* uses all threads */
     murk_bound bound;
     murk_starts starts;
-    uint32_t *greedy;       /* [last] in order of choice, without rules */
-    uint64_t *greedy_value; /* [last] of its first k + 1 */
-    uint64_t *greedy_bound; /* [last] without rules: no plan of k + 1 is worth
-                        more, by greedy's scans */
-    uint32_t *plan;         /* [last] the best so far */
+    uint32_t *greedy;       /* [last] in order of choice, without constraints */
+    uint64_t *greedy_value; /* [last] value of the first k + 1 */
+    uint64_t *greedy_bound; /* [last] without constraints: no plan of k + 1
+                               sensors exceeds it, by greedy's scans */
+    uint32_t *plan;         /* [last] the incumbent: the best plan so far */
     size_t size;            /* sensors of plan */
-    uint32_t *last_plan;    /* [last] that of one sensor fewer */
-    uint32_t *trial;        /* [last] */
-    uint32_t *fallback;     /* [last] with conflicts: any plan */
+    uint32_t *last_plan;    /* [last] the plan of one sensor fewer */
+    uint32_t *trial;        /* [last] scratch */
+    uint32_t *fallback;     /* [last] with conflicts: any feasible plan */
     size_t fallback_size;
-    bool is_greedy_done;  /* under rules: without a dead end */
-    size_t rounds;        /* of the bound */
-    bool has_multipliers; /* the bound, from an earlier count or call */
+    bool is_greedy_done;  /* under constraints: greedy completed a plan */
+    size_t rounds;        /* evaluations of the bound */
+    bool has_multipliers; /* the bound has multipliers of an earlier call */
     murk_place_result *result;
 } murk_incumbent;
 
-/* Borrows all but err; gives result->sensor and result->curve their memory.
- * Release the finding also after a failure. */
+/* Borrows all but err, and allocates result->sensor and result->curve. Call
+ * murk_incumbent_release() also after a failure. */
 murk_status murk_incumbent_init(murk_incumbent *out,
                                 const murk_evaluator *evaluator,
                                 const murk_constraint_set *set,
@@ -40,12 +40,13 @@ murk_status murk_incumbent_init(murk_incumbent *out,
                                 murk_place_result *result, murk_error *err);
 void murk_incumbent_release(murk_incumbent *incumbent);
 
-/* Without rules, before the first count: greedy, as far as any plan can need
- * it. */
+/* Without constraints, before the first count: greedy, for as many sensors as
+ * any count may need. */
 void murk_incumbent_greedy(murk_incumbent *incumbent);
 
-/* The plan of k sensors, from that of one fewer (NULL: none), worth what *last
- * says: finding->plan, and in *last its value and bound. */
+/* Finds the plan of k sensors, incumbent->plan, and stores value and bound in
+ * *last. `from` is the plan of one sensor fewer and *last its value; from NULL:
+ * none. */
 murk_status murk_incumbent_count(murk_incumbent *incumbent, size_t k,
                                  const uint32_t *from, murk_curve_point *last,
                                  murk_error *err);

@@ -1,5 +1,5 @@
-/* The inner loops, one photon after the other: compiled plainly, and again for
- * processors that count and find bits by one instruction. */
+/* The portable inner loops, slot by slot. They are compiled twice: for any
+ * processor, and for processors with instructions that count and find bits. */
 #ifndef MURK_PLACEMENT_KERNEL_LOOPS_H
 #define MURK_PLACEMENT_KERNEL_LOOPS_H
 
@@ -145,8 +145,8 @@ murk_loop_sum_independent_packed(const uint64_t *row, const uint32_t *at,
     return sum;
 }
 
-/* A set of functions, NAME_SUFFIX, of the loops, each compiled for `TARGET`
- * (may be empty). */
+/* Defines the loops as functions NAME_SUFFIX, compiled for `TARGET`, an
+ * attribute that may be empty. */
 #define MURK_COMPILE_LOOPS(SUFFIX, TARGET)                                     \
     TARGET static uint64_t count_new_##SUFFIX(                                 \
         const uint64_t *row, const uint32_t *at, const uint64_t *full,         \

@@ -1,4 +1,4 @@
-/* What the rest of the room knows of a matrix. */
+/* The coverage matrix as the files of this room see it. */
 #ifndef MURK_PLACEMENT_MATRIX_H
 #define MURK_PLACEMENT_MATRIX_H
 
@@ -9,19 +9,20 @@ struct murk_matrix {
     size_t candidates;
     murk_row *row; /* [candidates] */
     bool borrows_rows;
-    bool is_binary; /* every row is BITS or CLEAR_LIST */
+    bool is_binary; /* each row is BITS or CLEAR_LIST */
     uint64_t pairs;
     size_t memory_bytes;
 };
 
-/* Whether photons that all see alike are put together (placement/merge.h). */
+/* The choice whether photons with equal columns are merged (placement/merge.h).
+ */
 typedef enum murk_merging {
     MURK_MERGE_NEVER,
     MURK_MERGE_WHERE_IT_PAYS,
     MURK_MERGE_ALWAYS
 } murk_merging;
 
-/* murk_matrix_create(), which merges where it pays. */
+/* murk_matrix_create() with an explicit choice. */
 murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
                              uint64_t max_bytes, murk_merging merging,
                              murk_error *err);

@@ -13,7 +13,7 @@
  * mixed weights as much as so many others. Rows must become so much shorter. */
 #define WORDS_PER_SEGMENT 8
 #define WORDS_PER_MIXED   16
-#define COST_KEPT         0.7
+#define COST_RATIO_MAX         0.7
 
 /* SplitMix64's finaliser: the word of a candidate and clarity. */
 static uint64_t hash_entry(uint64_t candidate, uint16_t clarity)
@@ -290,7 +290,7 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
     }
     const bool pays =
         has_memory && !status &&
-        (is_forced || scan_cost(&m.layout) < COST_KEPT * scan_cost(layout));
+        (is_forced || scan_cost(&m.layout) < COST_RATIO_MAX * scan_cost(layout));
     if (pays) {
         murk_pool_run_workers(m.threads, m.candidates, check_row, &m);
     }

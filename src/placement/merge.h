@@ -1,9 +1,10 @@
-/* Photons that every candidate sees alike, in a matrix: a few stand for all.
+/* Presolve of photons: photons with equal columns in the coverage matrix and
+ * equal weight are merged.
  *
- * Of m such photons of weight w, one stands for each power of two in m, with
- * w times as much, so few weights appear and photons of one weight still lie
- * side by side. All sums are those of the photons themselves: values, bounds
- * and decisions stay the same in every bit. */
+ * Of m equal photons of weight w, one stays for each 1 in the binary form of m,
+ * with weight w times that power of two. So few distinct weights appear, and
+ * photons of one weight still share words. All sums are those of the original
+ * photons: values, bounds and decisions stay the same in every bit. */
 #ifndef MURK_PLACEMENT_MERGE_H
 #define MURK_PLACEMENT_MERGE_H
 
@@ -11,14 +12,17 @@
 
 #include <stdatomic.h>
 
-/* print[photons] is a sum of random words, one a candidate that sees the
- * photon: equal views have equal prints. From any thread. */
+/* Adds a row to the hashes of the columns. hash[photons] is a sum of
+ * pseudo-random words, one for each entry of the photon's column, so equal
+ * columns have equal hashes. May be called from any thread. */
 void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
                      const murk_sparse_row *entries);
 
-/* Merges where that makes rows so much shorter that it pays (or always). Equal
- * prints are checked, row by row: where two views that differ have the same,
- * nothing is merged. Fails when out of memory. */
+/* Merges photons in layout and row[candidates] if the rows become so much
+ * shorter that merging pays, or always with is_forced. Equal hashes are
+ * verified, row by row; if columns with one hash differ, nothing is merged.
+ * *row_bytes is set to the new size of the rows if photons were merged. Fails
+ * when out of memory. */
 murk_status murk_merge(murk_layout *layout, murk_row *row,
                        const murk_problem *problem,
                        const _Atomic uint64_t *hash, bool is_forced,

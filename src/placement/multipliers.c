@@ -165,7 +165,7 @@ void murk_multipliers_gains(const murk_multipliers *t,
     }
 }
 
-static size_t views_below(const murk_multipliers *t, size_t slot)
+static size_t layers_below(const murk_multipliers *t, size_t slot)
 {
     const murk_layout *layout = t->evaluator->layout;
     size_t n = layout->layers;
@@ -187,7 +187,7 @@ static void subgradient_of_clearest(murk_multipliers *t,
         murk_row_count_above(layout, &row, t->rounded.best, t->count);
     }
     for (size_t i = 0; i < layout->slots; ++i) {
-        subgradient[i] = (float)views_below(t, i) - (float)t->count[i];
+        subgradient[i] = (float)layers_below(t, i) - (float)t->count[i];
     }
 }
 

@@ -49,7 +49,7 @@ static murk_status find_all(murk_incumbent *p, murk_error *err)
     result->upper = last.upper;
     result->is_work_cut = p->search.is_cut || p->starts.is_cut;
     result->evaluations += p->search.evaluations + p->starts.all_evaluations;
-    result->queries += p->search.queries + p->starts.all_looks +
+    result->queries += p->search.queries + p->starts.all_queries +
                        p->bound.queries + p->evaluator->queries;
     return status;
 }

@@ -1,48 +1,53 @@
-/* Which candidates: SPOQ, greedy, the best of many, and a bound on how far
- * from the best any plan can be.
+/* Chooses the candidates of a plan, and bounds the value of any plan: SPOQ,
+ * greedy, certified relocation, Lagrangian bound, branch and bound.
  *
- * `spoq` is the paper's algorithm to the letter: random start; sweeps over the
- * sensors in fresh random order, each moved to the candidate that adds most to
- * the others, ties at random; until a sweep brings no gain. `best` takes
- * greedy and SPOQ starts, then certified relocation: a sensor stays on ties,
- * and sweeps go on until one moves nothing, so no single relocation helps and
- * the plan is worth at least n / (2n - 1) of the optimum; then, where the
- * environment is known, branch and bound within `nodes`. `exact` is greedy and
- * branch and bound alone.
+ * MURK_PLACE_SPOQ is the published algorithm to the letter: a random start,
+ * then sweeps over the sensors in fresh random order. A sweep moves each sensor
+ * to the candidate that adds most to the other sensors, ties at random. The
+ * algorithm ends with a sweep that brings no gain. MURK_PLACE_BEST takes the
+ * plans of greedy and of SPOQ starts and relocates their sensors: a sensor
+ * stays on ties, and sweeps go on until no sensor moves. So no single
+ * relocation improves the plan, and the value is at least n / (2n - 1) of the
+ * optimum. In a known environment branch and bound follows, limited by `nodes`.
+ * MURK_PLACE_EXACT is greedy followed by branch and bound.
  *
- * A plan that sees all that all candidates see is the best, and no further work
- * goes into its count. In a known environment the work of searching is limited
- * to MURK_SEARCH_WORK, and starts to as much again: from where half of it is
- * spent, points of the curve are greedy's, with the bound that greedy's scans
- * give; where all of it is, relocation ends as it stands (is_work_cut).
+ * A plan that reaches the ceiling (the value of all candidates together) is
+ * optimal and ends the work on that count. In a known environment search_work
+ * limits the work of the searches. The starts have the same limit for
+ * themselves. Once half of the limit is spent, points of the curve take
+ * greedy's plan and the bound from greedy's scans. Once the limit is spent,
+ * relocation stops, and is_work_cut says so.
  *
- * With a target, counts are tried from 1 up; where a count's plan falls short
- * though its bound does not, branch and bound has its say before the next.
+ * With a target, counts are tried from 1 up. If the plan of a count misses the
+ * target and the bound does not exclude it, branch and bound runs before the
+ * next count is tried.
  *
- * Under rules (placement/constraints.h) every method keeps to them: a move is
- * one that leaves a plan, and the certificate speaks of those; with a budget
- * greedy goes by gain per cost, against the best single sensor, and sensors
- * are also added where they can be paid. A count that the rules bring to a dead
- * end is met by any plan that a search finds, improved.
+ * Constraints (placement/constraints.h) hold in every method: each move leads
+ * to a feasible plan, and the certificate speaks of such moves. With a budget
+ * greedy takes the candidate with the largest gain per cost; its plan competes
+ * with that of plain greedy, and sensors are added while the budget pays for
+ * them. If the constraints stop greedy before the count is reached, any
+ * feasible plan is the start.
  *
- * Source: SPOQ, shared paper of 2013; Nemhauser, Wolsey, Fisher, Math.
- * Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
- * Nemhauser, Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789 (greedy
- * and Lagrangian bound for facility location). */
+ * Source: SPOQ, doc of 2013 (`paper/spoq-2013.txt`); Nemhauser, Wolsey, Fisher,
+ * Math. Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
+ * Nemhauser, Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789 (greedy and
+ * Lagrangian bound for facility location). */
 #ifndef MURK_PLACEMENT_PLACE_H
 #define MURK_PLACEMENT_PLACE_H
 
 #include "placement/settings.h"
 
-/* Known environment: from the matrix. `problem` gives weights and threads. */
+/* Known environment: uses the rows of the matrix, and weights and threads of
+ * the problem. */
 murk_status murk_place_known(murk_place_result *result,
                              const murk_problem *problem,
                              const murk_matrix *matrix,
                              const murk_place_desc *desc, murk_error *err);
 
-/* Unknown environment: looks again at each evaluation, O(photons) memory. The
- * same plan as known, decision for decision (presolve, which needs the matrix,
- * must not change it). */
+/* Unknown environment: asks the problem for a row at each evaluation, so memory
+ * is O(photons). Each decision, and so the plan, is the same as in the known
+ * environment: presolve, which needs the matrix, changes no plan. */
 murk_status murk_place_unknown(murk_place_result *result,
                                const murk_problem *problem,
                                const murk_place_desc *desc, murk_error *err);

@@ -1,11 +1,14 @@
-/* Which photons each candidate sees, and how clearly: all that placement
- * knows. No physics here, only sets and weights.
+/* The placement problem: the weights of the photons, and the coverage matrix.
  *
- * Weights and clarities are whole numbers, so every coverage is an exact
- * integer sum, ties are true ties, and nothing depends on the order of adding.
- * A plan is worth sum_i weight_i f_i, f_i what its sensors see of photon i
- * together: by default the clearest view, max_j clarity_ij (facility location).
- */
+ * Entry (j, i) of the coverage matrix is the clarity with which candidate j
+ * sees photon i: visibility times transmittance of the sightline, as a whole
+ * number. Placement knows no physics. Clarities and weights are whole numbers,
+ * so a coverage is an exact integer sum: equal values are equal in every bit,
+ * and no sum depends on the order of addition.
+ *
+ * The value of a plan is sum_i weight_i f_i. f_i is computed from the entries
+ * of the plan's candidates for photon i; by default f_i is the largest entry,
+ * max_j clarity_ij (facility location). */
 #ifndef MURK_PLACEMENT_PROBLEM_H
 #define MURK_PLACEMENT_PROBLEM_H
 
@@ -16,27 +19,31 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Clarity of an unattenuated sightline. A stored clarity is off by at most
- * half a unit: 7.7e-6 of full. */
+/* The clarity of an unattenuated sightline. 16 bits: rounding to a whole
+ * clarity is off by half a unit at most, 7.7e-6 of MURK_CLEAR. */
 #define MURK_CLEAR 65535
 
-/* What one candidate sees: photon[] increasing, clarity[] in 1..MURK_CLEAR;
- * clarity NULL means all are MURK_CLEAR. */
+/* The row of one candidate in the coverage matrix, without the zero entries:
+ * photon[] increases, clarity[] is 1..MURK_CLEAR. clarity NULL: all entries are
+ * MURK_CLEAR. */
 typedef struct murk_sparse_row {
     size_t seen;
     const uint32_t *photon;
     const uint16_t *clarity;
 } murk_sparse_row;
 
-/* How the views of one photon by several sensors combine. */
+/* The rule by which the entries of several sensors for one photon make f_i. */
 typedef enum murk_combining {
-    MURK_COMBINE_CLEAREST,   /* the sum of the `redundancy` clearest: for 0/1
-                                views min(redundancy, sensors that see it) */
-    MURK_COMBINE_INDEPENDENT /* clarities are chances: 1 - prod_j (1 - p_ij),
-                                p = clarity / MURK_CLEAR, rounded down to a
-                                clarity; one view is worth just itself */
+    MURK_COMBINE_CLEAREST,   /* the sum of the `redundancy` largest entries; for
+                                0/1 entries min(redundancy, sensors that see the
+                                photon) */
+    MURK_COMBINE_INDEPENDENT /* 1 - prod_j (1 - p_ij) with the detection
+                                probabilities p = clarity / MURK_CLEAR, rounded
+                                down to a whole clarity; one entry alone gives
+                                exactly its own clarity */
 } murk_combining;
 
+/* The rule for a mode of detection. */
 static inline murk_combining murk_combining_of(murk_detection detection)
 {
     return murk_detection_is(detection, MURK_DETECTION_BY_CHANCE)
@@ -44,24 +51,28 @@ static inline murk_combining murk_combining_of(murk_detection detection)
                : MURK_COMBINE_CLEAREST;
 }
 
+/* A chosen limit: memory of covers and time grow in proportion. */
 #define MURK_REDUNDANCY_MAX 16
 
 typedef struct murk_problem {
     size_t photons, candidates;
-    const uint32_t *weight; /* [photons]; their sum, times the redundancy, is
-                               below 2^47 */
-    /* Fills *row, valid until the same worker's next call. Pure: the same
-     * answer each time. Called from any thread, worker in [0, threads). */
+    const uint32_t
+        *weight; /* [photons]; the sum times the redundancy is below 2^47 */
+    /* Fills *row with the row of one candidate. The arrays stay valid until the
+     * next call with the same worker. Each call for a candidate must give the
+     * same answer. Called from any thread, with worker in [0, threads). */
     void (*get_row)(void *context, unsigned worker, size_t candidate,
                     murk_sparse_row *row);
     void *context;
     unsigned threads;
-    bool is_reweighed; /* its matrix will be: photons that all see alike are
-                          kept apart (murk_matrix_reweigh) */
+    bool is_reweighed; /* the matrix will get other weights
+                          (murk_matrix_reweigh), so photons with equal columns
+                          are not merged */
     murk_combining combining;
-    unsigned redundancy; /* views of a photon that count, 0 or 1: one, up to
-                            MURK_REDUNDANCY_MAX; with INDEPENDENT all do, and
-                            it is 0 or 1 */
+    unsigned redundancy; /* entries of a photon that count: 0 or 1 means one,
+                            the maximum is MURK_REDUNDANCY_MAX; with
+                            MURK_COMBINE_INDEPENDENT all entries count and the
+                            redundancy is 0 or 1 */
 } murk_problem;
 
 static inline size_t murk_problem_layers(const murk_problem *problem)
@@ -69,21 +80,22 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
     return problem->redundancy > 1 ? problem->redundancy : 1;
 }
 
-/* Every look of a problem, made once and kept: the known environment. Words of
- * 64 photons, a bit each, those without any left out, or lists where that is
- * less; behind it the clarities where not all are clear. */
+/* The coverage matrix in memory: the known environment. Each row has the
+ * smallest of several formats (placement/row.h). */
 typedef struct murk_matrix murk_matrix;
 
-/* Fails with MURK_RUN_FAILED, naming the figures, when it would take more than
- * most_bytes. Looks once at every candidate, with progress. */
+/* Asks the problem once for the row of each candidate, and reports progress.
+ * Fails with MURK_RUN_FAILED, and names the sizes, if the matrix needs more
+ * than max_bytes. */
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
                                uint64_t max_bytes, murk_error *err);
-/* The same looks under other weights, weight[photons]: shares the rows of
- * `from`, which must outlive it. */
+/* The same rows with other weights, weight[photons]. Borrows the rows of
+ * `from`, which must outlive *out. */
 murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
                                 const uint32_t *weight, murk_error *err);
-void murk_matrix_destroy(murk_matrix *matrix);         /* NULL is fine */
-uint64_t murk_matrix_pairs(const murk_matrix *matrix); /* seen pairs */
+void murk_matrix_destroy(murk_matrix *matrix); /* accepts NULL */
+uint64_t
+murk_matrix_pairs(const murk_matrix *matrix); /* entries that are not 0 */
 size_t murk_matrix_memory_bytes(const murk_matrix *matrix);
 
 #endif

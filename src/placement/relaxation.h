@@ -1,11 +1,11 @@
-/* The most that candidates which simply add up can bring under the rules, or
- * a little more: what bounds are made of.
+/* The relaxation of the constraints: an upper bound on the sum of gains that a
+ * feasible set of candidates can have, if gains simply add up.
  *
- * Caps and least counts are kept to exactly (they form a matroid, where taking
- * the greatest that still fits is best); of several kinds of rules the least
- * of what each allows alone counts: at most one a site, and of a budget the
- * fractional knapsack, with caps by Lagrangian multipliers on places. Spacing
- * and lists of conflicts are left out.
+ * Maximum and minimum counts by class are kept exactly (they form a matroid,
+ * for which the greedy choice is best). For other constraints the smallest of
+ * several relaxations counts: one sensor a site; the fractional knapsack of a
+ * budget, in which maximum counts by class have Lagrangian multipliers. Spacing
+ * and listed conflicts are left out.
  *
  * Source: Edmonds, Math. Program. 1 (1971) 127, doi:10.1007/BF01584082
  * (matroids); Dantzig, Oper. Res. 5 (1957) 266, doi:10.1287/opre.5.2.266
@@ -16,16 +16,18 @@
 #include "placement/evaluator.h"
 #include "placement/partial_plan.h"
 
+/* A candidate with gain and cost. */
 typedef struct murk_priced {
     uint64_t gain, cost;
     uint32_t candidate;
 } murk_priced;
 
-/* What each sensor of a class is charged for its place, so that classes keep
- * their caps; it is learnt from call to call, and any is valid. */
+/* The Lagrangian multiplier of the maximum count of one class: each sensor of
+ * the class is charged this much. The multiplier is improved from call to call;
+ * the bound is valid for any multiplier. */
 typedef struct murk_constraint_multiplier {
     uint64_t multiplier, step;
-    uint64_t charged; /* when last priced */
+    uint64_t charged; /* multiplier of the last bound */
     int direction;    /* of the last step: -1, 0, 1 */
 } murk_constraint_multiplier;
 
@@ -34,15 +36,16 @@ typedef struct murk_relaxation {
     murk_ranked *order;     /* [candidates] by falling gain */
     murk_ranked *picked;    /* [candidates] */
     murk_priced *priced;    /* [candidates] by falling gain per cost */
-    uint64_t *value, *cost; /* [candidates + 1] of the first k of priced */
+    uint64_t *value, *cost; /* [candidates + 1] prefix sums over priced */
     size_t live;
-    size_t *class_count; /* [classes] */
-    bool *is_used;       /* [sites] */
-    uint64_t others;     /* that one fewer can bring, without a budget */
-    murk_constraint_multiplier
-        *multiplier;      /* [classes] with a budget and caps; NULL: none */
-    uint64_t cap_charges; /* of all places that the caps leave, last priced */
-    double carry;         /* of fractions of candidates not yet picked */
+    size_t *class_count; /* [classes] scratch */
+    bool *is_used;       /* [sites] scratch */
+    uint64_t others;     /* bound for one candidate fewer, without the budget */
+    murk_constraint_multiplier *
+        multiplier; /* [classes] with a budget and maximum counts; NULL: none */
+    uint64_t cap_charges; /* sum of the charges for all places that maximum
+                             counts leave */
+    double carry;         /* sum of fractions of candidates not yet chosen */
 } murk_relaxation;
 
 murk_status murk_relaxation_init(murk_relaxation *out,
@@ -50,33 +53,37 @@ murk_status murk_relaxation_init(murk_relaxation *out,
                                  murk_error *err);
 void murk_relaxation_release(murk_relaxation *relaxed);
 
-/* The most that live[n], each bringing gain[k], can bring to what stands.
- * top[] gets those that do, *chosen many; of a candidate picked in part, as
- * often as its part is. */
+/* Upper bound on the sum of gains of a feasible extension of the partial plan
+ * by live[n] with gain[n]. top[*chosen] receives the choice that makes the
+ * bound. A candidate that the knapsack takes in part is in the choice of some
+ * calls only, as often as its fraction. */
 uint64_t murk_relaxation_top(murk_relaxation *relaxed,
                              const murk_partial_plan *partial,
                              const uint32_t *live, const uint64_t *gain,
                              size_t n, murk_ranked *top, size_t *chosen);
 
-/* After that: the most that others can bring where this candidate is in. */
+/* After murk_relaxation_top(): upper bound on the gains of the others if the
+ * extension has this candidate. */
 uint64_t murk_relaxation_others(const murk_relaxation *relaxed,
                                 const murk_partial_plan *partial,
                                 uint32_t candidate);
 
-/* Puts the candidates in the order in which murk_relaxation_rest() picks. */
+/* Sorts the candidates for murk_relaxation_rest(). */
 void murk_relaxation_sort(murk_relaxation *relaxed, murk_ranked *ranked,
                           size_t n);
 
-/* At least what ranked[n], so ordered, can bring to what stands; of a part of
- * the order no more than of the whole. */
+/* Upper bound on the sum of gains of a feasible extension of the partial plan
+ * by ranked[n], sorted as above. The bound of a part of the list is at most
+ * that of the whole list. */
 uint64_t murk_relaxation_rest(murk_relaxation *relaxed,
                               const murk_partial_plan *partial,
                               const murk_ranked *ranked, size_t n);
 
-/* For qsort() of murk_priced: gain per cost, falling, what brings nothing
- * last; then number. */
+/* Comparison for qsort(): falling gain per cost, candidates without a gain
+ * last; then index. */
 int murk_compare_density(const void *a, const void *b);
 
+/* a + b, or UINT64_MAX where that would overflow. */
 static inline uint64_t murk_sum_saturated(uint64_t a, uint64_t b)
 {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;

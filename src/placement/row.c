@@ -22,7 +22,7 @@ static bool is_all_clear(const murk_sparse_row *entries)
 
 /* Words of bits are kept apart where at most one in so many has any: else the
  * loops over neighbours are quicker. */
-#define WORDS_PER_WORD_APART 3
+#define WORDS_PER_SPARSE_WORD 3
 
 /* How a look is stored. */
 typedef struct row_format {
@@ -47,7 +47,7 @@ static row_format format_of(const murk_layout *layout,
     const bool is_clear = is_all_clear(entries);
     row_format s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
                     .words = layout->words};
-    s.is_sparse = words_used <= layout->words / WORDS_PER_WORD_APART;
+    s.is_sparse = words_used <= layout->words / WORDS_PER_SPARSE_WORD;
     if (s.is_sparse) {
         s.words = words_used;
     }

@@ -1,56 +1,59 @@
-/* One candidate's view as stored. */
+/* A row of the coverage matrix in storage form: the entries of one candidate,
+ * by slots of the layout (placement/layout.h), in one of five formats. */
 #ifndef MURK_PLACEMENT_ROW_H
 #define MURK_PLACEMENT_ROW_H
 
 #include "placement/layout.h"
 
 typedef enum murk_row_kind {
-    MURK_ROW_BITS,      /* a bit a slot: seen clearly or not at all */
-    MURK_ROW_PACKED,    /* a bit a slot, and the clarities of those seen */
-    MURK_ROW_DENSE,     /* a clarity a slot */
-    MURK_ROW_LIST,      /* seen slots with their clarities */
-    MURK_ROW_CLEAR_LIST /* seen slots, all clearly */
+    MURK_ROW_BITS,      /* one bit a slot: the entry is MURK_CLEAR or 0 */
+    MURK_ROW_PACKED,    /* one bit a slot, and the clarities of the set bits */
+    MURK_ROW_DENSE,     /* one clarity a slot, 0 included */
+    MURK_ROW_LIST,      /* slots with an entry, and their clarities */
+    MURK_ROW_CLEAR_LIST /* slots with an entry, all MURK_CLEAR */
 } murk_row_kind;
 
 typedef struct murk_row {
     murk_row_kind kind;
     size_t seen;
-    size_t words;         /* BITS, PACKED: of bits */
+    size_t words;         /* of bits; BITS and PACKED only */
     const uint64_t *bits; /* [words] */
-    const uint32_t *at;   /* [words] rising: where each lies; NULL: word k
-                             is the layout's word k */
-    const uint32_t *segment_start; /* [segments + 1] with `at`: the first word
-                            of each segment, and `words` */
-    const uint16_t *clarity;       /* DENSE: [slots]; PACKED, LIST: [seen] */
-    const uint32_t *slot;          /* [seen], distinct */
-    void *memory;                  /* what free() takes; NULL where borrowed */
+    const uint32_t *at; /* [words], increasing: word k of bits is word at[k] of
+                           the layout; NULL: word k is word k */
+    const uint32_t
+        *segment_start; /* [segments + 1], with `at` only: the first word of
+                           each segment of the layout; the last is `words` */
+    const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
+    const uint32_t *slot;    /* [seen], distinct; LIST and CLEAR_LIST only */
+    void *memory;            /* for free(); NULL if borrowed */
     size_t memory_bytes;
 } murk_row;
 
-/* A row that borrows the look; the layout keeps photons in place. */
+/* A row that borrows the arrays of `entries`. The layout must keep each photon
+ * i in slot i. */
 murk_row murk_row_borrow(const murk_sparse_row *entries);
 
-/* The smallest row that holds the look; false when out of memory. The caller
- * frees row->memory. */
+/* Stores the entries in the format that needs least memory. False when out of
+ * memory. The caller frees row->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
-/* The bytes that murk_row_store() would take. */
+/* The number of bytes that murk_row_store() would allocate. */
 size_t murk_row_bytes(const murk_layout *layout,
                       const murk_sparse_row *entries);
 
-/* Where the k-th word of bits lies. */
+/* The word of the layout that holds word k of bits. */
 static inline size_t murk_row_word(const murk_row *row, size_t k)
 {
     return row->at ? row->at[k] : k;
 }
 
-/* A walk over what a row sees, slot by slot. */
+/* Iterator over the entries of a row. */
 typedef struct murk_row_walk {
     const murk_row *row;
-    size_t at;               /* word of BITS and PACKED, else entry */
-    size_t end;              /* of the others */
-    uint64_t left;           /* bits of the word not yet met */
-    const uint16_t *clarity; /* PACKED: the next one's */
+    size_t at;     /* BITS and PACKED: index of the word; else of the entry */
+    size_t end;    /* number of entries; not for BITS and PACKED */
+    uint64_t left; /* bits of the word that are still to come */
+    const uint16_t *clarity; /* PACKED: clarity of the next entry */
 } murk_row_walk;
 
 static inline murk_row_walk murk_row_begin(const murk_layout *layout,
@@ -65,8 +68,8 @@ static inline murk_row_walk murk_row_begin(const murk_layout *layout,
         .clarity = row->clarity};
 }
 
-/* The next slot with its clarity; false at the end. Of a DENSE row those not
- * seen come, too, with clarity 0. */
+/* Gives the next slot and its clarity; false at the end. A DENSE row also gives
+ * slots without an entry, with clarity 0. */
 static inline bool murk_row_next(murk_row_walk *walk, size_t *slot,
                                  uint16_t *clarity)
 {

@@ -25,7 +25,7 @@ murk_status murk_gain_scan_init(murk_gain_scan *out,
     const bool has_budget = evaluator->set && evaluator->set->has_budget;
     *out = (murk_gain_scan){
         .evaluator = evaluator,
-        .has_many_views =
+        .has_many_layers =
             evaluator->layout->layers > 1 || evaluator->layout->doses,
         .worker = worker,
         .rows_max = UINT64_MAX,

@@ -1,47 +1,42 @@
-/* Finding plans: greedy, SPOQ and certified relocation, each built on one
- * question, "which candidates add most to what stands, and which tie?"
- *
- * The answer is exact and complete, though most candidates need no weighing:
- * one adds at most what it is worth alone, but for what rounding may add to
- * that where chances are independent; and where the clearest view alone counts,
- * a dominated one adds at most what its dominator does. */
+/* Searches for plans: greedy, SPOQ and certified relocation, all made of scans
+ * (placement/scan.h). The sources stand in placement/place.h. */
 #ifndef MURK_PLACEMENT_SEARCH_H
 #define MURK_PLACEMENT_SEARCH_H
 
 #include "placement/scan.h"
 
-/* All return the value of plan[n], distinct candidates. When interrupted they
- * return early and the plan means nothing.
+/* All functions return the value of plan[n], which has distinct candidates. If
+ * the run is interrupted they return early, and the plan has no meaning.
  *
- * Under rules the fixed sensors come first in a plan and never move, all that
- * is tried keeps the rules, and s->size says how many sensors the plan has:
- * greedy may come to a dead end before n, and with a budget a plan has as many
- * as pay, n at most. */
+ * Under constraints the fixed sensors come first in a plan and never move,
+ * every plan tried is feasible, and s->size is the number of sensors: greedy
+ * may stop before n, and with a budget a plan has as many sensors as the budget
+ * pays, n at most. */
 
-/* Extends the first `given` of plan to n, or until it is worth `enough`, each
- * the one that adds most, the lowest number on ties. value_after[k] (NULL is
- * fine) is the value of the first k + 1, for k >= given. Lowers s->reach on the
- * way, by what it learns anyhow. */
+/* Extends plan[given] to n sensors, or until the value reaches `enough`. Each
+ * step adds the candidate with the largest gain, the lowest index on ties.
+ * value_after[k] receives the value of the first k + 1 sensors, for k >= given;
+ * NULL is allowed. Lowers s->greedy_bound on the way. */
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 
-/* The random start number `restart` of n sensors; under rules as many as there
- * may be. Returns how many. */
+/* The random start number `restart`, of n sensors or of as many as the
+ * constraints allow. Returns the number of sensors. */
 size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart);
 
-/* The paper's algorithm from its start number `restart`. Two sensors never
- * share a candidate: one that another holds adds nothing, so this matters only
- * where nothing is left to gain. */
+/* The published SPOQ algorithm from start number `restart`. Two sensors never
+ * share a candidate: a second sensor at a candidate adds nothing, so this
+ * matters only if no candidate has a gain. */
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
-/* Moves single sensors while that gains; each stays on ties. At the end no
- * single move helps. */
+/* Certified relocation: moves single sensors while that increases the value; a
+ * sensor stays on ties. At the end no single move increases the value. */
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
 
-/* With a budget: extends plan[given] by the candidate that adds most per cost
- * of those that can still be paid, until none adds anything. */
+/* With a budget: extends plan[given] by the affordable candidate with the
+ * largest gain per cost, until no candidate has a gain. */
 uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
                                    size_t given);
 

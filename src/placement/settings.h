@@ -1,16 +1,18 @@
-/* The settings of a placement, and the result. */
+/* The settings and the result of a placement, and the check of the settings. */
 #ifndef MURK_PLACEMENT_SETTINGS_H
 #define MURK_PLACEMENT_SETTINGS_H
 
 #include "placement/constraints.h"
 #include "placement/problem.h"
 
-/* In weighings of one photon for one candidate, of which some 16 take a
- * nanosecond: half a minute of one processor. A plan of 5 sensors among 1188
- * places that see 10,000 photons takes a hundredth of it. */
+/* Default limit of the searches' work, in evaluations of one photon for one
+ * candidate. Some 16 take a nanosecond, so this is half a minute of one
+ * processor. A plan of 5 sensors among 1188 candidates and 10,000 photons takes
+ * a hundredth of it. */
 #define MURK_SEARCH_WORK UINT64_C(500000000000)
 
-/* `best` stops after so many starts in a row without gain. */
+/* MURK_PLACE_BEST stops after this many starts in a row without gain. A choice,
+ * not a measurement. */
 #define MURK_STARTS_WITHOUT_GAIN 20
 
 typedef enum murk_place_method {
@@ -22,56 +24,60 @@ typedef enum murk_place_method {
 
 typedef struct murk_place_desc {
     murk_place_method method;
-    size_t count;    /* sensors wanted, 1 .. candidates; with a target: at
-                        most */
-    uint64_t target; /* 0, or: as few sensors as are worth so much */
-    size_t restarts; /* SPOQ starts at most, >= 1; `spoq` makes exactly one */
-    uint64_t nodes;  /* work of the branch and bound at most
-                        (placement/exact.h), of all counts together, known
-                        environment; 0: none */
-    uint64_t search_work; /* 0: MURK_SEARCH_WORK */
+    size_t count;    /* sensors of the plan, 1..candidates; with a target the
+                        maximum */
+    uint64_t target; /* 0, or the value that the fewest sensors are to reach */
+    size_t restarts; /* maximum number of SPOQ starts, >= 1; MURK_PLACE_SPOQ
+                        makes one */
+    uint64_t nodes; /* maximum work of branch and bound (placement/exact.h), all
+                       counts together; known environment only; 0: no branch and
+                       bound */
+    uint64_t
+        search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK */
     uint32_t seed;
-    bool with_curve; /* also the best found for 1 .. count - 1 sensors; under
-                        rules from the fewest that they allow on; not with a
-                        budget */
-    const murk_constraints *constraints; /* NULL: none but the count; borrowed.
-                                With a budget count is the most sensors, 0: any
-                                number */
-    bool keep_dominated;                 /* no presolve: for comparison */
+    bool with_curve; /* also find plans of fewer sensors, from 1 or from the
+                        smallest feasible count; not with a budget */
+    const murk_constraints
+        *constraints;    /* borrowed; NULL: none but the count. With a budget
+                            `count` is the maximum, and 0 means any number */
+    bool keep_dominated; /* without presolve, for comparison */
 } murk_place_desc;
 
-murk_place_desc murk_place_defaults(void); /* best, 1, 200, 1e6, 1, true */
+murk_place_desc murk_place_defaults(
+    void); /* best, 1 sensor, 200 starts, 1e6 nodes, seed 1, with a curve */
 
 typedef struct murk_curve_point {
     size_t count;
-    uint64_t value; /* best found */
-    uint64_t upper; /* no plan of that count is worth more */
+    uint64_t value; /* of the best plan found */
+    uint64_t upper; /* an upper bound on the value of any plan of that count */
 } murk_curve_point;
 
 typedef struct murk_place_result {
     size_t count;
-    size_t *sensor;        /* [count] candidates, increasing */
-    uint64_t value;        /* sum_i weight_i f_i (placement/problem.h) */
-    uint64_t upper;        /* >= value of every plan of that count */
-    bool proven_optimal;   /* value == upper, or the plan is otherwise proven */
-    const char *guarantee; /* static text */
-    uint64_t cost;         /* of the sensors, by the rules */
-    size_t fewest;         /* no fewer sensors reach the target; 0 without */
-    uint64_t ceiling;      /* all candidates chosen */
-    uint64_t whole;        /* everything: sum_i weight_i * MURK_CLEAR, times
-                              the redundancy */
-    size_t after_presolve; /* candidates left after dominance */
+    size_t *sensor; /* [count] candidates, increasing */
+    uint64_t value; /* sum_i weight_i f_i (placement/problem.h) */
+    uint64_t upper; /* an upper bound on the value of any plan of that count */
+    bool proven_optimal;   /* value == upper */
+    const char *guarantee; /* a fraction of the optimum that a theorem assures;
+                              static text */
+    uint64_t cost;         /* of the sensors, in the unit of the constraints */
+    size_t fewest;    /* lower bound on the number of sensors that reach the
+                         target; 0 without a target */
+    uint64_t ceiling; /* value of all candidates together */
+    uint64_t whole;   /* sum_i weight_i * MURK_CLEAR, times the redundancy */
+    size_t after_presolve; /* candidates that are not dominated */
     size_t restarts;       /* SPOQ starts made */
-    uint64_t nodes;        /* of branch and bound */
-    bool is_cut;           /* it ended by desc->nodes, unproven */
-    bool is_work_cut;      /* relocation or starts ended by MURK_SEARCH_WORK */
-    uint64_t evaluations;  /* candidates weighed against a present plan */
-    uint64_t queries;      /* calls of look (unknown: each a query) */
-    murk_curve_point *curve; /* [curve_points], by count; NULL without */
+    uint64_t nodes;        /* work of branch and bound */
+    bool is_cut; /* branch and bound ended at desc->nodes without a proof */
+    bool is_work_cut;     /* the searches ended at desc->search_work */
+    uint64_t evaluations; /* gains of candidates that were computed */
+    uint64_t queries; /* rows asked of the problem; unknown environment only */
+    murk_curve_point
+        *curve; /* [curve_points], by increasing count; NULL without a curve */
     size_t curve_points;
 } murk_place_result;
 
-/* Fails with MURK_BAD_VALUE. */
+/* Checks the settings against the problem. Fails with MURK_BAD_VALUE. */
 murk_status murk_place_check(const murk_problem *problem, bool known,
                              const murk_place_desc *desc, murk_error *err);
 

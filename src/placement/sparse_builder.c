@@ -21,14 +21,14 @@ murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,
     if (whole == 0) {
         return MURK_OK;
     }
-    if (b->entries == b->room) {
-        const size_t room = b->room ? 2 * b->room : 1024;
-        murk_sparse_entry *entry = realloc(b->entry, room * sizeof *entry);
+    if (b->entries == b->capacity) {
+        const size_t capacity = b->capacity ? 2 * b->capacity : 1024;
+        murk_sparse_entry *entry = realloc(b->entry, capacity * sizeof *entry);
         if (!entry) {
             return no_memory(b, err);
         }
         b->entry = entry;
-        b->room = room;
+        b->capacity = capacity;
     }
     b->entry[b->entries++] = (murk_sparse_entry){
         (uint32_t)row, (uint32_t)column, (uint32_t)line, whole};
@@ -64,7 +64,7 @@ static bool sort_by_row(murk_sparse_builder *b)
     free(at);
     free(b->entry);
     b->entry = sorted;
-    b->room = b->entries;
+    b->capacity = b->entries;
     return true;
 }
 

@@ -16,7 +16,7 @@ typedef struct murk_sparse_builder {
     murk_matrix_format format;
     size_t rows, columns;
     murk_sparse_entry *entry; /* [entries] */
-    size_t entries, room;
+    size_t entries, capacity;
     double *weight; /* [rows] >= 0; NULL: all 1 */
     double *cost;   /* [columns]; NULL: none */
     char **name;    /* [columns]; NULL: none */

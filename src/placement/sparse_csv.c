@@ -18,9 +18,9 @@ typedef struct reader {
     char *next, *end, *line_begin;
     size_t line;
     cell *cell; /* [cells] of the line read last */
-    size_t cells, room;
+    size_t cells, capacity;
     double *weight; /* [rows, of weight_room] so far; NAN: not told yet */
-    size_t weight_room;
+    size_t weight_capacity;
     murk_sparse_builder *b;
     murk_error *err;
 } reader;
@@ -114,14 +114,14 @@ static murk_status read_line(reader *r, bool *is_end)
     r->cells = 0;
     *is_end = !find_line(r);
     for (bool is_last = *is_end; !is_last;) {
-        if (r->cells == r->room) {
-            const size_t room = r->room ? 2 * r->room : 64;
-            cell *grown = realloc(r->cell, room * sizeof *grown);
+        if (r->cells == r->capacity) {
+            const size_t capacity = r->capacity ? 2 * r->capacity : 64;
+            cell *grown = realloc(r->cell, capacity * sizeof *grown);
             if (!grown) {
                 return no_memory(r);
             }
             r->cell = grown;
-            r->room = room;
+            r->capacity = capacity;
         }
         const murk_status status = read_cell(r, &r->cell[r->cells], &is_last);
         if (status) {
@@ -158,19 +158,19 @@ static murk_status read_weight(const reader *r, size_t k, double *out)
 /* Room for the weight of row number `row`; new ones are not told yet. */
 static murk_status need_weight(reader *r, size_t row)
 {
-    if (row < r->weight_room) {
+    if (row < r->weight_capacity) {
         return MURK_OK;
     }
-    const size_t room = row < 512 ? 1024 : 2 * row;
-    double *weight = realloc(r->weight, room * sizeof *weight);
+    const size_t capacity = row < 512 ? 1024 : 2 * row;
+    double *weight = realloc(r->weight, capacity * sizeof *weight);
     if (!weight) {
         return no_memory(r);
     }
-    for (size_t i = r->weight_room; i < room; ++i) {
+    for (size_t i = r->weight_capacity; i < capacity; ++i) {
         weight[i] = NAN;
     }
     r->weight = weight;
-    r->weight_room = room;
+    r->weight_capacity = capacity;
     return MURK_OK;
 }
 
@@ -285,7 +285,7 @@ typedef struct sparse {
     long at[PARTS]; /* cells of a line; -1: not there */
     size_t cells;
     uint8_t *named[2]; /* [room] which rows and columns a line has named */
-    size_t room[2];
+    size_t capacity[2];
     size_t lines;
 } sparse;
 
@@ -347,15 +347,15 @@ static murk_status read_number(sparse *s, const reader *r, int p, size_t *out)
                             "they are numbered from 1 without gaps",
                             part_name[p], (unsigned long long)value, max);
     }
-    if (value > s->room[p]) {
-        const size_t room = 2 * (size_t)value;
-        uint8_t *named = realloc(s->named[p], room);
+    if (value > s->capacity[p]) {
+        const size_t capacity = 2 * (size_t)value;
+        uint8_t *named = realloc(s->named[p], capacity);
         if (!named) {
             return no_memory(r);
         }
-        memset(named + s->room[p], 0, room - s->room[p]);
+        memset(named + s->capacity[p], 0, capacity - s->capacity[p]);
         s->named[p] = named;
-        s->room[p] = room;
+        s->capacity[p] = capacity;
     }
     s->named[p][value - 1] = 1;
     *out = (size_t)value;

@@ -151,10 +151,10 @@ static void print_columns(terms *t, const murk_sparse_matrix *m)
 
 /* What the rows covered are worth, in weights as given. */
 static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
-                        unsigned views)
+                        unsigned redundancy)
 {
     for (size_t i = 0; i < m->rows; ++i) {
-        const double weight = (double)k->weight[i] / m->unit / views;
+        const double weight = (double)k->weight[i] / m->unit / redundancy;
         if (m->is_clear && k->is_first[i]) {
             begin_term(t);
             fprintf(t->to, "%s%.15g y%zu", t->n > 1 ? "+ " : "", weight, i + 1);
@@ -183,7 +183,7 @@ static void print_clear_row(FILE *to, const kinds *k, size_t i)
     fputs(" <= 0\n", to);
 }
 
-static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned views)
+static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned redundancy)
 {
     terms t = {to, 0};
     fprintf(to, " r%zu:", i + 1);
@@ -192,7 +192,7 @@ static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned views)
         fprintf(to, "%sy%zu_%zu", e > k->begin[i] ? "+ " : "", i + 1,
                 (size_t)k->column[e] + 1);
     }
-    fprintf(to, " <= %u\n", views);
+    fprintf(to, " <= %u\n", redundancy);
     for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
         const size_t j = (size_t)k->column[e] + 1;
         fprintf(to, " r%zu_%zu: y%zu_%zu - x%zu <= 0\n", i + 1, j, i + 1, j, j);
@@ -200,18 +200,18 @@ static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned views)
 }
 
 static void print_rows(FILE *to, const murk_sparse_matrix *m, const kinds *k,
-                       unsigned views)
+                       unsigned redundancy)
 {
     for (size_t i = 0; i < m->rows; ++i) {
         if (k->is_first[i] && m->is_clear) {
             print_clear_row(to, k, i);
         } else if (k->is_first[i]) {
-            print_dimmed_row(to, k, i, views);
+            print_dimmed_row(to, k, i, redundancy);
         }
     }
 }
 
-static unsigned views_of(const murk_lp_goal *goal)
+static unsigned redundancy_of(const murk_lp_goal *goal)
 {
     return goal->redundancy > 1 ? goal->redundancy : 1;
 }
@@ -222,23 +222,23 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
     terms aim = {to, 0}, limit = {to, 0};
     if (goal->count > 0 && goal->target == 0) {
         fputs("Maximize\n covered:", to);
-        print_value(&aim, m, k, views_of(goal));
+        print_value(&aim, m, k, redundancy_of(goal));
         fputs("\nSubject To\n count:", to);
         print_columns(&limit, m);
         fprintf(to, " = %zu\n", goal->count);
     } else if (goal->target == 0) {
         fputs("Maximize\n covered:", to);
-        print_value(&aim, m, k, views_of(goal));
+        print_value(&aim, m, k, redundancy_of(goal));
         fputs("\nSubject To\n", to);
     } else {
         /* values are whole in weight * clarity: half a unit below asks the
          * same, and leaves a solver its tolerance */
-        const double min = ((double)goal->target - 0.5) / views_of(goal) /
+        const double min = ((double)goal->target - 0.5) / redundancy_of(goal) /
                            MURK_CLEAR / m->unit;
         fputs("Minimize\n columns:", to);
         print_columns(&aim, m);
         fputs("\nSubject To\n target:", to);
-        print_value(&limit, m, k, views_of(goal));
+        print_value(&limit, m, k, redundancy_of(goal));
         fprintf(to, " >= %.15g\n", min);
     }
 }
@@ -393,13 +393,13 @@ static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
 }
 
 static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k,
-                         unsigned views)
+                         unsigned redundancy)
 {
     if (m->is_clear) { /* else the rows bound them */
         fputs("Bounds\n", to);
         for (size_t i = 0; i < m->rows; ++i) {
             if (k->is_first[i]) {
-                fprintf(to, " y%zu <= %u\n", i + 1, views);
+                fprintf(to, " y%zu <= %u\n", i + 1, redundancy);
             }
         }
     }
@@ -442,8 +442,8 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
                 m->rows, whole / m->unit, m->columns);
         print_goal(to, m, &k, goal);
         status = print_constraints(to, m, goal, path, err);
-        print_rows(to, m, &k, views_of(goal));
-        print_bounds(to, m, &k, views_of(goal));
+        print_rows(to, m, &k, redundancy_of(goal));
+        print_bounds(to, m, &k, redundancy_of(goal));
         if (status) {
             murk_file_discard(file);
         } else {

@@ -32,29 +32,29 @@ murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
  * appended in order. */
 #define BLOCK_EACH 8
 
-typedef struct kept_look {
+typedef struct stored_row {
     size_t seen;
     uint32_t *photon;
     uint16_t *clarity;
     bool has_failed;
-} kept_look;
+} stored_row;
 
 typedef struct collection {
     const murk_problem *problem;
     murk_sparse_matrix *matrix;
     size_t room, max;
     size_t first; /* candidate of block[0] */
-    kept_look *block;
+    stored_row *block;
 } collection;
 
 static void get_one_row(void *context, unsigned worker, uint64_t batch)
 {
     const collection *c = context;
-    kept_look *kept = &c->block[batch];
+    stored_row *kept = &c->block[batch];
     murk_sparse_row seen;
     c->problem->get_row(c->problem->context, worker, c->first + batch, &seen);
     *kept =
-        (kept_look){.seen = seen.seen,
+        (stored_row){.seen = seen.seen,
                     .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
                     .clarity = malloc((seen.seen + 1) * sizeof *kept->clarity)};
     kept->has_failed = !kept->photon || !kept->clarity;
@@ -65,7 +65,7 @@ static void get_one_row(void *context, unsigned worker, uint64_t batch)
 }
 
 /* Room for `more` entries behind the first `have`. */
-static bool make_room(collection *c, size_t have, size_t more)
+static bool make_space(collection *c, size_t have, size_t more)
 {
     murk_sparse_matrix *m = c->matrix;
     if (have + more <= c->room) {
@@ -88,7 +88,7 @@ static bool make_room(collection *c, size_t have, size_t more)
 }
 
 static murk_status append(collection *c, size_t candidate,
-                          const kept_look *seen, murk_error *err)
+                          const stored_row *seen, murk_error *err)
 {
     murk_sparse_matrix *m = c->matrix;
     const size_t have = m->begin[candidate];
@@ -98,7 +98,7 @@ static murk_status append(collection *c, size_t candidate,
                          "matrix may have %zu entries",
                          candidate + 1, m->columns, have + seen->seen, c->max);
     }
-    if (seen->has_failed || !make_room(c, have, seen->seen)) {
+    if (seen->has_failed || !make_space(c, have, seen->seen)) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
     }
     memcpy(m->row + have, seen->photon, seen->seen * sizeof *m->row);
@@ -131,7 +131,7 @@ static murk_status get_rows(collection *c, murk_error *err)
             }
             free(c->block[i].photon);
             free(c->block[i].clarity);
-            c->block[i] = (kept_look){0};
+            c->block[i] = (stored_row){0};
         }
     }
     free(c->block);
@@ -181,7 +181,7 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
     memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
     reduce_weights(m);
     collection c = {.problem = problem, .matrix = m, .max = max_entries};
-    status = make_room(&c, 0, 1) ? get_rows(&c, err)
+    status = make_space(&c, 0, 1) ? get_rows(&c, err)
                                  : murk_fail(err, MURK_NO_MEMORY, "",
                                              "no memory for the matrix");
     if (status) {

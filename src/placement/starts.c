@@ -118,7 +118,7 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
             ++done;
             ++without_gain;
             t->all_evaluations += t->evaluations[k];
-            t->all_looks += t->queries[k];
+            t->all_queries += t->queries[k];
             t->all_rows += t->rows[k];
             if (t->value[k] > value) {
                 value = t->value[k];

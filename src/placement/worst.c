@@ -18,13 +18,13 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
         &w->evaluator, problem, matrix, w->set,
         w->set ? w->set->max_sensors : desc->count, desc->keep_dominated, err);
     if (!status) {
-        status = murk_block_views_init(&w->views, &w->evaluator, blocks, err);
+        status = murk_block_layouts_init(&w->layouts, &w->evaluator, blocks, err);
     }
     if (!status) {
-        status = murk_worst_search_init(&w->search, &w->views, err);
+        status = murk_worst_search_init(&w->search, &w->layouts, err);
     }
     if (!status) {
-        status = murk_worst_bound_init(&w->bound, &w->views, err);
+        status = murk_worst_bound_init(&w->bound, &w->layouts, err);
     }
     if (status) {
         return status;
@@ -49,7 +49,7 @@ static void release(murk_worst_run *w)
 {
     murk_worst_bound_release(&w->bound);
     murk_worst_search_release(&w->search);
-    murk_block_views_release(&w->views);
+    murk_block_layouts_release(&w->layouts);
     murk_evaluator_release(&w->evaluator);
     free(w->plan);
     free(w->trial);

@@ -1,16 +1,17 @@
-/* Sensors for the worst of several conditions: the plan whose least covered
- * block is covered best.
+/* Placement for the worst scenario: maximises the smallest worth of the blocks
+ * (placement/blocks.h), for the coverage itself or for the regret.
  *
- * `greedy` climbs towards the highest level that greedy reaches in all blocks,
- * found by halving; `best` takes that, greedy on each block and on their mean,
- * and random starts, relocates each, and ends with branch and bound; `exact`
- * is greedy and branch and bound alone; `spoq` one random start, relocated. No
- * share of the optimum is guaranteed; the bound always holds. A result's value,
- * upper and ceiling are shares of MURK_SHARE_ONE, which is its whole, and so is
- * a target. Known environments only.
+ * MURK_PLACE_GREEDY climbs towards the highest level that greedy reaches in all
+ * blocks, found by bisection. MURK_PLACE_BEST adds greedy on each block and on
+ * their mean, and random starts; relocates each plan; and ends with branch and
+ * bound. MURK_PLACE_EXACT is greedy and branch and bound. MURK_PLACE_SPOQ is
+ * one random start, relocated. No fraction of the optimum is guaranteed; the
+ * bound always holds. Value, upper and ceiling of the result, and a target, are
+ * shares in units of 1 / MURK_SHARE_ONE; `whole` is MURK_SHARE_ONE. Known
+ * environments only.
  *
- * Source: Krause, McMahan, Guestrin, Gupta, J. Mach. Learn. Res. 9 (2008)
- * 2761. */
+ * Source: Krause, McMahan, Guestrin, Gupta, J. Mach. Learn. Res. 9 (2008) 2761.
+ */
 #ifndef MURK_PLACEMENT_WORST_H
 #define MURK_PLACEMENT_WORST_H
 

@@ -25,13 +25,13 @@ typedef murk_uint128 wide;
 #define LAMBDA_MIN 1e-9
 
 murk_status murk_worst_bound_init(murk_worst_bound *out,
-                                  const murk_block_views *views,
+                                  const murk_block_layouts *layouts,
                                   murk_error *err)
 {
-    const murk_evaluator *o = views->evaluator;
-    const size_t n = o->candidates + 1, blocks = views->blocks->n;
+    const murk_evaluator *o = layouts->evaluator;
+    const size_t n = o->candidates + 1, blocks = layouts->blocks->n;
     *out = (murk_worst_bound){
-        .views = views,
+        .layouts = layouts,
         .evaluator = *o,
         .weight = calloc(o->problem->photons + 1, sizeof *out->weight),
         .top = calloc(n, sizeof *out->top),
@@ -40,9 +40,9 @@ murk_status murk_worst_bound_init(murk_worst_bound *out,
     for (size_t c = 0; c < blocks; ++c) {
         lambda[c] = 1 / (double)blocks;
         out->block[c] = *o;
-        out->block[c].layout = &views->layout[c];
-        for (size_t i = views->blocks->first[c];
-             i < views->blocks->first[c + 1]; ++i) {
+        out->block[c].layout = &layouts->layout[c];
+        for (size_t i = layouts->blocks->first[c];
+             i < layouts->blocks->first[c + 1]; ++i) {
             const uint32_t w = o->problem->weight[i];
             out->heaviest[c] = w > out->heaviest[c] ? w : out->heaviest[c];
         }
@@ -71,16 +71,16 @@ void murk_worst_bound_release(murk_worst_bound *b)
 static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                              uint64_t *factor)
 {
-    const size_t n = b->views->blocks->n;
+    const size_t n = b->layouts->blocks->n;
     double sum = 0, max = 0;
     for (size_t c = 0; c < n; ++c) {
         sum +=
-            lambda[c] * (double)b->views->whole[c] / (double)b->views->unit[c];
+            lambda[c] * (double)b->layouts->whole[c] / (double)b->layouts->unit[c];
     }
     /* shares add up to 1, but for rounding */
     double scale = WEIGHT_SUM * MURK_CLEAR / fmax(1, sum * (1 - 0x1p-40));
     for (size_t c = 0; c < n; ++c) {
-        const double per_unit = lambda[c] / (double)b->views->unit[c];
+        const double per_unit = lambda[c] / (double)b->layouts->unit[c];
         scale = fmin(scale, WEIGHT_MAX / (per_unit * b->heaviest[c]));
         scale = fmin(scale, FACTOR_MAX / per_unit);
         max = fmax(max, per_unit);
@@ -91,7 +91,7 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                                             : (unsigned)(30 - exponent);
     for (size_t c = 0; c < n; ++c) {
         factor[c] = (uint64_t)ldexp(scale * (1 - 0x1p-50) * lambda[c] /
-                                        (double)b->views->unit[c],
+                                        (double)b->layouts->unit[c],
                                     (int)shift);
     }
     return shift;
@@ -100,27 +100,27 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
 murk_status murk_worst_bound_set_lambda(murk_worst_bound *b,
                                         const double *lambda, murk_error *err)
 {
-    const murk_block_views *views = b->views;
-    const murk_problem *problem = views->evaluator->problem;
+    const murk_block_layouts *layouts = b->layouts;
+    const murk_problem *problem = layouts->evaluator->problem;
     uint64_t factor[MURK_BLOCKS_MAX];
     const unsigned shift = find_factors(b, lambda, factor);
     const uint64_t up = ((uint64_t)1 << shift) - 1;
     wide one = 0;
     b->offset_sum = 0;
-    for (size_t c = 0; c < views->blocks->n; ++c) {
+    for (size_t c = 0; c < layouts->blocks->n; ++c) {
         b->lambda[c] = lambda[c];
-        const wide unit = (wide)factor[c] * views->unit[c];
+        const wide unit = (wide)factor[c] * layouts->unit[c];
         one += unit;
-        b->offset_sum += ((unit + up) >> shift) * views->offset[c];
-        for (size_t i = views->blocks->first[c];
-             i < views->blocks->first[c + 1]; ++i) {
+        b->offset_sum += ((unit + up) >> shift) * layouts->offset[c];
+        for (size_t i = layouts->blocks->first[c];
+             i < layouts->blocks->first[c + 1]; ++i) {
             b->weight[i] =
                 (uint32_t)((problem->weight[i] * factor[c] + up) >> shift);
         }
     }
     b->full_value = (uint64_t)(one >> shift);
     const murk_status status = murk_layout_reweigh(
-        &b->layout, views->evaluator->layout, b->weight, err);
+        &b->layout, layouts->evaluator->layout, b->weight, err);
     if (!status) {
         b->bound.last_count = 0; /* its slopes were of other weights */
         b->evaluator.ceiling = b->layout.whole;
@@ -150,7 +150,7 @@ uint64_t murk_worst_bound_share(const murk_worst_bound *b, uint64_t value)
 /* What the bound at the present thresholds sees of each block, as a share. */
 static void find_shares(murk_worst_bound *b, size_t n, double *share)
 {
-    const murk_block_views *v = b->views;
+    const murk_block_layouts *v = b->layouts;
     murk_multipliers *t = &b->bound.multipliers;
     const size_t chosen = murk_bound_top(&b->bound, n, b->top);
     for (size_t c = 0; c < v->blocks->n; ++c) {
@@ -170,7 +170,7 @@ static void find_shares(murk_worst_bound *b, size_t n, double *share)
 static void step_lambda(const murk_worst_bound *b, const double *share,
                         double step, double *lambda)
 {
-    const size_t n = b->views->blocks->n;
+    const size_t n = b->layouts->blocks->n;
     double mean = 0, widest = 0, sum = 0;
     for (size_t c = 0; c < n; ++c) {
         mean += b->lambda[c] * share[c];
@@ -206,7 +206,7 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
                                      size_t rounds, uint64_t *upper,
                                      murk_error *err)
 {
-    const size_t blocks = b->views->blocks->n;
+    const size_t blocks = b->layouts->blocks->n;
     const murk_constraint_set *set = b->evaluator.set;
     const size_t left = n - (set ? set->constraints->fixed_count : 0);
     double lambda[MURK_BLOCKS_MAX], average[MURK_BLOCKS_MAX] = {0};

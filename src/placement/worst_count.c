@@ -234,7 +234,7 @@ uint64_t murk_worst_ceiling(const murk_worst_run *w)
     uint64_t min = UINT64_MAX;
     for (size_t c = 0; c < w->blocks; ++c) {
         const uint64_t share =
-            murk_block_worth(&w->views, c, w->views.ceiling[c]);
+            murk_block_worth(&w->layouts, c, w->layouts.ceiling[c]);
         min = share < min ? share : min;
     }
     return min;

@@ -15,13 +15,13 @@ typedef struct murk_candidate_bound {
 } murk_candidate_bound;
 
 murk_status murk_worst_search_init(murk_worst_search *out,
-                                   const murk_block_views *views,
+                                   const murk_block_layouts *layouts,
                                    murk_error *err)
 {
-    const murk_evaluator *o = views->evaluator;
-    const size_t n = o->candidates + 1, blocks = views->blocks->n;
+    const murk_evaluator *o = layouts->evaluator;
+    const size_t n = o->candidates + 1, blocks = layouts->blocks->n;
     *out = (murk_worst_search){
-        .views = views,
+        .layouts = layouts,
         .evaluator = o,
         .max = malloc(n * blocks * sizeof *out->max),
         .gain = malloc(CHUNK * blocks * sizeof *out->gain),
@@ -67,9 +67,9 @@ objective_with(const murk_worst_search *s,
                const murk_block_objective *objective, const uint64_t *gain)
 {
     murk_objective_value out = {objective->is_min ? UINT64_MAX : 0, 0};
-    for (size_t c = 0; c < s->views->blocks->n; ++c) {
+    for (size_t c = 0; c < s->layouts->blocks->n; ++c) {
         const uint64_t share =
-            murk_block_worth(s->views, c, s->value[c] + (gain ? gain[c] : 0));
+            murk_block_worth(s->layouts, c, s->value[c] + (gain ? gain[c] : 0));
         if (objective->is_min) {
             out.first = share < out.first ? share : out.first;
             out.second += share;
@@ -88,8 +88,8 @@ static const murk_block_objective MINIMUM_FIRST = {.is_min = true};
 static void add_to_plan(murk_worst_search *s, uint32_t candidate)
 {
     const murk_row row = murk_evaluator_row(s->evaluator, 0, candidate);
-    for (size_t c = 0; c < s->views->blocks->n; ++c) {
-        s->value[c] += murk_row_gain(&s->views->layout[c], &row, &s->cover);
+    for (size_t c = 0; c < s->layouts->blocks->n; ++c) {
+        s->value[c] += murk_row_gain(&s->layouts->layout[c], &row, &s->cover);
     }
     murk_cover_add(&s->cover, s->evaluator->layout, &row);
     if (s->evaluator->set) {
@@ -158,7 +158,7 @@ static bool find_best(murk_worst_search *s, const step *q,
                       murk_objective_value *value_bound, uint32_t *best)
 {
     const murk_evaluator *o = s->evaluator;
-    const size_t blocks = s->views->blocks->n;
+    const size_t blocks = s->layouts->blocks->n;
     size_t n = 0;
     for (size_t k = 0; k < o->undominated; ++k) {
         const uint32_t j = o->ranked[k].candidate;
@@ -180,7 +180,7 @@ static bool find_best(murk_worst_search *s, const step *q,
         if (gathered == 0) {
             break;
         }
-        murk_block_gains(s->views, &s->cover, s->chunk, gathered, s->gain);
+        murk_block_gains(s->layouts, &s->cover, s->chunk, gathered, s->gain);
         s->evaluations += gathered;
         for (size_t i = 0; i < gathered; ++i) {
             const uint32_t j = s->chunk[i];
@@ -244,8 +244,8 @@ static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
 /* What stands can only grow from here on: gains never exceed those alone. */
 static void reset_gain_bounds(murk_worst_search *s)
 {
-    memcpy(s->max, s->views->max,
-           s->evaluator->candidates * s->views->blocks->n * sizeof *s->max);
+    memcpy(s->max, s->layouts->max,
+           s->evaluator->candidates * s->layouts->blocks->n * sizeof *s->max);
 }
 
 uint64_t murk_worst_greedy(murk_worst_search *s,
@@ -292,7 +292,7 @@ static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
                         .but = k,
                         .is_move = true};
         set_all_but(s, plan, n, k);
-        murk_block_gains(s->views, &s->cover, &plan[k], 1, s->gain);
+        murk_block_gains(s->layouts, &s->cover, &plan[k], 1, s->gain);
         murk_objective_value value_bound =
             objective_with(s, &MINIMUM_FIRST, s->gain);
         if (find_best(s, &q, &value_bound, &plan[k])) {
