@@ -28,7 +28,7 @@ typedef struct run {
     const murk_place_desc *desc;
     const murk_evaluator *evaluator;
     const murk_constraint_set *set; /* NULL: no rules but a count */
-    size_t redundancy;                   /* that each photon is to have */
+    size_t redundancy;              /* that each photon is to have */
     murk_incumbent mean;            /* plans by the mean */
     murk_partial_plan partial;      /* with rules: of what stands */
     murk_cover cover;               /* of what stands */
@@ -316,7 +316,8 @@ static murk_status find_count(run *r, size_t n, bool from,
         try_plan(r);
     }
     uint64_t upper = mean->upper;
-    if (r->value < r->desc->target && upper / r->redundancy >= r->desc->target) {
+    if (r->value < r->desc->target &&
+        upper / r->redundancy >= r->desc->target) {
         status = branch_and_bound(r, n, &upper, err);
     }
     upper /= r->redundancy;
@@ -407,7 +408,8 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
     }
     /* Where the mean is this much, so is the strict share; and branch and bound
      * is for the strict one alone. */
-    const uint64_t enough = r->desc->target + (r->redundancy - 1) * r->result->whole;
+    const uint64_t enough =
+        r->desc->target + (r->redundancy - 1) * r->result->whole;
     desc->target = enough < o->ceiling ? enough : o->ceiling;
     desc->nodes = 0;
     const murk_status status =

@@ -37,8 +37,9 @@ static void gain_of_one(void *context, unsigned worker, uint64_t k)
     }
 }
 
-void murk_block_gains(const murk_block_layouts *layouts, const murk_cover *cover,
-                      const uint32_t *candidate, size_t count, uint64_t *gain)
+void murk_block_gains(const murk_block_layouts *layouts,
+                      const murk_cover *cover, const uint32_t *candidate,
+                      size_t count, uint64_t *gain)
 {
     gain_task g = {layouts, cover, candidate, gain};
     const unsigned threads = murk_evaluator_threads(layouts->evaluator, count);
@@ -109,8 +110,8 @@ static murk_status find_gain_bounds(murk_block_layouts *v, murk_error *err)
 }
 
 murk_status murk_block_layouts_init(murk_block_layouts *out,
-                                  const murk_evaluator *evaluator,
-                                  const murk_blocks *blocks, murk_error *err)
+                                    const murk_evaluator *evaluator,
+                                    const murk_blocks *blocks, murk_error *err)
 {
     const size_t photons = evaluator->problem->photons;
     *out = (murk_block_layouts){.blocks = blocks, .evaluator = evaluator};

@@ -56,8 +56,8 @@ typedef struct murk_block_layouts {
 
 /* Borrows both. Call murk_block_layouts_release() also after a failure. */
 murk_status murk_block_layouts_init(murk_block_layouts *out,
-                                  const murk_evaluator *evaluator,
-                                  const murk_blocks *blocks, murk_error *err);
+                                    const murk_evaluator *evaluator,
+                                    const murk_blocks *blocks, murk_error *err);
 void murk_block_layouts_release(murk_block_layouts *layouts);
 
 /* part / whole in units of MURK_SHARE_ONE, rounded down. */
@@ -68,7 +68,8 @@ uint64_t murk_block_worth(const murk_block_layouts *layouts, size_t c,
                           uint64_t value);
 
 /* gain[k * n + c] = the gain of candidate[k] in block c, over all threads. */
-void murk_block_gains(const murk_block_layouts *layouts, const murk_cover *cover,
-                      const uint32_t *candidate, size_t count, uint64_t *gain);
+void murk_block_gains(const murk_block_layouts *layouts,
+                      const murk_cover *cover, const uint32_t *candidate,
+                      size_t count, uint64_t *gain);
 
 #endif

@@ -1,3 +1,7 @@
+/* Covers of photons by sets of candidates: as bits if the matrix is 0/1, else
+ * as clarities, else as doses. Layers keep the k largest entries of each
+ * photon: a new entry goes to the highest layer that has a smaller one, and the
+ * displaced entry moves on to the layer below. */
 #include "placement/cover.h"
 
 #include <assert.h>
@@ -89,6 +93,7 @@ static void add_to_full(uint64_t *full, const murk_row *row)
 static void add_to_best(uint16_t *best, const murk_layout *layout,
                         const murk_row *row)
 {
+    /* The maximum of the cover and the row, by the format of the row. */
     switch (row->kind) {
     case MURK_ROW_BITS:
         for (size_t k = 0; k < row->words; ++k) {
@@ -128,7 +133,8 @@ static void add_to_best(uint16_t *best, const murk_layout *layout,
     }
 }
 
-/* Each layer keeps what it has and hands down what it need not. */
+/* Inserts bits into the layers of a word, from the highest layer down: a layer
+ * passes on the bits that it already has. */
 static void insert_bits(const murk_cover *cover, const murk_layout *layout,
                         size_t word, uint64_t bits)
 {
@@ -140,6 +146,8 @@ static void insert_bits(const murk_cover *cover, const murk_layout *layout,
     }
 }
 
+/* Inserts a clarity into the layers of a slot, from the highest layer down: the
+ * smaller value is passed on. */
 static void insert_clarity(const murk_cover *cover, const murk_layout *layout,
                            size_t slot, uint16_t clarity)
 {

@@ -1,3 +1,7 @@
+/* Gains of a row over a cover, by the format of the row and of the cover, and
+ * the comparisons of a row with a cover. A segment whose photons have one
+ * weight takes the weight times the sum of a kernel (placement/kernels.h); a
+ * segment of mixed weights takes the weighted sum. */
 #include "placement/gain.h"
 
 #include "placement/kernel_loops.h"
@@ -9,13 +13,13 @@ static bool has_bit(const uint64_t *bits, size_t i)
     return (bits[i / 64] >> (i % 64)) & 1;
 }
 
-/* A row's words of one segment, and the cover's and weights' words that its
- * `at` counts from. */
+/* The stored words of a row in one segment. `at` counts from word `from` of the
+ * cover and the weights. */
 typedef struct row_segment {
     const uint64_t *bits;
     const uint32_t *at;
     size_t words;
-    size_t from; /* word */
+    size_t from; /* first word */
 } row_segment;
 
 static row_segment segment_of(const murk_row *row, const murk_layout *layout,
@@ -31,7 +35,8 @@ static row_segment segment_of(const murk_row *row, const murk_layout *layout,
                          s->first_word};
 }
 
-/* Weight of the row's new photons in words of mixed weights. */
+/* Weight of the photons in the row and not in the cover, for words of mixed
+ * weights. */
 static uint64_t weighted_new(const row_segment *p, const uint64_t *full,
                              const uint32_t *weight)
 {
@@ -54,6 +59,8 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
         const murk_weight_run *segment = &layout->segment[s];
         const row_segment p = segment_of(row, layout, s);
         const uint32_t *weight = layout->weight + 64 * p.from;
+        /* A 0/1 cover needs bit counts, a cover of clarities sums of what is
+         * missing to MURK_CLEAR. */
         if (!segment->is_mixed && segment->weight == 0) {
             continue;
         }
@@ -147,7 +154,8 @@ static uint64_t gain_of_clear_list(const murk_layout *layout,
     return sum;
 }
 
-/* Of doses. */
+/* For detection probabilities: the worth of the sum of the doses, less the
+ * worth before. */
 static uint64_t gain_of_independent(const murk_layout *layout,
                                     const murk_row *row,
                                     const murk_cover *cover)
@@ -223,6 +231,7 @@ static uint64_t independent_packed(const murk_layout *layout,
             clarity += used;
             continue;
         }
+        /* Mixed weights: entry by entry. */
         for (size_t k = 0; k < p.words; ++k) {
             const size_t first = 64 * murk_word_at(p.at, k);
             for (uint64_t left = p.bits[k]; left; left &= left - 1) {
@@ -235,10 +244,12 @@ static uint64_t independent_packed(const murk_layout *layout,
     return sum;
 }
 
-/* Where a dose Y stands, worth `best`, a view of clarity p brings at most
- * (65535 - h)(p + .07) / 65535 more of h = 65535 (1 - exp(-Y)), which is less
- * than 1.01 above best: p (65535 - best) / 65535 + 1.1, and that is less than
- * 2 above the same divided by 65536 and rounded down. */
+/* Let the cover have the dose Y with worth `best`, and let h = 65535 (1 -
+ * exp(-Y)), which exceeds best by less than 1.01. An entry of clarity p adds at
+ * most (65535 - h)(p + .07) / 65535 to h, so the worth grows by at most p
+ * (65535 - best) / 65535 + 1.1. That is less than 2 above the same product
+ * divided by 65536 and rounded down, which the kernels compute.
+ * MURK_GAIN_BOUND_SLACK is twice that. */
 uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover)
 {
@@ -280,6 +291,7 @@ void murk_row_count_above(const murk_layout *layout, const murk_row *row,
                           const uint16_t *best, uint16_t *count)
 {
     switch (row->kind) {
+    /* A set bit stands for MURK_CLEAR. */
     case MURK_ROW_BITS:
         for (size_t k = 0; k < row->words; ++k) {
             const size_t first = 64 * murk_row_word(row, k);
@@ -320,6 +332,7 @@ bool murk_row_is_covered(const murk_layout *layout, const murk_row *row,
                          const murk_cover *cover)
 {
     switch (row->kind) {
+    /* Each format returns at the first entry that exceeds the cover. */
     case MURK_ROW_BITS:
         for (size_t k = 0; k < row->words; ++k) {
             const size_t at = murk_row_word(row, k);

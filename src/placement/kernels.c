@@ -1,3 +1,5 @@
+/* The portable kernels, and the choice of the fastest version that this
+ * processor can run. */
 #include "placement/kernels.h"
 #include "placement/kernel_loops.h"
 

@@ -1,3 +1,6 @@
+/* Kernels for AVX2. The loops over bits are the portable ones, compiled with
+ * popcnt and bmi; the loops over clarities process 16 slots at a time. All sums
+ * are exact integers, equal to those of the portable kernels. */
 #include "placement/kernel_loops.h"
 #include "placement/kernels.h"
 
@@ -10,9 +13,11 @@
 
 MURK_COMPILE_LOOPS(avx2, AVX2)
 
-/* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
+/* A 32-bit lane takes two 16-bit terms a step and is full after 2^15 steps. */
 #define STEPS_PER_FLUSH 32768
 
+/* 16 terms: max(0, row - best), or with is_independent row * (MURK_CLEAR -
+ * best) / 65536. */
 AVX2 static inline __m256i part(__m256i row, __m256i best, bool is_independent)
 {
     return is_independent
@@ -21,6 +26,7 @@ AVX2 static inline __m256i part(__m256i row, __m256i best, bool is_independent)
                : _mm256_subs_epu16(row, best);
 }
 
+/* The sum of the terms, with a flush of the 32-bit lanes to 64 bits. */
 AVX2 static inline uint64_t sum_parts(const uint16_t *row, const uint16_t *best,
                                       size_t n, bool is_independent)
 {

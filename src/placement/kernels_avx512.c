@@ -1,3 +1,7 @@
+/* Kernels for AVX-512 (bw, vbmi2, vpopcntdq): 32 slots at a time, with bit
+ * counts of eight words in one instruction and packed clarities expanded by
+ * masks. All sums are exact integers, equal to those of the portable kernels.
+ */
 #include "placement/kernel_loops.h"
 #include "placement/kernels.h"
 
@@ -10,7 +14,7 @@
     __attribute__(( \
         target("avx512f,avx512bw,avx512vbmi2,avx512vpopcntdq,popcnt")))
 
-/* Lanes of 32 bits take two 16-bit terms a step: full after 2^15 steps. */
+/* A 32-bit lane takes two 16-bit terms a step and is full after 2^15 steps. */
 #define STEPS_PER_FLUSH 32768
 
 WIDE static uint64_t count_new_side_by_side(const uint64_t *row,
@@ -33,7 +37,8 @@ WIDE static uint64_t count_new_side_by_side(const uint64_t *row,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-/* Eight loads in a row are as quick as a gather. */
+/* A sparse row uses the portable loop: eight single loads are as fast as a
+ * gather. */
 WIDE static uint64_t count_new_avx512(const uint64_t *row, const uint32_t *at,
                                       const uint64_t *full, size_t words)
 {
@@ -41,7 +46,7 @@ WIDE static uint64_t count_new_avx512(const uint64_t *row, const uint32_t *at,
               : count_new_side_by_side(row, full, words);
 }
 
-/* Sum of the 16 lanes, each taken as unsigned. */
+/* The sum of the 16 unsigned 32-bit lanes. */
 WIDE static uint64_t reduce_u32(__m512i sum)
 {
     const __m512i even = _mm512_and_si512(sum, _mm512_set1_epi64(0xffffffff));
@@ -49,7 +54,7 @@ WIDE static uint64_t reduce_u32(__m512i sum)
     return (uint64_t)_mm512_reduce_add_epi64(_mm512_add_epi64(even, odd));
 }
 
-/* Adds the 32 unsigned 16-bit lanes of d into 16 lanes of 32 bits. */
+/* Adds the 32 unsigned 16-bit lanes of d to 16 lanes of 32 bits. */
 WIDE static inline __m512i fold_u16(__m512i sum, __m512i d)
 {
     const __m512i low = _mm512_set1_epi32(0xffff);
@@ -63,7 +68,7 @@ WIDE static uint64_t sum_missing_avx512(const uint64_t *row, const uint32_t *at,
     const __m512i ones = _mm512_set1_epi32(-1);
     uint64_t total = 0;
     for (size_t k = 0; k < words;) {
-        /* two folds a word */
+        /* each word makes two steps */
         const size_t end =
             words - k < STEPS_PER_FLUSH / 2 ? words : k + STEPS_PER_FLUSH / 2;
         __m512i sum = _mm512_setzero_si512();
@@ -81,7 +86,8 @@ WIDE static uint64_t sum_missing_avx512(const uint64_t *row, const uint32_t *at,
     return total;
 }
 
-/* Above best, or the rest of it that the row has. */
+/* 32 terms: max(0, row - best), or with is_independent row * (MURK_CLEAR -
+ * best) / 65536. */
 WIDE static inline __m512i part(__m512i row, const uint16_t *best,
                                 bool is_independent)
 {
@@ -122,7 +128,8 @@ WIDE static uint64_t sum_independent_avx512(const uint16_t *row,
     return sum_parts(row, best, n, true);
 }
 
-/* sum + the 16 products of 16-bit d (in 32-bit lanes) and 32-bit weights. */
+/* sum + the 16 products of 16-bit d (widened to 32-bit lanes) and 32-bit
+ * weights. */
 WIDE static inline __m512i add_products(__m512i sum, __m256i d,
                                         const uint32_t *weight)
 {
@@ -170,7 +177,8 @@ WIDE static uint64_t weighted_missing_avx512(const uint64_t *row,
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-/* Of the packed clarities at p, put where the bits of mask are. */
+/* The terms of 32 slots: clarities from p go to the slots whose bits are set in
+ * mask. */
 WIDE static inline __m512i expand(const uint16_t *p, uint32_t mask,
                                   const uint16_t *best, bool is_independent)
 {
@@ -184,6 +192,7 @@ WIDE static inline uint64_t sum_packed_parts(const uint64_t *row,
                                              const uint16_t *best, size_t words,
                                              size_t *used, bool is_independent)
 {
+    /* Each word makes two steps of 32 slots. */
     uint64_t total = 0;
     const uint16_t *p = clarity;
     for (size_t k = 0; k < words;) {

@@ -1,10 +1,16 @@
+/* Assigns a slot to each photon: photons of one weight share 64-bit words, so
+ * that most sums of weights are bit counts times a weight. A counting sort over
+ * the distinct weights gives the slots. With nearly as many distinct weights as
+ * photons the unused slots would outweigh the gain, and photon i stays in slot
+ * i. */
 #include "placement/layout.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Regrouping may pad at most one slot in four: beyond that, weights are too
- * varied to gain from it. */
+/* Regrouping may leave one slot in four unused. With more distinct weights the
+ * longer rows cost more than bit counts save (a
+ * choice). */
 #define PHOTONS_PER_PADDING 4
 
 static int by_value(const void *a, const void *b)
@@ -13,7 +19,8 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Sorts value[n] and moves its distinct entries to the front. */
+/* Sorts value[n] and moves the distinct values to the front. Returns their
+ * number. */
 static size_t keep_distinct(uint32_t *value, size_t n)
 {
     qsort(value, n, sizeof *value, by_value);
@@ -41,7 +48,8 @@ static uint32_t common_divisor(const uint32_t *weight, size_t n)
     return weight_gcd ? weight_gcd : 1;
 }
 
-/* A slot for each photon: by weight, then by number. */
+/* Assigns the slots by weight, then by photon. The first pass counts the
+ * photons of each weight, the second one assigns. */
 static void assign_slots(murk_layout *out, const uint32_t *weight,
                          const uint32_t *distinct, size_t n_distinct,
                          size_t *next)
@@ -57,7 +65,8 @@ static void assign_slots(murk_layout *out, const uint32_t *weight,
             }
             ++next[k];
         }
-        if (pass == 0) { /* counts become first slots */
+        if (pass ==
+            0) { /* counts become first slots, each weight at a new word */
             size_t first = 0;
             for (size_t k = 0; k < n_distinct; ++k) {
                 const size_t count = next[k];
@@ -69,7 +78,8 @@ static void assign_slots(murk_layout *out, const uint32_t *weight,
     }
 }
 
-/* Whether the photons of a word, padding aside, share a weight, and which. */
+/* True if all photons of a word have the same weight, *weight. Unused slots do
+ * not count. */
 static bool is_uniform(const murk_layout *l, size_t word, uint32_t *weight)
 {
     *weight = l->weight[64 * word];
@@ -111,7 +121,7 @@ void *murk_aligned_zeros(size_t n)
     return out;
 }
 
-/* Room for weights; the padding weighs nothing. */
+/* Allocates the weights. Unused slots have weight 0. */
 static bool allocate(murk_layout *l)
 {
     l->weight = murk_aligned_zeros(l->slots * sizeof *l->weight);
@@ -140,6 +150,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
     uint32_t *distinct = NULL;
     size_t *next = NULL;
     murk_status status = MURK_OK;
+    /* Assign slots by weight if the unused slots are few. */
     if (regroup && photons > 0) {
         distinct = malloc(photons * sizeof *distinct);
         if (!distinct) {
@@ -156,6 +167,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
             assign_slots(&l, problem->weight, distinct, n, next);
         }
     }
+    /* Detection probabilities need the table of doses. */
     if (problem->combining == MURK_COMBINE_INDEPENDENT) {
         l.doses = malloc(sizeof *l.doses);
         if (!l.doses) {
@@ -163,6 +175,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
         }
         murk_doses_fill(l.doses);
     }
+    /* Weights by slot, and the runs of equal weight. */
     l.words = l.slots / 64;
     if (!allocate(&l)) {
         goto no_memory;
@@ -182,9 +195,9 @@ done:
     return status;
 }
 
-/* Rows know the segments that they were stored by: these stay, each of one
- * weight or mixed as it now is. Where photons of one weight lay, slots without
- * weight are padding. */
+/* Sets the weight of each segment anew. The segments themselves stay, because
+ * stored rows refer to them. In a segment of one weight, slots with weight 0
+ * are unused. */
 static void update_segments(murk_layout *l, const murk_layout *from)
 {
     for (size_t s = 0; s < from->segments; ++s) {

@@ -1,3 +1,8 @@
+/* Builds the coverage matrix: asks the problem for every row, over all threads,
+ * and stores each in the smallest format. If the matrix could exceed the memory
+ * limit, a pilot sample of rows estimates the size first, so a run that does
+ * not fit ends before the sightlines are computed. Photons with equal columns
+ * are merged at the end (placement/merge.h). */
 #include "placement/matrix.h"
 
 #include "base/interrupt.h"
@@ -9,19 +14,22 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* With fewer photons rows are short enough: calls would outweigh words. */
+/* Fewer photons are not merged: their rows are so short that the calls of the
+ * kernels outweigh the words (a choice). */
 #define PHOTONS_WORTH_MERGING 16384
 
-/* Candidates that the pilot looks at before memory is committed. */
+/* Rows of the pilot sample. A rough estimate suffices, as the limit
+ * itself is checked while the matrix is filled. */
 #define PILOT_ROWS 32
 
 typedef struct fill_task {
     const murk_problem *problem;
     murk_matrix *matrix;
     uint64_t max_bytes;
-    _Atomic uint64_t *hash; /* [photons], NULL: none is taken */
+    _Atomic uint64_t
+        *hash; /* [photons] hashes of the columns; NULL: not computed */
     murk_tally bytes;
-    murk_tally out_of_memory; /* rows that could not be had */
+    murk_tally out_of_memory; /* rows that could not be allocated */
 } fill_task;
 
 static double gigabytes(uint64_t bytes)
@@ -41,15 +49,15 @@ static murk_status too_big(murk_error *err, const murk_problem *problem,
                      gigabytes(max_bytes));
 }
 
-/* The most that the rows can take, whatever is seen. */
+/* Upper bound on the memory of the rows, for any entries. */
 static uint64_t max_possible(const murk_layout *layout, size_t candidates)
 {
     return (uint64_t)candidates *
            (sizeof(murk_row) + 64 + layout->slots * sizeof(uint16_t));
 }
 
-/* Spread over the candidates by the golden ratio, so that the steps of a grid
- * do not line up with the sample. */
+/* Candidate k of the pilot sample. Multiples of the golden ratio spread the
+ * sample evenly and do not align with the steps of a grid. */
 static size_t pilot_candidate(size_t k, size_t candidates)
 {
     const double turn = (double)k * 0.6180339887498949;
@@ -102,9 +110,11 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
                    .matrix = matrix,
                    .hash = hash,
                    .max_bytes = max_bytes};
+    /* Ask for all rows. */
     murk_progress_begin("sense", problem->candidates, "candidates");
     murk_pool_run_workers(problem->threads, problem->candidates, fill_row, &f);
     murk_progress_end();
+    /* Refuse an incomplete matrix. */
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
@@ -118,6 +128,7 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
         return too_big(err, problem, "more than", gigabytes(max_bytes),
                        max_bytes);
     }
+    /* Sum up the rows. */
     matrix->is_binary = true;
     matrix->memory_bytes = sizeof *matrix + (size_t)murk_tally_read(&f.bytes);
     for (size_t j = 0; j < matrix->candidates; ++j) {
@@ -127,7 +138,7 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
             matrix->is_binary &&
             (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST);
     }
-    if (matrix->is_binary) { /* what is certain, is so in one view */
+    if (matrix->is_binary) { /* detection with probability 1 needs no doses */
         free(matrix->layout.doses);
         matrix->layout.doses = NULL;
     }
@@ -150,7 +161,7 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
 {
     assert(out && problem && problem->threads > 0);
     murk_status status = MURK_OK;
-    /* without it nothing is merged */
+    /* hashes of the columns; without them nothing is merged */
     _Atomic uint64_t *hash = merging == MURK_MERGE_NEVER
                                  ? NULL
                                  : calloc(problem->photons + 1, sizeof *hash);
@@ -165,6 +176,7 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
                            problem->candidates);
         goto done;
     }
+    /* Check the size with a pilot sample, fill, and merge. */
     status = murk_layout_init(&matrix->layout, problem, true, err);
     if (!status && problem->candidates > 0 &&
         max_possible(&matrix->layout, problem->candidates) > max_bytes) {

@@ -1,3 +1,9 @@
+/* Merges photons with equal columns in the coverage matrix (presolve of
+ * photons). Photons are grouped by the hash of the column and by weight; each
+ * row is then checked to contain all photons of a group with one clarity, or
+ * none of them. So a collision of hashes is detected, and the result never
+ * depends on the hash function. The rows are rewritten in the layout of the
+ * remaining photons. */
 #include "placement/merge.h"
 
 #include "base/interrupt.h"
@@ -9,13 +15,16 @@
 
 #define NOT_KEPT UINT32_MAX
 
-/* Beside its words a segment costs a call, as much as so many words; a word of
- * mixed weights as much as so many others. Rows must become so much shorter. */
+/* The cost of evaluating a row, in words: a call of a kernel for each segment
+ * costs as much as 8 words, a word of mixed weights as much as 16 words.
+ * Merging must lower the cost to .7, or rewriting the rows does not pay. Rough
+ * figures; they decide about time only. */
 #define WORDS_PER_SEGMENT 8
 #define WORDS_PER_MIXED   16
-#define COST_RATIO_MAX         0.7
+#define COST_RATIO_MAX    0.7
 
-/* SplitMix64's finaliser: the word of a candidate and clarity. */
+/* The pseudo-random word of an entry: the finaliser of SplitMix64 (Steele, Lea,
+ * Flood, OOPSLA 2014, doi:10.1145/2660193.2660195). */
 static uint64_t hash_entry(uint64_t candidate, uint16_t clarity)
 {
     uint64_t x = (candidate << 16 | clarity) + UINT64_C(0x9e3779b97f4a7c15);
@@ -37,26 +46,28 @@ void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
     }
 }
 
+/* Sort key of a photon. */
 typedef struct hashed_photon {
     uint64_t hash;
     uint32_t weight, photon;
 } hashed_photon;
 
 typedef struct merging {
-    murk_layout *old; /* of the rows as given */
+    murk_layout *old; /* layout of the given rows */
     murk_row *row;    /* [candidates] */
     size_t candidates, photons, groups, kept;
-    uint32_t *group;  /* [photons] */
-    uint32_t *size;   /* [groups] */
-    uint32_t *number; /* [photons] among those kept, or NOBODY */
-    uint32_t *weight; /* [kept] */
-    uint32_t *photon; /* [slots] of the matrix as it is, or NOBODY */
+    uint32_t *group; /* [photons] group of each photon */
+    uint32_t *size;  /* [groups] photons in each group */
+    uint32_t
+        *number; /* [photons] index among the remaining photons, or NOT_KEPT */
+    uint32_t *weight; /* [kept] weights of the remaining photons */
+    uint32_t *photon; /* [slots] photon of each slot of the old layout */
     murk_layout layout;
-    /* [threads][..] */
-    uint32_t **group_count; /* [groups] photons of a row */
-    uint16_t **clarity;     /* [groups] theirs */
-    uint32_t **seen;        /* [kept] */
-    uint16_t **packed;      /* [kept] */
+    /* Scratch, one block for each thread. */
+    uint32_t **group_count; /* [groups] photons of the group met in the row */
+    uint16_t **clarity;     /* [groups] clarity of the group in the row */
+    uint32_t **seen;        /* [kept] photons of the new row */
+    uint16_t **packed;      /* [kept] clarities of the new row */
     unsigned threads;
     murk_tally mismatches, out_of_memory, bytes;
 } merging;
@@ -73,7 +84,9 @@ static int by_hash(const void *a, const void *b)
     return (x->photon > y->photon) - (x->photon < y->photon);
 }
 
-/* Who of a group's m photons stand for all, and with which weight. */
+/* Chooses the representatives of a group of n photons: one for each binary
+ * digit 1 of n, with that multiple of the weight. A weight that would exceed 32
+ * bits is split. */
 static void choose_representatives(merging *m, const hashed_photon *first,
                                    size_t n)
 {
@@ -87,7 +100,8 @@ static void choose_representatives(merging *m, const hashed_photon *first,
                2 * part * first->weight <= (uint64_t)UINT32_MAX) {
             part *= 2;
         }
-        m->number[first[k].photon] = 0; /* numbered later, in order */
+        m->number[first[k].photon] =
+            0; /* numbered later, in order of the photons */
         m->weight[first[k].photon] = (uint32_t)(part * first->weight);
         left -= part;
     }
@@ -104,6 +118,7 @@ static bool group_photons(merging *m, const murk_problem *problem,
         v[i] = (hashed_photon){atomic_load(&hash[i]), problem->weight[i],
                                (uint32_t)i};
     }
+    /* Runs of equal hash and weight are the groups. */
     qsort(v, m->photons, sizeof *v, by_hash);
     for (size_t i = 0; i < m->photons;) {
         size_t end = i;
@@ -117,9 +132,12 @@ static bool group_photons(merging *m, const murk_problem *problem,
         i = end;
     }
     free(v);
+    /* Number the representatives. */
     for (size_t i = 0; i < m->photons; ++i) {
         if (m->number[i] != NOT_KEPT) {
-            m->weight[m->kept] = m->weight[i]; /* kept <= i */
+            m->weight[m->kept] =
+                m->weight[i]; /* kept <= i, so no weight is overwritten before
+                                 it is read */
             m->number[i] = (uint32_t)m->kept++;
         }
     }
@@ -137,7 +155,9 @@ static double scan_cost(const murk_layout *layout)
     return cost;
 }
 
-/* A group's photons are all in the row, with one clarity, or none is. */
+/* Checks one row: it contains all photons of a group with one clarity, or none
+ * of them. The first pass counts the photons of each group and compares
+ * clarities, the second one compares the counts and resets them. */
 static void check_row(void *context, unsigned worker, uint64_t batch)
 {
     merging *m = context;
@@ -147,6 +167,7 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
     const murk_row *row = &m->row[batch];
     size_t slot;
     uint16_t p;
+    /* See above. */
     for (int pass = 0; pass < 2; ++pass) {
         for (murk_row_walk walk = murk_row_begin(layout, row);
              murk_row_next(&walk, &slot, &p);) {
@@ -176,6 +197,7 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     murk_row *row = &m->row[batch];
     uint32_t *seen = m->seen[worker];
     uint16_t *packed = m->packed[worker];
+    /* Collect the entries of the representatives. */
     size_t n = 0, slot;
     uint16_t p;
     for (murk_row_walk walk = murk_row_begin(layout, row);
@@ -186,6 +208,7 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
             packed[n++] = p;
         }
     }
+    /* Replace the stored row. */
     const bool is_clear =
         row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST;
     const murk_sparse_row entries = {n, seen, is_clear ? NULL : packed};
@@ -259,12 +282,13 @@ static void merging_release(merging *m)
     murk_layout_release(&m->layout);
 }
 
-/* The rows under the new layout. */
+/* Rewrites the rows in the new layout, and exchanges the layouts. */
 static void rewrite(merging *m)
 {
     murk_pool_run_workers(m->threads, m->candidates, store_row, m);
     const murk_layout old = *m->old;
-    m->layout.weight_gcd = old.weight_gcd; /* what is worth a step stays */
+    m->layout.weight_gcd = old.weight_gcd; /* the granularity of values is that
+                                              of the original weights */
     if (!old.doses) {
         free(m->layout.doses);
         m->layout.doses = NULL;
@@ -280,6 +304,7 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
 {
     merging m;
     murk_status status = MURK_OK;
+    /* Group the photons and lay out the representatives. */
     bool has_memory = merging_init(&m, layout, row, problem) &&
                       group_photons(&m, problem, hash) && allocate(&m);
     if (has_memory) {
@@ -288,12 +313,13 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
         fewer.weight = m.weight;
         status = murk_layout_init(&m.layout, &fewer, true, err);
     }
-    const bool pays =
-        has_memory && !status &&
-        (is_forced || scan_cost(&m.layout) < COST_RATIO_MAX * scan_cost(layout));
+    const bool pays = has_memory && !status &&
+                      (is_forced || scan_cost(&m.layout) <
+                                        COST_RATIO_MAX * scan_cost(layout));
     if (pays) {
         murk_pool_run_workers(m.threads, m.candidates, check_row, &m);
     }
+    /* Rewrite the rows if no hash collided. */
     if (pays && !murk_interrupted() && murk_tally_read(&m.mismatches) == 0) {
         rewrite(&m);
         has_memory = murk_tally_read(&m.out_of_memory) == 0;

@@ -1,3 +1,8 @@
+/* Stores the row of one candidate in the format that needs least memory: bits,
+ * bits with clarities, clarities for every slot, or lists of slots. A row of
+ * bits may leave out the words without a set bit; such a row is called sparse
+ * here, and `at` gives the place of each stored word. The caller must use the
+ * row with the layout that it was stored for. */
 #include "placement/row.h"
 
 #include <assert.h>
@@ -17,17 +22,19 @@ static bool is_all_clear(const murk_sparse_row *entries)
     return true;
 }
 
-/* The wide loops may read this far behind packed clarities. */
+/* Bytes behind packed clarities that the wide loops may read: one vector
+ * register of AVX-512. */
 #define PACKED_PADDING 64
 
-/* Words of bits are kept apart where at most one in so many has any: else the
- * loops over neighbours are quicker. */
+/* A row of bits is sparse if at most one word in three has a set bit. With more
+ * set words the loops over neighbouring words are faster than loops over `at`.
+ */
 #define WORDS_PER_SPARSE_WORD 3
 
-/* How a look is stored. */
+/* The format of a row, and the sizes that follow from it. */
 typedef struct row_format {
     murk_row_kind kind;
-    bool is_sparse; /* of the words of bits only those that have any */
+    bool is_sparse; /* only words with a set bit are stored */
     size_t words, bytes;
 } row_format;
 
@@ -37,14 +44,17 @@ static size_t bytes_of_bits(const row_format *s, const murk_layout *layout)
     return s->words * sizeof(uint64_t) + marks * sizeof(uint32_t);
 }
 
-/* Of words that lie apart a photon shares its 8 bytes, and 4 that say where,
- * with its neighbours; a list takes 4. Clarities are 2 more. Dense costs 2 a
- * slot, hardly more than packed where most is seen, and is quicker. */
+/* Chooses the format with the fewest bytes. A sparse word takes 8 bytes and 4
+ * for the place, shared by all set bits of the word; a list takes 4 bytes an
+ * entry. Clarities add 2 bytes an entry. DENSE takes 2 bytes a slot; if more
+ * than half of the slots have entries, that is hardly more than PACKED, and
+ * faster. */
 static row_format format_of(const murk_layout *layout,
                             const murk_sparse_row *entries, size_t words_used)
 {
     const size_t seen = entries->seen;
     const bool is_clear = is_all_clear(entries);
+    /* Bits first, sparse where that pays. */
     row_format s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
                     .words = layout->words};
     s.is_sparse = words_used <= layout->words / WORDS_PER_SPARSE_WORD;
@@ -52,6 +62,7 @@ static row_format format_of(const murk_layout *layout,
         s.words = words_used;
     }
     s.bytes = bytes_of_bits(&s, layout);
+    /* Lists if they take no more than bits; then DENSE for full rows. */
     const size_t clarities = is_clear ? 0 : seen * sizeof(uint16_t);
     const size_t list = seen * sizeof(uint32_t);
     if (list <= s.bytes) {
@@ -76,7 +87,8 @@ murk_row murk_row_borrow(const murk_sparse_row *entries)
                       .slot = entries->photon};
 }
 
-/* A bit for each slot that is seen; [layout->words], for free(). */
+/* Sets a bit for each slot with an entry. Returns [layout->words], for free().
+ * *words_used is the number of words with a set bit. */
 static uint64_t *set_bits(const murk_layout *layout,
                           const murk_sparse_row *entries, size_t *words_used)
 {
@@ -98,7 +110,8 @@ size_t murk_row_bytes(const murk_layout *layout, const murk_sparse_row *entries)
     return format_of(layout, entries, words_used).bytes;
 }
 
-/* Clarities in the order of their slots. first[words] is scratch. */
+/* Writes the clarities in the order of the slots. first[words] is scratch: the
+ * index of the first clarity of each word. */
 static void fill_packed(uint16_t *clarity, const uint64_t *bits,
                         uint32_t *first, const murk_layout *layout,
                         const murk_sparse_row *entries)
@@ -126,6 +139,8 @@ static void store_bits(murk_row *row, const row_format *s,
         memcpy(words, bits, s->words * sizeof *words);
         return;
     }
+    /* Sparse: the words with a set bit, the places of the words behind them,
+     * then the first word of each segment. */
     uint32_t *at = (uint32_t *)(words + s->words),
              *segment_start = at + s->words;
     row->at = at;
@@ -145,7 +160,7 @@ static void store_bits(murk_row *row, const row_format *s,
     segment_start[layout->segments] = (uint32_t)n;
 }
 
-/* Behind the bits. False when out of memory. */
+/* The packed clarities lie behind the bits. False when out of memory. */
 static bool store_packed(murk_row *row, const row_format *s,
                          const murk_layout *layout, const uint64_t *bits,
                          const murk_sparse_row *entries)
@@ -191,6 +206,7 @@ static void store_list(murk_row *row, const murk_layout *layout,
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries)
 {
+    /* All formats but lists are made from one bit a slot. */
     size_t words_used;
     uint64_t *bits = set_bits(layout, entries, &words_used);
     if (!bits) {
@@ -202,6 +218,7 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
                     .memory = murk_aligned_zeros(s.bytes),
                     .memory_bytes = s.bytes};
     bool is_stored = row.memory;
+    /* Fill the one block of memory in the chosen format. */
     if (is_stored && s.words > 0) {
         store_bits(&row, &s, layout, bits);
         is_stored = s.kind == MURK_ROW_BITS ||

@@ -19,11 +19,11 @@
  * except the counters. */
 typedef struct murk_gain_scan {
     const murk_evaluator *evaluator;
-    unsigned worker;     /* worker index if threads is 1 */
-    unsigned threads;    /* each scan uses so many threads */
-    murk_cover cover;    /* of the partial plan */
+    unsigned worker;      /* worker index if threads is 1 */
+    unsigned threads;     /* each scan uses so many threads */
+    murk_cover cover;     /* of the partial plan */
     bool has_many_layers; /* more than the largest entry of a photon counts */
-    bool *is_partial;    /* [candidates] member of the partial plan */
+    bool *is_partial;     /* [candidates] member of the partial plan */
     uint64_t *max; /* [candidates] upper bounds on the gains of this scan; NULL:
                       gains are as fast to compute */
     uint64_t *gain; /* [candidates] of this scan, or NOT_EVALUATED */

@@ -183,7 +183,8 @@ static void print_clear_row(FILE *to, const kinds *k, size_t i)
     fputs(" <= 0\n", to);
 }
 
-static void print_dimmed_row(FILE *to, const kinds *k, size_t i, unsigned redundancy)
+static void print_dimmed_row(FILE *to, const kinds *k, size_t i,
+                             unsigned redundancy)
 {
     terms t = {to, 0};
     fprintf(to, " r%zu:", i + 1);

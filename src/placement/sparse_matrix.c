@@ -53,10 +53,10 @@ static void get_one_row(void *context, unsigned worker, uint64_t batch)
     stored_row *kept = &c->block[batch];
     murk_sparse_row seen;
     c->problem->get_row(c->problem->context, worker, c->first + batch, &seen);
-    *kept =
-        (stored_row){.seen = seen.seen,
-                    .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
-                    .clarity = malloc((seen.seen + 1) * sizeof *kept->clarity)};
+    *kept = (stored_row){
+        .seen = seen.seen,
+        .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
+        .clarity = malloc((seen.seen + 1) * sizeof *kept->clarity)};
     kept->has_failed = !kept->photon || !kept->clarity;
     for (size_t k = 0; k < seen.seen && !kept->has_failed; ++k) {
         kept->photon[k] = seen.photon[k];
@@ -182,8 +182,8 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
     reduce_weights(m);
     collection c = {.problem = problem, .matrix = m, .max = max_entries};
     status = make_space(&c, 0, 1) ? get_rows(&c, err)
-                                 : murk_fail(err, MURK_NO_MEMORY, "",
-                                             "no memory for the matrix");
+                                  : murk_fail(err, MURK_NO_MEMORY, "",
+                                              "no memory for the matrix");
     if (status) {
         murk_sparse_matrix_destroy(m);
         return status;

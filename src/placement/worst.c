@@ -18,7 +18,8 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
         &w->evaluator, problem, matrix, w->set,
         w->set ? w->set->max_sensors : desc->count, desc->keep_dominated, err);
     if (!status) {
-        status = murk_block_layouts_init(&w->layouts, &w->evaluator, blocks, err);
+        status =
+            murk_block_layouts_init(&w->layouts, &w->evaluator, blocks, err);
     }
     if (!status) {
         status = murk_worst_search_init(&w->search, &w->layouts, err);

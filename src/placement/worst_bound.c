@@ -74,8 +74,8 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
     const size_t n = b->layouts->blocks->n;
     double sum = 0, max = 0;
     for (size_t c = 0; c < n; ++c) {
-        sum +=
-            lambda[c] * (double)b->layouts->whole[c] / (double)b->layouts->unit[c];
+        sum += lambda[c] * (double)b->layouts->whole[c] /
+               (double)b->layouts->unit[c];
     }
     /* shares add up to 1, but for rounding */
     double scale = WEIGHT_SUM * MURK_CLEAR / fmax(1, sum * (1 - 0x1p-40));
